@@ -1,0 +1,34 @@
+# Each target is a line or two that a person could type. `make setup` makes .venv; the others make it if it's missing.
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+export PIP_DISABLE_PIP_VERSION_CHECK = 1
+
+.PHONY: setup demo test check bench matrix sanitize clean
+
+setup: $(VENV)/.installed
+
+$(VENV)/.installed: pyproject.toml CMakeLists.txt packages/tfloom-ros2/pyproject.toml $(shell find native -name '*.?pp')
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --upgrade "pip>=25.1"
+	$(BIN)/python -m pip install --quiet --group build --group test --group check
+	$(BIN)/python -m pip install --quiet --no-build-isolation -C cmake.define.TFLOOM_WARNINGS_AS_ERRORS=ON \
+		--editable ".[all]" ./packages/tfloom-ros2
+	touch $@
+
+demo: setup
+	$(BIN)/tfloom demo $(ARGS)
+
+test: setup
+	$(BIN)/python -m pytest $(ARGS)
+
+check: setup
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+
+bench: setup
+	$(BIN)/python -m benchmarks $(ARGS)
+
+clean:
+	rm -rf $(VENV) build dist

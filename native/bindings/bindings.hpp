@@ -1,0 +1,10 @@
+// The families of bindings, one file each; module.cpp puts them into tfloom._native.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+namespace tfloom::bindings {
+
+void bind_core(nanobind::module_& m);
+
+}  // namespace tfloom::bindings

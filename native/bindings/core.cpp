@@ -1,0 +1,67 @@
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/vector.h>
+
+#include <cstring>
+#include <stdexcept>
+#include <vector>
+
+#include "bindings/bindings.hpp"
+#include "core/ready_queue.hpp"
+#include "core/sink.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace tfloom::bindings {
+namespace {
+
+Gid to_gid(const nb::bytes& bytes) {
+  Gid gid{};
+  if (bytes.size() != gid.size()) throw nb::value_error("publisher_gid must have 16 octets");
+  std::memcpy(gid.data(), bytes.data(), gid.size());
+  return gid;
+}
+
+std::vector<ReadyQueue::Token> wait_for_tokens(ReadyQueue& queue, std::int64_t timeout_ns) {
+  std::vector<ReadyQueue::Token> tokens;
+  const Waker::Deadline deadline(timeout_ns);
+  for (;;) {
+    ReadyQueue::Outcome outcome;
+    {
+      const nb::gil_scoped_release release;
+      const auto left = deadline.left();
+      outcome = queue.wait(left ? left->count() : -1, tokens);
+    }
+    if (outcome != ReadyQueue::Outcome::interrupted) return tokens;
+    if (PyErr_CheckSignals() != 0) throw nb::python_error();
+  }
+}
+
+}  // namespace
+
+void bind_core(nb::module_& m) {
+  nb::class_<Sink>(m, "Sink", "Takes serialized samples without Python; see `Reader.feed`.")
+      .def(
+          "push",
+          [](Sink& sink, const nb::bytes& data, std::int64_t source_stamp_ns, std::int64_t received_stamp_ns,
+             const nb::bytes& publisher_gid) {
+            const SampleInfo info{source_stamp_ns, received_stamp_ns, to_gid(publisher_gid)};
+            const std::span view(static_cast<const std::byte*>(data.data()), data.size());
+            const nb::gil_scoped_release release;
+            sink.push(view, info);
+          },
+          "data"_a, "source_stamp_ns"_a, "received_stamp_ns"_a, "publisher_gid"_a,
+          "Push one sample: encapsulation header and CDR, stamps [ns since epoch], 16 octets of gid.");
+
+  nb::class_<ReadyQueue>(m, "ReadyQueue",
+                         "Tokens of entities that have something to do: any thread posts, one thread waits.")
+      .def(nb::init<>())
+      .def("post", &ReadyQueue::post, "token"_a, nb::call_guard<nb::gil_scoped_release>(),
+           "Post a token. One that is posted again before it is taken is taken once.")
+      .def("wait", &wait_for_tokens, "timeout_ns"_a,
+           "Wait for tokens and take all of them, in order of first posting.\n\n"
+           "Does not wait with a timeout of 0, waits for ever with a negative one. Empty on a timeout. Releases "
+           "the GIL; a signal's Python handler runs at once, and what it raises is raised here.");
+}
+
+}  // namespace tfloom::bindings

@@ -1,0 +1,6 @@
+#include "bindings/bindings.hpp"
+
+NB_MODULE(_native, m) {
+  m.doc() = "The compiled core of tfloom: numbers, ids and bytes.";
+  tfloom::bindings::bind_core(m);
+}

@@ -1,0 +1,31 @@
+// A sink takes serialized samples from a wire, on the wire's own thread and without Python.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace tfloom {
+
+using Gid = std::array<std::uint8_t, 16>;
+
+struct SampleInfo {
+  std::int64_t source_stamp_ns = 0;    // writer's clock, since epoch
+  std::int64_t received_stamp_ns = 0;  // our clock, since epoch
+  Gid publisher_gid{};
+};
+
+class Sink {
+ public:
+  Sink() = default;
+  Sink(const Sink&) = delete;
+  Sink& operator=(const Sink&) = delete;
+  virtual ~Sink() = default;
+
+  // Takes one sample: the four octets of encapsulation header, then CDR. `data` is hostile and lives only
+  // during the call. Never throws: a sample that can't be read is counted and dropped.
+  virtual void push(std::span<const std::byte> data, const SampleInfo& info) noexcept = 0;
+};
+
+}  // namespace tfloom

@@ -1,0 +1,61 @@
+"""Quality of service as a wire knows it: plain numbers, in nanoseconds. `tfloom.node.qos` has rclpy's face of it."""
+
+from __future__ import annotations
+
+from enum import IntEnum
+from typing import NamedTuple
+
+INFINITE_NS = 0x7FFF_FFFF_FFFF_FFFF
+"""A duration [ns] that never ends: no deadline, no lifespan, no lease."""
+
+
+class ReliabilityPolicy(IntEnum):
+    """Whether a writer sends again what a reader missed."""
+
+    SYSTEM_DEFAULT = 0
+    RELIABLE = 1
+    BEST_EFFORT = 2
+    UNKNOWN = 3
+    BEST_AVAILABLE = 4
+
+
+class DurabilityPolicy(IntEnum):
+    """Whether a reader that comes late is sent what was written before."""
+
+    SYSTEM_DEFAULT = 0
+    TRANSIENT_LOCAL = 1
+    VOLATILE = 2
+    UNKNOWN = 3
+    BEST_AVAILABLE = 4
+
+
+class HistoryPolicy(IntEnum):
+    """Whether an end keeps all samples or the last `depth`."""
+
+    SYSTEM_DEFAULT = 0
+    KEEP_LAST = 1
+    KEEP_ALL = 2
+    UNKNOWN = 3
+
+
+class LivelinessPolicy(IntEnum):
+    """Who says that a writer is alive: the wire, or each write."""
+
+    SYSTEM_DEFAULT = 0
+    AUTOMATIC = 1
+    MANUAL_BY_TOPIC = 3
+    UNKNOWN = 4
+    BEST_AVAILABLE = 5
+
+
+class QoS(NamedTuple):
+    """What a writer offers or a reader asks for. Durations in nanoseconds, `INFINITE_NS` for none."""
+
+    reliability: ReliabilityPolicy = ReliabilityPolicy.RELIABLE
+    durability: DurabilityPolicy = DurabilityPolicy.VOLATILE
+    history: HistoryPolicy = HistoryPolicy.KEEP_LAST
+    depth: int = 10
+    deadline_ns: int = INFINITE_NS
+    lifespan_ns: int = INFINITE_NS
+    liveliness: LivelinessPolicy = LivelinessPolicy.AUTOMATIC
+    liveliness_lease_ns: int = INFINITE_NS
