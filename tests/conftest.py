@@ -1,0 +1,130 @@
+"""What every test may ask for: a domain of its own, and programs that end with the test."""
+
+from __future__ import annotations
+
+import os
+import random
+import socket
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from pathlib import Path
+
+import pytest
+
+# By the RTPS port formula, domains up to 100 keep clear of Linux's ephemeral ports.
+DOMAINS = range(1, 101)
+TIMEOUT_S = 30.0
+
+
+def wait_until(condition: Callable[[], object], timeout_s: float = TIMEOUT_S, what: str = "") -> None:
+    """Wait for a condition, looking every few milliseconds; fail the test when it stays false."""
+    end = time.monotonic() + timeout_s
+    while not condition():
+        if time.monotonic() > end:
+            pytest.fail(f"gave up after {timeout_s} s waiting for {what or condition}")
+        time.sleep(0.005)
+
+
+@pytest.fixture(name="wait_until")
+def _wait_until() -> Callable[..., None]:
+    return wait_until
+
+
+@pytest.fixture
+def domain_id(monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
+    """Give a DDS domain that no other test on this machine uses now, and set ROS_DOMAIN_ID to it.
+
+    A TCP port of the loopback interface, held as long as the test runs, is the lock.
+    """
+    for domain in random.sample(DOMAINS, len(DOMAINS)):
+        lock = socket.socket()
+        try:
+            lock.bind(("127.0.0.1", 7400 + 250 * domain))
+        except OSError:
+            lock.close()
+            continue
+        monkeypatch.setenv("ROS_DOMAIN_ID", str(domain))
+        monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
+        with lock:
+            yield domain
+        return
+    pytest.fail("all DDS domains are in use")
+
+
+class Program:
+    """A process under test: its lines as they come, and a sure end."""
+
+    def __init__(self, command: Sequence[str | Path], **options: object) -> None:
+        self.command = [str(part) for part in command]
+        self.lines: list[str] = []
+        self.process = subprocess.Popen(  # type: ignore[call-overload]
+            self.command,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            bufsize=1,
+            start_new_session=True,
+            **{"stdin": subprocess.DEVNULL, **options},
+        )
+        self._reader = threading.Thread(target=self._read, daemon=True)
+        self._reader.start()
+
+    def _read(self) -> None:
+        for line in self.process.stdout:
+            self.lines.append(line.rstrip("\n"))
+
+    @property
+    def output(self) -> str:
+        return "\n".join(self.lines)
+
+    def wait_for(self, text: str, timeout_s: float = TIMEOUT_S) -> None:
+        """Wait until a line holds `text`; fail with all that was printed if the program ends before."""
+        end = time.monotonic() + timeout_s
+        while not any(text in line for line in list(self.lines)):
+            ended = self.process.poll() is not None
+            if ended:
+                self._reader.join(1.0)
+            if time.monotonic() > end or (ended and not any(text in line for line in self.lines)):
+                pytest.fail(f"{self.command} never printed {text!r}; it printed:\n{self.output}")
+            time.sleep(0.005)
+
+    def wait(self, timeout_s: float = TIMEOUT_S) -> int:
+        """Wait for the end and return the exit code."""
+        code = self.process.wait(timeout_s)
+        self._reader.join(timeout_s)
+        return int(code)
+
+    def signal(self, number: int) -> None:
+        self.process.send_signal(number)
+
+    def end(self) -> None:
+        """End the process and whatever it started."""
+        if hasattr(os, "killpg"):
+            with suppress(ProcessLookupError):
+                os.killpg(self.process.pid, 9)
+        elif self.process.poll() is None:
+            self.process.kill()
+        self.process.wait(TIMEOUT_S)
+        self._reader.join(TIMEOUT_S)
+        self.process.stdout.close()
+
+
+@pytest.fixture
+def start_program() -> Iterator[Callable[..., Program]]:
+    """Start processes that are ended with the test: `start_program("ros2", "topic", "list")`."""
+    programs: list[Program] = []
+
+    def start(*command: str | Path, **options: object) -> Program:
+        first, *rest = command
+        beside_python = Path(sys.executable).with_name(str(first))
+        program = Program([beside_python if beside_python.exists() else first, *rest], **options)
+        programs.append(program)
+        return program
+
+    yield start
+    for program in programs:
+        program.end()
