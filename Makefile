@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 export PIP_DISABLE_PIP_VERSION_CHECK = 1
 
-.PHONY: setup demo test check bench matrix sanitize clean
+.PHONY: setup demo test check stub bench matrix sanitize clean
 
 setup: $(VENV)/.installed
 
@@ -26,6 +26,10 @@ check: setup
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
+
+# The typed face of the extension, after a change in native/bindings.
+stub: setup
+	$(BIN)/python -m nanobind.stubgen -m tfloom._native -q -o src/tfloom/_native.pyi
 
 bench: setup
 	$(BIN)/python -m benchmarks $(ARGS)

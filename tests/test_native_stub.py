@@ -1,0 +1,25 @@
+"""`_native.pyi` is what nanobind's stubgen makes of the extension that is installed."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+STUB = Path(__file__).parents[1] / "src" / "tfloom" / "_native.pyi"
+REGENERATE = [sys.executable, "-m", "nanobind.stubgen", "-m", "tfloom._native", "-q", "-o"]
+
+
+def test_the_stub_is_current(tmp_path: Path) -> None:
+    fresh = tmp_path / "_native.pyi"
+    subprocess.run([*REGENERATE, str(fresh)], check=True, timeout=120)
+    command = "make stub"
+    assert STUB.read_text("utf-8") == fresh.read_text("utf-8"), f"the extension's face has changed: {command}"
+
+
+def test_every_argument_has_a_name_and_every_function_a_docstring() -> None:
+    text = STUB.read_text("utf-8")
+    assert not re.search(r"\barg\d*\s*[:,)]", text)
+    undocumented = re.findall(r"^\s*def ([a-z]\w*)\(.*: \.\.\.$", text, re.MULTILINE)
+    assert not undocumented
