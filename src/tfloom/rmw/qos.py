@@ -59,3 +59,23 @@ class QoS(NamedTuple):
     lifespan_ns: int = INFINITE_NS
     liveliness: LivelinessPolicy = LivelinessPolicy.AUTOMATIC
     liveliness_lease_ns: int = INFINITE_NS
+
+    def resolved(self) -> QoS:
+        """Return this with each system default replaced by ROS's: reliable, volatile, keep the last, automatic.
+
+        A depth of 0 becomes 1, a duration of 0 becomes `INFINITE_NS`, as in ROS.
+        """
+        return QoS(
+            reliability=self.reliability or ReliabilityPolicy.RELIABLE,
+            durability=self.durability or DurabilityPolicy.VOLATILE,
+            history=self.history or HistoryPolicy.KEEP_LAST,
+            depth=max(self.depth, 1),
+            deadline_ns=_limited(self.deadline_ns),
+            lifespan_ns=_limited(self.lifespan_ns),
+            liveliness=self.liveliness or LivelinessPolicy.AUTOMATIC,
+            liveliness_lease_ns=_limited(self.liveliness_lease_ns),
+        )
+
+
+def _limited(duration_ns: int) -> int:
+    return duration_ns if 0 < duration_ns < INFINITE_NS else INFINITE_NS

@@ -1,0 +1,92 @@
+"""Which wire: chosen by RMW_IMPLEMENTATION, imported when chosen."""
+
+from __future__ import annotations
+
+import os
+import sys
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+from tfloom.rmw.errors import ConfigurationError, NoBackendError
+
+if TYPE_CHECKING:
+    from tfloom.rmw.base import Participant
+
+BACKENDS = {
+    "rmw_cyclonedds_cpp": "tfloom.rmw.cyclonedds",
+    "tfloom_local": "tfloom.rmw.local",
+}
+"""ROS's spelling of each wire, and the module that speaks it."""
+
+STAND_INS = {
+    "rmw_fastrtps_cpp": "rmw_cyclonedds_cpp",
+    "rmw_fastrtps_dynamic_cpp": "rmw_cyclonedds_cpp",
+}
+"""Wires that we don't have, and the one that is heard by them."""
+
+DEFAULT = "rmw_cyclonedds_cpp"
+LARGEST_DOMAIN_ID = 232
+
+_stand_ins_told: set[str] = set()
+
+
+def open_participant(domain_id: int | None = None, enclave: str = "/") -> Participant:
+    """Join a domain on the wire that RMW_IMPLEMENTATION names.
+
+    Args:
+        domain_id: 0 to 232; None takes ROS_DOMAIN_ID, or 0 where it isn't set.
+        enclave: Security enclave to announce.
+
+    Raises:
+        ConfigurationError: the domain isn't an integer from 0 to 232, or the wire can't take another setting.
+        NoBackendError: RMW_IMPLEMENTATION names no known wire, or the wire's library isn't installed.
+    """
+    module = import_module(BACKENDS[implementation_identifier()])
+    domain = domain_id_from_environment() if domain_id is None else _checked(domain_id, "domain_id")
+    participant: Participant = module.open_participant(domain, enclave)
+    return participant
+
+
+def implementation_identifier() -> str:
+    """Return the wire in use, a key of `BACKENDS`.
+
+    Raises:
+        NoBackendError: RMW_IMPLEMENTATION names no known wire.
+    """
+    asked = os.environ.get("RMW_IMPLEMENTATION") or DEFAULT
+    name = STAND_INS.get(asked, asked)
+    if name not in BACKENDS:
+        known = ", ".join([*BACKENDS, *STAND_INS])
+        raise NoBackendError(f"RMW_IMPLEMENTATION is {asked!r}, which is none of: {known}")
+    if name != asked and asked not in _stand_ins_told:
+        _stand_ins_told.add(asked)
+        print(
+            f"tfloom: {asked} isn't available, so {name} is used: topics pass between the two, services don't",
+            file=sys.stderr,
+        )
+    return name
+
+
+def domain_id_from_environment() -> int:
+    """Return ROS_DOMAIN_ID, or 0 where it isn't set.
+
+    Raises:
+        ConfigurationError: it isn't an integer from 0 to 232.
+    """
+    text = os.environ.get("ROS_DOMAIN_ID", "").strip()
+    if not text:
+        return 0
+    try:
+        return _checked(int(text), "ROS_DOMAIN_ID")
+    except ValueError:
+        raise ConfigurationError(_domain_text("ROS_DOMAIN_ID", text)) from None
+
+
+def _checked(domain_id: int, where: str) -> int:
+    if not 0 <= domain_id <= LARGEST_DOMAIN_ID:
+        raise ConfigurationError(_domain_text(where, domain_id))
+    return domain_id
+
+
+def _domain_text(where: str, found: object) -> str:
+    return f"{where} must be an integer from 0 to {LARGEST_DOMAIN_ID}, not {found!r}"

@@ -1,0 +1,66 @@
+"""Choosing a wire and a domain from the environment."""
+
+from __future__ import annotations
+
+import pytest
+
+from tfloom.rmw import backends
+from tfloom.rmw.errors import ConfigurationError, NoBackendError
+
+
+def test_the_local_wire_by_its_name(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+    monkeypatch.setenv("ROS_DOMAIN_ID", "17")
+    participant = backends.open_participant()
+    assert participant.domain_id == 17
+    participant.close()
+
+
+@pytest.mark.parametrize("value", ["", None])
+def test_cyclone_is_the_default(monkeypatch: pytest.MonkeyPatch, value: str | None) -> None:
+    monkeypatch.delenv("RMW_IMPLEMENTATION", raising=False)
+    if value is not None:
+        monkeypatch.setenv("RMW_IMPLEMENTATION", value)
+    assert backends.implementation_identifier() == "rmw_cyclonedds_cpp"
+
+
+def test_cyclone_stands_in_for_fast_dds_and_says_so_once(monkeypatch, capsys) -> None:
+    monkeypatch.setattr(backends, "_stand_ins_told", set())
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_fastrtps_cpp")
+    assert backends.implementation_identifier() == "rmw_cyclonedds_cpp"
+    told = capsys.readouterr().err
+    assert told.count("\n") == 1
+    assert "rmw_fastrtps_cpp isn't available, so rmw_cyclonedds_cpp is used" in told
+    assert backends.implementation_identifier() == "rmw_cyclonedds_cpp"
+    assert capsys.readouterr().err == ""
+
+
+def test_an_unknown_wire_is_an_error_that_lists_the_known(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_conext_cpp")
+    with pytest.raises(
+        NoBackendError, match="'rmw_conext_cpp', which is none of: rmw_cyclonedds_cpp, tfloom_local"
+    ):
+        backends.open_participant()
+
+
+@pytest.mark.parametrize(("text", "domain"), [(None, 0), ("", 0), ("0", 0), ("232", 232), (" 42 ", 42)])
+def test_domain_from_the_environment(monkeypatch, text: str | None, domain: int) -> None:
+    monkeypatch.delenv("ROS_DOMAIN_ID", raising=False)
+    if text is not None:
+        monkeypatch.setenv("ROS_DOMAIN_ID", text)
+    assert backends.domain_id_from_environment() == domain
+
+
+@pytest.mark.parametrize("text", ["233", "-1", "1.5", "abc", "0x10"])
+def test_a_bad_domain_says_what_was_wrong(monkeypatch: pytest.MonkeyPatch, text: str) -> None:
+    monkeypatch.setenv("ROS_DOMAIN_ID", text)
+    with pytest.raises(
+        ConfigurationError, match="ROS_DOMAIN_ID must be an integer from 0 to 232, not '?" + text
+    ):
+        backends.domain_id_from_environment()
+
+
+def test_a_bad_domain_argument_is_refused_too(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+    with pytest.raises(ConfigurationError, match="domain_id must be an integer from 0 to 232, not 1000"):
+        backends.open_participant(1000)

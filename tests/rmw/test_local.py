@@ -1,0 +1,196 @@
+"""The in-process wire: who hears what, in which order, and what the graph shows."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+
+import pytest
+
+from tfloom._native import ReadyQueue
+from tfloom.rmw.base import NodeName, Topic
+from tfloom.rmw.errors import ClosedError
+from tfloom.rmw.local import LocalParticipant, LocalReader, open_participant
+from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, QoS, ReliabilityPolicy
+
+TOPIC = Topic("/chatter", "std_msgs/msg/String", "RIHS01_" + "0" * 64)
+TALKER = NodeName("/", "talker")
+LISTENER = NodeName("/a/b", "listener")
+TRANSIENT_LOCAL = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, depth=3)
+
+
+@pytest.fixture
+def ends(request: pytest.FixtureRequest) -> Iterator[tuple[LocalParticipant, LocalParticipant]]:
+    here, there = open_participant(7), open_participant(7)
+    yield here, there
+    here.close()
+    there.close()
+
+
+def drain(reader: LocalReader) -> list[bytes]:
+    samples = iter(reader.take, None)
+    return [sample.data for sample in samples]
+
+
+def test_a_sample_is_there_when_write_returns(ends) -> None:
+    writer = ends[0].create_writer(TALKER, TOPIC, QoS())
+    reader = ends[1].create_reader(LISTENER, TOPIC, QoS())
+    writer.write(b"\0\1\0\0abcd")
+    sample = reader.take()
+    assert sample is not None
+    assert sample.data == b"\0\1\0\0abcd"
+    assert sample.publisher_gid == writer.gid
+    assert len(writer.gid) == 16
+    assert 0 < sample.source_stamp_ns <= sample.received_stamp_ns
+    assert reader.take() is None
+
+
+def test_matched_counts_follow_both_ends(ends) -> None:
+    writer = ends[0].create_writer(TALKER, TOPIC, QoS())
+    assert writer.matched_count() == 0
+    readers = [end.create_reader(LISTENER, TOPIC, QoS()) for end in ends]
+    assert (writer.matched_count(), readers[0].matched_count(), readers[1].matched_count()) == (2, 1, 1)
+    readers[0].close()
+    assert writer.matched_count() == 1
+    writer.close()
+    assert readers[1].matched_count() == 0
+
+
+@pytest.mark.parametrize(
+    ("topic", "qos"),
+    [
+        (TOPIC._replace(name="/other"), QoS()),
+        (TOPIC._replace(type_name="std_msgs/msg/Int32"), QoS()),
+        (TOPIC, QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL)),
+    ],
+    ids=["name", "type", "qos"],
+)
+def test_other_topics_types_and_qualities_do_not_match(ends, topic: Topic, qos: QoS) -> None:
+    writer = ends[0].create_writer(TALKER, TOPIC, QoS())
+    reader = ends[1].create_reader(LISTENER, topic, qos)
+    writer.write(b"data")
+    assert (writer.matched_count(), reader.matched_count(), reader.take()) == (0, 0, None)
+
+
+def test_another_hash_of_the_type_still_matches(ends) -> None:
+    writer = ends[0].create_writer(TALKER, TOPIC, QoS())
+    ends[1].create_reader(LISTENER, TOPIC._replace(type_hash=""), QoS())
+    assert writer.matched_count() == 1
+
+
+def test_domains_are_apart(ends) -> None:
+    elsewhere = open_participant(8)
+    reader = elsewhere.create_reader(LISTENER, TOPIC, QoS())
+    ends[0].create_writer(TALKER, TOPIC, QoS()).write(b"data")
+    assert reader.take() is None
+    assert elsewhere.graph.nodes() == []
+    elsewhere.close()
+
+
+def test_keep_last_drops_the_oldest_and_keep_all_none(ends) -> None:
+    writer = ends[0].create_writer(TALKER, TOPIC, QoS())
+    last = ends[1].create_reader(LISTENER, TOPIC, QoS(depth=3))
+    every = ends[1].create_reader(LISTENER, TOPIC, QoS(history=HistoryPolicy.KEEP_ALL, depth=1))
+    sent = [b"%d" % i for i in range(10)]
+    for data in sent:
+        writer.write(data)
+    assert drain(last) == sent[-3:]
+    assert drain(every) == sent
+
+
+def test_a_late_reader_gets_what_a_transient_local_writer_keeps(ends) -> None:
+    writer = ends[0].create_writer(TALKER, TOPIC, TRANSIENT_LOCAL)
+    for i in range(5):
+        writer.write(b"%d" % i)
+    asks = ends[1].create_reader(LISTENER, TOPIC, TRANSIENT_LOCAL._replace(depth=10))
+    does_not = ends[1].create_reader(LISTENER, TOPIC, QoS())
+    assert drain(asks) == [b"2", b"3", b"4"]
+    assert drain(does_not) == []
+    writer.write(b"5")
+    assert drain(asks) == drain(does_not) == [b"5"]
+
+
+def test_a_sample_past_its_lifespan_is_not_taken(ends, wait_until) -> None:
+    brief = TRANSIENT_LOCAL._replace(lifespan_ns=1_000)
+    reader = ends[1].create_reader(LISTENER, TOPIC, QoS())
+    ends[0].create_writer(TALKER, TOPIC, brief).write(b"data")
+    wait_until(lambda: reader.take() is None)
+    assert drain(ends[1].create_reader(LISTENER, TOPIC, TRANSIENT_LOCAL)) == []
+
+
+def test_notify_posts_at_once_when_something_waits_and_for_each_sample_after(ends) -> None:
+    queue = ReadyQueue()
+    writer = ends[0].create_writer(TALKER, TOPIC, QoS())
+    reader = ends[1].create_reader(LISTENER, TOPIC, QoS())
+    reader.notify(queue, 5)
+    assert queue.wait(0) == []
+    writer.write(b"1")
+    assert queue.wait(0) == [5]
+    reader.notify(queue, 6)
+    assert queue.wait(0) == [6]
+    reader.notify(None)
+    writer.write(b"2")
+    assert queue.wait(0) == []
+
+
+def test_a_closed_end_is_silent_and_closing_again_does_nothing(ends) -> None:
+    writer = ends[0].create_writer(TALKER, TOPIC, QoS())
+    reader = ends[1].create_reader(LISTENER, TOPIC, QoS())
+    writer.write(b"data")
+    reader.close()
+    reader.close()
+    assert reader.take() is None
+    writer.close()
+    writer.close()
+    with pytest.raises(ClosedError, match="/chatter"):
+        writer.write(b"data")
+
+
+def test_the_graph_shows_nodes_and_endpoints_of_all_participants(ends) -> None:
+    graph = ends[0].graph
+    ends[0].add_node(TALKER)
+    ends[1].add_node(LISTENER)
+    reader = ends[1].create_reader(LISTENER, TOPIC, QoS(reliability=ReliabilityPolicy.SYSTEM_DEFAULT))
+    assert graph.nodes() == [LISTENER, TALKER]
+    (info,) = graph.endpoints()
+    assert (info.topic, info.node, info.is_writer, info.gid) == (TOPIC, LISTENER, False, reader.gid)
+    assert info.qos.reliability == ReliabilityPolicy.RELIABLE
+    ends[1].close()
+    assert graph.nodes() == [TALKER]
+    assert graph.endpoints() == []
+
+
+def test_graph_changes_are_counted_and_posted(ends) -> None:
+    queue = ReadyQueue()
+    before = ends[0].graph.changes()
+    ends[0].graph.notify(queue, 3)
+    ends[1].add_node(LISTENER)
+    assert ends[0].graph.changes() > before
+    assert queue.wait(0) == [3]
+    ends[0].graph.notify(None)
+    ends[1].remove_node(LISTENER)
+    assert queue.wait(0) == []
+
+
+def test_a_closed_participant_opens_nothing(ends) -> None:
+    ends[0].close()
+    ends[0].close()
+    with pytest.raises(ClosedError):
+        ends[0].create_writer(TALKER, TOPIC, QoS())
+
+
+def test_writers_on_many_threads_lose_nothing(ends) -> None:
+    reader = ends[1].create_reader(LISTENER, TOPIC, QoS(history=HistoryPolicy.KEEP_ALL))
+    writers = [ends[0].create_writer(TALKER, TOPIC, QoS()) for _ in range(4)]
+    threads = [
+        threading.Thread(target=lambda w=writer: [w.write(b"%d" % i) for i in range(500)])
+        for writer in writers
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    samples = list(iter(reader.take, None))
+    for writer in writers:
+        mine = [int(sample.data) for sample in samples if sample.publisher_gid == writer.gid]
+        assert mine == list(range(500))
