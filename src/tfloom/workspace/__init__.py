@@ -1,1 +1,1 @@
-"""TODO one line."""
+"""ROS workspaces: what colcon has built, and our own programs beside it."""

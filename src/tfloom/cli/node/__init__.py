@@ -1,1 +1,1 @@
-"""TODO one line."""
+"""`node`: ask about nodes."""

@@ -1,1 +1,1 @@
-"""TODO one line."""
+"""`topic`: ask about topics, listen and publish."""

@@ -1,0 +1,95 @@
+"""A child process whose life is tied to ours: signals reach it once, and it never outlives us."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+from collections.abc import Callable, Mapping, Sequence
+from types import FrameType
+
+GRACE_S = 0.2
+"""How long a child that may have got the signal by itself has to end before it is passed on [s]."""
+PR_SET_PDEATHSIG = 1
+
+
+def run_child(command: Sequence[str]) -> int:
+    """Run a command to its end and return its exit code; -N where signal N ended it.
+
+    A Ctrl-C at the terminal reaches the child by itself. Any other SIGINT, SIGTERM or SIGHUP that we get is passed
+    on. If we are killed, so is the child (Linux).
+
+    Raises:
+        CommandError: the command can't be started.
+    """
+    from tfloom.cli.errors import CommandError
+
+    passed_on = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
+    waiting: list[threading.Timer] = []
+    child: list[subprocess.Popen[bytes]] = []
+
+    def pass_on(number: int, _: FrameType | None) -> None:
+        if child and not (number == signal.SIGINT and _terminal_signals_us()):
+            timer = threading.Timer(GRACE_S, _send, (child[0], number))
+            timer.daemon = True
+            timer.start()
+            waiting.append(timer)
+
+    old = {number: signal.signal(number, pass_on) for number in passed_on}
+    try:
+        child.append(subprocess.Popen(command, preexec_fn=_child_setup(old)))  # noqa: PLW1509
+        return child[0].wait()
+    except OSError as error:
+        raise CommandError(f"can't run {command[0]}: {error.strerror}") from None
+    finally:
+        for timer in waiting:
+            timer.cancel()
+        for number, handler in old.items():
+            signal.signal(number, handler)
+
+
+def _send(child: subprocess.Popen[bytes], number: int) -> None:
+    if child.poll() is None:
+        child.send_signal(number)
+
+
+def _terminal_signals_us() -> bool:
+    """Whether a Ctrl-C at the terminal is ours and our child's: we are its foreground process group."""
+    if os.name != "posix":
+        return True
+    try:
+        terminal = os.open("/dev/tty", os.O_RDONLY | os.O_NOCTTY)
+    except OSError:
+        return False
+    try:
+        return os.tcgetpgrp(terminal) == os.getpgrp()
+    except OSError:
+        return False
+    finally:
+        os.close(terminal)
+
+
+def _child_setup(handlers: Mapping[int, object]) -> Callable[[], None] | None:
+    """Return what the child does before it becomes the program, or None where there is nothing to do."""
+    if os.name != "posix":
+        return None
+    prctl = None
+    if sys.platform == "linux":
+        import ctypes
+
+        prctl = ctypes.CDLL(None).prctl
+    parent = os.getpid()
+
+    def setup() -> None:
+        # A handler of ours becomes the default on exec; a signal that was ignored is to stay so (nohup).
+        for number, handler in handlers.items():
+            if handler == signal.SIG_IGN:
+                signal.signal(number, signal.SIG_IGN)
+        if prctl is not None:
+            prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+            if os.getppid() != parent:  # We were killed before it was set.
+                os._exit(1)
+
+    return setup

@@ -1,0 +1,83 @@
+"""The graph as a command sees it: a participant with no node, and a wait until everybody has been heard."""
+
+from __future__ import annotations
+
+import argparse
+import time
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+
+from tfloom._native import ReadyQueue
+from tfloom.rmw.backends import open_participant
+from tfloom.rmw.base import EndpointInfo, Graph, Participant
+
+QUIET_S = 0.15
+"""Discovery is over when nothing new has come for so long [s]."""
+LEAST_S = 0.2
+"""…and not before [s]."""
+MOST_S = 5.0
+"""How long to listen at most when no --spin-time says so [s]."""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the flags that every question to the graph takes."""
+    parser.add_argument(
+        "--spin-time",
+        type=float,
+        default=MOST_S,
+        help=f"longest time to listen for others in seconds (default {MOST_S:g}; it ends when all is quiet)",
+    )
+    parser.add_argument("-s", "--use-sim-time", action="store_true", help="take the time from /clock")
+    parser.add_argument(
+        "--no-daemon", action="store_true", help="accepted and not needed: there is no daemon"
+    )
+
+
+@contextmanager
+def joined_participant() -> Iterator[Participant]:
+    """Join the domain of ROS_DOMAIN_ID and leave it at the end."""
+    participant = open_participant()
+    try:
+        yield participant
+    finally:
+        participant.close()
+
+
+@contextmanager
+def settled_graph(args: argparse.Namespace) -> Iterator[Graph]:
+    """Join the domain, wait until everybody has been heard, and leave it at the end."""
+    with joined_participant() as participant:
+        wait_until_quiet(participant.graph, args.spin_time)
+        yield participant.graph
+
+
+def wait_until_quiet(graph: Graph, most_s: float) -> None:
+    """Wait until the graph has not changed for `QUIET_S`: at least `LEAST_S`, at most `most_s` [s]."""
+    queue = ReadyQueue()
+    start = time.monotonic()
+    graph.notify(queue)
+    try:
+        seen, changed = graph.changes(), start
+        while True:
+            until = min(max(start + LEAST_S, changed + QUIET_S), start + most_s)
+            left = until - time.monotonic()
+            if left <= 0:
+                return
+            queue.wait(int(left * 1e9) + 1)
+            if (now := graph.changes()) != seen:
+                seen, changed = now, time.monotonic()
+    finally:
+        graph.notify(None)
+
+
+def is_hidden(name: str) -> bool:
+    """Whether a part of the name begins with an underscore."""
+    return any(part.startswith("_") for part in name.split("/"))
+
+
+def topic_types(endpoints: Iterable[EndpointInfo]) -> dict[str, list[str]]:
+    """Return the types of each topic by the topic's name, both in order."""
+    types: dict[str, set[str]] = {}
+    for endpoint in endpoints:
+        types.setdefault(endpoint.topic.name, set()).add(endpoint.topic.type_name)
+    return {name: sorted(types[name]) for name in sorted(types)}

@@ -1,0 +1,42 @@
+"""List the nodes that are running."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+from tfloom.cli.graph import add_arguments as add_graph_arguments
+from tfloom.cli.graph import is_hidden, settled_graph
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `node list` takes."""
+    add_graph_arguments(parser)
+    parser.add_argument(
+        "-a", "--all", action="store_true", help="show nodes whose name begins with an underscore, too"
+    )
+    parser.add_argument("-c", "--count-nodes", action="store_true", help="show only how many there are")
+    parser.add_argument("--json", action="store_true", help="print a JSON list for programs")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print the nodes' full names in order."""
+    with settled_graph(args) as graph:
+        names = [node.full for node in graph.nodes()]
+    if not args.all:
+        names = [name for name in names if not is_hidden(name)]
+    if args.json:
+        import json
+
+        print(json.dumps(names, indent=2))
+    elif args.count_nodes:
+        print(len(names))
+    else:
+        if len(set(names)) < len(names):
+            print(
+                "WARNING: several nodes have the same name, which confuses whoever asks for one",
+                file=sys.stderr,
+            )
+        for name in names:
+            print(name)
+    return 0

@@ -1,0 +1,106 @@
+"""Parsers that know their verb's arguments only once they parse: what isn't typed is never imported."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Mapping, Sequence
+from importlib import import_module
+from typing import Any, NamedTuple
+
+
+class Group(NamedTuple):
+    """A word with verbs of its own, like `topic`."""
+
+    summary: str
+    """One line for `--help`."""
+    verbs: Mapping[str, str]
+    """One line for each verb; the verb's code is `tfloom.cli.<group>.<verb>`."""
+    hidden: str = ""
+    """What its flag `--include-hidden-<hidden>` shows; empty: it has no such flag."""
+
+
+class VerbParser(argparse.ArgumentParser):
+    """A parser for one verb: `module` says what it takes, and is imported when there is something to parse."""
+
+    def __init__(self, *args: Any, module: str = "", **options: Any) -> None:
+        super().__init__(*args, **options)
+        self._module = module
+
+    def fill(self) -> None:
+        """Import the verb, once, and let it add its arguments."""
+        if self._module:
+            verb = import_module(self._module)
+            self._module = ""
+            verb.add_arguments(self)
+            self.set_defaults(run_verb=verb.main)
+            self.description = self.description or verb.__doc__
+
+    def parse_known_args(  # type: ignore[override]
+        self, args: Sequence[str] | None = None, namespace: argparse.Namespace | None = None
+    ) -> tuple[argparse.Namespace, list[str]]:
+        """Parse as argparse does, once the verb has said what it takes."""
+        self.fill()
+        return super().parse_known_args(args, namespace)
+
+
+def build_parser(prog: str, commands: Mapping[str, str | Group]) -> argparse.ArgumentParser:
+    """Return the parser of the whole command line; none of the verbs' modules is imported for it.
+
+    Args:
+        prog: What the user typed: `tfloom` or `ros2`.
+        commands: A summary or a group for each first word.
+    """
+    top = VerbParser(prog=prog, description="TF2, turtlesim and the ROS 2 workflow, with no ROS install.")
+    top.add_argument(
+        "--use-python-default-buffering",
+        action="store_true",
+        help="leave the output's buffering to Python; without it each line is out as soon as it's whole",
+    )
+    words = _add_words(top, prog)
+    for word, command in commands.items():
+        if isinstance(command, str):
+            words.add_parser(
+                word, help=command, description=command, prog=f"{prog} {word}", module=f"tfloom.cli.{word}"
+            )
+        else:
+            group = words.add_parser(
+                word, help=command.summary, description=command.summary, prog=f"{prog} {word}"
+            )
+            _fill_group(group, f"{prog} {word}", word, command)
+    return top
+
+
+def _add_words(parser: VerbParser, prog: str) -> Any:
+    """Add the next word's slot; its placeholder is also what argparse's messages call it."""
+    parser.set_defaults(run_verb=_print_help(parser))
+    return parser.add_subparsers(
+        title="Commands",
+        metavar=f"Call `{prog} <command> -h` for more detailed usage.",
+        parser_class=VerbParser,
+    )
+
+
+def _fill_group(parser: VerbParser, prog: str, word: str, group: Group) -> None:
+    if group.hidden:
+        parser.add_argument(
+            f"--include-hidden-{group.hidden}",
+            action="store_true",
+            help=f"count in {group.hidden} with a part that begins with an underscore",
+        )
+    verbs = _add_words(parser, prog)
+    for verb, summary in group.verbs.items():
+        verbs.add_parser(
+            verb,
+            help=summary,
+            description=summary,
+            prog=f"{prog} {verb}",
+            module=f"tfloom.cli.{word}.{verb}",
+        )
+
+
+def _print_help(parser: argparse.ArgumentParser) -> Any:
+    def print_help(_: argparse.Namespace) -> int:
+        parser.print_help()
+        return 0
+
+    return print_help

@@ -1,0 +1,88 @@
+"""Run a program of a package: one that a workspace has built, or one of ours."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import signal
+import sys
+from importlib import import_module
+from pathlib import Path
+
+from tfloom.cli.errors import CommandError
+from tfloom.workspace import index
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `run` takes."""
+    parser.add_argument(
+        "--prefix", help="words to put before the program, as in --prefix 'gdb -ex run --args'"
+    )
+    parser.add_argument("package_name", help="package the program is in")
+    parser.add_argument("executable_name", help="name of the program")
+    parser.add_argument("argv", nargs=argparse.REMAINDER, help="everything after it is the program's own")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Run the program to its end and return its exit code; a signal that ended it is a negative one."""
+    command = find_command(args.package_name, args.executable_name)
+    if isinstance(command, str) and args.prefix is None:
+        code = run_here(command, args.executable_name, args.argv)
+    else:
+        import shlex
+
+        from tfloom.cli.child import run_child
+
+        if isinstance(command, str):
+            command = [sys.executable, "-m", "tfloom.cli", "run", args.package_name, args.executable_name]
+        code = run_child([*shlex.split(args.prefix or ""), *command, *args.argv])
+    if code:
+        print(f"[ros2run]: {_how_it_ended(code)}", file=sys.stderr)
+    return code
+
+
+def find_command(package: str, program: str) -> list[str] | str:
+    """Return the command of a workspace's program, or `module:function` for one of ours.
+
+    Raises:
+        CommandError: no such package, no such program in it, or more than one.
+    """
+    prefix = index.find_package(package)
+    if prefix is None:
+        if package not in index.PROGRAMS:
+            raise CommandError(f"Package '{package}' not found")
+        if program not in index.PROGRAMS[package]:
+            raise CommandError("No executable found")
+        return index.PROGRAMS[package][program]
+    paths = [path for path in index.package_programs(package, prefix) if index.program_name(path) == program]
+    if not paths:
+        raise CommandError("No executable found")
+    if len(paths) > 1:
+        listed = "".join(f"\n- {path}" for path in paths)
+        raise CommandError(f"Multiple executables found:{listed}")
+    return _command_of(paths[0])
+
+
+def _command_of(path: Path) -> list[str]:
+    if os.name == "nt" and path.suffix.lower() == ".py":
+        return [sys.executable, str(path)]
+    return [str(path)]
+
+
+def run_here(target: str, name: str, argv: list[str]) -> int:
+    """Run one of our own programs in this process and return its exit code."""
+    module, _, function = target.partition(":")
+    sys.argv = [name, *argv]
+    try:
+        return int(getattr(import_module(module), function)(argv) or 0)
+    except SystemExit as end:
+        if isinstance(end.code, str):
+            print(end.code, file=sys.stderr)
+            return 1
+        return end.code or 0
+
+
+def _how_it_ended(code: int) -> str:
+    if code < 0 and (text := signal.strsignal(-code)):
+        return text
+    return f"Process exited with failure {code}"

@@ -1,0 +1,71 @@
+"""List the topics that somebody writes or reads."""
+
+from __future__ import annotations
+
+import argparse
+from collections import Counter
+
+from tfloom.cli.graph import add_arguments as add_graph_arguments
+from tfloom.cli.graph import is_hidden, settled_graph, topic_types
+from tfloom.rmw.base import EndpointInfo
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `topic list` takes."""
+    add_graph_arguments(parser)
+    parser.add_argument("-t", "--show-types", action="store_true", help="show each topic's types")
+    parser.add_argument("-c", "--count-topics", action="store_true", help="show only how many there are")
+    parser.add_argument(
+        "--include-hidden-topics",
+        action="store_true",
+        default=argparse.SUPPRESS,
+        help="show topics with a part that begins with an underscore, too",
+    )
+    parser.add_argument(
+        "-v", "--verbose", action="store_true", help="show types and numbers of publishers and subscribers"
+    )
+    parser.add_argument("--json", action="store_true", help="print a JSON list for programs")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print the topics in order of their names."""
+    with settled_graph(args) as graph:
+        endpoints = graph.endpoints()
+    if not args.include_hidden_topics:
+        endpoints = [endpoint for endpoint in endpoints if not is_hidden(endpoint.topic.name)]
+    topics = topic_types(endpoints)
+    if args.json:
+        _print_json(endpoints)
+    elif args.count_topics:
+        print(len(topics))
+    elif args.verbose:
+        _print_side("Published topics:", "publisher", [end for end in endpoints if end.is_writer])
+        _print_side("Subscribed topics:", "subscriber", [end for end in endpoints if not end.is_writer])
+    else:
+        for name, types in topics.items():
+            print(f"{name} [{', '.join(types)}]" if args.show_types else name)
+    return 0
+
+
+def _print_side(title: str, noun: str, endpoints: list[EndpointInfo]) -> None:
+    counts = Counter(endpoint.topic.name for endpoint in endpoints)
+    print(title)
+    for name, types in topic_types(endpoints).items():
+        print(f" * {name} [{', '.join(types)}] {counts[name]} {noun}{'s' if counts[name] > 1 else ''}")
+    print()
+
+
+def _print_json(endpoints: list[EndpointInfo]) -> None:
+    import json
+
+    counts = Counter((endpoint.topic.name, endpoint.is_writer) for endpoint in endpoints)
+    topics = [
+        {
+            "name": name,
+            "types": types,
+            "publishers": counts[name, True],
+            "subscribers": counts[name, False],
+        }
+        for name, types in topic_types(endpoints).items()
+    ]
+    print(json.dumps(topics, indent=2))

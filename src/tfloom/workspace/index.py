@@ -1,0 +1,103 @@
+"""Packages and their programs: the ament index over AMENT_PREFIX_PATH, then the programs that tfloom brings.
+
+A prefix is a folder that colcon installed into. Under it, `share/ament_index/resource_index/<type>/<name>` is a
+marker file (type `packages`: the package is there), `share/<name>` holds the package's files and `lib/<name>` its
+programs.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+PREFIX_PATH_VARIABLE = "AMENT_PREFIX_PATH"
+RESOURCE_INDEX = "share/ament_index/resource_index"
+
+PROGRAMS: dict[str, dict[str, str]] = {
+    "tf2_ros": {
+        "static_transform_publisher": "tfloom.tf2_tools.static_publisher:main",
+        "tf2_echo": "tfloom.tf2_tools.echo:main",
+    },
+    "tf2_tools": {
+        "view_frames": "tfloom.tf2_tools.view_frames:main",
+    },
+    "turtlesim": {
+        "turtle_teleop_key": "tfloom.turtlesim.teleop_key:main",
+        "turtlesim_node": "tfloom.turtlesim.node:main",
+    },
+}
+"""Our own programs: `module:function` for each, by package and name. The function takes the arguments."""
+
+
+class PackageNotFoundError(KeyError):
+    """No prefix has the package, and it is none of ours."""
+
+    def __init__(self, package: str, searched: list[str]) -> None:
+        super().__init__(package)
+        self.package = package
+        self.searched = searched
+
+    def __str__(self) -> str:
+        return f"package '{self.package}' not found, searching: [{', '.join(self.searched)}]"
+
+
+def search_paths() -> list[str]:
+    """Return the folders named by AMENT_PREFIX_PATH that exist, the first the strongest."""
+    return [
+        path
+        for path in os.environ.get(PREFIX_PATH_VARIABLE, "").split(os.pathsep)
+        if path and Path(path).is_dir()
+    ]
+
+
+def resources(resource_type: str) -> dict[str, str]:
+    """Return the prefix of each resource of a type, by the resource's name; the first prefix wins."""
+    found: dict[str, str] = {}
+    for prefix in search_paths():
+        folder = Path(prefix, RESOURCE_INDEX, resource_type)
+        if folder.is_dir():
+            for entry in sorted(folder.iterdir()):
+                if entry.is_file() and not entry.name.startswith("."):
+                    found.setdefault(entry.name, prefix)
+    return found
+
+
+def find_resource(resource_type: str, name: str) -> str | None:
+    """Return the first prefix that has the resource, or None."""
+    if not name or set(name) & set("/\\"):
+        return None
+    for prefix in search_paths():
+        if Path(prefix, RESOURCE_INDEX, resource_type, name).is_file():
+            return prefix
+    return None
+
+
+def workspace_packages() -> dict[str, str]:
+    """Return the prefix of each package that a workspace has built, by name."""
+    return resources("packages")
+
+
+def find_package(package: str) -> str | None:
+    """Return the prefix of a package that a workspace has built, or None."""
+    return find_resource("packages", package)
+
+
+def package_programs(package: str, prefix: str) -> list[Path]:
+    """Return the executable files of a package under a prefix, in order of their paths."""
+    return [
+        Path(folder, name)
+        for folder, _, names in sorted(os.walk(Path(prefix, "lib", package)))
+        for name in sorted(names)
+        if _is_program(Path(folder, name))
+    ]
+
+
+def program_name(path: Path) -> str:
+    """Return what a user types for a program's file: on Windows without its extension."""
+    return path.stem if os.name == "nt" else path.name
+
+
+def _is_program(path: Path) -> bool:
+    if os.name == "nt":
+        return path.suffix.lower() in (*os.environ.get("PATHEXT", ".exe").lower().split(os.pathsep), ".py")
+    return path.is_file() and os.access(path, os.X_OK)

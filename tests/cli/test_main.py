@@ -1,0 +1,87 @@
+"""The table of verbs: usage, exit codes, and quiet ends."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from importlib import import_module
+
+import pytest
+import transcript
+
+from tfloom.cli import main as cli
+from tfloom.cli.parser import Group
+
+
+def verb_modules() -> list[str]:
+    modules = []
+    for word, command in cli.COMMANDS.items():
+        if isinstance(command, Group):
+            modules += [f"tfloom.cli.{word}.{verb}" for verb in command.verbs]
+        else:
+            modules.append(f"tfloom.cli.{word}")
+    return modules
+
+
+@pytest.mark.parametrize("module", verb_modules())
+def test_each_verb_of_the_table_is_a_file_with_its_two_functions(module: str) -> None:
+    verb = import_module(module)
+    assert callable(verb.add_arguments)
+    assert callable(verb.main)
+
+
+def test_without_a_verb_there_is_help() -> None:
+    answer = transcript.run()
+    assert answer.exit_code == 0
+    assert answer.text.startswith(
+        "usage: ros2 [-h] [--use-python-default-buffering]\n"
+        "            Call `ros2 <command> -h` for more detailed usage. ..."
+    )
+    for word in cli.COMMANDS:
+        assert f"\n    {word} " in answer.text
+
+
+def test_a_group_without_its_verb_gives_help() -> None:
+    answer = transcript.run("topic")
+    assert answer.exit_code == 0
+    assert answer.text.startswith("usage: ros2 topic [-h] [--include-hidden-topics]\n")
+
+
+def test_a_flag_that_a_verb_does_not_know_is_told_by_the_top() -> None:
+    answer = transcript.run("topic", "list", "--no-such")
+    assert answer.exit_code == 2
+    assert answer.text.endswith("ros2: error: unrecognized arguments: --no-such")
+
+
+def test_an_unknown_wire_is_a_sentence() -> None:
+    answer = transcript.run("topic", "list", env={**os.environ, "RMW_IMPLEMENTATION": "rmw_none"})
+    assert answer.exit_code == 1
+    assert answer.text.startswith("RMW_IMPLEMENTATION is 'rmw_none', which is none of: ")
+
+
+def test_ctrl_c_is_quiet(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> None:
+    def interrupted(_: object) -> int:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("tfloom.cli.node.list.main", interrupted)
+    assert cli.main(["node", "list", "--no-daemon"]) == signal.SIGINT
+    assert capfd.readouterr() == ("", "")
+
+
+@pytest.mark.skipif(os.name != "posix", reason="a pipe breaks differently elsewhere")
+def test_a_closed_pipe_is_quiet() -> None:
+    code = "import sys; from tfloom.cli import main; sys.stdin.read(1)\nsys.exit(main.main(['topic', 'list', '-v']))"
+    process = subprocess.Popen(
+        [sys.executable, "-c", code],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        env={**os.environ, "RMW_IMPLEMENTATION": "tfloom_local"},
+    )
+    assert process.stdout is not None
+    process.stdout.close()  # Before it prints its first line.
+    _, errors = process.communicate(b"x", timeout=60)
+    assert errors == b""
+    assert process.returncode == cli.PIPE_CLOSED

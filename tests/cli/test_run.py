@@ -1,0 +1,184 @@
+"""`run`: finding a program, and the ends of our own programs and of a workspace's."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+import transcript
+
+from tfloom.cli import main as cli
+from tfloom.cli import run
+from tfloom.workspace import index
+
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="the programs under test are scripts")
+
+
+@pytest.fixture
+def add_program(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., Path]:
+    """Put a Python program into the package `my_pkg` of a prefix on AMENT_PREFIX_PATH."""
+    monkeypatch.setenv(index.PREFIX_PATH_VARIABLE, str(tmp_path))
+    marker = tmp_path / index.RESOURCE_INDEX / "packages" / "my_pkg"
+    marker.parent.mkdir(parents=True)
+    marker.touch()
+
+    def add(name: str, code: str) -> Path:
+        path = tmp_path / "lib" / "my_pkg" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(f"#!{sys.executable}\n{code}\n")
+        path.chmod(0o755)
+        return path
+
+    return add
+
+
+@pytest.mark.parametrize("name", ["run_bad_pkg", "run_bad_exe"])
+def test_what_is_not_there_is_told_as_ros2_tells_it(name: str) -> None:
+    recorded = transcript.golden(name)
+    assert transcript.run(*recorded.command) == recorded
+
+
+def test_arguments_reach_the_program_untouched(add_program: Callable[..., Path]) -> None:
+    add_program("show", "import sys; print(sys.argv[1:])")
+    words = ["-h", "--prefix", "--ros-args", "-p", "a:=1", "two words", "--", "x"]
+    answer = transcript.run("run", "my_pkg", "show", *words)
+    assert answer == (answer.command, str(words), 0)
+
+
+def test_the_exit_code_is_the_programs(add_program: Callable[..., Path]) -> None:
+    add_program("fails", "raise SystemExit(3)")
+    answer = transcript.run("run", "my_pkg", "fails")
+    assert (answer.text, answer.exit_code) == ("[ros2run]: Process exited with failure 3", 3)
+
+
+def test_the_signal_that_ended_it_is_named(add_program: Callable[..., Path]) -> None:
+    add_program("aborts", "import os; os.abort()")
+    answer = transcript.run("run", "my_pkg", "aborts")
+    assert (answer.text, answer.exit_code) == ("[ros2run]: Aborted", 250)
+
+
+def test_a_prefix_goes_before_the_program(add_program: Callable[..., Path]) -> None:
+    path = add_program("show", "")
+    answer = transcript.run("run", "--prefix", "echo 'a b'", "my_pkg", "show", "c")
+    assert answer.text == f"a b {path} c"
+
+
+def test_a_workspaces_package_hides_ours(tmp_path: Path, add_program: Callable[..., Path]) -> None:
+    (tmp_path / index.RESOURCE_INDEX / "packages" / "turtlesim").touch()
+    with pytest.raises(run.CommandError, match="No executable found"):
+        run.find_command("turtlesim", "turtlesim_node")
+
+
+def test_one_name_for_two_programs_lists_both(add_program: Callable[..., Path]) -> None:
+    first, second = add_program("same", ""), add_program("deep/same", "")
+    with pytest.raises(run.CommandError) as error:
+        run.find_command("my_pkg", "same")
+    assert str(error.value) == f"Multiple executables found:\n- {first}\n- {second}"
+
+
+def test_a_program_that_cannot_start_is_a_sentence(add_program: Callable[..., Path]) -> None:
+    add_program("broken", "").write_text("#!/no/such/interpreter\n")
+    answer = transcript.run("run", "my_pkg", "broken")
+    assert answer.exit_code == 1
+    assert answer.text.startswith("can't run ")
+
+
+WAITS_FOR_SIGNALS = """
+import signal, sys, time
+def told(number, frame):
+    print("got", signal.Signals(number).name, flush=True)
+for number in (signal.SIGINT, signal.SIGTERM):
+    signal.signal(number, told)
+print("ready", flush=True)
+while True:
+    time.sleep(60)
+"""
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_to_us_is_passed_on(
+    number: int, add_program: Callable[..., Path], start_program: Callable[..., object]
+) -> None:
+    add_program("waits", WAITS_FOR_SIGNALS)
+    program = start_program("tfloom", "run", "my_pkg", "waits")
+    program.wait_for("ready")
+    program.signal(number)
+    program.wait_for(f"got {signal.Signals(number).name}")
+    assert program.process.poll() is None
+
+
+IN_A_TERMINAL = "import pty, sys; pty.spawn(sys.argv[1:])"
+
+
+def test_a_ctrl_c_at_the_terminal_reaches_the_program_once(
+    add_program: Callable[..., Path], start_program: Callable[..., object]
+) -> None:
+    add_program("waits", f"import os; print(os.getppid(), flush=True)\n{WAITS_FOR_SIGNALS}")
+    terminal = start_program(
+        "python",
+        "-c",
+        IN_A_TERMINAL,
+        transcript.PROGRAM,
+        "run",
+        "my_pkg",
+        "waits",
+        stdin=subprocess.PIPE,
+    )
+    terminal.wait_for("ready")
+    terminal.process.stdin.write("\x03")
+    terminal.process.stdin.flush()
+    terminal.wait_for("got SIGINT")
+    # Passed on after the grace, in which a second SIGINT would have been passed on.
+    os.kill(int(terminal.lines[0]), signal.SIGTERM)
+    terminal.wait_for("got SIGTERM")
+    assert terminal.output.count("got SIGINT") == 1
+    terminal.process.stdin.close()
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux ends a child with its parent")
+def test_when_we_are_killed_the_program_is_too(
+    add_program: Callable[..., Path], start_program: Callable[..., object], wait_until: Callable[..., None]
+) -> None:
+    add_program("waits", f"import os; print(os.getpid(), flush=True)\n{WAITS_FOR_SIGNALS}")
+    program = start_program("tfloom", "run", "my_pkg", "waits")
+    program.wait_for("ready")
+    pid = int(program.lines[0])
+    program.signal(signal.SIGKILL)
+    wait_until(lambda: not Path(f"/proc/{pid}").exists() or " Z " in Path(f"/proc/{pid}/stat").read_text())
+
+
+@pytest.mark.parametrize(
+    ("code", "exit_code", "printed"),
+    [
+        ("None", 0, ""),
+        ("0", 0, ""),
+        ("4", 4, "[ros2run]: Process exited with failure 4\n"),
+        ("sys.exit(5)", 5, "[ros2run]: Process exited with failure 5\n"),
+        ("sys.exit()", 0, ""),
+        ("sys.exit('what went wrong')", 1, "what went wrong\n[ros2run]: Process exited with failure 1\n"),
+    ],
+)
+def test_how_our_own_programs_end(
+    code: str,
+    exit_code: int,
+    printed: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    (tmp_path / "a_program.py").write_text(
+        f"import sys\ndef main(args):\n    print(args)\n    return {code}\n"
+    )
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.delitem(sys.modules, "a_program", raising=False)
+    monkeypatch.setattr(sys, "argv", ["tfloom"])
+    monkeypatch.delenv(index.PREFIX_PATH_VARIABLE, raising=False)
+    monkeypatch.setitem(index.PROGRAMS, "our_pkg", {"our_program": "a_program:main"})
+    assert cli.main(["run", "our_pkg", "our_program", "a", "--b"]) == exit_code
+    assert sys.argv == ["our_program", "a", "--b"]
+    assert capsys.readouterr() == ("['a', '--b']\n", printed)

@@ -1,0 +1,53 @@
+"""Recorded answers of the reference's commands, and ours to compare with them."""
+
+from __future__ import annotations
+
+import re
+import shlex
+import subprocess
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+from typing import NamedTuple
+
+GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
+PROGRAM = Path(sys.executable).with_name("tfloom")
+
+
+class Transcript(NamedTuple):
+    """A command line, all that it printed, and its exit code."""
+
+    command: list[str]
+    text: str
+    exit_code: int
+
+
+def golden(name: str) -> Transcript:
+    """Return a recorded transcript by its file's name, without `.txt`."""
+    first, *lines = (GOLDEN / f"{name}.txt").read_text("utf-8").splitlines()
+    assert first.startswith("$ ros2 ")
+    exit_code = re.fullmatch(r"\[exit (\d+)\]", lines.pop())
+    assert exit_code
+    command = [word for word in shlex.split(first.removeprefix("$ ros2 ")) if word != "--no-daemon"]
+    return Transcript(command, "\n".join(lines), int(exit_code[1]))
+
+
+def run(*words: str, env: Mapping[str, str] | None = None, timeout_s: float = 60.0) -> Transcript:
+    """Run the command with ros2's name and return what it printed on both streams together."""
+    code = "import sys; from tfloom.cli.main import main; sys.exit(main(prog='ros2'))"
+    result = subprocess.run(
+        [sys.executable, "-c", code, *words],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        stdin=subprocess.DEVNULL,
+        text=True,
+        check=False,
+        env=env,
+        timeout=timeout_s,
+    )
+    return Transcript(list(words), result.stdout.rstrip("\n"), result.returncode)
+
+
+def mask(text: str) -> str:
+    """Put `#` for each number."""
+    return re.sub(r"-?\d+(\.\d+)?(e[-+]?\d+)?", "#", text)

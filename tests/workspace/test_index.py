@@ -1,0 +1,67 @@
+"""The ament index: which prefix wins, what is a program, what is none."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from tfloom.workspace import index
+
+
+def make_package(prefix: Path, name: str, *programs: str) -> None:
+    marker = prefix / index.RESOURCE_INDEX / "packages" / name
+    marker.parent.mkdir(parents=True, exist_ok=True)
+    marker.touch()
+    folder = prefix / "lib" / name
+    folder.mkdir(parents=True, exist_ok=True)
+    for program in programs:
+        path = folder / program
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text("#!/bin/sh\nexit 0\n")
+        path.chmod(0o755)
+
+
+@pytest.fixture
+def prefixes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[Path]:
+    folders = [tmp_path / "overlay", tmp_path / "underlay"]
+    for folder in folders:
+        folder.mkdir()
+    path = os.pathsep.join(map(str, [folders[0], tmp_path / "gone", folders[1], ""]))
+    monkeypatch.setenv(index.PREFIX_PATH_VARIABLE, path)
+    return folders
+
+
+def test_only_folders_that_exist_are_searched(prefixes: list[Path]) -> None:
+    assert index.search_paths() == [str(prefix) for prefix in prefixes]
+
+
+def test_the_first_prefix_wins(prefixes: list[Path]) -> None:
+    overlay, underlay = prefixes
+    make_package(underlay, "a_pkg")
+    make_package(underlay, "b_pkg")
+    make_package(overlay, "b_pkg")
+    assert index.workspace_packages() == {"a_pkg": str(underlay), "b_pkg": str(overlay)}
+    assert index.find_package("b_pkg") == str(overlay)
+    assert index.find_package("c_pkg") is None
+
+
+def test_a_name_with_a_path_in_it_is_no_package(prefixes: list[Path]) -> None:
+    make_package(prefixes[0], "a_pkg")
+    assert index.find_package("../packages/a_pkg") is None
+    assert index.find_package("") is None
+
+
+def test_programs_are_executable_files_at_any_depth(prefixes: list[Path]) -> None:
+    make_package(prefixes[0], "a_pkg", "zeta", "deep/alpha")
+    (prefixes[0] / "lib" / "a_pkg" / "notes.txt").write_text("no program")
+    (prefixes[0] / "lib" / "a_pkg" / "folder").mkdir()
+    programs = index.package_programs("a_pkg", str(prefixes[0]))
+    assert [index.program_name(path) for path in programs] == ["zeta", "alpha"]
+
+
+def test_without_a_workspace_there_is_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv(index.PREFIX_PATH_VARIABLE, raising=False)
+    assert index.search_paths() == []
+    assert index.workspace_packages() == {}
