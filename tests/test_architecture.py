@@ -104,7 +104,7 @@ def test_every_room_stands_on_a_shelf() -> None:
 def test_the_command_line_starts_without_the_rooms() -> None:
     tree = ast.parse((HOUSE / "cli" / "main.py").read_text("utf-8"))
     for node in tree.body:
-        if isinstance(node, ast.ImportFrom):
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("tfloom"):
             assert room(node.module or "") in {"", "cli"}, f"cli/main.py:{node.lineno} loads {node.module}"
 
 
@@ -151,5 +151,5 @@ def test_tf2_alone_loads_no_messages_and_no_wire() -> None:
     "arguments", [["--help"], ["topic", "list", "--spin-time", "0.2"]], ids=["help", "topic list"]
 )
 def test_a_quick_command_loads_nothing_heavy(arguments: list[str], domain_id: int) -> None:
-    loaded = modules_loaded_by("-m", "tfloom.cli.main", *arguments, ROS_DOMAIN_ID=str(domain_id))
+    loaded = modules_loaded_by("-m", "tfloom.cli", *arguments, ROS_DOMAIN_ID=str(domain_id))
     assert not loaded & {"numpy", "pygame", "PIL", "reportlab", "yaml", "asyncio"}
