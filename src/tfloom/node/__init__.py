@@ -1,1 +1,1 @@
-"""TODO one line."""
+"""Nodes and what they have: what rclpy exposes."""
