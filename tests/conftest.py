@@ -34,6 +34,15 @@ def _wait_until() -> Callable[..., None]:
     return wait_until
 
 
+@pytest.fixture(scope="session")
+def deviations() -> dict[str, dict[str, str]]:
+    """Return the rows of docs/deviations.md by their id: where, reference, ours, why."""
+    text = (Path(__file__).parents[1] / "docs" / "deviations.md").read_text("utf-8")
+    rows = [line.strip().strip("|").split(" | ") for line in text.splitlines() if line.startswith("| ")]
+    header, *body = [[cell.strip() for cell in row] for row in rows]
+    return {row[0].strip("`"): dict(zip(header[1:], row[1:], strict=True)) for row in body}
+
+
 @pytest.fixture
 def domain_id(monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
     """Give a DDS domain that no other test on this machine uses now, and set ROS_DOMAIN_ID to it.
