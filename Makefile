@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 export PIP_DISABLE_PIP_VERSION_CHECK = 1
 
-.PHONY: setup demo test check stub bench matrix sanitize clean
+.PHONY: setup demo test check stub bench matrix clean
 
 setup: $(VENV)/.installed
 
@@ -33,6 +33,10 @@ stub: setup
 
 bench: setup
 	$(BIN)/python -m benchmarks $(ARGS)
+
+# The core tests on each Python 3.10 to 3.14 that this machine has.
+matrix:
+	.ci/matrix
 
 clean:
 	rm -rf $(VENV) build dist
