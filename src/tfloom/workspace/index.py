@@ -10,6 +10,8 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+OWN_PREFIX = Path(__file__).parents[1]
+"""Where our own packages say they are installed."""
 PREFIX_PATH_VARIABLE = "AMENT_PREFIX_PATH"
 RESOURCE_INDEX = "share/ament_index/resource_index"
 
@@ -27,18 +29,6 @@ PROGRAMS: dict[str, dict[str, str]] = {
     },
 }
 """Our own programs: `module:function` for each, by package and name. The function takes the arguments."""
-
-
-class PackageNotFoundError(KeyError):
-    """No prefix has the package, and it is none of ours."""
-
-    def __init__(self, package: str, searched: list[str]) -> None:
-        super().__init__(package)
-        self.package = package
-        self.searched = searched
-
-    def __str__(self) -> str:
-        return f"package '{self.package}' not found, searching: [{', '.join(self.searched)}]"
 
 
 def search_paths() -> list[str]:
@@ -80,6 +70,23 @@ def workspace_packages() -> dict[str, str]:
 def find_package(package: str) -> str | None:
     """Return the prefix of a package that a workspace has built, or None."""
     return find_resource("packages", package)
+
+
+def own_packages() -> list[str]:
+    """Return the packages that tfloom brings, in order: programs, interfaces and Python packages."""
+    names = {path.name for path in (OWN_PREFIX / "ros_names").glob("[a-z]*") if path.is_dir()}
+    return sorted(names | PROGRAMS.keys())
+
+
+def share_folder(package: str, prefix: str | None) -> Path:
+    """Return where a package's files are: under its prefix, or, with None, of one of ours.
+
+    The folder of one of our interface packages holds `msg/*.msg` as an installed one would; others have none.
+    """
+    if prefix is not None:
+        return Path(prefix, "share", package)
+    definitions = OWN_PREFIX / "rosidl" / "definitions" / package
+    return definitions if definitions.is_dir() else OWN_PREFIX / "share" / package
 
 
 def package_programs(package: str, prefix: str) -> list[Path]:

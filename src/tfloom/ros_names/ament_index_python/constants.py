@@ -1,0 +1,11 @@
+"""Names of the ament index."""
+
+from tfloom.workspace.ament import (
+    AMENT_PREFIX_PATH_ENV_VAR,
+    RESOURCE_INDEX_SUBFOLDER,
+)
+
+__all__ = [
+    "AMENT_PREFIX_PATH_ENV_VAR",
+    "RESOURCE_INDEX_SUBFOLDER",
+]

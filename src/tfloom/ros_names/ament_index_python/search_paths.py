@@ -1,0 +1,11 @@
+"""The folders that are searched."""
+
+from tfloom.workspace.ament import (
+    AMENT_PREFIX_PATH_ENV_VAR,
+    get_search_paths,
+)
+
+__all__ = [
+    "AMENT_PREFIX_PATH_ENV_VAR",
+    "get_search_paths",
+]

@@ -1,0 +1,126 @@
+"""What programs import as `ament_index_python`: where packages and their files are.
+
+Where a workspace is sourced its packages come first; ours follow, so that code which asks for `turtlesim` or
+`geometry_msgs` has an answer without a ROS. No AMENT_PREFIX_PATH means no workspace and is no error.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from pathlib import Path
+from typing import Literal
+
+from tfloom.workspace import index
+
+AMENT_PREFIX_PATH_ENV_VAR = index.PREFIX_PATH_VARIABLE
+RESOURCE_INDEX_SUBFOLDER = index.RESOURCE_INDEX
+
+
+class InvalidResourceNameError(ValueError):
+    """A resource's name holds a path separator."""
+
+
+class InvalidResourceTypeNameError(ValueError):
+    """A resource type's name holds a path separator."""
+
+
+class PackageNotFoundError(KeyError):
+    """No prefix has the package, and it is none of ours."""
+
+    def __str__(self) -> str:
+        """Return the text as it is; a KeyError would quote it."""
+        return str(self.args[0])
+
+
+def get_search_paths() -> list[str]:
+    """Return the folders on AMENT_PREFIX_PATH that exist, the strongest first."""
+    return index.search_paths()
+
+
+def get_packages_with_prefixes() -> dict[str, str]:
+    """Return the prefix of each package by its name."""
+    return dict.fromkeys(index.own_packages(), str(index.OWN_PREFIX)) | index.workspace_packages()
+
+
+def get_package_prefix(package_name: str) -> str:
+    """Return the prefix that a package is installed under.
+
+    Raises:
+        PackageNotFoundError: there is no such package.
+        ValueError: it can't be a package's name.
+    """
+    return _find(package_name) or str(index.OWN_PREFIX)
+
+
+def get_package_share_path(package_name: str, print_warning: bool = True) -> Path:
+    """Return the folder of a package's files; where it doesn't exist, say so on stderr.
+
+    Raises:
+        PackageNotFoundError: there is no such package.
+        ValueError: it can't be a package's name.
+    """
+    path = index.share_folder(package_name, _find(package_name))
+    if print_warning and not path.exists():
+        print(f"WARNING: the share folder of {package_name!r} doesn't exist: {path}", file=sys.stderr)
+    return path
+
+
+def get_package_share_directory(package_name: str, print_warning: bool = True) -> str:
+    """Return `get_package_share_path` as a string."""
+    return str(get_package_share_path(package_name, print_warning))
+
+
+def get_resource(resource_type: str, resource_name: str) -> tuple[str, str]:
+    """Return the text of a resource's marker file, and the prefix it is under.
+
+    Raises:
+        LookupError: no prefix has it.
+        OSError: its file can't be read.
+        ValueError: the type or the name holds a path separator.
+    """
+    prefix = has_resource(resource_type, resource_name)
+    if not prefix:
+        raise LookupError(f"Could not find the resource '{resource_name}' of type '{resource_type}'")
+    return (Path(prefix) / RESOURCE_INDEX_SUBFOLDER / resource_type / resource_name).read_text(
+        "utf-8"
+    ), prefix
+
+
+def get_resources(resource_type: str) -> dict[str, str]:
+    """Return the prefix of each resource of a type by the resource's name."""
+    _check_type(resource_type)
+    return index.resources(resource_type)
+
+
+def get_resource_types() -> set[str]:
+    """Return the types that any prefix has resources of."""
+    folders = [Path(prefix, RESOURCE_INDEX_SUBFOLDER) for prefix in index.search_paths()]
+    return {path.name for folder in folders if folder.is_dir() for path in folder.iterdir() if path.is_dir()}
+
+
+def has_resource(resource_type: str, resource_name: str) -> str | Literal[False]:
+    """Return the first prefix that has the resource, or False.
+
+    Raises:
+        ValueError: the type or the name holds a path separator.
+    """
+    _check_type(resource_type)
+    if not resource_name or set(resource_name) & set("/\\"):
+        raise InvalidResourceNameError(f"Resource name '{resource_name}' is invalid")
+    return index.find_resource(resource_type, resource_name) or False
+
+
+def _check_type(resource_type: str) -> None:
+    if not resource_type or set(resource_type) & set("/\\"):
+        raise InvalidResourceTypeNameError(f"Resource type '{resource_type}' is invalid")
+
+
+def _find(package: str) -> str | None:
+    """Return a package's prefix, or None for one of ours."""
+    if not re.fullmatch(r"[a-zA-Z0-9][a-zA-Z0-9_-]+", package):
+        raise ValueError(f"'{package}' is not a valid package name")
+    prefix = index.find_package(package)
+    if prefix is None and package not in index.own_packages():
+        raise PackageNotFoundError(f"package '{package}' not found, searching: {index.search_paths()}")
+    return prefix

@@ -1,0 +1,56 @@
+"""`ament_index_python`: a workspace's packages first, then ours."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import ament_index_python
+import pytest
+from ament_index_python import packages, resources
+
+from tfloom.workspace import index
+
+
+@pytest.fixture
+def prefix(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv(index.PREFIX_PATH_VARIABLE, str(tmp_path))
+    for kind, name, text in (("packages", "my_pkg", ""), ("plugins", "my_pkg", "a;b")):
+        marker = tmp_path / index.RESOURCE_INDEX / kind / name
+        marker.parent.mkdir(parents=True)
+        marker.write_text(text)
+    (tmp_path / "share" / "my_pkg").mkdir(parents=True)
+    return tmp_path
+
+
+def test_a_workspaces_package(prefix: Path) -> None:
+    assert packages.get_package_prefix("my_pkg") == str(prefix)
+    assert packages.get_package_share_directory("my_pkg") == str(prefix / "share" / "my_pkg")
+    assert packages.get_packages_with_prefixes()["my_pkg"] == str(prefix)
+
+
+def test_one_of_ours(prefix: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert packages.get_package_prefix("turtlesim") == str(index.OWN_PREFIX)
+    assert packages.get_packages_with_prefixes()["tf2_ros"] == str(index.OWN_PREFIX)
+    assert not packages.get_package_share_path("tf2_tools").exists()
+    assert "tf2_tools" in capsys.readouterr().err
+
+
+def test_none(prefix: Path) -> None:
+    with pytest.raises(packages.PackageNotFoundError) as error:
+        packages.get_package_prefix("nope")
+    assert str(error.value) == f"package 'nope' not found, searching: ['{prefix}']"
+    with pytest.raises(ValueError, match="is not a valid package name"):
+        packages.get_package_prefix("../x")
+
+
+def test_resources(prefix: Path) -> None:
+    assert resources.get_resource("plugins", "my_pkg") == ("a;b", str(prefix))
+    assert resources.get_resources("plugins") == {"my_pkg": str(prefix)}
+    assert resources.get_resource_types() == {"packages", "plugins"}
+    assert resources.has_resource("plugins", "nope") is False
+    with pytest.raises(LookupError, match="Could not find the resource 'nope' of type 'plugins'"):
+        resources.get_resource("plugins", "nope")
+    with pytest.raises(ament_index_python.InvalidResourceNameError):
+        resources.has_resource("plugins", "a/b")
+    with pytest.raises(ament_index_python.InvalidResourceTypeNameError):
+        resources.get_resources("../packages")
