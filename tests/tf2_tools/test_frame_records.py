@@ -1,0 +1,63 @@
+"""Reading a buffer's list of frames, and writing it as a graph."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tfloom.tf2_tools.frame_records import FrameRecord, parse_frames_yaml, write_gv
+
+GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
+CAMERA_YAML = (
+    "camera: \n  parent: 'world'\n  broadcaster: 'default_authority'\n  rate: 10000.000\n"
+    "  most_recent_transform: 0.000000\n  oldest_transform: 0.000000\n  buffer_length: 0.000\n"
+)
+CAMERA = FrameRecord("camera", "world", "default_authority", 10000.0, 0.0, 0.0, 0.0)
+
+
+def test_reads_what_the_reference_wrote() -> None:
+    assert parse_frames_yaml(CAMERA_YAML) == [CAMERA]
+    assert CAMERA.is_static
+
+
+@pytest.mark.parametrize("text", ["", "[]", "[]\n"])
+def test_no_frames(text: str) -> None:
+    assert parse_frames_yaml(text) == []
+
+
+@pytest.mark.parametrize("text", ["nonsense", CAMERA_YAML + "tail", CAMERA_YAML.replace("10000.000", "fast")])
+def test_something_else_is_an_error(text: str) -> None:
+    with pytest.raises(ValueError):
+        parse_frames_yaml(text)
+
+
+FRAME_IDS = st.text(st.characters(exclude_characters="\n'", exclude_categories=["Cs"]), min_size=1)
+
+
+@given(st.lists(st.tuples(FRAME_IDS, FRAME_IDS), min_size=1))
+def test_reads_any_frame_id(names: list[tuple[str, str]]) -> None:
+    rest = CAMERA_YAML.partition("'world'")[2]
+    text = "".join(f"{child}: \n  parent: '{parent}'{rest}" for child, parent in names)
+    assert [(record.child, record.parent) for record in parse_frames_yaml(text)] == names
+
+
+def test_the_graph_is_the_reference_s_to_the_letter() -> None:
+    golden = (GOLDEN / "view_frames_out.gv.txt").read_text()
+    assert write_gv([CAMERA], 1795257550.7853734) == golden
+
+
+def test_a_graph_without_frames_says_so() -> None:
+    assert write_gv([], 1.0) == 'digraph G { "No tf data received" }'
+
+
+def test_quotes_in_frame_ids_are_escaped() -> None:
+    text = write_gv([CAMERA._replace(child='a"b\\')], 1.0)
+    assert '"world" -> "a\\"b\\\\"[' in text
+
+
+def test_a_cycle_has_a_legend_too() -> None:
+    text = write_gv([CAMERA, CAMERA._replace(child="world", parent="camera")], 1.0)
+    assert '}->"camera";' in text
