@@ -7,6 +7,7 @@
 
 #include "bindings/bindings.hpp"
 #include "core/ready_queue.hpp"
+#include "core/sample_queue.hpp"
 #include "core/sink.hpp"
 
 namespace nb = nanobind;
@@ -37,6 +38,15 @@ std::vector<ReadyQueue::Token> wait_for_tokens(ReadyQueue& queue, std::int64_t t
   }
 }
 
+nb::list take_samples(SampleQueue& queue) {
+  nb::list taken;
+  for (const auto& [data, info] : queue.take()) {
+    taken.append(nb::make_tuple(nb::bytes(data.data(), data.size()), info.source_stamp_ns, info.received_stamp_ns,
+                                nb::bytes(info.publisher_gid.data(), info.publisher_gid.size())));
+  }
+  return taken;
+}
+
 }  // namespace
 
 void bind_core(nb::module_& m) {
@@ -52,6 +62,13 @@ void bind_core(nb::module_& m) {
           },
           "data"_a, "source_stamp_ns"_a, "received_stamp_ns"_a, "publisher_gid"_a,
           "Push one sample: encapsulation header and CDR, stamps [ns since epoch], 16 octets of gid.");
+
+  nb::class_<SampleQueue, Sink>(m, "SampleQueue",
+                                "A sink that keeps the newest samples, for Python to take many at once.")
+      .def(nb::init<std::size_t>(), "depth"_a)
+      .def("take", &take_samples, nb::sig("def take(self) -> list[tuple[bytes, int, int, bytes]]"),
+           "Remove and return all: (data, source stamp, received stamp, gid) each.")
+      .def("pushed", &SampleQueue::pushed, "Return how many samples have ever been pushed.");
 
   nb::class_<ReadyQueue>(m, "ReadyQueue",
                          "Tokens of entities that have something to do: any thread posts, one thread waits.")
