@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from importlib import import_module
+
 import pytest
 
 from tfloom.rmw import backends
@@ -64,3 +66,8 @@ def test_a_bad_domain_argument_is_refused_too(monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
     with pytest.raises(ConfigurationError, match="domain_id must be an integer from 0 to 232, not 1000"):
         backends.open_participant(1000)
+
+
+def test_every_backend_is_a_module_that_opens_participants() -> None:
+    for module in backends.BACKENDS.values():
+        assert callable(import_module(module).open_participant)

@@ -1,0 +1,175 @@
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+
+#include <tuple>
+
+#include "bindings/bindings.hpp"
+#include "dds/graph.hpp"
+#include "dds/participant.hpp"
+#include "dds/reader.hpp"
+#include "dds/writer.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace tfloom::bindings {
+namespace {
+
+// tfloom.rmw.qos.QoS, field by field.
+using QosFields =
+    std::tuple<int, int, int, std::int32_t, std::int64_t, std::int64_t, int, std::int64_t>;
+
+dds::Qos to_qos(const QosFields& fields) {
+  const auto [reliability, durability, history, depth, deadline, lifespan, liveliness, lease] = fields;
+  return {static_cast<dds::Reliability>(reliability),
+          static_cast<dds::Durability>(durability),
+          static_cast<dds::History>(history),
+          depth,
+          deadline,
+          lifespan,
+          static_cast<dds::Liveliness>(liveliness),
+          lease};
+}
+
+QosFields from_qos(const dds::Qos& qos) {
+  return {static_cast<int>(qos.reliability), static_cast<int>(qos.durability), static_cast<int>(qos.history),
+          qos.depth,                         qos.deadline_ns,                  qos.lifespan_ns,
+          static_cast<int>(qos.liveliness),  qos.liveliness_lease_ns};
+}
+
+nb::bytes to_bytes(const Gid& gid) { return nb::bytes(gid.data(), gid.size()); }
+nb::bytes to_bytes(const std::string& text) { return nb::bytes(text.data(), text.size()); }
+nb::bytes to_bytes(std::span<const std::byte> data) { return nb::bytes(data.data(), data.size()); }
+
+std::string to_string(const nb::bytes& bytes) { return {bytes.c_str(), bytes.size()}; }
+
+nb::object take(dds::Reader& reader) {
+  nb::object taken = nb::none();
+  reader.take([&taken](std::span<const std::byte> data, const SampleInfo& info) {
+    taken = nb::make_tuple(to_bytes(data), info.source_stamp_ns, info.received_stamp_ns,
+                           to_bytes(info.publisher_gid));
+  });
+  return taken;
+}
+
+void write(dds::Writer& writer, const nb::bytes& data) {
+  const std::span view(static_cast<const std::byte*>(data.data()), data.size());
+  const nb::gil_scoped_release release;
+  writer.write(view);
+}
+
+nb::tuple snapshot(dds::Graph& graph) {
+  dds::Graph::Snapshot state;
+  {
+    const nb::gil_scoped_release release;
+    state = graph.snapshot();
+  }
+  nb::list participants;
+  for (const auto& [gid, info] : state.participants) {
+    participants.append(nb::make_tuple(to_bytes(gid), to_bytes(info.user_data), to_bytes(info.node_list)));
+  }
+  nb::list endpoints;
+  for (const auto& info : state.endpoints) {
+    endpoints.append(nb::make_tuple(to_bytes(info.gid), to_bytes(info.participant), info.is_writer,
+                                    to_bytes(info.topic_name), to_bytes(info.type_name),
+                                    to_bytes(info.user_data), from_qos(info.qos)));
+  }
+  return nb::make_tuple(participants, endpoints);
+}
+
+using ReleaseGil = nb::call_guard<nb::gil_scoped_release>;
+
+void bind_participant(nb::module_& m) {
+  nb::class_<dds::Participant>(m, "DdsParticipant", "This process on one DDS domain.")
+      .def(
+          "__init__",
+          [](dds::Participant* self, const std::string& library_path, std::uint32_t domain_id,
+             const std::string& config, const nb::bytes& user_data) {
+            const std::string user_text = to_string(user_data);
+            const nb::gil_scoped_release release;
+            new (self) dds::Participant(dds::Library::open(library_path), domain_id, config, user_text);
+          },
+          "library_path"_a, "domain_id"_a, "config"_a, "user_data"_a,
+          "Join a domain with the libddsc at `library_path`, Cyclone's XML `config` and `user_data` for all to see.")
+      .def_prop_ro("gid", [](const dds::Participant& self) { return to_bytes(self.gid()); }, "16 octets.")
+      .def("close", &dds::Participant::close, ReleaseGil(),
+           "Leave the domain; endpoints and graph are to be closed before. Closing again does nothing.");
+}
+
+void bind_writer(nb::module_& m) {
+  nb::class_<dds::Writer>(m, "DdsWriter", "The sending end of a DDS topic.")
+      .def(
+          "__init__",
+          [](dds::Writer* self, dds::Participant& participant, const std::string& topic_name,
+             const std::string& type_name, const QosFields& qos, const nb::bytes& user_data) {
+            const std::string user_text = to_string(user_data);
+            const nb::gil_scoped_release release;
+            new (self) dds::Writer(participant, {topic_name, type_name}, to_qos(qos), user_text);
+          },
+          "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a, "user_data"_a, nb::keep_alive<1, 2>(),
+          "Offer a topic by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS.")
+      .def_prop_ro("gid", [](const dds::Writer& self) { return to_bytes(self.gid()); }, "16 octets.")
+      .def("write", &write, "data"_a, "Send a sample: encapsulation header 00 01 xx xx and little-endian CDR.")
+      .def("matched_count", &dds::Writer::matched_count, "Return how many readers are connected now.")
+      .def("close", &dds::Writer::close, ReleaseGil(), "Leave the topic. Closing again does nothing.");
+}
+
+void bind_reader(nb::module_& m) {
+  nb::class_<dds::Reader>(m, "DdsReader", "The receiving end of a DDS topic.")
+      .def(
+          "__init__",
+          [](dds::Reader* self, dds::Participant& participant, const std::string& topic_name,
+             const std::string& type_name, const QosFields& qos, const nb::bytes& user_data) {
+            const std::string user_text = to_string(user_data);
+            const nb::gil_scoped_release release;
+            new (self) dds::Reader(participant, {topic_name, type_name}, to_qos(qos), user_text);
+          },
+          "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a, "user_data"_a, nb::keep_alive<1, 2>(),
+          "Ask for a topic by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS.")
+      .def_prop_ro("gid", [](const dds::Reader& self) { return to_bytes(self.gid()); }, "16 octets.")
+      .def("notify", &dds::Reader::notify, "queue"_a.none(), "token"_a, nb::keep_alive<1, 2>(),
+           "Post `token` to `queue` when there is something to take; None ends it.")
+      .def("take", &take, nb::sig("def take(self) -> tuple[bytes, int, int, bytes] | None"),
+           "Remove the oldest sample: (data, source stamp, received stamp, gid), or None.")
+      .def("feed", &dds::Reader::feed, "sink"_a, nb::keep_alive<1, 2>(), ReleaseGil(),
+           "Push every sample into `sink` from now on, on a thread without Python.")
+      .def("matched_count", &dds::Reader::matched_count, "Return how many writers are connected now.")
+      .def("close", &dds::Reader::close, ReleaseGil(),
+           "Leave the topic; neither queue nor sink are touched afterwards. Closing again does nothing.");
+}
+
+void bind_graph(nb::module_& m) {
+  nb::class_<dds::Graph>(m, "DdsGraph", "What has been discovered on a DDS domain.")
+      .def(
+          "__init__",
+          [](dds::Graph* self, dds::Participant& participant, const std::string& topic_name,
+             const std::string& type_name, const QosFields& qos, const nb::bytes& user_data) {
+            const std::string user_text = to_string(user_data);
+            const nb::gil_scoped_release release;
+            new (self) dds::Graph(participant, {topic_name, type_name}, to_qos(qos), user_text);
+          },
+          "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a, "user_data"_a, nb::keep_alive<1, 2>(),
+          "Listen; the names are those of the topic in which participants list their nodes.")
+      .def("snapshot", &snapshot,
+           nb::sig("def snapshot(self) -> tuple[list[tuple[bytes, bytes, bytes]], list[tuple[bytes, bytes, bool, "
+                   "bytes, bytes, bytes, tuple[int, int, int, int, int, int, int, int]]]]"),
+           "Return participants (gid, user data, node list) and endpoints (gid, participant's gid, whether a writer, "
+           "topic, type, user data, qos), texts as the bytes that came.")
+      .def("changes", &dds::Graph::changes, ReleaseGil(), "Return a number that grows with each change.")
+      .def("notify", &dds::Graph::notify, "queue"_a.none(), "token"_a, nb::keep_alive<1, 2>(),
+           "Post `token` to `queue` whenever the graph has changed; None ends it.")
+      .def("close", &dds::Graph::close, ReleaseGil(), "Stop listening. Closing again does nothing.");
+}
+
+}  // namespace
+
+void bind_dds(nb::module_& m) {
+  bind_participant(m);
+  bind_writer(m);
+  bind_reader(m);
+  bind_graph(m);
+}
+
+}  // namespace tfloom::bindings

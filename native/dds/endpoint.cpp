@@ -1,0 +1,33 @@
+#include "dds/endpoint.hpp"
+
+namespace tfloom::dds {
+namespace {
+
+// "One octet at offset 0, and that is all", in the library's marshalling code.
+constexpr std::uint32_t one_octet_ops[] = {0x01010000, 0, 0};
+constexpr std::uint32_t restrict_representations = 1U << 7U;
+constexpr std::uint32_t only_xcdr1 = 1;
+
+}  // namespace
+
+Entity create_topic(Participant& participant, const TopicName& topic) {
+  TopicDescriptor descriptor{};
+  descriptor.size = 1;
+  descriptor.alignment = 1;
+  descriptor.flags = restrict_representations;
+  descriptor.type_name = topic.type_name.c_str();
+  descriptor.op_count = 3;
+  descriptor.ops = one_octet_ops;
+  descriptor.metadata = "";
+  descriptor.allowed_representations = only_xcdr1;
+  const Library& library = participant.library();
+  const Entity entity =
+      library.create_topic(participant.entity(), &descriptor, topic.name.c_str(), nullptr, nullptr);
+  if (entity == precondition_not_met || entity == inconsistent_policy) {
+    throw Error("cannot open topic " + topic.name + " as " + topic.type_name +
+                ": this process uses it with another type");
+  }
+  return library.check(entity, "cannot open topic " + topic.name);
+}
+
+}  // namespace tfloom::dds

@@ -1,0 +1,83 @@
+// Everything that has been discovered on a domain, this process's own ends included.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/ready_queue.hpp"
+#include "core/sink.hpp"
+#include "dds/endpoint.hpp"
+#include "dds/feeder.hpp"
+#include "dds/qos.hpp"
+
+namespace tfloom::dds {
+
+struct EndpointInfo {
+  Gid gid{};
+  Gid participant{};
+  bool is_writer = false;
+  std::string topic_name;  // as on the wire, as are the others: hostile bytes
+  std::string type_name;
+  std::string user_data;
+  Qos qos;
+};
+
+struct ParticipantInfo {
+  std::string user_data;
+  std::vector<std::byte> node_list;  // its latest sample of ros_discovery_info, unread; empty if none has come
+};
+
+class Graph : private Feeder::Source {
+ public:
+  struct Snapshot {
+    std::vector<std::pair<Gid, ParticipantInfo>> participants;
+    std::vector<EndpointInfo> endpoints;
+  };
+
+  // Listens from now on. `node_lists` names the topic in which participants list their nodes.
+  Graph(Participant& participant, const TopicName& node_lists, const Qos& qos, const std::string& user_data);
+  ~Graph() override;
+
+  [[nodiscard]] Snapshot snapshot();
+
+  // A number that grows whenever a snapshot would differ.
+  [[nodiscard]] std::uint64_t changes();
+
+  // Posts `token` whenever the graph has changed; nullptr ends it.
+  void notify(ReadyQueue* queue, ReadyQueue::Token token);
+
+  void close();
+
+ private:
+  static void on_data_available(Entity, void* self);
+  Entity listen(Entity topic, const Qos_* qos);
+  bool drain() override;
+  void update();
+  void update_participants();
+  void update_endpoints(Entity reader, bool is_writer);
+  void update_node_lists();
+  void put_node_list(std::span<const std::byte> data);
+
+  Participant& participant_;
+  const Library& library_;
+  std::mutex mutex_;
+  std::map<Gid, ParticipantInfo> participants_;
+  std::map<Gid, std::vector<std::byte>> early_node_lists_;  // of participants that aren't discovered yet
+  std::map<Gid, EndpointInfo> endpoints_;
+  std::uint64_t changes_ = 0;
+  ReadyQueue* queue_ = nullptr;
+  ReadyQueue::Token token_ = 0;
+  bool closed_ = false;
+  Entity node_list_topic_ = 0;
+  Entity participant_reader_ = 0;
+  Entity writer_reader_ = 0;
+  Entity reader_reader_ = 0;
+  Entity node_list_reader_ = 0;
+};
+
+}  // namespace tfloom::dds

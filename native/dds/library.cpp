@@ -1,0 +1,135 @@
+#include "dds/library.hpp"
+
+#include <map>
+#include <memory>
+#include <mutex>
+
+#ifdef _WIN32
+#define WIN32_LEAN_AND_MEAN
+#include <windows.h>
+#else
+#include <dlfcn.h>
+#endif
+
+namespace tfloom::dds {
+namespace {
+
+#ifdef _WIN32
+void* open_shared_library(const std::string& path) {
+  void* handle = LoadLibraryA(path.c_str());
+  if (handle == nullptr) throw Error("cannot open " + path + ": Windows error " + std::to_string(GetLastError()));
+  return handle;
+}
+
+void* find_symbol(void* handle, const char* name) {
+  return reinterpret_cast<void*>(GetProcAddress(static_cast<HMODULE>(handle), name));
+}
+#else
+void* open_shared_library(const std::string& path) {
+  void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) throw Error(std::string("cannot open the DDS library: ") + dlerror());
+  return handle;
+}
+
+void* find_symbol(void* handle, const char* name) { return dlsym(handle, name); }
+#endif
+
+class Resolver {
+ public:
+  explicit Resolver(const std::string& path) : path_(path), handle_(open_shared_library(path)) {}
+
+  template <typename Function>
+  void operator()(Function*& function, const char* name) const {
+    void* symbol = find_symbol(handle_, name);
+    if (symbol == nullptr) {
+      throw Error(path_ + " has no " + name + ": it isn't Cyclone DDS 11; install 'cyclonedds>=11,<12'");
+    }
+    function = reinterpret_cast<Function*>(symbol);
+  }
+
+ private:
+  std::string path_;
+  void* handle_;  // never closed: its threads may outlive every object of ours
+};
+
+void resolve_entities(Library& l, const Resolver& resolve) {
+  resolve(l.create_domain, "dds_create_domain");
+  resolve(l.create_participant, "dds_create_participant");
+  resolve(l.create_publisher, "dds_create_publisher");
+  resolve(l.create_subscriber, "dds_create_subscriber");
+  resolve(l.create_topic, "dds_create_topic");
+  resolve(l.create_writer, "dds_create_writer");
+  resolve(l.create_reader, "dds_create_reader");
+  resolve(l.delete_entity, "dds_delete");
+  resolve(l.get_guid, "dds_get_guid");
+  resolve(l.get_entity_sertype, "dds_get_entity_sertype");
+  resolve(l.set_listener, "dds_set_listener");
+  resolve(l.strretcode, "dds_strretcode");
+  resolve(l.free, "dds_free");
+  resolve(l.get_matched_publications, "dds_get_matched_publications");
+  resolve(l.get_matched_subscriptions, "dds_get_matched_subscriptions");
+  resolve(l.get_matched_publication_data, "dds_get_matched_publication_data");
+  resolve(l.builtintopic_free_endpoint, "dds_builtintopic_free_endpoint");
+  resolve(l.create_listener, "dds_create_listener");
+  resolve(l.delete_listener, "dds_delete_listener");
+  resolve(l.lset_data_available_arg, "dds_lset_data_available_arg");
+}
+
+void resolve_data(Library& l, const Resolver& resolve) {
+  resolve(l.writecdr, "dds_writecdr");
+  resolve(l.takecdr, "dds_takecdr");
+  resolve(l.take, "dds_take");
+  resolve(l.return_loan, "dds_return_loan");
+  resolve(l.serdata_from_ser_iov, "ddsi_serdata_from_ser_iov");
+  resolve(l.serdata_size, "ddsi_serdata_size");
+  resolve(l.serdata_to_ser_ref, "ddsi_serdata_to_ser_ref");
+  resolve(l.serdata_to_ser_unref, "ddsi_serdata_to_ser_unref");
+  resolve(l.serdata_unref, "ddsi_serdata_unref");
+}
+
+void resolve_qos(Library& l, const Resolver& resolve) {
+  resolve(l.create_qos, "dds_create_qos");
+  resolve(l.delete_qos, "dds_delete_qos");
+  resolve(l.qset_userdata, "dds_qset_userdata");
+  resolve(l.qset_reliability, "dds_qset_reliability");
+  resolve(l.qset_durability, "dds_qset_durability");
+  resolve(l.qset_durability_service, "dds_qset_durability_service");
+  resolve(l.qset_history, "dds_qset_history");
+  resolve(l.qset_deadline, "dds_qset_deadline");
+  resolve(l.qset_lifespan, "dds_qset_lifespan");
+  resolve(l.qset_liveliness, "dds_qset_liveliness");
+  resolve(l.qset_data_representation, "dds_qset_data_representation");
+  resolve(l.qset_writer_data_lifecycle, "dds_qset_writer_data_lifecycle");
+  resolve(l.qget_userdata, "dds_qget_userdata");
+  resolve(l.qget_reliability, "dds_qget_reliability");
+  resolve(l.qget_durability, "dds_qget_durability");
+  resolve(l.qget_history, "dds_qget_history");
+  resolve(l.qget_deadline, "dds_qget_deadline");
+  resolve(l.qget_lifespan, "dds_qget_lifespan");
+  resolve(l.qget_liveliness, "dds_qget_liveliness");
+}
+
+}  // namespace
+
+const Library& Library::open(const std::string& path) {
+  static std::mutex mutex;
+  static std::map<std::string, std::unique_ptr<const Library>> libraries;
+  const std::lock_guard lock(mutex);
+  auto& library = libraries[path];
+  if (!library) {
+    auto opened = std::make_unique<Library>();
+    const Resolver resolve(path);
+    resolve_entities(*opened, resolve);
+    resolve_data(*opened, resolve);
+    resolve_qos(*opened, resolve);
+    library = std::move(opened);
+  }
+  return *library;
+}
+
+Result Library::check(Result result, const std::string& what) const {
+  if (result < 0) throw Error(what + ": " + strretcode(result));
+  return result;
+}
+
+}  // namespace tfloom::dds

@@ -1,0 +1,82 @@
+// libddsc, opened at run time: the shared library that the cyclonedds wheel brings along.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "dds/abi.hpp"
+
+namespace tfloom::dds {
+
+// The library, or something asked of it, failed.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Every function of libddsc that we call, under its own name without `dds_`.
+struct Library {
+  Entity (*create_domain)(std::uint32_t domain_id, const char* config);
+  Entity (*create_participant)(std::uint32_t domain_id, const Qos_*, const Listener_*);
+  Entity (*create_publisher)(Entity participant, const Qos_*, const Listener_*);
+  Entity (*create_subscriber)(Entity participant, const Qos_*, const Listener_*);
+  Entity (*create_topic)(Entity participant, const TopicDescriptor*, const char* name, const Qos_*, const Listener_*);
+  Entity (*create_writer)(Entity publisher, Entity topic, const Qos_*, const Listener_*);
+  Entity (*create_reader)(Entity subscriber, Entity topic, const Qos_*, const Listener_*);
+  Result (*delete_entity)(Entity);
+  Result (*get_guid)(Entity, Guid*);
+  Result (*get_entity_sertype)(Entity, const Sertype_**);
+  Result (*set_listener)(Entity, const Listener_*);
+  const char* (*strretcode)(Result);
+  void (*free)(void*);
+
+  Result (*writecdr)(Entity writer, Serdata_*);
+  Result (*takecdr)(Entity reader, Serdata_**, std::uint32_t count, SampleState*, std::uint32_t mask);
+  Result (*take)(Entity reader, void** samples, SampleState*, std::size_t size, std::uint32_t count);
+  Result (*return_loan)(Entity reader, void** samples, Result count);
+  Serdata_* (*serdata_from_ser_iov)(const Sertype_*, int kind, IoCount, const IoVec*, std::size_t size);
+  std::uint32_t (*serdata_size)(const Serdata_*);
+  Serdata_* (*serdata_to_ser_ref)(const Serdata_*, std::size_t offset, std::size_t size, IoVec*);
+  void (*serdata_to_ser_unref)(Serdata_*, const IoVec*);
+  void (*serdata_unref)(Serdata_*);
+
+  Result (*get_matched_publications)(Entity reader, InstanceHandle*, std::size_t count);
+  Result (*get_matched_subscriptions)(Entity writer, InstanceHandle*, std::size_t count);
+  DiscoveredEndpoint* (*get_matched_publication_data)(Entity reader, InstanceHandle);
+  void (*builtintopic_free_endpoint)(DiscoveredEndpoint*);
+
+  Listener_* (*create_listener)(void* argument);
+  void (*delete_listener)(Listener_*);
+  Result (*lset_data_available_arg)(Listener_*, void (*)(Entity, void*), void* argument, bool reset_on_invoke);
+
+  Qos_* (*create_qos)();
+  void (*delete_qos)(Qos_*);
+  void (*qset_userdata)(Qos_*, const void*, std::size_t size);
+  void (*qset_reliability)(Qos_*, int kind, std::int64_t max_blocking_ns);
+  void (*qset_durability)(Qos_*, int kind);
+  void (*qset_durability_service)(Qos_*, std::int64_t cleanup_ns, int history, std::int32_t depth,
+                                  std::int32_t max_samples, std::int32_t max_instances,
+                                  std::int32_t max_samples_per_instance);
+  void (*qset_history)(Qos_*, int kind, std::int32_t depth);
+  void (*qset_deadline)(Qos_*, std::int64_t);
+  void (*qset_lifespan)(Qos_*, std::int64_t);
+  void (*qset_liveliness)(Qos_*, int kind, std::int64_t lease_ns);
+  void (*qset_data_representation)(Qos_*, std::uint32_t count, const std::int16_t*);
+  void (*qset_writer_data_lifecycle)(Qos_*, bool autodispose);
+  bool (*qget_userdata)(const Qos_*, void**, std::size_t*);
+  bool (*qget_reliability)(const Qos_*, int*, std::int64_t*);
+  bool (*qget_durability)(const Qos_*, int*);
+  bool (*qget_history)(const Qos_*, int*, std::int32_t*);
+  bool (*qget_deadline)(const Qos_*, std::int64_t*);
+  bool (*qget_lifespan)(const Qos_*, std::int64_t*);
+  bool (*qget_liveliness)(const Qos_*, int*, std::int64_t*);
+
+  // Opens the library at `path`, once for each path; it stays open as long as the process runs.
+  // Throws Error where it can't be opened or isn't version 11.
+  static const Library& open(const std::string& path);
+
+  // Returns `result`, or throws Error "<what>: <the library's text>" if it is an error.
+  Result check(Result result, const std::string& what) const;
+};
+
+}  // namespace tfloom::dds

@@ -1,0 +1,92 @@
+#include "dds/participant.hpp"
+
+#include <cstring>
+#include <map>
+#include <mutex>
+
+#ifdef _WIN32
+#include <process.h>
+#else
+#include <unistd.h>
+#endif
+
+#include "dds/qos.hpp"
+
+namespace tfloom::dds {
+namespace {
+
+struct OpenDomain {
+  Entity entity = 0;  // 0: opened by somebody else
+  int users = 0;
+};
+
+std::mutex domains_mutex;
+std::map<std::uint32_t, OpenDomain> domains;
+
+std::int64_t process_id() {
+#ifdef _WIN32
+  return _getpid();
+#else
+  return getpid();
+#endif
+}
+
+}  // namespace
+
+Domain::Domain(const Library& library, std::uint32_t domain_id, const std::string& config)
+    : library_(library), domain_id_(domain_id) {
+  const std::lock_guard lock(domains_mutex);
+  const auto found = domains.find(domain_id);
+  if (found != domains.end()) {
+    ++found->second.users;
+    return;
+  }
+  const Entity entity = library.create_domain(domain_id, config.c_str());
+  if (entity != precondition_not_met) library.check(entity, "cannot open DDS domain " + std::to_string(domain_id));
+  domains[domain_id] = {entity > 0 ? entity : 0, 1};
+}
+
+Domain::~Domain() {
+  const std::lock_guard lock(domains_mutex);
+  const auto found = domains.find(domain_id_);
+  if (--found->second.users > 0) return;
+  if (found->second.entity > 0) library_.delete_entity(found->second.entity);
+  domains.erase(found);
+}
+
+Participant::Participant(const Library& library, std::uint32_t domain_id, const std::string& config,
+                         const std::string& user_data)
+    : library_(library), process_(process_id()), domain_(std::make_unique<Domain>(library, domain_id, config)) {
+  const QosHandle qos = make_user_data(library, user_data);
+  entity_ = library.check(library.create_participant(domain_id, qos.get(), nullptr),
+                          "cannot join DDS domain " + std::to_string(domain_id));
+  publisher_ = library.check(library.create_publisher(entity_, nullptr, nullptr), "cannot make a publisher");
+  subscriber_ = library.check(library.create_subscriber(entity_, nullptr, nullptr), "cannot make a subscriber");
+  gid_ = gid_of(library, entity_);
+}
+
+Participant::~Participant() { close(); }
+
+bool Participant::is_forked() const { return process_ != process_id(); }
+
+void Participant::close() {
+  if (is_forked()) {
+    feeder_.abandon();
+    static_cast<void>(domain_.release());
+    return;
+  }
+  feeder_.stop();
+  if (!domain_) return;
+  library_.delete_entity(entity_);
+  domain_.reset();
+}
+
+Gid gid_of(const Library& library, Entity entity) {
+  Guid guid{};
+  library.check(library.get_guid(entity, &guid), "cannot get a GUID");
+  Gid gid;
+  std::memcpy(gid.data(), guid.octets, gid.size());
+  return gid;
+}
+
+}  // namespace tfloom::dds

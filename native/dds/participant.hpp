@@ -1,0 +1,65 @@
+// This process on one DDS domain.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "core/sink.hpp"
+#include "dds/feeder.hpp"
+#include "dds/library.hpp"
+
+namespace tfloom::dds {
+
+// A domain that was opened with our configuration; open as long as a participant is on it. Where somebody else in
+// this process has opened the domain before, theirs is used.
+class Domain {
+ public:
+  Domain(const Library& library, std::uint32_t domain_id, const std::string& config);
+  ~Domain();
+  Domain(const Domain&) = delete;
+  Domain& operator=(const Domain&) = delete;
+
+ private:
+  const Library& library_;
+  std::uint32_t domain_id_;
+};
+
+class Participant {
+ public:
+  // Joins a domain. `config` is Cyclone's XML, `user_data` what others are told (`enclave=/;`).
+  // Throws Error with the library's reason.
+  Participant(const Library& library, std::uint32_t domain_id, const std::string& config,
+              const std::string& user_data);
+  ~Participant();
+  Participant(const Participant&) = delete;
+  Participant& operator=(const Participant&) = delete;
+
+  // Leaves the domain; the endpoints are to be closed before. Closing again does nothing.
+  void close();
+
+  [[nodiscard]] const Library& library() const { return library_; }
+  [[nodiscard]] Feeder& feeder() { return feeder_; }
+  [[nodiscard]] const Gid& gid() const { return gid_; }
+  [[nodiscard]] Entity entity() const { return entity_; }
+  [[nodiscard]] Entity publisher() const { return publisher_; }
+  [[nodiscard]] Entity subscriber() const { return subscriber_; }
+
+  // True in a process forked off the one that joined: there libddsc's threads don't exist, and nothing may be asked
+  // of it any more.
+  [[nodiscard]] bool is_forked() const;
+
+ private:
+  const Library& library_;
+  std::int64_t process_;
+  std::unique_ptr<Domain> domain_;
+  Entity entity_ = 0;
+  Entity publisher_ = 0;
+  Entity subscriber_ = 0;
+  Gid gid_{};
+  Feeder feeder_;
+};
+
+Gid gid_of(const Library& library, Entity entity);
+
+}  // namespace tfloom::dds

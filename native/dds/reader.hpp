@@ -1,0 +1,62 @@
+// The receiving end of a topic: samples off the wire, for Python to take or fed to a sink.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <span>
+#include <unordered_map>
+
+#include "core/ready_queue.hpp"
+#include "core/sink.hpp"
+#include "dds/endpoint.hpp"
+#include "dds/feeder.hpp"
+#include "dds/qos.hpp"
+
+namespace tfloom::dds {
+
+class Reader : private Feeder::Source {
+ public:
+  using Receive = std::function<void(std::span<const std::byte> data, const SampleInfo& info)>;
+
+  Reader(Participant& participant, const TopicName& topic, const Qos& qos, const std::string& user_data);
+  ~Reader() override;
+
+  // Posts `token` when there is something to take, at once if there may be; nullptr ends it.
+  void notify(ReadyQueue* queue, ReadyQueue::Token token);
+
+  // Hands the oldest waiting sample to `receive` and removes it; false if there is none, or the reader is fed.
+  bool take(const Receive& receive);
+
+  // From now on pushes every sample into `sink` on the feeder's thread.
+  void feed(Sink* sink);
+
+  [[nodiscard]] std::size_t matched_count() const;
+  [[nodiscard]] const Gid& gid() const { return gid_; }
+
+  // Leaves the topic; when it returns, neither queue nor sink will be touched again.
+  void close();
+
+ private:
+  static void on_data_available(Entity, void* self);
+  void data_available();
+  bool drain() override;
+  bool take_one(const Receive& receive);
+  Gid publisher_gid(InstanceHandle publication);
+
+  Participant& participant_;
+  const Library& library_;
+  Entity topic_;
+  Entity entity_ = 0;
+  Gid gid_{};
+  std::atomic<bool> closed_ = false;
+  std::atomic<Sink*> sink_ = nullptr;
+  std::mutex listener_mutex_;  // guards the two below; the listener takes it, so it's held for moments only
+  ReadyQueue* queue_ = nullptr;
+  ReadyQueue::Token token_ = 0;
+  std::mutex gids_mutex_;
+  std::unordered_map<InstanceHandle, Gid> gids_;
+};
+
+}  // namespace tfloom::dds

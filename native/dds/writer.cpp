@@ -1,0 +1,68 @@
+#include "dds/writer.hpp"
+
+#include <stdexcept>
+
+namespace tfloom::dds {
+namespace {
+
+constexpr std::size_t header_size = 4;
+constexpr std::size_t alignment = 4;
+constexpr int data_kind = 2;
+
+void check_encapsulation(std::span<const std::byte> data) {
+  if (data.size() <= header_size) {
+    throw std::invalid_argument("a sample has four octets of encapsulation header and at least one of data, not " +
+                                std::to_string(data.size()) + " in all");
+  }
+  if (data[0] != std::byte{0} || data[1] != std::byte{1}) {
+    throw std::invalid_argument("a sample starts with 00 01, the header of little-endian CDR");
+  }
+}
+
+}  // namespace
+
+Writer::Writer(Participant& participant, const TopicName& topic, const Qos& qos, const std::string& user_data)
+    : participant_(participant), library_(participant.library()), topic_(create_topic(participant, topic)) {
+  const QosHandle handle = make_writer_qos(library_, qos, user_data);
+  entity_ = library_.create_writer(participant.publisher(), topic_, handle.get(), nullptr);
+  if (entity_ < 0) library_.delete_entity(topic_);
+  library_.check(entity_, "cannot write " + topic.name);
+  library_.check(library_.get_entity_sertype(entity_, &type_), "cannot get the type of " + topic.name);
+  gid_ = gid_of(library_, entity_);
+}
+
+Writer::~Writer() { close(); }
+
+void Writer::write(std::span<const std::byte> data) {
+  check_encapsulation(data);
+  // Unpadded, the library would fill up the last word from its heap.
+  static constexpr std::byte zeros[alignment]{};
+  const std::size_t padding = (alignment - data.size() % alignment) % alignment;
+  IoVec parts[2]{};
+  parts[0].iov_base = const_cast<std::byte*>(data.data());
+  parts[0].iov_len = static_cast<decltype(parts[0].iov_len)>(data.size());
+  parts[1].iov_base = const_cast<std::byte*>(zeros);
+  parts[1].iov_len = static_cast<decltype(parts[1].iov_len)>(padding);
+
+  const std::shared_lock lock(in_use_);
+  if (closed_) throw Error("the writer is closed");
+  Serdata_* sample =
+      library_.serdata_from_ser_iov(type_, data_kind, padding == 0 ? 1 : 2, parts, data.size() + padding);
+  if (sample == nullptr) throw std::invalid_argument("the DDS library refused the sample");
+  library_.check(library_.writecdr(entity_, sample), "cannot write");
+}
+
+std::size_t Writer::matched_count() const {
+  if (closed_) return 0;
+  const Result count = library_.get_matched_subscriptions(entity_, nullptr, 0);
+  return count < 0 ? 0 : static_cast<std::size_t>(count);
+}
+
+void Writer::close() {
+  if (closed_.exchange(true) || participant_.is_forked()) return;
+  library_.delete_entity(entity_);
+  const std::unique_lock lock(in_use_);
+  library_.delete_entity(topic_);
+}
+
+}  // namespace tfloom::dds

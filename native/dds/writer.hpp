@@ -1,0 +1,42 @@
+// The sending end of a topic: bytes in, samples on the wire.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <shared_mutex>
+#include <span>
+
+#include "dds/endpoint.hpp"
+#include "dds/qos.hpp"
+
+namespace tfloom::dds {
+
+class Writer {
+ public:
+  Writer(Participant& participant, const TopicName& topic, const Qos& qos, const std::string& user_data);
+  ~Writer();
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  // Sends one sample: the encapsulation header of little-endian CDR, then the CDR. From any thread; may wait for slow
+  // readers of a reliable topic. Throws std::invalid_argument for another header, Error once closed.
+  void write(std::span<const std::byte> data);
+
+  [[nodiscard]] std::size_t matched_count() const;
+  [[nodiscard]] const Gid& gid() const { return gid_; }
+
+  // Leaves the topic, when the writes under way have ended; a write that waits for readers ends at once.
+  void close();
+
+ private:
+  Participant& participant_;
+  const Library& library_;
+  Entity topic_;
+  Entity entity_ = 0;
+  const Sertype_* type_ = nullptr;
+  Gid gid_{};
+  std::atomic<bool> closed_ = false;
+  std::shared_mutex in_use_;  // shared by writes, which need the type
+};
+
+}  // namespace tfloom::dds

@@ -1,0 +1,118 @@
+"""The graph as DDS discovery and the participants' own lists of nodes tell it."""
+
+from __future__ import annotations
+
+import threading
+from typing import NamedTuple
+
+from tfloom._native import DdsGraph, DdsParticipant, ReadyQueue
+from tfloom.rmw import node_lists
+from tfloom.rmw.base import EndpointInfo, NodeName, Topic
+from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoS, ReliabilityPolicy
+from tfloom.rmw.topic_names import key_values, topic_from_dds, type_from_dds, type_to_dds
+
+NODE_LIST_USER_DATA = f"typehash={node_lists.TYPE_HASH};".encode()
+
+_READ_ALL = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_ALL)
+
+
+class _View(NamedTuple):
+    """What was known at one count of changes."""
+
+    changes: int
+    nodes: list[NodeName]
+    endpoints: list[EndpointInfo]
+
+
+class CycloneGraph:
+    """Everything a participant has heard of; see `base.Graph`."""
+
+    def __init__(self, participant: DdsParticipant) -> None:
+        self._native = DdsGraph(
+            participant,
+            node_lists.TOPIC_NAME,
+            type_to_dds(node_lists.TYPE_NAME),
+            _READ_ALL,
+            NODE_LIST_USER_DATA,
+        )
+        self._lock = threading.Lock()
+        self._view = _View(-1, [], [])
+
+    def nodes(self) -> list[NodeName]:
+        """Return the nodes, one entry for each, in order of their full names."""
+        return list(self._current().nodes)
+
+    def endpoints(self) -> list[EndpointInfo]:
+        """Return writers and readers of ROS topics, in order of topic name."""
+        return list(self._current().endpoints)
+
+    def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
+        """Post `token` to `queue` whenever the graph has changed; None ends it."""
+        self._native.notify(queue, token)
+
+    def changes(self) -> int:
+        """Return a number that grows with each change."""
+        return self._native.changes()
+
+    def close(self) -> None:
+        """Stop listening."""
+        self._native.close()
+
+    def _current(self) -> _View:
+        with self._lock:
+            changes = self._native.changes()
+            if changes != self._view.changes:
+                self._view = self._read(changes)
+            return self._view
+
+    def _read(self, changes: int) -> _View:
+        participants, endpoints = self._native.snapshot()
+        nodes: list[NodeName] = []
+        node_of: dict[bytes, NodeName] = {}
+        for _, _, node_list in participants:
+            for ends in _decoded(node_list):
+                nodes.append(ends.name)
+                node_of.update(dict.fromkeys((*ends.reader_gids, *ends.writer_gids), ends.name))
+        infos = []
+        for gid, _, is_writer, dds_topic, dds_type, user_data, qos in endpoints:
+            name = topic_from_dds(dds_topic.decode("utf-8", "replace"))
+            if name is None:
+                continue
+            type_name = type_from_dds(dds_type.decode("utf-8", "replace"))
+            topic = Topic(name, type_name, key_values(user_data).get("typehash", ""))
+            infos.append(EndpointInfo(topic, node_of.get(gid), is_writer, gid, _qos(*qos)))
+        nodes.sort(key=lambda node: node.full)
+        infos.sort(key=lambda info: info.topic.name)
+        return _View(changes, nodes, infos)
+
+
+def _decoded(node_list: bytes) -> list[node_lists.NodeEnds]:
+    """Return the nodes in a list from the wire; none where nothing came yet, or what came can't be read."""
+    if not node_list:
+        return []
+    try:
+        return node_lists.decode(node_list)[1]
+    except node_lists.NodeListError:
+        return []
+
+
+def _qos(
+    reliability: int,
+    durability: int,
+    history: int,
+    depth: int,
+    deadline_ns: int,
+    lifespan_ns: int,
+    liveliness: int,
+    liveliness_lease_ns: int,
+) -> QoS:
+    return QoS(
+        ReliabilityPolicy(reliability),
+        DurabilityPolicy(durability),
+        HistoryPolicy(history),
+        depth,
+        deadline_ns,
+        lifespan_ns,
+        LivelinessPolicy(liveliness),
+        liveliness_lease_ns,
+    )

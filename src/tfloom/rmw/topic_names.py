@@ -1,0 +1,43 @@
+"""Names as DDS carries them for ROS: `/pose` is `rt/pose`, `turtlesim/msg/Pose` is `turtlesim::msg::dds_::Pose_`."""
+
+from __future__ import annotations
+
+TOPIC_PREFIX = "rt"
+
+
+def topic_to_dds(name: str) -> str:
+    """Return the DDS name of a topic's fully qualified name."""
+    return TOPIC_PREFIX + name
+
+
+def topic_from_dds(name: str) -> str | None:
+    """Return the fully qualified name of a ROS topic, or None if the DDS topic is none."""
+    prefix, slash, rest = name.partition("/")
+    return slash + rest if prefix == TOPIC_PREFIX and rest else None
+
+
+def type_to_dds(name: str) -> str:
+    """Return the DDS name of a type.
+
+    Raises:
+        ValueError: the name isn't of the form `package/msg/Type`.
+    """
+    parts = name.split("/")
+    if len(parts) != 3 or not all(parts):
+        raise ValueError(f"a type's name is like 'std_msgs/msg/String', not {name!r}")
+    package, kind, type_name = parts
+    return f"{package}::{kind}::dds_::{type_name}_"
+
+
+def type_from_dds(name: str) -> str:
+    """Return ROS's name of a type; one that isn't ROS's comes back as it is."""
+    parts = name.split("::")
+    if len(parts) < 3 or parts[-2] != "dds_" or not parts[-1].endswith("_"):
+        return name
+    return "/".join([*parts[:-2], parts[-1][:-1]])
+
+
+def key_values(user_data: bytes) -> dict[str, str]:
+    """Return what an entity's USER_DATA tells: `enclave=/;typehash=RIHS01_…;` as a dict. Never fails."""
+    entries = (entry.partition("=") for entry in user_data.decode("utf-8", "replace").split(";"))
+    return {key: value for key, equals, value in entries if equals}
