@@ -1,1 +1,1 @@
-"""TODO one line."""
+"""Message types: their text, their hash, their Python classes and their bytes."""

@@ -1,0 +1,175 @@
+"""What an interface definition says, as plain values: types, fields, constants, messages, services, actions."""
+
+from __future__ import annotations
+
+from typing import NamedTuple, TypeAlias
+
+INTEGER_RANGES = {
+    "int8": (-(2**7), 2**7 - 1),
+    "uint8": (0, 2**8 - 1),
+    "int16": (-(2**15), 2**15 - 1),
+    "uint16": (0, 2**16 - 1),
+    "int32": (-(2**31), 2**31 - 1),
+    "uint32": (0, 2**32 - 1),
+    "int64": (-(2**63), 2**63 - 1),
+    "uint64": (0, 2**64 - 1),
+    "char": (0, 2**8 - 1),
+    "byte": (0, 2**8 - 1),
+}
+"""Least and greatest value of each integer type. `char` is a uint8, and `byte` an octet."""
+FLOATS = frozenset({"float32", "float64"})
+STRINGS = frozenset({"string", "wstring"})
+PRIMITIVES = frozenset({"bool", *INTEGER_RANGES, *FLOATS, *STRINGS})
+
+EMPTY_FIELD = "structure_needs_at_least_one_member"
+"""The uint8 that stands on the wire, and in the hash, for a message without fields."""
+
+Value: TypeAlias = bool | int | float | str | bytes | list["Value"] | None
+"""A default or a constant."""
+
+
+class Type(NamedTuple):
+    """The type of a field or a constant."""
+
+    base: str
+    """A primitive's name, or a message's: `geometry_msgs/msg/Point`."""
+    string_bound: int = 0
+    """Greatest length of a string [characters]; 0 if not bounded."""
+    shape: str = ""
+    """Empty for a single value, `array`, `bounded` or `unbounded`."""
+    length: int = 0
+    """Length of an array, or the bound of a bounded sequence."""
+
+    @property
+    def is_primitive(self) -> bool:
+        """Whether the base is no message."""
+        return self.base in PRIMITIVES
+
+    @property
+    def element(self) -> Type:
+        """The same without its shape."""
+        return Type(self.base, self.string_bound)
+
+    def __str__(self) -> str:
+        """Give the text as a definition writes it, with whole message names."""
+        bound = f"<={self.string_bound}" if self.string_bound else ""
+        shape = {"": "", "array": f"[{self.length}]", "bounded": f"[<={self.length}]", "unbounded": "[]"}
+        return f"{self.base}{bound}{shape[self.shape]}"
+
+
+class Field(NamedTuple):
+    """A field of a message."""
+
+    name: str
+    type: Type
+    default: Value = None
+    """None if the definition gives none."""
+    comment: str = ""
+
+
+class Constant(NamedTuple):
+    """A constant of a message."""
+
+    name: str
+    type: Type
+    value: Value
+    comment: str = ""
+
+
+class Message(NamedTuple):
+    """A message, or one part of a service or an action."""
+
+    name: str
+    """`geometry_msgs/msg/Point`, `turtlesim/srv/Spawn_Request`."""
+    fields: tuple[Field, ...]
+    constants: tuple[Constant, ...] = ()
+    comment: str = ""
+
+    @property
+    def wire_fields(self) -> tuple[Field, ...]:
+        """The fields, or the one that stands in for none."""
+        return self.fields or (Field(EMPTY_FIELD, Type("uint8")),)
+
+    @property
+    def references(self) -> list[str]:
+        """The names of the messages among its fields, each once, in order of appearance."""
+        return list(dict.fromkeys(f.type.base for f in self.fields if not f.type.is_primitive))
+
+
+class Service(NamedTuple):
+    """A service: request, response, and the event that introspection publishes."""
+
+    name: str
+    request: Message
+    response: Message
+    event: Message
+
+    @property
+    def messages(self) -> tuple[Message, ...]:
+        """All of its messages."""
+        return (self.request, self.response, self.event)
+
+
+class Action(NamedTuple):
+    """An action: what the user fills in, and the services and message that carry it."""
+
+    name: str
+    goal: Message
+    result: Message
+    feedback: Message
+    send_goal: Service
+    get_result: Service
+    feedback_message: Message
+
+    @property
+    def messages(self) -> tuple[Message, ...]:
+        """All of its messages."""
+        return (
+            *(self.goal, self.result, self.feedback),
+            *self.send_goal.messages,
+            *self.get_result.messages,
+            self.feedback_message,
+        )
+
+
+Interface: TypeAlias = Message | Service | Action
+
+
+def service(name: str, request: Message, response: Message) -> Service:
+    """Complete a service with its event message."""
+    event = Message(
+        f"{name}_Event",
+        (
+            Field("info", Type("service_msgs/msg/ServiceEventInfo")),
+            Field("request", Type(request.name, shape="bounded", length=1)),
+            Field("response", Type(response.name, shape="bounded", length=1)),
+        ),
+    )
+    return Service(name, request, response, event)
+
+
+def action(name: str, goal: Message, result: Message, feedback: Message) -> Action:
+    """Complete an action with the services and the message that carry it."""
+    goal_id = Field("goal_id", Type("unique_identifier_msgs/msg/UUID"))
+    stamp = Field("stamp", Type("builtin_interfaces/msg/Time"))
+
+    def part(suffix: str, *fields: Field) -> Message:
+        return Message(f"{name}_{suffix}", fields)
+
+    return Action(
+        name,
+        goal,
+        result,
+        feedback,
+        service(
+            f"{name}_SendGoal",
+            part("SendGoal_Request", goal_id, Field("goal", Type(goal.name))),
+            part("SendGoal_Response", Field("accepted", Type("bool")), stamp),
+        ),
+        service(
+            f"{name}_GetResult",
+            part("GetResult_Request", goal_id),
+            part("GetResult_Response", Field("status", Type("int8")), Field("result", Type(result.name))),
+        ),
+        part("FeedbackMessage", goal_id, Field("feedback", Type(feedback.name))),
+    )
