@@ -22,24 +22,27 @@ static_assert(std::endian::native == std::endian::little || std::endian::native 
 template <class T>
 concept Number = std::is_arithmetic_v<T> && !std::same_as<T, bool> && sizeof(T) <= 8;
 
-// Bytes that are no sample of the type. `offset` counts from the first octet of the encapsulation header, and
-// `path` grows from the inside out while the error unwinds: "transforms[3].transform.translation.x".
-class DecodeError : public std::runtime_error {
+// An error inside a message. `path` grows from the inside out while the error unwinds:
+// "transforms[3].transform.translation.x".
+class PathError : public std::runtime_error {
  public:
-  DecodeError(std::size_t at, const std::string& reason) : std::runtime_error(reason), offset(at) {}
+  using std::runtime_error::runtime_error;
 
-  void enter_field(std::string_view name) {
-    std::string longer(name);
-    if (!path.empty() && path.front() != '[') longer += '.';
-    path = longer + path;
-  }
-  void enter_element(std::size_t index) {
-    const bool dot = !path.empty() && path.front() != '[';
-    path = '[' + std::to_string(index) + (dot ? "]." : "]") + path;
-  }
+  void enter_field(std::string_view name) { path = std::string(name) + separator() + path; }
+  void enter_element(std::size_t index) { path = '[' + std::to_string(index) + ']' + separator() + path; }
+
+  std::string path;
+
+ private:
+  [[nodiscard]] const char* separator() const noexcept { return path.empty() || path.front() == '[' ? "" : "."; }
+};
+
+// Bytes that are no sample of the type. `offset` counts from the first octet of the encapsulation header.
+class DecodeError : public PathError {
+ public:
+  DecodeError(std::size_t at, const std::string& reason) : PathError(reason), offset(at) {}
 
   std::size_t offset;
-  std::string path;
 };
 
 namespace detail {
@@ -89,7 +92,11 @@ class Cursor {
     if (swap_ && sizeof(T) > 1) std::ranges::transform(out, out.begin(), detail::swap_bytes<T>);
   }
 
-  std::span<const std::byte> read_octets(std::size_t count) { return {take(1, count), count}; }
+  // The octets of `count` numbers of `size` octets, in the sample's byte order. Nothing is aligned for no numbers.
+  std::span<const std::byte> read_octets(std::uint32_t count, std::size_t size) {
+    if (count == 0) return {};
+    return {take(size, count * size), count * size};
+  }
 
   // Reads the length of a sequence, each of whose elements takes `least_element_size` octets or more: a length
   // that the bytes left cannot hold is an error here, before anybody allocates for it.
@@ -97,6 +104,11 @@ class Cursor {
     const auto length = read<std::uint32_t>();
     if (length * std::uint64_t{least_element_size} > left()) fail_length(length);
     return length;
+  }
+
+  // Checks that `count` elements of `least_element_size` octets or more can still come.
+  void require(std::uint32_t count, std::size_t least_element_size) const {
+    if (count * std::uint64_t{least_element_size} > left()) fail_short(at_, count * least_element_size);
   }
 
   // The view ends before the terminating zero. Not checked for UTF-8. A length of 0, which some writers send for

@@ -1,5 +1,6 @@
 """The compiled core of tfloom: numbers, ids and bytes."""
 
+from typing import Any
 
 
 class Sink:
@@ -130,3 +131,48 @@ class DdsGraph:
 
     def close(self) -> None:
         """Stop listening. Closing again does nothing."""
+
+class MessageBase:
+    """The native part of `tfloom.rosidl.message.Message`."""
+
+    def __setattr__(self, name, value, /):
+        """Implement setattr(self, name, value)."""
+
+    def __delattr__(self, name, /):
+        """Implement delattr(self, name)."""
+
+    def __init__(self, /, *args, **kwargs):
+        """Initialize self.  See help(type(self)) for accurate signature."""
+
+def check_fields_by_default(value: bool) -> None:
+    """
+    Set whether messages check what is assigned to their fields, where `check_fields` is not given.
+    """
+
+class Plan:
+    """
+    What the codec knows of a message class: its fields and where they lie.
+    """
+
+    def __init__(self, message_class: type, name: str) -> None:
+        """Start a plan that has no fields yet."""
+
+    def add_field(self, name: str, kind: str, shape: str, count: int, string_bound: int, message_class: object | None, initial: object | None, copies: bool, empty: object | None) -> None:
+        """
+        Add the next field.
+
+        `kind` is a primitive's name or 'message', `shape` '', 'array', 'bounded' or 'unbounded'. `initial` is its default, which `copies` says to copy for each message. `empty` is a numeric array as it is before anything is read into it.
+        """
+
+def encode(message: object) -> bytes:
+    """
+    Give a message as encapsulation header and CDR, little-endian, not padded.
+    """
+
+def decode(message_class: type, data: object) -> Any:
+    """Build a message of `message_class` from encapsulation header and CDR."""
+
+def set_message_hooks(compile: object, convert: object, check: object, check_names: object, encode_error: object, decode_error: object) -> None:
+    """
+    Say how classes are compiled, arrays converted and fields checked, and which errors the codec raises.
+    """

@@ -1,0 +1,196 @@
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/string.h>
+
+#include <structmember.h>
+
+#include <array>
+#include <string>
+#include <utility>
+
+#include "bindings/bindings.hpp"
+#include "bindings/message_base.hpp"
+#include "bindings/objects.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace tfloom::bindings {
+namespace {
+
+using cdr::Kind;
+using cdr::Shape;
+
+template <class Value, std::size_t size>
+Value find_name(const std::array<std::pair<const char*, Value>, size>& table, const std::string& name) {
+  for (const auto& [key, value] : table) {
+    if (name == key) return value;
+  }
+  throw nb::value_error(("no kind or shape is called '" + name + "'").c_str());
+}
+
+constexpr std::array<std::pair<const char*, Kind>, 16> kinds{{{"bool", Kind::boolean},
+                                                              {"byte", Kind::octet},
+                                                              {"int8", Kind::int8},
+                                                              {"uint8", Kind::uint8},
+                                                              {"char", Kind::uint8},
+                                                              {"int16", Kind::int16},
+                                                              {"uint16", Kind::uint16},
+                                                              {"int32", Kind::int32},
+                                                              {"uint32", Kind::uint32},
+                                                              {"int64", Kind::int64},
+                                                              {"uint64", Kind::uint64},
+                                                              {"float32", Kind::float32},
+                                                              {"float64", Kind::float64},
+                                                              {"string", Kind::string},
+                                                              {"wstring", Kind::wstring},
+                                                              {"message", Kind::message}}};
+constexpr std::array<std::pair<const char*, Shape>, 4> shapes{{{"", Shape::single},
+                                                               {"array", Shape::array},
+                                                               {"bounded", Shape::bounded},
+                                                               {"unbounded", Shape::unbounded}}};
+
+// Where the member that __slots__ made for a field lies in the object.
+Py_ssize_t slot_offset(const nb::handle& type, const std::string& field) {
+  const nb::object member = type.attr(("_" + field).c_str());
+  if (Py_TYPE(member.ptr()) != &PyMemberDescr_Type) {
+    throw nb::type_error(("'_" + field + "' is no slot of the class").c_str());
+  }
+  return reinterpret_cast<PyMemberDescrObject*>(member.ptr())->d_member->offset;
+}
+
+void init_plan(ObjectPlan* self, const nb::type_object& message_class, const std::string& name) {
+  new (self) ObjectPlan;
+  self->name = name;
+  self->type = reinterpret_cast<PyTypeObject*>(message_class.ptr());
+  self->finish();
+}
+
+void add_field(ObjectPlan& plan, const std::string& name, const std::string& kind, const std::string& shape,
+               std::uint32_t count, std::uint32_t string_bound, const nb::object& message_class,
+               const nb::object& initial, bool copies, const nb::object& empty) {
+  cdr::Field field{name, find_name(kinds, kind), find_name(shapes, shape), count, string_bound, nullptr};
+  if (field.kind == Kind::message) {
+    field.message = &plan_of(reinterpret_cast<PyTypeObject*>(message_class.ptr()));
+    plan.nested.push_back(message_class);
+  }
+  ObjectPlan::Slot slot;
+  slot.offset = slot_offset(nb::handle(reinterpret_cast<PyObject*>(plan.type)), name);
+  slot.name = nb::steal(PyUnicode_InternFromString(name.c_str()));
+  slot.initial = initial;
+  slot.copies = copies;
+  slot.converts = cdr::is_number(field.kind) && field.shape != Shape::single;
+  slot.empty = empty;
+  plan.fields.push_back(std::move(field));
+  plan.slots.push_back(std::move(slot));
+  plan.finish();
+}
+
+[[noreturn]] void raise(const nb::object& error_class, const std::string& text, nb::object path, nb::object reason,
+                        nb::object offset) {
+  const auto error = error_class(text);
+  error.attr("path") = path;
+  error.attr("reason") = reason;
+  error.attr("offset") = offset;
+  PyErr_SetObject(error_class.ptr(), error.ptr());
+  throw nb::python_error();
+}
+
+std::string whole_path(const cdr::Plan& plan, const cdr::PathError& error) {
+  return std::string(plan.base_name()) + (error.path.empty() ? "" : "." + error.path);
+}
+
+// The bytes object that is written; it starts as large as the last message of the same type.
+class BytesStorage {
+ public:
+  std::span<std::byte> resize(std::size_t size) {
+    PyObject* bytes = bytes_.release().ptr();
+    if (bytes == nullptr) {
+      bytes = PyBytes_FromStringAndSize(nullptr, static_cast<Py_ssize_t>(size));
+    } else {
+      _PyBytes_Resize(&bytes, static_cast<Py_ssize_t>(size));
+    }
+    if (bytes == nullptr) throw nb::python_error();
+    bytes_ = nb::steal(bytes);
+    return {reinterpret_cast<std::byte*>(PyBytes_AS_STRING(bytes)), size};
+  }
+
+  nb::bytes take(std::size_t size) {
+    if (static_cast<std::size_t>(PyBytes_GET_SIZE(bytes_.ptr())) != size) resize(size);
+    return nb::borrow<nb::bytes>(bytes_);
+  }
+
+ private:
+  nb::object bytes_;
+};
+
+nb::bytes encode(const nb::handle& message) {
+  ObjectPlan& plan = plan_of(Py_TYPE(message.ptr()));
+  BytesStorage storage;
+  cdr::Writer out(storage, plan.last_size);
+  ObjectSource source;
+  try {
+    cdr::Emitter(source, out).message(nb::borrow(message), plan);
+  } catch (const cdr::EncodeError& error) {
+    const std::string reason = error.what();
+    const std::string path = whole_path(plan, error);
+    raise(message_hooks().encode_error, path + (reason.front() == ':' ? "" : " ") + reason, nb::cast(path),
+          nb::cast(reason), nb::none());
+  }
+  plan.last_size = out.size();
+  return storage.take(out.size());
+}
+
+nb::object decode_octets(const ObjectPlan& plan, PyTypeObject* type, std::span<const std::byte> octets) {
+  try {
+    cdr::Cursor in(octets);
+    ObjectSink sink(type);
+    auto message = cdr::Reader(in, sink).message(plan);
+    constexpr std::size_t most_padding = 7;  // wires pad to 4 or 8
+    if (in.left() > most_padding) in.fail(std::to_string(in.left()) + " bytes are left over");
+    return message;
+  } catch (const cdr::DecodeError& error) {
+    const std::string path = whole_path(plan, error);
+    raise(message_hooks().decode_error, path + ": byte " + std::to_string(error.offset) + ": " + error.what(),
+          nb::cast(path), nb::cast(std::string(error.what())), nb::cast(error.offset));
+  }
+}
+
+nb::object decode(const nb::type_object& message_class, const nb::handle& data) {
+  auto* type = reinterpret_cast<PyTypeObject*>(message_class.ptr());
+  const ObjectPlan& plan = plan_of(type);
+  if (PyBytes_CheckExact(data.ptr())) {
+    const auto* octets = reinterpret_cast<const std::byte*>(PyBytes_AS_STRING(data.ptr()));
+    return decode_octets(plan, type, {octets, static_cast<std::size_t>(PyBytes_GET_SIZE(data.ptr()))});
+  }
+  const Buffer buffer(data.ptr(), PyBUF_SIMPLE);
+  return decode_octets(plan, type, buffer.octets());
+}
+
+}  // namespace
+
+void bind_cdr(nb::module_& m) {
+  bind_message_base(m);
+  nb::class_<ObjectPlan>(m, "Plan", "What the codec knows of a message class: its fields and where they lie.")
+      .def("__init__", &init_plan, "message_class"_a, "name"_a, "Start a plan that has no fields yet.")
+      .def("add_field", &add_field, "name"_a, "kind"_a, "shape"_a, "count"_a, "string_bound"_a,
+           "message_class"_a.none(), "initial"_a.none(), "copies"_a, "empty"_a.none(),
+           "Add the next field.\n\n"
+           "`kind` is a primitive's name or 'message', `shape` '', 'array', 'bounded' or 'unbounded'. `initial` is "
+           "its default, which `copies` says to copy for each message. `empty` is a numeric array as it is before "
+           "anything is read into it.");
+  m.def("encode", &encode, "message"_a, "Give a message as encapsulation header and CDR, little-endian, not padded.");
+  m.def("decode", &decode, "message_class"_a, "data"_a,
+        nb::sig("def decode(message_class: type, data: object) -> typing.Any"),
+        "Build a message of `message_class` from encapsulation header and CDR.");
+  m.def(
+      "set_message_hooks",
+      [](nb::object compile, nb::object convert, nb::object check, nb::object check_names, nb::object encode_error,
+         nb::object decode_error) {
+        message_hooks() = {std::move(compile),     std::move(convert),      std::move(check),
+                           std::move(check_names), std::move(encode_error), std::move(decode_error)};
+      },
+      "compile"_a, "convert"_a, "check"_a, "check_names"_a, "encode_error"_a, "decode_error"_a,
+      "Say how classes are compiled, arrays converted and fields checked, and which errors the codec raises.");
+}
+
+}  // namespace tfloom::bindings

@@ -1,0 +1,157 @@
+#include "bindings/message_base.hpp"
+
+#include <structmember.h>
+
+#include <cstddef>
+
+#include "bindings/objects.hpp"
+
+namespace tfloom::bindings {
+namespace {
+
+struct MessageObject {
+  PyObject_HEAD
+  char check_fields;
+};
+
+bool& check_by_default() {
+  static bool value = false;
+  return value;
+}
+
+nb::object class_of(PyObject* self) { return nb::borrow(reinterpret_cast<PyObject*>(Py_TYPE(self))); }
+
+nb::object new_message(const ObjectPlan& plan);
+
+nb::object initial_value(const ObjectPlan& plan, std::size_t index) {
+  const auto& slot = plan.slots[index];
+  const auto& field = plan.fields[index];
+  if (field.kind == cdr::Kind::message && field.shape != cdr::Shape::unbounded &&
+      field.shape != cdr::Shape::bounded) {
+    const auto& nested = static_cast<const ObjectPlan&>(*field.message);
+    if (field.shape == cdr::Shape::single) return new_message(nested);
+    nb::list list;
+    for (std::uint32_t i = 0; i < field.count; ++i) list.append(new_message(nested));
+    return list;
+  }
+  return slot.copies ? copy(slot.initial) : slot.initial;
+}
+
+void put(PyObject* self, Py_ssize_t offset, nb::object value) {
+  PyObject*& place = slot(self, offset);
+  PyObject* old = place;
+  place = value.release().ptr();
+  Py_XDECREF(old);
+}
+
+nb::object new_message(const ObjectPlan& plan) {
+  auto message = nb::steal(plan.type->tp_alloc(plan.type, 0));
+  if (!message.is_valid()) throw nb::python_error();
+  reinterpret_cast<MessageObject*>(message.ptr())->check_fields = check_by_default();
+  for (std::size_t i = 0; i < plan.slots.size(); ++i) {
+    put(message.ptr(), plan.slots[i].offset, initial_value(plan, i));
+  }
+  return message;
+}
+
+nb::object convert(PyObject* self, const ObjectPlan::Slot& slot, const nb::object& value) {
+  return slot.converts ? message_hooks().convert(class_of(self), slot.name, value) : value;
+}
+
+void take_check_fields(PyObject* self, PyObject* kwargs) {
+  static PyObject* const key = PyUnicode_InternFromString("check_fields");
+  bool check = check_by_default();
+  if (PyObject* given = kwargs == nullptr ? nullptr : PyDict_GetItemWithError(kwargs, key); given != nullptr) {
+    if (given != Py_None) check = PyObject_IsTrue(given) == 1;
+  }
+  if (PyErr_Occurred() != nullptr) throw nb::python_error();
+  reinterpret_cast<MessageObject*>(self)->check_fields = check;
+}
+
+void init(PyObject* self, PyObject* args, PyObject* kwargs) {
+  if (PyTuple_GET_SIZE(args) != 0) {
+    throw nb::type_error((std::string(Py_TYPE(self)->tp_name) + " takes its fields by keyword").c_str());
+  }
+  const ObjectPlan& plan = plan_of(Py_TYPE(self));
+  take_check_fields(self, kwargs);
+  const bool check = reinterpret_cast<MessageObject*>(self)->check_fields != 0;
+  if (check && kwargs != nullptr) message_hooks().check_names(class_of(self), nb::borrow(kwargs));
+  for (std::size_t i = 0; i < plan.slots.size(); ++i) {
+    const auto& slot = plan.slots[i];
+    PyObject* given = kwargs == nullptr ? nullptr : PyDict_GetItemWithError(kwargs, slot.name.ptr());
+    if (given == nullptr) {
+      if (PyErr_Occurred() != nullptr) throw nb::python_error();
+      put(self, slot.offset, initial_value(plan, i));
+      continue;
+    }
+    const auto value = convert(self, slot, nb::borrow(given));
+    if (check) message_hooks().check(class_of(self), slot.name, value);
+    put(self, slot.offset, value);
+  }
+}
+
+// What a C function of Python's returns when C++ threw.
+int fail() noexcept {
+  try {
+    throw;
+  } catch (nb::python_error& error) {
+    error.restore();
+  } catch (const nb::builtin_exception& error) {
+    PyErr_SetString(PyExc_TypeError, error.what());
+  } catch (const std::bad_alloc&) {
+    PyErr_NoMemory();
+  } catch (const std::exception& error) {
+    PyErr_SetString(PyExc_RuntimeError, error.what());
+  }
+  return -1;
+}
+
+int message_init(PyObject* self, PyObject* args, PyObject* kwargs) noexcept {
+  try {
+    init(self, args, kwargs);
+    return 0;
+  } catch (...) {
+    return fail();
+  }
+}
+
+int message_setattro(PyObject* self, PyObject* name, PyObject* value) noexcept {
+  if (reinterpret_cast<MessageObject*>(self)->check_fields != 0 && value != nullptr) {
+    try {
+      message_hooks().check(class_of(self), nb::borrow(name), nb::borrow(value));
+    } catch (...) {
+      return fail();
+    }
+  }
+  return PyObject_GenericSetAttr(self, name, value);
+}
+
+PyMemberDef members[] = {
+    {"_check_fields", T_BOOL, offsetof(MessageObject, check_fields), 0,
+     "Whether what is assigned to a field is checked at once."},
+    {nullptr, 0, 0, 0, nullptr},
+};
+
+PyType_Slot type_slots[] = {
+    {Py_tp_doc, const_cast<char*>("The native part of `tfloom.rosidl.message.Message`.")},
+    {Py_tp_init, reinterpret_cast<void*>(&message_init)},
+    {Py_tp_setattro, reinterpret_cast<void*>(&message_setattro)},
+    {Py_tp_members, members},
+    {0, nullptr},
+};
+
+PyType_Spec type_spec = {"tfloom._native.MessageBase", sizeof(MessageObject), 0,
+                         Py_TPFLAGS_DEFAULT | Py_TPFLAGS_BASETYPE, type_slots};
+
+}  // namespace
+
+void bind_message_base(nb::module_& m) {
+  const auto type = nb::steal(PyType_FromSpec(&type_spec));
+  if (!type.is_valid()) throw nb::python_error();
+  m.attr("MessageBase") = type;
+  m.def(
+      "check_fields_by_default", [](bool value) { check_by_default() = value; }, nb::arg("value"),
+      "Set whether messages check what is assigned to their fields, where `check_fields` is not given.");
+}
+
+}  // namespace tfloom::bindings

@@ -1,0 +1,223 @@
+#include "bindings/objects.hpp"
+
+#include <cmath>
+
+namespace tfloom::bindings {
+
+using cdr::DecodeError;
+using cdr::EncodeError;
+
+MessageHooks& message_hooks() {
+  static auto* hooks = new MessageHooks;  // never destroyed: it may be asked for until Python has ended
+  return *hooks;
+}
+
+ObjectPlan& plan_of(PyTypeObject* type) {
+  static PyObject* const key = PyUnicode_InternFromString("_PLAN");
+  auto plan = nb::steal(PyObject_GetAttr(reinterpret_cast<PyObject*>(type), key));
+  if (!plan.is_valid()) {
+    PyErr_Clear();
+    throw nb::type_error((std::string(type->tp_name) + " is no message class").c_str());
+  }
+  if (plan.is_none()) plan = message_hooks().compile(nb::borrow(reinterpret_cast<PyObject*>(type)));
+  return *nb::cast<ObjectPlan*>(plan);  // the class keeps it
+}
+
+nb::object copy(const nb::object& object) {
+  static PyObject* const key = PyUnicode_InternFromString("__copy__");
+  PyObject* result = PyList_CheckExact(object.ptr()) ? PyList_GetSlice(object.ptr(), 0, PY_SSIZE_T_MAX)
+                                                     : PyObject_CallMethodNoArgs(object.ptr(), key);
+  if (result == nullptr) throw nb::python_error();
+  return nb::steal(result);
+}
+
+ObjectSink::Value ObjectSink::message(const cdr::Plan& plan) {
+  PyTypeObject* type = outermost_ != nullptr ? outermost_ : static_cast<const ObjectPlan&>(plan).type;
+  outermost_ = nullptr;
+  return checked(type->tp_alloc(type, 0));
+}
+
+void ObjectSink::set(Value& message, const cdr::Plan& plan, std::size_t index, Value value) noexcept {
+  slot(message.ptr(), static_cast<const ObjectPlan&>(plan).slots[index].offset) = value.release().ptr();
+}
+
+ObjectSink::Value ObjectSink::octet(std::uint8_t value) {
+  const char letter = static_cast<char>(value);
+  return checked(PyBytes_FromStringAndSize(&letter, 1));
+}
+
+ObjectSink::Value ObjectSink::string(std::string_view text, std::size_t offset) {
+  PyObject* object = PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "strict");
+  if (object != nullptr) return nb::steal(object);
+  if (PyErr_ExceptionMatches(PyExc_UnicodeDecodeError) == 0) throw nb::python_error();
+  PyErr_Clear();
+  throw DecodeError(offset, "the text is not UTF-8");
+}
+
+ObjectSink::Value ObjectSink::wide(std::u32string_view text) {
+  return checked(
+      PyUnicode_FromKindAndData(PyUnicode_4BYTE_KIND, text.data(), static_cast<Py_ssize_t>(text.size())));
+}
+
+ObjectSink::Value ObjectSink::list(std::uint32_t length) {
+  return checked(PyList_New(static_cast<Py_ssize_t>(length)));
+}
+
+ObjectSink::Value ObjectSink::sequence(const ObjectPlan::Slot& slot, std::span<const std::byte> octets, bool swap) {
+  Value array = copy(slot.empty);
+  if (octets.empty()) return array;
+  // One copy: the array grows once and takes the octets from the sample.
+  auto* from = const_cast<char*>(reinterpret_cast<const char*>(octets.data()));
+  const auto view = checked(PyMemoryView_FromMemory(from, static_cast<Py_ssize_t>(octets.size()), PyBUF_READ));
+  array.attr("frombytes")(view);
+  if (swap) array.attr("byteswap")();
+  return array;
+}
+
+namespace {
+
+// "got 'abc' (str)", with a long value cut.
+std::string got(PyObject* value) {
+  constexpr std::size_t longest = 60;
+  std::string text;
+  if (const auto repr = nb::steal(PyObject_Repr(value)); repr.is_valid()) {
+    text = nb::str(repr).c_str();
+  } else {
+    PyErr_Clear();
+    text = "<no repr>";
+  }
+  if (text.size() > longest) {
+    std::size_t cut = longest;
+    while ((static_cast<unsigned char>(text[cut]) & 0xc0) == 0x80) --cut;
+    text = text.substr(0, cut) + "...";
+  }
+  return ", got " + text + " (" + Py_TYPE(value)->tp_name + ")";
+}
+
+[[noreturn]] void refuse(const std::string& wanted, PyObject* value) {
+  throw EncodeError("must be " + wanted + got(value));
+}
+
+// Errors of the value's own methods (its __float__ raised) pass; Python's "this is no number" becomes ours.
+void clear_type_error() {
+  if (PyErr_ExceptionMatches(PyExc_TypeError) == 0 && PyErr_ExceptionMatches(PyExc_OverflowError) == 0) {
+    throw nb::python_error();
+  }
+  PyErr_Clear();
+}
+
+nb::object as_int(const nb::object& value) {
+  if (PyLong_Check(value.ptr())) return value;
+  if (PyIndex_Check(value.ptr()) == 0) refuse("an int", value.ptr());
+  auto number = nb::steal(PyNumber_Index(value.ptr()));
+  if (!number.is_valid()) throw nb::python_error();
+  return number;
+}
+
+}  // namespace
+
+ObjectSource::Value ObjectSource::field(const Value& message, const cdr::Plan& plan, std::size_t index) {
+  PyObject* value = slot(message.ptr(), static_cast<const ObjectPlan&>(plan).slots[index].offset);
+  if (value == nullptr) throw EncodeError("is not set");
+  return nb::borrow(value);
+}
+
+ObjectSource::Value ObjectSource::open(const Value& value, const cdr::Plan& plan) {
+  PyTypeObject* wanted = static_cast<const ObjectPlan&>(plan).type;
+  if (Py_TYPE(value.ptr()) == wanted || PyType_IsSubtype(Py_TYPE(value.ptr()), wanted) != 0) return value;
+  refuse("a " + plan.name, value.ptr());
+}
+
+bool ObjectSource::boolean(const Value& value) {
+  if (value.ptr() == Py_True) return true;
+  if (value.ptr() == Py_False) return false;
+  const std::string_view type = Py_TYPE(value.ptr())->tp_name;
+  if (type != "numpy.bool_" && type != "numpy.bool") refuse("a bool", value.ptr());
+  return PyObject_IsTrue(value.ptr()) == 1;
+}
+
+std::uint8_t ObjectSource::octet(const Value& value) {
+  if (!PyBytes_Check(value.ptr()) || PyBytes_GET_SIZE(value.ptr()) != 1) refuse("bytes of length 1", value.ptr());
+  return static_cast<std::uint8_t>(PyBytes_AS_STRING(value.ptr())[0]);
+}
+
+std::string_view ObjectSource::string(const Value& value) {
+  if (!PyUnicode_Check(value.ptr())) refuse("a str", value.ptr());
+  Py_ssize_t size = 0;
+  const char* text = PyUnicode_AsUTF8AndSize(value.ptr(), &size);  // kept by the str
+  if (text != nullptr) return {text, static_cast<std::size_t>(size)};
+  if (PyErr_ExceptionMatches(PyExc_UnicodeEncodeError) == 0) throw nb::python_error();
+  PyErr_Clear();
+  refuse("text without lone surrogates", value.ptr());
+}
+
+std::u32string ObjectSource::wide(const Value& value) {
+  string(value);  // refuses what is no text
+  const auto size = static_cast<std::size_t>(PyUnicode_GET_LENGTH(value.ptr()));
+  std::u32string text(size, U'\0');
+  auto* to = reinterpret_cast<Py_UCS4*>(text.data());
+  if (size != 0 && PyUnicode_AsUCS4(value.ptr(), to, static_cast<Py_ssize_t>(size), 0) == nullptr) {
+    throw nb::python_error();
+  }
+  return text;
+}
+
+ObjectSource::Value ObjectSource::open_list(const Value& value, const cdr::Field&) {
+  PyObject* object = value.ptr();
+  if (PyList_CheckExact(object) || PyTuple_CheckExact(object)) return value;
+  if (PyUnicode_Check(object) || PyBytes_Check(object) || PyDict_Check(object)) refuse("a sequence", object);
+  auto list = nb::steal(PySequence_Fast(object, ""));
+  if (list.is_valid()) return list;
+  clear_type_error();
+  refuse("a sequence", object);
+}
+
+ObjectSource::Value ObjectSource::item(const Value& list, std::size_t index) {
+  // The list may have shrunk: an element's own code can do that.
+  if (index >= length(list)) throw EncodeError("is gone: the list changed while it was encoded");
+  return nb::borrow(PySequence_Fast_GET_ITEM(list.ptr(), static_cast<Py_ssize_t>(index)));
+}
+
+double ObjectSource::real(const Value& value, double limit) {
+  PyObject* object = value.ptr();
+  double number;
+  if (PyFloat_CheckExact(object)) {
+    number = PyFloat_AS_DOUBLE(object);
+  } else {
+    number = PyFloat_AsDouble(object);  // whatever has __float__ or __index__: an int, numpy's numbers
+    if (number == -1.0 && PyErr_Occurred() != nullptr) {
+      clear_type_error();
+      refuse("a float", object);
+    }
+  }
+  if (std::abs(number) > limit && std::isfinite(number)) refuse("a float within the range of float32", object);
+  return number;
+}
+
+std::int64_t ObjectSource::integer(const Value& value, std::int64_t least, std::int64_t greatest) {
+  const auto exact = as_int(value);
+  int overflow = 0;
+  const std::int64_t number = PyLong_AsLongLongAndOverflow(exact.ptr(), &overflow);
+  if (number == -1 && PyErr_Occurred() != nullptr) throw nb::python_error();
+  if (overflow != 0 || number < least || number > greatest) {
+    refuse("an int in [" + std::to_string(least) + ", " + std::to_string(greatest) + "]", value.ptr());
+  }
+  return number;
+}
+
+std::uint64_t ObjectSource::natural(const Value& value) {
+  const auto exact = as_int(value);
+  const std::uint64_t number = PyLong_AsUnsignedLongLong(exact.ptr());
+  if (number == static_cast<std::uint64_t>(-1) && PyErr_Occurred() != nullptr) {
+    clear_type_error();
+    refuse("an int in [0, 18446744073709551615]", value.ptr());
+  }
+  return number;
+}
+
+char ObjectSource::format_of(const char* format) noexcept {
+  if (*format == '@' || *format == '=' || (*format == '<' && std::endian::native == std::endian::little)) ++format;
+  return format[0] != '\0' && format[1] == '\0' ? format[0] : '\0';
+}
+
+}  // namespace tfloom::bindings

@@ -1,0 +1,184 @@
+// Python messages: their native base class, and the sink and source by which the codec builds and reads them.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+#include <atomic>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cdr/plan.hpp"
+#include "cdr/walk.hpp"
+
+namespace tfloom::bindings {
+
+namespace nb = nanobind;
+
+// A plan with what it takes to reach the fields of the Python class: where each slot lies in the object.
+struct ObjectPlan : cdr::Plan {
+  struct Slot {
+    Py_ssize_t offset = 0;
+    nb::object name;          // interned: "x"
+    nb::object initial;       // the default: shared if immutable, else copied for each message
+    bool copies = false;      // `initial` is mutable
+    bool converts = false;    // a numeric array: what the user gives is converted
+    nb::object empty;         // numeric sequence: an empty array.array of its type; numeric array: zeros
+  };
+
+  PyTypeObject* type = nullptr;  // borrowed: the class keeps the plan
+  std::vector<Slot> slots;
+  std::atomic<std::size_t> last_size = 64;  // of the last message encoded: the next one is likely of that size
+  std::vector<nb::object> nested;  // keeps the plans of nested messages, and their classes, alive
+};
+
+// What the native base class asks of tfloom.rosidl. Kept in the module for as long as Python lives.
+struct MessageHooks {
+  nb::object compile;       // (class) -> Plan
+  nb::object convert;       // (class, name, value) -> numeric array
+  nb::object check;         // (class, name, value) -> None, or raises AssertionError
+  nb::object check_names;   // (class, kwargs) -> None, or raises AssertionError
+  nb::object encode_error;  // exception classes
+  nb::object decode_error;
+};
+MessageHooks& message_hooks();
+
+// The plan of a message class, compiled at first use. Raises TypeError for a class that is no message.
+ObjectPlan& plan_of(PyTypeObject* type);
+
+inline PyObject*& slot(PyObject* message, Py_ssize_t offset) noexcept {
+  return *reinterpret_cast<PyObject**>(reinterpret_cast<char*>(message) + offset);
+}
+
+// A copy by the object's own `__copy__`.
+nb::object copy(const nb::object& object);
+
+// A view of an object's memory.
+class Buffer {
+ public:
+  Buffer(PyObject* object, int flags) {
+    if (PyObject_GetBuffer(object, &view_, flags) != 0) throw nb::python_error();
+  }
+  Buffer(const Buffer&) = delete;
+  Buffer& operator=(const Buffer&) = delete;
+  ~Buffer() { PyBuffer_Release(&view_); }
+
+  [[nodiscard]] void* data() const noexcept { return view_.buf; }
+  [[nodiscard]] const Py_buffer& view() const noexcept { return view_; }
+  [[nodiscard]] std::span<const std::byte> octets() const noexcept {
+    return {static_cast<const std::byte*>(view_.buf), static_cast<std::size_t>(view_.len)};
+  }
+
+ private:
+  Py_buffer view_;
+};
+
+// Builds Python messages; the sink of cdr::Reader.
+class ObjectSink {
+ public:
+  using Value = nb::object;
+
+  explicit ObjectSink(PyTypeObject* outermost) : outermost_(outermost) {}
+
+  Value message(const cdr::Plan& plan);
+  void set(Value& message, const cdr::Plan& plan, std::size_t index, Value value) noexcept;
+  Value boolean(bool value) { return nb::borrow(value ? Py_True : Py_False); }
+  Value octet(std::uint8_t value);
+  Value string(std::string_view text, std::size_t offset);
+  Value wide(std::u32string_view text);
+  Value list(std::uint32_t length);
+  void set_item(Value& list, std::uint32_t index, Value value) noexcept {
+    PyList_SET_ITEM(list.ptr(), index, value.release().ptr());
+  }
+
+  template <class T>
+  Value number(T value) {
+    PyObject* object;
+    if constexpr (std::is_floating_point_v<T>) {
+      object = PyFloat_FromDouble(static_cast<double>(value));
+    } else if constexpr (std::is_signed_v<T>) {
+      object = PyLong_FromLongLong(value);
+    } else {
+      object = PyLong_FromUnsignedLongLong(value);
+    }
+    return checked(object);
+  }
+
+  template <class T>
+  Value numbers(const cdr::Plan& plan, std::size_t index, cdr::Cursor& in, std::uint32_t length) {
+    const auto& slot = static_cast<const ObjectPlan&>(plan).slots[index];
+    if (plan.fields[index].shape != cdr::Shape::array) {
+      return sequence(slot, in.read_octets(length, sizeof(T)), in.swaps() && sizeof(T) > 1);
+    }
+    Value array = copy(slot.empty);
+    const Buffer buffer(array.ptr(), PyBUF_WRITABLE);
+    in.read_into(std::span<T>(static_cast<T*>(buffer.data()), length));
+    return array;
+  }
+
+ private:
+  static Value checked(PyObject* object) {
+    if (object == nullptr) throw nb::python_error();
+    return nb::steal(object);
+  }
+  static Value sequence(const ObjectPlan::Slot& slot, std::span<const std::byte> octets, bool swap);
+
+  PyTypeObject* outermost_;  // the class asked for: the plan's own or one derived from it
+};
+
+// Reads Python messages; the source of cdr::Emitter. Values are kept alive while they are walked: a number's
+// __float__ may run any code.
+class ObjectSource {
+ public:
+  using Value = nb::object;
+
+  Value field(const Value& message, const cdr::Plan& plan, std::size_t index);
+  Value open(const Value& value, const cdr::Plan& plan);
+  bool boolean(const Value& value);
+  std::uint8_t octet(const Value& value);
+  std::string_view string(const Value& value);
+  std::u32string wide(const Value& value);
+  Value open_list(const Value& value, const cdr::Field& field);
+  std::size_t length(const Value& list) { return static_cast<std::size_t>(PySequence_Fast_GET_SIZE(list.ptr())); }
+  Value item(const Value& list, std::size_t index);
+
+  template <class T>
+  T number(const Value& value) {
+    if constexpr (std::is_floating_point_v<T>) {
+      return static_cast<T>(real(value, std::numeric_limits<T>::max()));
+    } else if constexpr (std::is_same_v<T, std::uint64_t>) {
+      return natural(value);
+    } else {
+      return static_cast<T>(integer(value, std::numeric_limits<T>::min(), std::numeric_limits<T>::max()));
+    }
+  }
+
+  template <class T, class Visit>
+  bool numbers(const Value& value, const cdr::Field&, Visit&& visit) {
+    if (PyObject_CheckBuffer(value.ptr()) == 0) return false;
+    const Buffer buffer(value.ptr(), PyBUF_FORMAT | PyBUF_C_CONTIGUOUS);
+    if (!holds<T>(buffer.view())) return false;
+    visit(buffer.octets());
+    return true;
+  }
+
+ private:
+  static double real(const Value& value, double limit);
+  static std::int64_t integer(const Value& value, std::int64_t least, std::int64_t greatest);
+  static std::uint64_t natural(const Value& value);
+
+  template <class T>
+  static bool holds(const Py_buffer& view) {
+    const char kind = view.format == nullptr ? 'B' : format_of(view.format);
+    return view.itemsize == sizeof(T) && std::string_view(kinds<T>).find(kind) != std::string_view::npos;
+  }
+  static char format_of(const char* format) noexcept;  // '\0': not in host order, or no single number
+
+  template <class T>
+  static constexpr const char* kinds = std::is_floating_point_v<T> ? "fd"
+                                       : std::is_signed_v<T>       ? "bhilq"
+                                                                   : "BHILQ";
+};
+
+}  // namespace tfloom::bindings

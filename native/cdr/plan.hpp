@@ -1,0 +1,99 @@
+// What the codec knows of a message type: its fields in order, each with what stands on the wire for it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "cdr/cursor.hpp"
+
+namespace tfloom::cdr {
+
+enum class Kind : std::uint8_t {
+  boolean,
+  octet,  // a `byte`: no number
+  int8,
+  uint8,
+  int16,
+  uint16,
+  int32,
+  uint32,
+  int64,
+  uint64,
+  float32,
+  float64,
+  string,
+  wstring,
+  message,
+};
+
+enum class Shape : std::uint8_t { single, array, bounded, unbounded };
+
+struct Plan;
+
+struct Field {
+  std::string name;
+  Kind kind = Kind::boolean;
+  Shape shape = Shape::single;
+  std::uint32_t count = 0;         // length of an array, bound of a bounded sequence
+  std::uint32_t string_bound = 0;  // [characters]; 0: not bounded
+  const Plan* message = nullptr;   // of Kind::message
+
+  [[nodiscard]] std::size_t least_element_size() const noexcept;  // [octets], without alignment
+  [[nodiscard]] std::size_t least_size() const noexcept;
+};
+
+struct Plan {
+  std::string name;  // "geometry_msgs/msg/Twist"
+  std::vector<Field> fields;
+  std::size_t least_size = 0;  // [octets], without alignment; set by `finish`
+
+  // A message without fields has one octet on the wire.
+  [[nodiscard]] bool is_empty() const noexcept { return fields.empty(); }
+
+  void finish() {
+    least_size = is_empty() ? 1 : 0;
+    for (const Field& field : fields) least_size += field.least_size();
+  }
+
+  // "TransformStamped" of "geometry_msgs/msg/TransformStamped"
+  [[nodiscard]] std::string_view base_name() const noexcept {
+    const std::string_view whole = name;
+    return whole.substr(whole.rfind('/') + 1);
+  }
+};
+
+// Calls `visit` with a value of the number type that stands for a numeric kind (octets and booleans: uint8_t).
+template <class Visit>
+decltype(auto) with_number_type(Kind kind, Visit&& visit) {
+  switch (kind) {
+    case Kind::int8: return visit(std::int8_t{});
+    case Kind::int16: return visit(std::int16_t{});
+    case Kind::uint16: return visit(std::uint16_t{});
+    case Kind::int32: return visit(std::int32_t{});
+    case Kind::uint32: return visit(std::uint32_t{});
+    case Kind::int64: return visit(std::int64_t{});
+    case Kind::uint64: return visit(std::uint64_t{});
+    case Kind::float32: return visit(float{});
+    case Kind::float64: return visit(double{});
+    default: return visit(std::uint8_t{});
+  }
+}
+
+constexpr bool is_number(Kind kind) noexcept { return kind >= Kind::int8 && kind <= Kind::float64; }
+
+inline std::size_t Field::least_element_size() const noexcept {
+  if (kind == Kind::message) return message->least_size;
+  if (kind == Kind::string || kind == Kind::wstring) return sizeof(std::uint32_t);
+  return with_number_type(kind, [](auto number) { return sizeof(number); });
+}
+
+inline std::size_t Field::least_size() const noexcept {
+  if (shape == Shape::single) return least_element_size();
+  return shape == Shape::array ? count * least_element_size() : sizeof(std::uint32_t);
+}
+
+}  // namespace tfloom::cdr

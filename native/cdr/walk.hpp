@@ -1,0 +1,249 @@
+// Walks a plan over CDR bytes: `Reader` gives what it finds to a sink, `Emitter` writes what a source gives.
+//
+// A sink has a type `Value` (movable) and
+//   Value message(const Plan&)                                       an empty message
+//   void set(Value& message, const Plan&, std::size_t index, Value)  its field number `index`
+//   Value boolean(bool)   Value octet(std::uint8_t)   Value number(T)
+//   Value string(std::string_view, std::size_t offset)               may be no UTF-8: throws DecodeError then
+//   Value wide(std::u32string_view)
+//   Value numbers<T>(const Plan&, std::size_t index, Cursor&, std::uint32_t length)
+//                                                                    a numeric array: takes it off the cursor
+//   Value list(std::uint32_t length)   void set_item(Value& list, std::uint32_t index, Value)
+//
+// A source has a type `Value` (owning, cheap to move) and
+//   Value field(const Value& message, const Plan&, std::size_t index)
+//   Value open(const Value&, const Plan&)                   checks that it is a message of that plan
+//   bool boolean(const Value&)   std::uint8_t octet(const Value&)   T number<T>(const Value&)
+//   std::string_view string(const Value&)   std::u32string wide(const Value&)
+//   bool numbers<T>(const Value&, const Field&, visit)      visit(span of octets), or false: not contiguous
+//   Value open_list(const Value&, const Field&)   std::size_t length(const Value&)   Value item(const Value&, i)
+// and throws EncodeError.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "cdr/cursor.hpp"
+#include "cdr/plan.hpp"
+#include "cdr/wide.hpp"
+#include "cdr/writer.hpp"
+
+namespace tfloom::cdr {
+
+// A value that does not fit its field. `what()` continues the path: "must be a float, got 'abc' (str)".
+class EncodeError : public PathError {
+ public:
+  using PathError::PathError;
+};
+
+namespace detail {
+
+// Characters of a text that is UTF-8: every octet but the continuations.
+inline std::size_t count_characters(std::string_view text) noexcept {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char octet) { return (static_cast<unsigned char>(octet) & 0xc0) != 0x80; }));
+}
+
+inline std::string exceeds(std::size_t length, const Field& field) {
+  return std::to_string(length) + " elements are more than the bound of " + std::to_string(field.count);
+}
+
+inline std::string exceeds_string(std::size_t length, const Field& field) {
+  return std::to_string(length) + " characters are more than the bound of " + std::to_string(field.string_bound);
+}
+
+}  // namespace detail
+
+template <class Sink>
+class Reader {
+ public:
+  using Value = typename Sink::Value;
+
+  Reader(Cursor& in, Sink& sink) : in_(in), sink_(sink) {}
+
+  Value message(const Plan& plan) {
+    Value message = sink_.message(plan);
+    for (std::size_t i = 0; i < plan.fields.size(); ++i) {
+      try {
+        sink_.set(message, plan, i, value(plan, i));
+      } catch (PathError& error) {
+        error.enter_field(plan.fields[i].name);
+        throw;
+      }
+    }
+    if (plan.is_empty()) in_.read<std::uint8_t>();
+    return message;
+  }
+
+ private:
+  Value value(const Plan& plan, std::size_t index) {
+    const Field& field = plan.fields[index];
+    if (field.shape == Shape::single) return single(field);
+    const std::uint32_t length = this->length(field);
+    if (is_number(field.kind)) {
+      return with_number_type(field.kind, [&](auto number) {
+        return sink_.template numbers<decltype(number)>(plan, index, in_, length);
+      });
+    }
+    return list(field, length);
+  }
+
+  std::uint32_t length(const Field& field) {
+    if (field.shape == Shape::array) {
+      in_.require(field.count, field.least_element_size());
+      return field.count;
+    }
+    const auto length = in_.read_length(field.least_element_size());
+    if (field.shape == Shape::bounded && length > field.count) in_.fail(detail::exceeds(length, field));
+    return length;
+  }
+
+  Value list(const Field& field, std::uint32_t length) {
+    Value list = sink_.list(length);
+    for (std::uint32_t i = 0; i < length; ++i) {
+      try {
+        sink_.set_item(list, i, single(field));
+      } catch (PathError& error) {
+        error.enter_element(i);
+        throw;
+      }
+    }
+    return list;
+  }
+
+  Value single(const Field& field) {
+    switch (field.kind) {
+      case Kind::float64: return sink_.number(in_.read<double>());
+      case Kind::message: return message(*field.message);
+      case Kind::string: return string(field);
+      case Kind::wstring: return wide(field);
+      case Kind::boolean: return sink_.boolean(in_.read<std::uint8_t>() != 0);
+      case Kind::octet: return sink_.octet(in_.read<std::uint8_t>());
+      default:
+        return with_number_type(field.kind,
+                                [&](auto number) { return sink_.number(in_.read<decltype(number)>()); });
+    }
+  }
+
+  Value string(const Field& field) {
+    const std::string_view text = in_.read_string();
+    if (field.string_bound != 0) check_bound(detail::count_characters(text), field);
+    return sink_.string(text, in_.offset() - text.size() - 1);
+  }
+
+  Value wide(const Field& field) {
+    const std::u32string text = read_wide(in_);
+    if (field.string_bound != 0) check_bound(text.size(), field);
+    return sink_.wide(text);
+  }
+
+  void check_bound(std::size_t characters, const Field& field) {
+    if (characters > field.string_bound) in_.fail(detail::exceeds_string(characters, field));
+  }
+
+  Cursor& in_;
+  Sink& sink_;
+};
+
+template <class Source, class Storage>
+class Emitter {
+ public:
+  using Value = typename Source::Value;
+
+  Emitter(Source& source, Writer<Storage>& out) : source_(source), out_(out) {}
+
+  void message(const Value& message, const Plan& plan) {
+    for (std::size_t i = 0; i < plan.fields.size(); ++i) {
+      try {
+        value(source_.field(message, plan, i), plan.fields[i]);
+      } catch (PathError& error) {
+        error.enter_field(plan.fields[i].name);
+        throw;
+      }
+    }
+    if (plan.is_empty()) out_.write(std::uint8_t{0});
+  }
+
+ private:
+  void value(const Value& value, const Field& field) {
+    if (field.shape == Shape::single) {
+      single(value, field);
+    } else if (!is_number(field.kind) || !contiguous(value, field)) {
+      list(source_.open_list(value, field), field);
+    }
+  }
+
+  bool contiguous(const Value& value, const Field& field) {
+    return with_number_type(field.kind, [&](auto number) {
+      using T = decltype(number);
+      return source_.template numbers<T>(value, field, [&](std::span<const std::byte> octets) {
+        length(octets.size() / sizeof(T), field);
+        out_.template write_all<T>(octets);
+      });
+    });
+  }
+
+  void list(const Value& list, const Field& field) {
+    const std::size_t count = source_.length(list);
+    length(count, field);
+    for (std::size_t i = 0; i < count; ++i) {
+      try {
+        single(source_.item(list, i), field);
+      } catch (PathError& error) {
+        error.enter_element(i);
+        throw;
+      }
+    }
+  }
+
+  void length(std::size_t count, const Field& field) {
+    if (field.shape == Shape::array) {
+      if (count == field.count) return;
+      throw EncodeError("must have " + std::to_string(field.count) + " elements, got " + std::to_string(count));
+    }
+    if (field.shape == Shape::bounded && count > field.count) throw EncodeError(": " + detail::exceeds(count, field));
+    if (count > std::numeric_limits<std::uint32_t>::max()) throw EncodeError("has more than 2^32 - 1 elements");
+    out_.write(static_cast<std::uint32_t>(count));
+  }
+
+  void single(const Value& value, const Field& field) {
+    switch (field.kind) {
+      case Kind::float64: return out_.write(source_.template number<double>(value));
+      case Kind::message: return message(source_.open(value, *field.message), *field.message);
+      case Kind::string: return string(value, field);
+      case Kind::wstring: return wide(value, field);
+      case Kind::boolean: return out_.write(static_cast<std::uint8_t>(source_.boolean(value)));
+      case Kind::octet: return out_.write(source_.octet(value));
+      default:
+        with_number_type(field.kind,
+                         [&](auto number) { out_.write(source_.template number<decltype(number)>(value)); });
+    }
+  }
+
+  void string(const Value& value, const Field& field) {
+    const std::string_view text = source_.string(value);
+    if (field.string_bound != 0) check_bound(detail::count_characters(text), field);
+    if (text.size() >= std::numeric_limits<std::uint32_t>::max()) throw EncodeError("has more than 2^32 - 2 bytes");
+    out_.write_string(text);
+  }
+
+  void wide(const Value& value, const Field& field) {
+    const std::u32string text = source_.wide(value);
+    if (field.string_bound != 0) check_bound(text.size(), field);
+    write_wide(out_, text);
+  }
+
+  static void check_bound(std::size_t characters, const Field& field) {
+    if (characters > field.string_bound) throw EncodeError(": " + detail::exceeds_string(characters, field));
+  }
+
+  Source& source_;
+  Writer<Storage>& out_;
+};
+
+}  // namespace tfloom::cdr

@@ -1,0 +1,73 @@
+// A writer of CDR, always little-endian and version 1: encapsulation header, alignment, growing storage.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string_view>
+
+#include "cdr/cursor.hpp"
+
+namespace tfloom::cdr {
+
+// Storage: `std::span<std::byte> resize(std::size_t)` keeps what was written and may move it.
+template <class Storage>
+class Writer {
+ public:
+  Writer(Storage& storage, std::size_t size_hint) : storage_(storage) {
+    memory_ = storage_.resize(std::max(size_hint, Cursor::header_size));
+    std::memcpy(memory_.data(), "\x00\x01\x00\x00", Cursor::header_size);  // CDR_LE, no options
+    at_ = Cursor::header_size;
+  }
+
+  [[nodiscard]] std::size_t size() const noexcept { return at_; }
+
+  template <Number T>
+  void write(T value) {
+    if constexpr (std::endian::native == std::endian::big) value = detail::swap_bytes(value);
+    std::memcpy(reserve(sizeof(T), sizeof(T)), &value, sizeof(T));
+  }
+
+  // Numbers in host order, contiguous, not necessarily aligned in memory. Writes nothing for no elements.
+  template <Number T>
+  void write_all(std::span<const std::byte> octets) {
+    if (octets.empty()) return;
+    std::byte* to = reserve(sizeof(T), octets.size());
+    std::memcpy(to, octets.data(), octets.size());
+    if constexpr (std::endian::native == std::endian::big && sizeof(T) > 1) {
+      for (std::size_t i = 0; i < octets.size(); i += sizeof(T)) std::reverse(to + i, to + i + sizeof(T));
+    }
+  }
+
+  void write_string(std::string_view text) {
+    write(static_cast<std::uint32_t>(text.size() + 1));
+    std::byte* to = reserve(1, text.size() + 1);
+    std::memcpy(to, text.data(), text.size());
+    to[text.size()] = std::byte{0};
+  }
+
+ private:
+  std::byte* reserve(std::size_t alignment, std::size_t count) {
+    const std::size_t gap = (Cursor::header_size - at_) & (alignment - 1);
+    if (memory_.size() - at_ < gap + count) grow(gap + count);
+    std::byte* to = memory_.data() + at_;
+    for (std::size_t i = 0; i < gap; ++i) to[i] = std::byte{0};
+    at_ += gap + count;
+    return to + gap;
+  }
+
+  // A large piece gets just what it needs, so that an image is not followed by as much memory again.
+  void grow(std::size_t count) {
+    const std::size_t spare = std::min<std::size_t>(at_, 65536) + 64;
+    memory_ = storage_.resize(at_ + count + spare);
+  }
+
+  Storage& storage_;
+  std::span<std::byte> memory_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace tfloom::cdr
