@@ -1,1 +1,1 @@
-"""TODO one line."""
+"""The interfaces that come with tfloom, generated from `tfloom/rosidl/definitions`: one file a package and kind."""

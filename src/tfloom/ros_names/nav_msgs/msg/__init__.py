@@ -1,0 +1,4 @@
+"""The messages of nav_msgs."""
+
+from tfloom.interfaces.nav_msgs.msg import *
+from tfloom.interfaces.nav_msgs.msg import __all__

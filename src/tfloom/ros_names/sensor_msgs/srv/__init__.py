@@ -1,0 +1,4 @@
+"""The services of sensor_msgs."""
+
+from tfloom.interfaces.sensor_msgs.srv import *
+from tfloom.interfaces.sensor_msgs.srv import __all__

@@ -1,0 +1,4 @@
+"""The services of std_srvs."""
+
+from tfloom.interfaces.std_srvs.srv import *
+from tfloom.interfaces.std_srvs.srv import __all__

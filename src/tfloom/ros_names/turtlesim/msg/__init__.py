@@ -1,0 +1,4 @@
+"""The messages of turtlesim."""
+
+from tfloom.interfaces.turtlesim.msg import *
+from tfloom.interfaces.turtlesim.msg import __all__

@@ -1,0 +1,55 @@
+"""Numeric arrays of messages: `array.array` for sequences, numpy arrays for those of fixed length."""
+
+from __future__ import annotations
+
+from array import array
+from typing import Any
+
+from tfloom.rosidl.message import ARRAY_CODES
+from tfloom.rosidl.parse import parse_type
+from tfloom.rosidl.spec import Type
+
+
+def convert(type_text: str, value: Any) -> Any:
+    """Turn what a user assigns to a numeric array into what the message holds.
+
+    Args:
+        type_text: The field's type, `float64[36]` or `uint8[]`.
+        value: An array of the right type, which is kept as it is; or anything with numbers in it.
+
+    Returns:
+        A numpy array or an `array.array` of the field's number type. The length is not checked.
+
+    Raises:
+        TypeError, ValueError, OverflowError: as numpy and `array.array` raise them.
+    """
+    type_ = parse_type(type_text)
+    if type_.shape == "array":
+        return numeric_array(type_, value)
+    code = ARRAY_CODES[type_.base]
+    if isinstance(value, array) and value.typecode == code:
+        return value
+    return _from_memory(code, value) or array(code, value)
+
+
+def numeric_array(type_: Type, value: Any) -> Any:
+    """Return a numpy array of the field's number type: of zeros if `value` is a length, else of these numbers."""
+    import numpy as np
+
+    dtype = np.dtype("uint8" if type_.base == "char" else type_.base)
+    if isinstance(value, int):
+        return np.zeros(value, dtype)
+    return np.asarray(value, dtype)
+
+
+def _from_memory(code: str, value: Any) -> array[Any] | None:
+    """Copy memory that holds the same numbers, a numpy image say, in one go."""
+    try:
+        view = memoryview(value)
+    except TypeError:
+        return None
+    if view.format != code or not view.c_contiguous:
+        return None
+    result = array(code)
+    result.frombytes(view.cast("B") if view.nbytes else b"")
+    return result

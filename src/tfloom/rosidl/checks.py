@@ -1,0 +1,126 @@
+"""What `check_fields=True` checks, with the reference's texts."""
+
+from __future__ import annotations
+
+import math
+from array import array
+from collections.abc import Collection
+from typing import Any
+
+from tfloom.rosidl import spec
+from tfloom.rosidl.message import ARRAY_CODES, Message
+from tfloom.rosidl.parse import parse_type
+from tfloom.rosidl.registry import get_message_class
+
+# The largest finite numbers, in the reference's spelling.
+_FLOAT_LIMITS = {"float32": ("float", "3.402823466e+38"), "float64": ("double", "1.7976931348623157e+308")}
+
+
+def check_names(cls: type[Message], kwargs: dict[str, object]) -> None:
+    """Check that all keywords are fields of the class.
+
+    Raises:
+        AssertionError: some are none; the text lists them.
+    """
+    unknown = sorted(name for name in kwargs if name not in cls._FIELDS and name != "check_fields")
+    if unknown:
+        raise AssertionError(f"Invalid arguments passed to constructor: {', '.join(unknown)}")
+
+
+def check_field(cls: type[Message], name: str, value: Any) -> None:
+    """Check the value of a field; a name that is no field passes.
+
+    Raises:
+        AssertionError: the value does not fit.
+    """
+    text = cls._FIELDS.get(name)
+    if text is None:
+        return
+    type_ = parse_type(text)
+    if type_.shape and type_.base in ARRAY_CODES and type(value).__name__ in {"ndarray", "array"}:
+        reason = _array_mismatch(type_, value)
+    elif type_.shape:
+        reason = "" if _is_sequence_of(type_, value) else _describe_sequence(type_)
+    else:
+        reason = _mismatch(type_, value)
+    if reason:
+        raise AssertionError(f"The '{name}' {reason}")
+
+
+def _array_mismatch(type_: spec.Type, value: Any) -> str:
+    if isinstance(value, array):
+        if type_.shape == "array":
+            return "" if _is_sequence_of(type_, value) else _describe_sequence(type_)
+        code = ARRAY_CODES[type_.base]
+        if value.typecode != code:
+            return f"array.array() must have the type code of '{code}'"
+        if type_.shape == "bounded" and len(value) > type_.length:
+            return f"array.array() must have a size <= {type_.length}"
+        return ""
+    dtype = "uint8" if type_.base == "char" else type_.base
+    if value.dtype != dtype:
+        return f"numpy.ndarray() must have the dtype of 'numpy.{dtype}'"
+    return f"numpy.ndarray() must have a size of {type_.length}" if value.size != type_.length else ""
+
+
+def _mismatch(type_: spec.Type, value: Any) -> str:
+    """Say how a single value doesn't fit; an empty string if it does."""
+    base = type_.base
+    wanted: type[Any] = {"bool": bool, "string": str, "wstring": str, "float32": float, "float64": float}.get(
+        base, int
+    )
+    if base == "byte":
+        fits = isinstance(value, (bytes, bytearray)) and len(value) == 1
+        return "" if fits else "field must be of type 'bytes' or 'ByteString' with length 1"
+    if not type_.is_primitive:
+        cls = get_message_class(base)
+        return "" if isinstance(value, cls) else f"field must be a sub message of type '{cls.__name__}'"
+    if not isinstance(value, wanted):
+        return f"field must be of type '{wanted.__name__}'"
+    if type_.string_bound and len(value) > type_.string_bound:
+        return f"field must be string value not longer than {type_.string_bound}"
+    return "" if _in_range(base, value) else f"field must be {_describe_range(base)}"
+
+
+def _in_range(base: str, value: Any) -> bool:
+    if base == "float32":
+        return not math.isfinite(value) or abs(value) <= float(_FLOAT_LIMITS[base][1])
+    if base in spec.INTEGER_RANGES:
+        least, greatest = spec.INTEGER_RANGES[base]
+        return bool(least <= value <= greatest)
+    return True
+
+
+def _describe_range(base: str) -> str:
+    if base in _FLOAT_LIMITS:
+        word, limit = _FLOAT_LIMITS[base]
+        return f"a {word} in [-{limit}, {limit}]"
+    least, greatest = spec.INTEGER_RANGES[base]
+    return f"an {'unsigned ' if least == 0 else ''}integer in [{least}, {greatest}]"
+
+
+def _is_sequence_of(type_: spec.Type, value: Any) -> bool:
+    if isinstance(value, str) or not (isinstance(value, Collection) or hasattr(value, "__array__")):
+        return False
+    if type_.shape == "array" and len(value) != type_.length:
+        return False
+    if type_.shape == "bounded" and len(value) > type_.length:
+        return False
+    return not any(_mismatch(type_.element, each) for each in value)
+
+
+def _describe_sequence(type_: spec.Type) -> str:
+    length = {"array": f" with length {type_.length}", "bounded": f" with length <= {type_.length}"}
+    return (
+        f"field must be a set or sequence{length.get(type_.shape, '')} and each value of {_describe(type_)}"
+    )
+
+
+def _describe(type_: spec.Type) -> str:
+    names = {"bool": "bool", "byte": "bytes", "string": "str", "wstring": "str"}
+    if not type_.is_primitive:
+        return f"type '{type_.base.rpartition('/')[2]}'"
+    if type_.base in names:
+        return f"type '{names[type_.base]}'"
+    kind = "float" if type_.base in spec.FLOATS else "int"
+    return f"type '{kind}' and each {_describe_range(type_.base).partition(' ')[2]}"

@@ -1,0 +1,159 @@
+"""The base of all message classes.
+
+A message class says what it is in `_TYPE_NAME`, `_TYPE_HASH`, `_FIELDS` and `_DEFAULTS`, and has a slot `_x` for
+each field `x`. Everything else, construction and the codec's plan included, follows from these at first use.
+"""
+
+from __future__ import annotations
+
+import os
+
+from tfloom._native import MessageBase, check_fields_by_default, set_message_hooks
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any, ClassVar
+
+    from tfloom._native import Plan
+    from tfloom.rosidl.spec import Value
+
+ARRAY_CODES = {
+    "int8": "b",
+    "uint8": "B",
+    "char": "B",
+    "int16": "h",
+    "uint16": "H",
+    "int32": "i",
+    "uint32": "I",
+    "int64": "q",
+    "uint64": "Q",
+    "float32": "f",
+    "float64": "d",
+}
+"""The type code by which `array.array` and numpy hold a sequence of each number type."""
+
+
+class Message(MessageBase):
+    """A ROS message: a plain object with a slot for each field.
+
+    A numeric sequence is an `array.array`, a numeric array of fixed length a numpy array; what is assigned to one
+    is converted. All other fields are kept as they are given and checked when the message is encoded, or at once
+    with `check_fields=True` or where the environment says `ROS_PYTHON_CHECK_FIELDS=1`.
+    """
+
+    __slots__: Any = ()
+    __hash__ = None  # type: ignore[assignment]
+
+    _TYPE_NAME: ClassVar[str] = ""
+    _TYPE_HASH: ClassVar[str] = ""
+    _FIELDS: ClassVar[dict[str, str]] = {}
+    """The type of each field, as a definition writes it, with whole message names."""
+    _DEFAULTS: ClassVar[dict[str, Value]] = {}
+    """The fields whose definition gives a default."""
+    _PLAN: ClassVar[Plan | None] = None
+
+    def __init_subclass__(cls, **kwargs: Any) -> None:
+        super().__init_subclass__(**kwargs)
+        if "_FIELDS" not in cls.__dict__:
+            return
+        for name, type_text in cls._FIELDS.items():
+            member = cls.__dict__[f"_{name}"]
+            setattr(cls, name, _converting(name, member) if _is_numeric_array(type_text) else member)
+        cls.__slots__ = [*(f"_{name}" for name in cls._FIELDS), "_check_fields"]
+        cls._PLAN = None
+
+    @classmethod
+    def get_fields_and_field_types(cls) -> dict[str, str]:
+        """Return the type of each field, in IDL's words: `double`, `sequence<uint8>`, `geometry_msgs/Vector3`."""
+        from tfloom.rosidl.idl_names import idl_name
+        from tfloom.rosidl.parse import parse_type
+
+        return {name: idl_name(parse_type(text)) for name, text in cls._FIELDS.items()}
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, type(self)):
+            return False
+        return all(_equal(getattr(self, name), getattr(other, name)) for name in self._FIELDS)
+
+    def __repr__(self) -> str:
+        package, kind, name = self._TYPE_NAME.split("/")
+        fields = ", ".join(f"{field}={_field_repr(getattr(self, field))}" for field in self._FIELDS)
+        return f"{package}.{kind}.{name}({fields})"
+
+
+def _is_numeric_array(type_text: str) -> bool:
+    return type_text.endswith("]") and type_text.partition("[")[0] in ARRAY_CODES
+
+
+def _converting(name: str, member: Any) -> property:
+    """Make the property of a numeric array: what is assigned is converted."""
+
+    def assign(self: Message, value: object) -> None:
+        member.__set__(self, _convert(type(self), name, value))
+
+    return property(member.__get__, assign)
+
+
+def _equal(ours: Any, theirs: Any) -> bool:
+    same = ours == theirs
+    return same if isinstance(same, bool) else bool(getattr(same, "all", lambda: same)())
+
+
+def _field_repr(value: object) -> str:
+    """Show a sequence of numbers as a list, everything else as Python does."""
+    if type(value).__name__ != "array":
+        return repr(value)
+    return repr(value.tolist())  # type: ignore[attr-defined]
+
+
+def _convert(cls: type[Message], name: str, value: object) -> object:
+    from tfloom.rosidl.arrays import convert
+
+    return convert(cls._FIELDS[name], value)
+
+
+def _compile(cls: type[Message]) -> Plan:
+    from tfloom.rosidl.plans import compile_plan
+
+    return compile_plan(cls)
+
+
+def _check(cls: type[Message], name: str, value: object) -> None:
+    from tfloom.rosidl.checks import check_field
+
+    check_field(cls, name.removeprefix("_"), value)
+
+
+def _check_names(cls: type[Message], kwargs: dict[str, object]) -> None:
+    from tfloom.rosidl.checks import check_names
+
+    check_names(cls, kwargs)
+
+
+class EncodeError(ValueError):
+    """A message holds a value that its type has no place for. The text starts with the field's path."""
+
+    path: str
+    """`TransformStamped.transform.translation.x`"""
+    reason: str
+    offset: None
+
+
+class DecodeError(ValueError):
+    """Bytes are no message of the type. The text starts with the path of the field that can't be read."""
+
+    path: str
+    reason: str
+    offset: int
+    """Where [bytes from the start of the encapsulation header]."""
+
+
+set_message_hooks(
+    compile=_compile,
+    convert=_convert,
+    check=_check,
+    check_names=_check_names,
+    encode_error=EncodeError,
+    decode_error=DecodeError,
+)
+check_fields_by_default(os.environ.get("ROS_PYTHON_CHECK_FIELDS") == "1")
