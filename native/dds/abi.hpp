@@ -18,10 +18,7 @@ struct Listener_;
 struct Sertype_;
 struct Serdata_;
 
-constexpr Result bad_parameter = -3;
 constexpr Result precondition_not_met = -4;
-constexpr Result out_of_resources = -5;
-constexpr Result inconsistent_policy = -8;
 
 // Handles of the topics that describe what has been discovered.
 constexpr Entity discovered_participants = 0x7fff0001;

@@ -26,6 +26,8 @@ _WRITE_LAST = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, depth=1)
 
 _Native = TypeVar("_Native", DdsWriter, DdsReader)
 
+_CONFIG_HINT = "; CYCLONEDDS_URI is set: see above what Cyclone says of it"
+
 _open_participants: WeakSet[CycloneParticipant] = WeakSet()
 
 
@@ -142,8 +144,10 @@ class CycloneParticipant:
                 _WRITE_LAST,
                 NODE_LIST_USER_DATA,
             )
+        except WireError:
+            raise
         except RuntimeError as error:
-            raise error if isinstance(error, WireError) else WireError(str(error)) from None
+            raise WireError(f"{error}{_CONFIG_HINT if 'CYCLONEDDS_URI' in os.environ else ''}") from None
 
     def add_node(self, node: NodeName) -> None:
         """Show a node on the graph."""
@@ -165,7 +169,7 @@ class CycloneParticipant:
         """Offer a topic on behalf of `node`.
 
         Raises:
-            WireError: this process uses the topic with another type, or the library refuses it.
+            WireError: the library refuses it; its text says why.
         """
         native = self._open(DdsWriter, topic, qos)
         writer = CycloneWriter(self, native, topic)
@@ -176,7 +180,7 @@ class CycloneParticipant:
         """Ask for a topic on behalf of `node`.
 
         Raises:
-            WireError: this process uses the topic with another type, or the library refuses it.
+            WireError: the library refuses it; its text says why.
         """
         native = self._open(DdsReader, topic, qos)
         reader = CycloneReader(self, native, topic)

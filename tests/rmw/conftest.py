@@ -1,0 +1,95 @@
+"""Participants of this process, and peers in processes of their own."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import time
+from collections.abc import Callable, Iterator
+from itertools import count
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tfloom.rmw.base import NodeName, Participant, Reader, Topic
+from tfloom.rmw.cyclonedds import open_participant
+
+PROGRAMS = Path(__file__).parent / "programs"
+
+
+class Peer:
+    """A process with a participant; each call is one line to it and one back."""
+
+    def __init__(self, program: Any, name: str) -> None:
+        self.program = program
+        self.pid = self("open", name)
+
+    def __call__(self, verb: str, *arguments: object) -> Any:
+        self.send(verb, *arguments)
+        return self.answer()
+
+    def send(self, verb: str, *arguments: object) -> None:
+        self._next_line = len(self.program.lines)
+        self.program.process.stdin.write(json.dumps([verb, *arguments]) + "\n")
+        self.program.process.stdin.flush()
+
+    def answer(self) -> Any:
+        end = time.monotonic() + 30
+        while len(self.program.lines) <= self._next_line:
+            assert self.program.process.poll() is None, self.program.output
+            assert time.monotonic() < end, "the peer doesn't answer"
+            time.sleep(0.001)
+        return json.loads(self.program.lines[self._next_line])
+
+
+@pytest.fixture
+def start_peer(domain_id: int, start_program: Callable[..., Any]) -> Iterator[Callable[..., Peer]]:
+    """Start a peer on this test's domain, on the wire that the environment names."""
+    names = count()
+    peers: list[Peer] = []
+
+    def start(**options: object) -> Peer:
+        program = start_program("python", PROGRAMS / "peer.py", stdin=subprocess.PIPE, **options)
+        peers.append(Peer(program, f"peer_{next(names)}"))
+        return peers[-1]
+
+    yield start
+    for peer in peers:
+        peer.program.process.stdin.close()
+
+
+@pytest.fixture
+def participant(domain_id: int) -> Iterator[Participant]:
+    """Give a participant on DDS with one node, /tests/here."""
+    participant = open_participant(domain_id)
+    participant.add_node(NodeName("/tests", "here"))
+    yield participant
+    participant.close()
+
+
+@pytest.fixture
+def node() -> NodeName:
+    return NodeName("/tests", "here")
+
+
+@pytest.fixture
+def topic() -> Topic:
+    return Topic("/chatter", "std_msgs/msg/String", "RIHS01_" + "0" * 64)
+
+
+@pytest.fixture
+def take_data(wait_until: Callable[..., None]) -> Callable[[Reader, int], list[bytes]]:
+    """Take that many samples off a reader and return their bytes."""
+
+    def take(reader: Reader, how_many: int) -> list[bytes]:
+        taken: list[bytes] = []
+
+        def enough() -> bool:
+            taken.extend(sample.data for sample in iter(reader.take, None))
+            return len(taken) >= how_many
+
+        wait_until(enough, what=f"{how_many} samples, of which {len(taken)} came")
+        return taken
+
+    return take

@@ -1,0 +1,118 @@
+"""How far to look for others, as the environment says, in Cyclone's words."""
+
+from __future__ import annotations
+
+import os
+from xml.etree import ElementTree as ET
+
+import pytest
+
+from tfloom.rmw import cyclonedds
+from tfloom.rmw.cyclone_config import RANGES, configuration, configuration_for
+from tfloom.rmw.errors import ConfigurationError, WireError
+
+VARIABLES = ("CYCLONEDDS_URI", "ROS_AUTOMATIC_DISCOVERY_RANGE", "ROS_STATIC_PEERS", "ROS_LOCALHOST_ONLY")
+
+
+@pytest.fixture(autouse=True)
+def bare_environment(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in VARIABLES:
+        monkeypatch.delenv(name, raising=False)
+
+
+def domain(text: str) -> ET.Element:
+    found = ET.fromstring(text).find("Domain")
+    assert found is not None
+    return found
+
+
+def peers(element: ET.Element) -> list[str | None]:
+    return [peer.get("address") for peer in element.iterfind("Discovery/Peers/Peer")]
+
+
+def interfaces(element: ET.Element) -> list[dict[str, str]]:
+    return [interface.attrib for interface in element.iterfind("General/Interfaces/NetworkInterface")]
+
+
+LOOPBACK = {"address": "127.0.0.1", "multicast": "false"}
+
+
+@pytest.mark.parametrize("value", [None, "", "LOCALHOST"])
+def test_localhost_is_unicast_on_loopback_with_room_for_sixty(monkeypatch, value: str | None) -> None:
+    if value is not None:
+        monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", value)
+    element = domain(configuration())
+    assert interfaces(element) == [LOOPBACK]
+    assert element.findtext("General/AllowMulticast") == "false"
+    assert element.findtext("Discovery/ParticipantIndex") == "auto"
+    assert element.findtext("Discovery/MaxAutoParticipantIndex") == "60"
+    assert peers(element) == ["127.0.0.1"]
+
+
+def test_localhost_with_static_peers_looks_at_them_too(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ROS_STATIC_PEERS", " 192.0.2.1 ;; robot.example;192.0.2.1")
+    element = domain(configuration())
+    assert peers(element) == ["127.0.0.1", "192.0.2.1", "robot.example"]
+    assert interfaces(element) == [LOOPBACK, {"autodetermine": "true", "multicast": "false"}]
+    assert element.findtext("General/AllowMulticast") == "false"
+
+
+def test_subnet_is_multicast_on_the_interface_that_cyclone_finds() -> None:
+    element = domain(configuration_for("SUBNET", []))
+    assert interfaces(element) == []
+    assert element.findtext("General/AllowMulticast") == "true"
+    assert peers(element) == []
+    assert element.find("Discovery/ParticipantIndex") is None
+
+
+def test_subnet_with_static_peers() -> None:
+    element = domain(configuration_for("SUBNET", ["192.0.2.1"]))
+    assert peers(element) == ["192.0.2.1"]
+    assert element.findtext("Discovery/ParticipantIndex") == "auto"
+
+
+def test_off_has_no_peers_and_a_tag_of_its_own() -> None:
+    element = domain(configuration_for("OFF", ["192.0.2.1"]))
+    assert peers(element) == []
+    assert interfaces(element) == [LOOPBACK]
+    assert element.findtext("Discovery/ParticipantIndex") == "none"
+    assert element.findtext("Discovery/Tag") == f"tfloom-off-{os.getpid()}"
+
+
+def test_system_default_leaves_all_to_cyclone() -> None:
+    element = domain(configuration_for("SYSTEM_DEFAULT", []))
+    assert [list(child) for child in element] == [[], []]
+
+
+@pytest.mark.parametrize("discovery_range", RANGES)
+def test_an_explicit_uri_wins(monkeypatch: pytest.MonkeyPatch, discovery_range: str) -> None:
+    monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", discovery_range)
+    monkeypatch.setenv("CYCLONEDDS_URI", "file:///etc/cyclone.xml")
+    assert configuration() == "file:///etc/cyclone.xml"
+
+
+def test_localhost_only_is_the_old_word_for_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "SUBNET")
+    monkeypatch.setenv("ROS_LOCALHOST_ONLY", "1")
+    assert configuration() == configuration_for("LOCALHOST", [])
+
+
+def test_an_unknown_range_is_an_error_that_lists_the_known(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "GALAXY")
+    with pytest.raises(
+        ConfigurationError, match="'GALAXY', which is none of: LOCALHOST, SUBNET, OFF, SYSTEM_DEFAULT"
+    ):
+        configuration()
+
+
+def test_a_peer_can_not_break_out_of_its_element() -> None:
+    odd = '"/></Peers><&'
+    assert peers(domain(configuration_for("SUBNET", [odd]))) == [odd]
+
+
+@pytest.mark.wire
+def test_a_uri_that_cyclone_refuses_is_an_error_that_names_it(domain_id, monkeypatch, capfd) -> None:
+    monkeypatch.setenv("CYCLONEDDS_URI", "<CycloneDDS><Domain><Nonsense/></Domain></CycloneDDS>")
+    with pytest.raises(WireError, match="CYCLONEDDS_URI is set: see above"):
+        cyclonedds.open_participant(domain_id)
+    assert "Nonsense" in capfd.readouterr().err

@@ -1,0 +1,185 @@
+"""What a participant knows of the others, and what the others see of it: byte for byte as a real ROS 2 has it."""
+
+from __future__ import annotations
+
+import json
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tfloom._native import DdsParticipant, DdsWriter, ReadyQueue
+from tfloom.rmw import node_lists
+from tfloom.rmw.base import NodeName, Topic
+from tfloom.rmw.cyclone_config import configuration
+from tfloom.rmw.cyclone_library import find_library
+from tfloom.rmw.cyclonedds import open_participant
+from tfloom.rmw.qos import (
+    INFINITE_NS,
+    DurabilityPolicy,
+    HistoryPolicy,
+    LivelinessPolicy,
+    QoS,
+    ReliabilityPolicy,
+)
+from tfloom.rmw.topic_names import key_values, topic_from_dds, type_from_dds, type_to_dds
+
+pytestmark = pytest.mark.wire
+
+GOLDEN = json.loads((Path(__file__).parents[1] / "golden" / "wire_jazzy_cyclonedds.json").read_text("utf-8"))
+OBSERVE = Path(__file__).parent / "programs" / "observe.py"
+
+TRANSIENT_LOCAL = DurabilityPolicy.TRANSIENT_LOCAL
+RECORDED = {
+    ("publication", "rt/turtle1/pose"): QoS(depth=7),
+    ("publication", "rt/turtle1/color_sensor"): QoS(depth=7),
+    ("publication", "rt/tf_static"): QoS(durability=TRANSIENT_LOCAL, depth=1),
+    ("publication", "rt/rosout"): QoS(durability=TRANSIENT_LOCAL, depth=1000, lifespan_ns=10_000_000_000),
+    ("publication", "rt/parameter_events"): QoS(depth=1000),
+    ("publication", "rt/turtle1/rotate_absolute/_action/status"): QoS(durability=TRANSIENT_LOCAL, depth=1),
+    ("subscription", "rt/turtle1/cmd_vel"): QoS(depth=7),
+    ("subscription", "rt/parameter_events"): QoS(depth=1000),
+}
+
+
+def recorded_endpoint(kind: str, topic_name: str) -> dict[str, Any]:
+    return next(end for end in GOLDEN[kind] if end["topic_name"] == topic_name)
+
+
+def recorded_topic(kind: str, topic_name: str) -> Topic:
+    end = recorded_endpoint(kind, topic_name)
+    user_data = next(policy for policy in end["qos"] if "typehash=" in policy)
+    type_hash = key_values(user_data.partition("'")[2].encode())["typehash"]
+    return Topic(topic_from_dds(topic_name) or "", type_from_dds(end["type_name"]), type_hash)
+
+
+def test_endpoints_look_as_those_of_a_real_ros(
+    participant, node, domain_id, monkeypatch, start_program
+) -> None:
+    for (kind, name), qos in RECORDED.items():
+        create = participant.create_writer if kind == "publication" else participant.create_reader
+        create(node, recorded_topic(kind, name), qos)
+    monkeypatch.setenv("CYCLONEDDS_URI", configuration())
+    program = start_program("python", OBSERVE, str(domain_id), str(len(RECORDED)))
+    assert program.wait() == 0, program.output
+    seen = {(entry["kind"], entry.get("topic_name")): entry for entry in map(json.loads, program.lines)}
+    node_list = {("publication", "ros_discovery_info"), ("subscription", "ros_discovery_info")}
+    for kind, name in RECORDED.keys() | node_list:
+        expected, got = recorded_endpoint(kind, name), seen[kind, name]
+        assert got["type_name"] == expected["type_name"]
+        assert set(expected["qos"]) <= set(got["qos"]), (kind, name)
+
+
+def test_the_participant_announces_its_enclave(participant, domain_id, monkeypatch, start_program) -> None:
+    monkeypatch.setenv("CYCLONEDDS_URI", configuration())
+    participant.create_writer(NodeName("/", "n"), Topic("/a", "std_msgs/msg/String", ""), QoS())
+    program = start_program("python", OBSERVE, str(domain_id), "1")
+    assert program.wait() == 0, program.output
+    entries = [json.loads(line) for line in program.lines]
+    announced = [entry["qos"] for entry in entries if entry["kind"] == "participant"]
+    recorded = GOLDEN["participant"][0]["user_data"]
+    assert [qos for qos in announced if set(recorded) <= set(qos)]
+
+
+def test_nodes_and_endpoints_of_another_process(participant, start_peer, topic, node, wait_until) -> None:
+    qos = QoS(
+        ReliabilityPolicy.BEST_EFFORT,
+        TRANSIENT_LOCAL,
+        HistoryPolicy.KEEP_LAST,
+        7,
+        1_000_000_000,
+        INFINITE_NS,
+        LivelinessPolicy.MANUAL_BY_TOPIC,
+        2_000_000_000,
+    )
+    peer = start_peer()
+    _, gid = peer("writer", topic, qos)
+    graph = participant.graph
+    wait_until(lambda: any(end.node for end in graph.endpoints()))
+    assert graph.nodes() == [NodeName("/peers", "peer_0"), node]
+    (info,) = graph.endpoints()
+    assert (info.topic, info.node, info.is_writer) == (topic, NodeName("/peers", "peer_0"), True)
+    assert info.gid.hex() == gid
+    assert info.qos == qos
+
+
+def test_own_nodes_and_endpoints_are_there_at_once(participant, node, topic) -> None:
+    graph = participant.graph
+    assert graph.nodes() == [node]
+    reader = participant.create_reader(node, topic, QoS())
+    assert [(end.topic, end.node, end.gid) for end in graph.endpoints()] == [(topic, node, reader.gid)]
+    reader.close()
+    assert graph.endpoints() == []
+    participant.remove_node(node)
+    assert graph.nodes() == []
+
+
+def test_twin_nodes_are_listed_twice(participant, node) -> None:
+    participant.add_node(node)
+    assert participant.graph.nodes() == [node, node]
+    participant.remove_node(node)
+    assert participant.graph.nodes() == [node]
+
+
+def test_changes_grow_and_are_posted(participant, start_peer, topic, wait_until) -> None:
+    queue = ReadyQueue()
+    participant.graph.notify(queue, 9)
+    peer = start_peer()
+    counts = [participant.graph.changes()]
+    for verb in ("writer", "reader"):
+        end, _ = peer(verb, topic, QoS())
+        wait_until(lambda: participant.graph.changes() > counts[-1])
+        assert queue.wait(5_000_000_000) == [9]
+        counts.append(participant.graph.changes())
+        queue.wait(0)
+        peer("close", end)
+        wait_until(lambda: participant.graph.changes() > counts[-1])
+        counts.append(participant.graph.changes())
+    assert all(before < after for before, after in pairwise(counts))
+
+
+def test_topics_of_other_programs_are_no_ros_topics(participant, domain_id, wait_until) -> None:
+    bare = DdsParticipant(find_library(), domain_id, configuration(), b"")
+    writer = DdsWriter(bare, "plain_topic", "plain::Type", QoS(), b"")
+    ros_like = DdsWriter(bare, "rt/half_ros", "plain::Type", QoS(), b"typehash")
+    wait_until(participant.graph.endpoints)
+    (info,) = participant.graph.endpoints()
+    assert (info.topic, info.node) == (Topic("/half_ros", "plain::Type", ""), None)
+    for end in (writer, ros_like, bare):
+        end.close()
+
+
+@pytest.mark.parametrize(
+    "junk", [b"\0\1\0\0junk", b"\0\1\0\0" + b"\xff" * 64, b"\0\1\0\0" + bytes(16) + b"\xff" * 4]
+)
+def test_junk_in_a_node_list_hides_no_other(participant, domain_id, node, wait_until, junk: bytes) -> None:
+    bare = DdsParticipant(find_library(), domain_id, configuration(), b"")
+    qos = QoS(durability=TRANSIENT_LOCAL, depth=1)
+    writer = DdsWriter(bare, node_lists.TOPIC_NAME, type_to_dds(node_lists.TYPE_NAME), qos, b"")
+    wait_until(writer.matched_count)
+    writer.write(junk[:4] + bare.gid + junk[20:] if len(junk) > 20 else junk)
+    told = node_lists.encode(bare.gid, [node_lists.NodeEnds(NodeName("/", "good"), [], [])])
+    assert participant.graph.nodes() == [node]
+    writer.write(told)
+    wait_until(lambda: participant.graph.nodes() == [NodeName("/", "good"), node])
+    writer.close()
+    bare.close()
+    wait_until(lambda: participant.graph.nodes() == [node])
+
+
+def test_opening_leaves_the_environment_alone(participant) -> None:
+    import os
+
+    assert "CYCLONEDDS_URI" not in os.environ
+
+
+def test_off_finds_nobody_and_nobody_finds_it(domain_id, monkeypatch, start_peer, wait_until) -> None:
+    seen, seeing = start_peer(), start_peer()
+    monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "OFF")
+    hidden = open_participant(domain_id)
+    hidden.add_node(NodeName("/", "hidden"))
+    wait_until(lambda: len(seeing("nodes")) == 2)
+    assert hidden.graph.nodes() == [NodeName("/", "hidden")]
+    assert seen("nodes") == ["/peers/peer_0", "/peers/peer_1"]
+    hidden.close()

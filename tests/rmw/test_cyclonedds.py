@@ -1,0 +1,261 @@
+"""DDS between two processes: bytes as they were, qualities of service kept, peers that come and go."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+
+from tfloom._native import ReadyQueue, SampleQueue
+from tfloom.rmw.base import NodeName
+from tfloom.rmw.cyclonedds import open_participant
+from tfloom.rmw.errors import ClosedError
+from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoS, ReliabilityPolicy
+
+pytestmark = pytest.mark.wire
+
+HEADER = b"\0\1\0\0"
+KEEP_ALL = QoS(history=HistoryPolicy.KEEP_ALL)
+TRANSIENT_LOCAL = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, depth=5)
+BEST_EFFORT = QoS(reliability=ReliabilityPolicy.BEST_EFFORT)
+
+
+def padded(data: bytes) -> bytes:
+    return data + bytes(-len(data) % 4)
+
+
+@pytest.mark.parametrize("size", [1, 2, 3, 4, 5, 1000, 65_536, 2_000_001])
+def test_payloads_arrive_as_they_were(
+    participant, start_peer, node, topic, take_data, wait_until, size
+) -> None:
+    reader = participant.create_reader(node, topic, KEEP_ALL)
+    peer = start_peer()
+    end, _ = peer("writer", topic, KEEP_ALL)
+    wait_until(lambda: peer("matched", end))
+    peer("write_random", end, size, size)
+    (data,) = take_data(reader, 1)
+    assert data == padded(HEADER + random.Random(size).randbytes(size))
+
+
+def test_many_random_payloads_arrive_in_order(
+    participant, start_peer, node, topic, take_data, wait_until
+) -> None:
+    peer = start_peer()
+    end, _ = peer("reader", topic, KEEP_ALL)
+    writer = participant.create_writer(node, topic, KEEP_ALL)
+    wait_until(writer.matched_count)
+    dice = random.Random(1)
+    sent = [HEADER + dice.randbytes(dice.randrange(1, 300)) for _ in range(500)]
+    for data in sent:
+        writer.write(data)
+    got: list[str] = []
+    wait_until(lambda: got.extend(peer("take", end)) or len(got) >= len(sent))
+    assert got == [padded(data).hex() for data in sent]
+
+
+def test_samples_tell_who_wrote_them_and_when(participant, start_peer, node, topic, wait_until) -> None:
+    reader = participant.create_reader(node, topic, KEEP_ALL)
+    peer = start_peer()
+    ends = [peer("writer", topic, KEEP_ALL) for _ in range(2)]
+    wait_until(lambda: reader.matched_count() == 2)
+    samples = []
+    for end, _ in ends:
+        peer("write_random", end, 0, 8)
+        wait_until(lambda: samples.append(reader.take()) or samples[-1] is not None)
+    samples = [sample for sample in samples if sample]
+    assert [sample.publisher_gid.hex() for sample in samples] == [gid for _, gid in ends]
+    for sample in samples:
+        assert 0 <= sample.received_stamp_ns - sample.source_stamp_ns < 10_000_000_000
+
+
+@pytest.mark.parametrize("depth", [1, 5])
+def test_a_late_reader_gets_what_a_transient_local_writer_keeps(
+    participant, start_peer, node, topic, take_data, depth
+) -> None:
+    peer = start_peer()
+    end, _ = peer("writer", topic, TRANSIENT_LOCAL._replace(depth=depth))
+    for i in range(8):
+        peer("write", end, (HEADER + bytes(3) + bytes([i])).hex())
+    reader = participant.create_reader(node, topic, TRANSIENT_LOCAL._replace(depth=10))
+    last = [data[7] for data in take_data(reader, depth)]
+    assert last == list(range(8 - depth, 8))
+
+
+def test_a_late_volatile_reader_gets_what_comes_from_now_on(
+    participant, start_peer, node, topic, take_data, wait_until
+) -> None:
+    peer = start_peer()
+    end, _ = peer("writer", topic, TRANSIENT_LOCAL)
+    peer("write", end, (HEADER + b"old.").hex())
+    reader = participant.create_reader(node, topic, KEEP_ALL)
+    wait_until(lambda: peer("matched", end) and reader.matched_count())
+    peer("write", end, (HEADER + b"new.").hex())
+    assert take_data(reader, 1) == [HEADER + b"new."]
+
+
+def test_keep_last_keeps_the_last(participant, start_peer, node, topic, take_data, wait_until) -> None:
+    reader = participant.create_reader(node, topic, QoS(depth=3))
+    every = participant.create_reader(node, topic, KEEP_ALL)
+    peer = start_peer()
+    end, _ = peer("writer", topic, KEEP_ALL)
+    wait_until(lambda: peer("matched", end) == 2)
+    for i in range(20):
+        peer("write", end, (HEADER + bytes([i, 0, 0, 0])).hex())
+    assert [data[4] for data in take_data(every, 20)] == list(range(20))
+    assert [data[4] for data in take_data(reader, 3)] == [17, 18, 19]
+
+
+def test_best_effort_ends_meet(participant, start_peer, node, topic, take_data, wait_until) -> None:
+    reader = participant.create_reader(node, topic, BEST_EFFORT)
+    peer = start_peer()
+    end, _ = peer("writer", topic, BEST_EFFORT)
+    wait_until(lambda: peer("matched", end))
+    peer("write", end, (HEADER + b"data").hex())
+    assert take_data(reader, 1) == [HEADER + b"data"]
+
+
+STRONG = QoS(
+    durability=DurabilityPolicy.TRANSIENT_LOCAL,
+    deadline_ns=1_000_000_000,
+    liveliness=LivelinessPolicy.MANUAL_BY_TOPIC,
+    liveliness_lease_ns=1_000_000_000,
+)
+
+
+@pytest.mark.parametrize(
+    "weaker",
+    [
+        {"reliability": ReliabilityPolicy.BEST_EFFORT},
+        {"durability": DurabilityPolicy.VOLATILE},
+        {"deadline_ns": 2_000_000_000},
+        {"liveliness": LivelinessPolicy.AUTOMATIC},
+        {"liveliness_lease_ns": 2_000_000_000},
+    ],
+    ids=lambda weaker: next(iter(weaker)),
+)
+def test_a_weaker_offer_than_asked_does_not_match(
+    participant, start_peer, node, topic, wait_until, weaker
+) -> None:
+    peer = start_peer()
+    weak, _ = peer("writer", topic, STRONG._replace(**weaker))
+    reader = participant.create_reader(node, topic, STRONG)
+    # Endpoints are announced in the order of their creation, so when the second matches, the first won't any more.
+    strong, _ = peer("writer", topic, STRONG)
+    wait_until(lambda: reader.matched_count() and peer("matched", strong))
+    assert reader.matched_count() == 1
+    assert peer("matched", weak) == 0
+
+
+def test_a_lifespan_that_has_ended_ends_the_sample(participant, start_peer, node, topic, take_data) -> None:
+    peer = start_peer()
+    brief, _ = peer("writer", topic, TRANSIENT_LOCAL._replace(lifespan_ns=1_000_000))
+    lasting, _ = peer("writer", topic, TRANSIENT_LOCAL)
+    peer("write", brief, (HEADER + b"brief...").hex())
+    peer("cpu_s", 0.05)
+    peer("write", lasting, (HEADER + b"lasting.").hex())
+    reader = participant.create_reader(node, topic, TRANSIENT_LOCAL)
+    assert take_data(reader, 1) == [HEADER + b"lasting."]
+
+
+def test_a_fed_sink_gets_all_and_python_nothing(participant, start_peer, node, topic, wait_until) -> None:
+    queue, sink = ReadyQueue(), SampleQueue(1000)
+    reader = participant.create_reader(node, topic, KEEP_ALL)
+    reader.notify(queue, 1)
+    peer = start_peer()
+    end, gid = peer("writer", topic, KEEP_ALL)
+    wait_until(lambda: peer("matched", end) and reader.matched_count())
+    peer("write", end, (HEADER + b"\0\0\0\0").hex())
+    wait_until(lambda: queue.wait(0), what="the first sample, before it is fed")
+    reader.feed(sink)
+    for i in range(1, 100):
+        peer("write", end, (HEADER + bytes([i, 0, 0, 0])).hex())
+    wait_until(lambda: sink.pushed() == 100)
+    samples = sink.take()
+    assert [sample[0][4] for sample in samples] == list(range(100))
+    assert {sample[3].hex() for sample in samples} == {gid}
+    assert reader.take() is None
+    assert queue.wait(0) == []
+
+
+def test_nothing_is_pushed_after_close(participant, node, topic, wait_until) -> None:
+    writer = participant.create_writer(node, topic, QoS())
+    for _ in range(20):
+        reader = participant.create_reader(node, topic, QoS())
+        sink = SampleQueue(1)
+        reader.feed(sink)
+        wait_until(lambda s=sink: writer.write(HEADER + b"data") or s.pushed())
+        reader.close()
+        pushed = sink.pushed()
+        for _ in range(100):
+            writer.write(HEADER + b"data")
+        assert sink.pushed() == pushed
+
+
+def test_notify_wakes_a_waiting_thread(participant, start_peer, node, topic, wait_until) -> None:
+    queue = ReadyQueue()
+    reader = participant.create_reader(node, topic, QoS())
+    peer = start_peer()
+    end, _ = peer("writer", topic, QoS())
+    wait_until(lambda: peer("matched", end) and reader.matched_count())
+    reader.notify(queue, 42)
+    wait_until(lambda: queue.wait(0) == [] and reader.take() is None)
+    peer.send("write", end, (HEADER + b"data").hex())
+    assert queue.wait(10_000_000_000) == [42]
+    assert reader.take().data == HEADER + b"data"
+    peer.answer()
+
+
+@pytest.mark.parametrize(
+    ("data", "text"),
+    [
+        (b"", "not 0 in all"),
+        (HEADER, "not 4 in all"),
+        (b"\0\0\0\0data", "starts with 00 01"),
+        (b"\0\7\0\0data", "starts with 00 01"),
+    ],
+)
+def test_what_is_no_little_endian_cdr_is_refused(participant, node, topic, data, text) -> None:
+    with pytest.raises(ValueError, match=text):
+        participant.create_writer(node, topic, QoS()).write(data)
+
+
+def test_ends_of_another_type_do_not_match(participant, start_peer, node, topic, wait_until) -> None:
+    peer = start_peer()
+    other, _ = peer("writer", topic._replace(type_name="std_msgs/msg/Int32"), QoS())
+    reader = participant.create_reader(node, topic, QoS())
+    participant.create_writer(node, topic._replace(type_name="std_msgs/msg/Int32"), QoS())
+    same, _ = peer("writer", topic, QoS())
+    wait_until(lambda: reader.matched_count() and peer("matched", same))
+    assert reader.matched_count() == 1
+    assert peer("matched", other) == 0
+
+
+def test_a_closed_end_is_silent_and_closing_again_does_nothing(participant, node, topic) -> None:
+    writer = participant.create_writer(node, topic, QoS())
+    reader = participant.create_reader(node, topic, QoS())
+    for end in (writer, reader, writer, reader):
+        end.close()
+        assert end.matched_count() == 0
+    assert reader.take() is None
+    with pytest.raises(ClosedError, match="cannot write to /chatter: the writer is closed"):
+        writer.write(HEADER + b"data")
+
+
+def test_a_closed_participant_opens_nothing(participant, node, topic) -> None:
+    participant.close()
+    participant.close()
+    with pytest.raises(ClosedError):
+        participant.create_reader(node, topic, QoS())
+
+
+def test_participants_of_one_process_hear_each_other(
+    participant, domain_id, node, topic, take_data, wait_until
+) -> None:
+    other = open_participant(domain_id)
+    writer = other.create_writer(NodeName("/", "other"), topic, QoS())
+    reader = participant.create_reader(node, topic, QoS())
+    wait_until(lambda: writer.matched_count() and reader.matched_count())
+    writer.write(HEADER + b"data")
+    assert take_data(reader, 1) == [HEADER + b"data"]
+    other.close()
+    wait_until(lambda: reader.matched_count() == 0)

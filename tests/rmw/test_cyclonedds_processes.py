@@ -1,0 +1,201 @@
+"""Processes that die, come back, come in numbers, idle, fork, or leave without a word."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+
+import pytest
+
+from tfloom._native import ReadyQueue, SampleQueue
+from tfloom.rmw.base import NodeName
+from tfloom.rmw.cyclone_config import configuration
+from tfloom.rmw.cyclonedds import open_participant
+from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
+
+pytestmark = pytest.mark.wire
+
+DATA = b"\0\1\0\0data"
+STRESS_S = 1.5
+
+
+def test_a_killed_reader_comes_back(participant, start_peer, node, topic, wait_until) -> None:
+    qos = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, depth=1)
+    writer = participant.create_writer(node, topic, qos)
+    for _ in range(3):
+        peer = start_peer()
+        end, _ = peer("reader", topic, qos)
+        writer.write(DATA)
+        wait_until(lambda p=peer, e=end: p("take", e) == [DATA.hex()])
+        os.kill(peer.pid, signal.SIGKILL)
+        peer.program.wait()
+
+
+def test_a_killed_writer_comes_back(participant, start_peer, node, topic, take_data) -> None:
+    qos = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, depth=1)
+    reader = participant.create_reader(node, topic, qos)
+    for i in range(3):
+        peer = start_peer()
+        end, _ = peer("writer", topic, qos)
+        peer("write", end, (DATA + bytes([i, 0, 0, 0])).hex())
+        assert take_data(reader, 1) == [DATA + bytes([i, 0, 0, 0])]
+        os.kill(peer.pid, signal.SIGKILL)
+        peer.program.wait()
+
+
+def test_a_killed_peer_leaves_the_graph_when_its_lease_ends(
+    domain_id, monkeypatch, start_peer, wait_until
+) -> None:
+    brief = "<Discovery><LeaseDuration>500ms</LeaseDuration>"
+    monkeypatch.setenv("CYCLONEDDS_URI", configuration().replace("<Discovery>", brief))
+    here = open_participant(domain_id)
+    peer = start_peer()
+    wait_until(lambda: here.graph.nodes() == [NodeName("/peers", "peer_0")])
+    os.kill(peer.pid, signal.SIGKILL)
+    peer.program.wait()
+    wait_until(lambda: here.graph.nodes() == [])
+    here.close()
+
+
+def test_a_peer_that_leaves_takes_its_nodes_along_at_once(
+    participant, start_peer, node, topic, wait_until
+) -> None:
+    peer = start_peer()
+    peer("reader", topic, QoS())
+    wait_until(lambda: len(participant.graph.nodes()) == 2 and participant.graph.endpoints())
+    peer("leave")
+    wait_until(lambda: participant.graph.nodes() == [node] and not participant.graph.endpoints(), timeout_s=5)
+
+
+def test_twenty_processes_see_each_other(participant, start_peer, wait_until) -> None:
+    peers = [start_peer() for _ in range(20)]
+    everybody = sorted(["/tests/here", *(f"/peers/peer_{i}" for i in range(20))])
+    for peer in peers:
+        wait_until(lambda p=peer: p("nodes") == everybody)
+    assert [node.full for node in participant.graph.nodes()] == everybody
+
+
+def test_ends_come_and_go_while_data_flows(participant, start_peer, node, topic, wait_until) -> None:
+    peer = start_peer()
+    stop = threading.Event()
+    failures: list[BaseException] = []
+
+    def churn(make_use_of) -> None:
+        try:
+            while not stop.is_set():
+                make_use_of()
+        except BaseException as error:
+            failures.append(error)
+            raise
+
+    def feed_for_a_moment() -> None:
+        reader = participant.create_reader(node, topic, QoS())
+        reader.feed(SampleQueue(10))
+        reader.close()
+
+    def take_for_a_moment() -> None:
+        queue = ReadyQueue()
+        reader = participant.create_reader(node, topic, QoS())
+        reader.notify(queue, 1)
+        reader.take()
+        queue.wait(1_000_000)
+        reader.close()
+
+    def write_for_a_moment() -> None:
+        writer = participant.create_writer(node, topic, QoS(reliability=ReliabilityPolicy.BEST_EFFORT))
+        for _ in range(20):
+            writer.write(DATA)
+        writer.close()
+
+    steady = participant.create_writer(node, topic, QoS())
+    threads = [
+        threading.Thread(target=churn, args=[action])
+        for action in (
+            feed_for_a_moment,
+            take_for_a_moment,
+            write_for_a_moment,
+            lambda: steady.write(DATA),
+            participant.graph.endpoints,
+        )
+    ]
+    end, _ = peer("reader", topic, QoS())
+    for thread in threads:
+        thread.start()
+    stop.wait(STRESS_S)
+    stop.set()
+    for thread in threads:
+        thread.join(30)
+        assert not thread.is_alive()
+    assert not failures
+    wait_until(lambda: steady.write(DATA) or peer("take", end))
+
+
+def test_an_idle_process_takes_no_cpu(participant, start_peer, node, topic, wait_until) -> None:
+    peer = start_peer()
+    end, _ = peer("reader", topic, QoS())
+    writer = participant.create_writer(node, topic, QoS())
+    wait_until(lambda: writer.matched_count() and peer("matched", end))
+    assert peer("cpu_s", 2.0) < 0.02
+
+
+LEAVES_WITHOUT_A_WORD = """
+import sys
+from tfloom._native import ReadyQueue, SampleQueue
+from tfloom.rmw.backends import open_participant
+from tfloom.rmw.base import NodeName, Topic
+from tfloom.rmw.qos import QoS
+participant = open_participant()
+node, topic = NodeName("/", "n"), Topic("/chatter", "std_msgs/msg/String", "")
+participant.add_node(node)
+queue = ReadyQueue()
+ends = [participant.create_reader(node, topic, QoS()) for _ in range(3)]
+ends.append(participant.create_writer(node, topic, QoS()))
+ends[0].feed(SampleQueue(10))
+ends[1].notify(queue, 1)
+participant.graph.notify(queue, 2)
+for _ in range(100):
+    ends[3].write(b"\\0\\1\\0\\0data")
+"""
+
+
+@pytest.mark.parametrize(
+    ("last_line", "code"),
+    [
+        ("", 0),
+        ("sys.exit(3)", 3),
+        ("del participant, ends", 0),
+        ("raise KeyboardInterrupt", -signal.SIGINT),
+        (
+            "import gc; ends[0].me = ends; participant.me = participant; del ends, participant; gc.collect()",
+            0,
+        ),
+    ],
+    ids=["falls off the end", "exits", "deletes all", "is interrupted", "collects garbage"],
+)
+def test_a_process_that_closes_nothing_ends(domain_id, start_program, last_line: str, code: int) -> None:
+    program = start_program("python", "-c", LEAVES_WITHOUT_A_WORD + last_line)
+    assert program.wait(10) == code
+    assert program.lines[-1:] == ([] if code >= 0 else ["KeyboardInterrupt"])
+
+
+FORKS = """
+import os
+pid = os.fork()
+if pid == 0:
+    participant.close()
+    for end in ends:
+        end.close()
+    sys.exit(7)
+_, status = os.waitpid(pid, 0)
+print("child", os.waitstatus_to_exitcode(status))
+ends[3].write(b"\\0\\1\\0\\0data")
+participant.close()
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
+def test_a_forked_child_ends_and_leaves_its_parent_alone(domain_id, start_program) -> None:
+    program = start_program("python", "-c", LEAVES_WITHOUT_A_WORD + FORKS)
+    assert program.wait(10) == 0
+    assert program.output == "child 7"
