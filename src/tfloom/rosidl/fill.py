@@ -1,0 +1,114 @@
+"""Messages from plain values: what a user wrote as YAML on a command line."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from typing import Any
+
+from tfloom.rosidl.message import ARRAY_CODES, Message
+from tfloom.rosidl.parse import parse_type
+from tfloom.rosidl.registry import get_message_class
+from tfloom.rosidl.spec import FLOATS, INTEGER_RANGES, STRINGS, Type
+
+StampSetter = Callable[[Message], None]
+"""Puts a `builtin_interfaces/msg/Time` where a value said `now` or `auto`."""
+
+
+def set_message_fields(
+    msg: Message, values: Any, expand_header_auto: bool = False, expand_time_now: bool = False
+) -> list[StampSetter]:
+    """Set fields of a message from a mapping, nested as the message is.
+
+    Args:
+        msg: The message to change. Fields that `values` doesn't name stay as they are.
+        values: Field names to plain values, which are converted to the field's type where nothing is lost: 1 to
+            1.0, '5' to 5. None leaves `msg` as it is.
+        expand_header_auto: A `std_msgs/msg/Header` may be the word `auto`: its stamp is to be set later.
+        expand_time_now: A `builtin_interfaces/msg/Time` may be the word `now`: it is to be set later.
+
+    Returns:
+        A function for each time to be set later; give it the time of publishing.
+
+    Raises:
+        AttributeError: there is no such field.
+        TypeError, ValueError: a value doesn't fit its field.
+    """
+    setters: list[StampSetter] = []
+    _Filler(setters, auto=expand_header_auto, now=expand_time_now).fill(msg, {} if values is None else values)
+    return setters
+
+
+class _Filler:
+    def __init__(self, setters: list[StampSetter], *, auto: bool, now: bool) -> None:
+        self.setters = setters
+        self.words = {"std_msgs/msg/Header": "auto"} if auto else {}
+        if now:
+            self.words["builtin_interfaces/msg/Time"] = "now"
+
+    def fill(self, msg: Message, values: Any) -> None:
+        if not isinstance(values, Mapping):
+            kind = type(values).__name__
+            raise TypeError(f"Value '{values}' is expected to be a dictionary but is a {kind}")
+        for name, value in values.items():
+            if name not in msg._FIELDS:
+                raise AttributeError(f"'{type(msg).__name__}' object has no attribute '{name}'")
+            self.set(msg, name, parse_type(msg._FIELDS[name]), value)
+
+    def set(self, msg: Message, name: str, type_: Type, value: Any) -> None:
+        if isinstance(value, str) and value == self.words.get(type_.base) and not type_.shape:
+            is_time = value == "now"
+            self.setters.append(
+                partial(setattr, msg if is_time else getattr(msg, name), name if is_time else "stamp")
+            )
+        elif type_.shape:
+            setattr(msg, name, self.array(type_, value))
+        elif type_.is_primitive:
+            setattr(msg, name, _convert(type_, value))
+        elif isinstance(value, Message):
+            setattr(msg, name, value)
+        else:
+            self.fill(getattr(msg, name), value)
+
+    def array(self, type_: Type, values: Any) -> Any:
+        if isinstance(values, (str, Mapping)) or not hasattr(values, "__iter__"):
+            raise TypeError(f"Value '{values}' is expected to be a list but is a {type(values).__name__}")
+        if isinstance(values, (bytes, bytearray)) or hasattr(values, "typecode") or hasattr(values, "dtype"):
+            return values if type_.base in ARRAY_CODES else [_convert(type_.element, each) for each in values]
+        return [self.element(type_.element, each) for each in values]
+
+    def element(self, type_: Type, value: Any) -> Any:
+        if type_.is_primitive:
+            return _convert(type_, value)
+        if isinstance(value, Message):
+            return value
+        message = get_message_class(type_.base)()
+        self.fill(message, value)
+        return message
+
+
+def _convert(type_: Type, value: Any) -> Any:
+    """Convert a plain value where nothing is lost."""
+    if type_.base in FLOATS:
+        return float(value)
+    if type_.base in STRINGS:
+        return str(value)
+    if type_.base == "bool":
+        return _to_bool(value)
+    if type_.base == "byte" and isinstance(value, bytes):
+        return value
+    number = int(value)
+    if isinstance(value, float) and number != value:
+        raise ValueError(f"{value} is no whole number, and the field's type is {type_}")
+    least, greatest = INTEGER_RANGES[type_.base]
+    if not least <= number <= greatest:
+        raise ValueError(f"{number} is outside {type_}'s range [{least}, {greatest}]")
+    return bytes([number]) if type_.base == "byte" else number
+
+
+def _to_bool(value: Any) -> bool:
+    if value in (0, 1):
+        return bool(value)
+    if isinstance(value, str) and value.lower() in {"true", "false"}:
+        return value.lower() == "true"
+    raise ValueError(f"'{value}' is neither true nor false")

@@ -1,0 +1,124 @@
+"""Messages to text as `ros2 topic echo` prints them (YAML and CSV), and from values as `ros2 topic pub` takes them."""
+
+from __future__ import annotations
+
+import sys
+from collections import OrderedDict
+from collections.abc import Iterator
+from typing import Any
+
+from tfloom.rosidl.fill import set_message_fields
+from tfloom.rosidl.idl_names import idl_name
+from tfloom.rosidl.message import Message
+from tfloom.rosidl.parse import parse_type
+from tfloom.rosidl.spec import Type
+
+__all__ = ["message_to_csv", "message_to_ordereddict", "message_to_yaml", "set_message_fields"]
+
+
+def message_to_yaml(
+    msg: Message,
+    *,
+    truncate_length: int | None = None,
+    no_arr: bool = False,
+    no_str: bool = False,
+    flow_style: bool = False,
+) -> str:
+    """Return a message as YAML that ends with a line break.
+
+    Args:
+        msg: The message.
+        truncate_length: Cut arrays and strings after so many elements and put `...` in place of the rest.
+        no_arr: Show the type and length of arrays instead of what is in them.
+        no_str: Show the length of strings instead of what is in them.
+        flow_style: Write arrays on one line, in brackets.
+    """
+    import yaml
+
+    class Dumper(yaml.SafeDumper):
+        """Mappings stand in block style, except inside flow sequences, where YAML knows no blocks."""
+
+    def represent_mapping(dumper: Dumper, mapping: OrderedDict[str, Any]) -> Any:
+        return dumper.represent_mapping("tag:yaml.org,2002:map", list(mapping.items()), flow_style=False)
+
+    Dumper.add_representer(OrderedDict, represent_mapping)
+    values = message_to_ordereddict(msg, truncate_length=truncate_length, no_arr=no_arr, no_str=no_str)
+    text = yaml.dump(
+        values, Dumper=Dumper, allow_unicode=True, width=sys.maxsize, default_flow_style=flow_style
+    )
+    return str(text)
+
+
+def message_to_csv(
+    msg: Message, *, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False
+) -> str:
+    """Return all values of a message, those of nested messages and arrays too, with commas between them.
+
+    The arguments are those of `message_to_yaml`.
+    """
+    values = message_to_ordereddict(msg, truncate_length=truncate_length, no_arr=no_arr, no_str=no_str)
+    return ",".join(str(value) for value in _flatten(values))
+
+
+def message_to_ordereddict(
+    msg: Message, *, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False
+) -> OrderedDict[str, Any]:
+    """Return a message as plain values, field by field: numbers, strings, lists and mappings.
+
+    The arguments are those of `message_to_yaml`.
+    """
+    options = _Options(truncate_length, no_arr=no_arr, no_str=no_str)
+    return options.message(msg)
+
+
+def _flatten(value: Any) -> Iterator[Any]:
+    if isinstance(value, OrderedDict):
+        value = list(value.values())
+    if isinstance(value, list):
+        for each in value:
+            yield from _flatten(each)
+    else:
+        yield value
+
+
+class _Options:
+    def __init__(self, truncate_length: int | None, *, no_arr: bool, no_str: bool) -> None:
+        self.truncate_length = truncate_length
+        self.no_arr = no_arr
+        self.no_str = no_str
+
+    def message(self, msg: Message) -> OrderedDict[str, Any]:
+        return OrderedDict(
+            (name, self.value(getattr(msg, name), parse_type(text))) for name, text in msg._FIELDS.items()
+        )
+
+    def value(self, value: Any, type_: Type) -> Any:
+        if isinstance(value, bytes):
+            value = value.decode("latin-1")
+        if isinstance(value, str):
+            return self.string(value)
+        if type_.shape:
+            return _describe_array(type_, len(value)) if self.no_arr else self.array(value, type_.element)
+        if isinstance(value, Message):
+            return self.message(value)
+        return value.item() if hasattr(value, "item") else value  # a number of numpy's
+
+    def string(self, value: str) -> str:
+        if self.no_str:
+            return f"<string length: <{len(value)}>>"
+        cut = self.truncate_length
+        return value if cut is None or len(value) <= cut else f"{value[:cut]}..."
+
+    def array(self, value: Any, element: Type) -> list[Any]:
+        cut = self.truncate_length
+        kept = value if cut is None or len(value) <= cut else value[:cut]
+        plain = kept.tolist() if hasattr(kept, "tolist") else [self.value(each, element) for each in kept]
+        return [*plain, "..."] if len(kept) < len(value) else plain
+
+
+def _describe_array(type_: Type, length: int) -> str:
+    name = type_.base if not type_.is_primitive else idl_name(Type(type_.base))
+    if type_.shape == "array":
+        return f"<array type: {name}[{type_.length}]>"
+    bound = f"[{type_.length}]" if type_.shape == "bounded" else ""
+    return f"<sequence type: {name}{bound}, length: {length}>"

@@ -1,0 +1,46 @@
+"""What is checked in is what the generator makes of the definitions."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import tfloom.rosidl
+from tfloom.rosidl import generate, spec
+from tfloom.rosidl.parse import parse_interface
+
+HOME = Path(tfloom.rosidl.__file__).parents[1]
+FILES = generate.generate_all()
+
+
+@pytest.mark.parametrize("path", FILES)
+def test_regenerates_without_difference(path: str) -> None:
+    assert (HOME / path).read_text("utf-8") == FILES[path], "run python -m tfloom.rosidl.generate"
+
+
+def test_nothing_is_left_of_old_definitions() -> None:
+    on_disk = {path.relative_to(HOME).as_posix() for path in HOME.glob("interfaces/*/*.py")}
+    assert on_disk == {path for path in FILES if path.startswith("interfaces/")}
+
+
+def test_a_class_that_is_called_like_one_it_uses() -> None:
+    theirs = spec.Message("other_msgs/msg/Shape", ())
+    ours = parse_interface("other_msgs/Shape shape\nShape[2] pair", "my_msgs/msg/Holder")
+    own = spec.Message("my_msgs/msg/Shape", (spec.Field("x", spec.Type("float64")),))
+    specs = {each.name: each for each in (theirs, ours, own) if isinstance(each, spec.Message)}
+    source = generate.generate([ours, own], specs.__getitem__, home="")
+    assert "from other_msgs.msg import Shape as other_msgs_Shape" in source
+    assert "shape: other_msgs_Shape" in source
+    assert "pair: list[Shape]" in source
+    compile(source, "my_msgs", "exec")
+
+
+def test_text_in_comments_and_constants_is_quoted() -> None:
+    text = '# Says """hello""" and \\\nstring A=\'it\\\'s "x" \\\\\'\nfloat64 x 1.5 # ends with "\nbyte B=7'
+    message = parse_interface(text, "my_msgs/msg/Quotes")
+    assert isinstance(message, spec.Message)
+    namespace: dict[str, object] = {}
+    exec(generate.generate([message], {message.name: message}.__getitem__), namespace)
+    quotes = namespace["Quotes"]
+    assert (quotes.A, quotes.B, quotes().x) == ('it\'s "x" \\', b"\x07", 1.5)
