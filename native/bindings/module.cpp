@@ -6,4 +6,5 @@ NB_MODULE(_native, m) {
   tfloom::bindings::bind_core(m);
   tfloom::bindings::bind_dds(m);
   tfloom::bindings::bind_cdr(m);
+  tfloom::bindings::bind_tf2(m);
 }

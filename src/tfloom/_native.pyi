@@ -1,5 +1,6 @@
 """The compiled core of tfloom: numbers, ids and bytes."""
 
+from collections.abc import Callable, Sequence
 from typing import Any
 
 
@@ -176,3 +177,165 @@ def set_message_hooks(compile: object, convert: object, check: object, check_nam
     """
     Say how classes are compiled, arrays converted and fields checked, and which errors the codec raises.
     """
+
+class StampedTransform:
+    """A lookup's answer: target_from_source at a time."""
+
+    @property
+    def stamp_ns(self) -> int:
+        """Time [ns since epoch]."""
+
+    @property
+    def frame_id(self) -> str:
+        """The target frame: data that went through the transform is in it."""
+
+    @property
+    def child_frame_id(self) -> str:
+        """The source frame."""
+
+    @property
+    def translation(self) -> tuple[float, float, float]:
+        """Where the source frame's origin is in the target frame [m]."""
+
+    @property
+    def rotation_xyzw(self) -> tuple[float, float, float, float]:
+        """Unit quaternion x, y, z, w."""
+
+    def __repr__(self) -> str: ...
+
+class Buffer:
+    """A tree of frames over time; see `tfloom.tf2.buffer.Buffer`."""
+
+    def __init__(self, cache_time_ns: int | None = 10000000000) -> None:
+        """Make an empty buffer; see `cache_time_ns`."""
+
+    def lookup(self, target_frame: str, source_frame: str, stamp_ns: int = 0) -> StampedTransform:
+        """
+        Return target_from_source: the transform that takes data in `source_frame` into `target_frame`.
+
+        Between two stored stamps, translation is interpolated linearly and rotation by slerp.
+
+        Args:
+            target_frame: Frame to express the data in.
+            source_frame: Frame the data is in now.
+            stamp_ns: Time of the transform [ns since epoch]; 0 is the newest time at which the whole chain is known.
+
+        Returns:
+            Translation [m] and unit quaternion (x, y, z, w), stamped with the time used.
+
+        Raises:
+            LookupException: a frame has never been heard of, or the chain is a loop.
+            ConnectivityException: the two frames are in different trees.
+            ExtrapolationException: `stamp_ns` lies outside the stored history.
+            InvalidArgumentException: a frame's name is empty or starts with a slash.
+        """
+
+    def lookup_full(self, target_frame: str, target_stamp_ns: int, source_frame: str, source_stamp_ns: int, fixed_frame: str) -> StampedTransform:
+        """
+        Return target_from_source across time: the source at its stamp, by way of `fixed_frame`, which is taken not to move, into the target at its own.
+
+        The answer has the target's stamp. Raises as `lookup` does.
+        """
+
+    def can(self, target_frame: str, source_frame: str, stamp_ns: int = 0) -> bool:
+        """Return whether `lookup` with the same arguments would have an answer."""
+
+    def can_full(self, target_frame: str, target_stamp_ns: int, source_frame: str, source_stamp_ns: int, fixed_frame: str) -> bool:
+        """
+        Return whether `lookup_full` with the same arguments would have an answer.
+        """
+
+    def find_obstacle(self, target_frame: str, source_frame: str, stamp_ns: int = 0) -> str | None:
+        """Return why `can` is false, in tf2's words, or None."""
+
+    def find_obstacle_full(self, target_frame: str, target_stamp_ns: int, source_frame: str, source_stamp_ns: int, fixed_frame: str) -> str | None:
+        """Return why `can_full` is false, in tf2's words, or None."""
+
+    def latest_common_time(self, target_frame: str, source_frame: str) -> int:
+        """
+        Return the newest time at which the whole chain is known [ns since epoch]; 0 if all of it is static.
+
+        Raises LookupException, ConnectivityException or InvalidArgumentException as `lookup` does.
+        """
+
+    def wait(self, target_frame: str, source_frame: str, stamp_ns: int = 0, *, timeout_s: float) -> bool:
+        """
+        Wait until `lookup` has an answer: True. False after `timeout_s`, or as soon as it's clear that none will come, as the stamp is older than all that the cache keeps or a name is invalid.
+
+        Wakes within a millisecond of the transform that was missing. Releases the GIL; signal handlers run, and what they raise is raised here.
+        """
+
+    def wait_full(self, target_frame: str, target_stamp_ns: int, source_frame: str, source_stamp_ns: int, fixed_frame: str, *, timeout_s: float) -> bool:
+        """Wait until `lookup_full` has an answer; see `wait`."""
+
+    def add_request(self, target_frame: str, source_frame: str, stamp_ns: int, callback: Callable) -> int | None:
+        """
+        Ask to be called when `lookup` has an answer.
+
+        `callback(handle, is_available)` is called once, on the thread that stored the transform; with False when the stamp has become older than the cache keeps.
+
+        Returns the request's handle; 0 if there is an answer now, and None if there can never be one: then nothing is called.
+        """
+
+    def add_request_full(self, target_frame: str, target_stamp_ns: int, source_frame: str, source_stamp_ns: int, fixed_frame: str, callback: Callable) -> int | None:
+        """Ask to be called when `lookup_full` has an answer; see `add_request`."""
+
+    def cancel_request(self, handle: int) -> bool:
+        """Forget a request. Returns False if it has been answered, or never was."""
+
+    def set(self, frame_id: str, child_frame_id: str, stamp_ns: int, translation: Sequence[float], rotation_xyzw: Sequence[float], authority: str = '', static: bool = False) -> bool:
+        """
+        Store parent_from_child at a time, or for all times if `static`.
+
+        Args:
+            frame_id: The parent frame; one leading slash is dropped, here and from the child.
+            child_frame_id: The child frame.
+            stamp_ns: When it was so [ns since epoch].
+            translation: x, y, z of the child's origin in the parent [m].
+            rotation_xyzw: Quaternion of any length but zero; it's stored with length one.
+            authority: Who says so; the listings print it.
+            static: Whether it holds at all times.
+
+        Returns:
+            False if it was rejected: a name is missing, both are the same, a number is NaN, the quaternion is zero, or it's older than the cache keeps. The reason goes to the log callback.
+        """
+
+    def clear(self) -> None:
+        """
+        Forget the history of all moving frames. Static transforms and frames' names stay.
+        """
+
+    @property
+    def cache_time_ns(self) -> int | None:
+        """
+        How far back each frame's history reaches from its newest sample [ns]; None: without limit.
+        """
+
+    def set_log_callback(self, callback: Callable | None) -> None:
+        """
+        Set who is told of rejected data: `callback(severity, text)`, severity as in Python's logging.
+
+        It's called on the thread that brought the data, at most once a second for each frame and kind of trouble; the line then says how many were held back. None: nobody.
+        """
+
+    def frame_names(self) -> list[str]:
+        """Return the names of all frames, in order of first mention."""
+
+    def has_frame(self, frame_id: str) -> bool:
+        """Return whether a frame has been heard of."""
+
+    def branches(self, target_frame: str, source_frame: str, stamp_ns: int = 0) -> tuple[list[str], list[str]]:
+        """
+        Return the frames that a lookup passes: the target's branch and the source's, each from the bottom up to below where they meet. Raises as `lookup` does.
+        """
+
+    def all_frames_as_string(self) -> str:
+        """Return a line for each frame with a parent."""
+
+    def all_frames_as_yaml(self, now_s: float = 0.0) -> str:
+        """
+        Return each frame's parent, broadcaster, rate and times as YAML; with its delay if `now_s` is given.
+        """
+
+    def all_frames_as_dot(self, now_s: float = 0.0) -> str:
+        """Return the tree in graphviz's language."""

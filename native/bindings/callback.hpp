@@ -1,0 +1,46 @@
+// A Python callable that C++ may copy, call and drop on any thread.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+#include <memory>
+#include <utility>
+
+namespace tfloom::bindings {
+
+inline bool python_is_ending() {
+#if PY_VERSION_HEX >= 0x030D0000
+  return !Py_IsInitialized() || Py_IsFinalizing();
+#else
+  return !Py_IsInitialized() || _Py_IsFinalizing();
+#endif
+}
+
+class Callback {
+ public:
+  explicit Callback(nanobind::callable callable)
+      : callable_(callable.release().ptr(), [](PyObject* object) {
+          if (python_is_ending()) return;
+          const nanobind::gil_scoped_acquire gil;
+          Py_DECREF(object);
+        }) {}
+
+  // What the callable raises is reported as unraisable: there's no caller who could take it.
+  template <class... Args>
+  void operator()(Args&&... args) const {
+    if (python_is_ending()) return;
+    const nanobind::gil_scoped_acquire gil;
+    const nanobind::handle callable(callable_.get());
+    try {
+      callable(std::forward<Args>(args)...);
+    } catch (nanobind::python_error& error) {
+      error.restore();
+      PyErr_WriteUnraisable(callable.ptr());
+    }
+  }
+
+ private:
+  std::shared_ptr<PyObject> callable_;
+};
+
+}  // namespace tfloom::bindings

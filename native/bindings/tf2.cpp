@@ -1,0 +1,367 @@
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "bindings/bindings.hpp"
+#include "bindings/callback.hpp"
+#include "bindings/tf2_arguments.hpp"
+#include "tf2/buffer.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace tfloom::bindings {
+
+nb::object exception_of(const tf2::Error& error) {
+  static constexpr std::array names{"TransformException",        "LookupException",
+                                    "ConnectivityException",     "ExtrapolationException",
+                                    "InvalidArgumentException",  "TimeoutException",
+                                    "TransformException",        "BackwardExtrapolationException",
+                                    "ForwardExtrapolationException", "NoDataForExtrapolationException"};
+  const nb::object type = nb::module_::import_("tfloom.tf2.errors").attr(names[static_cast<std::size_t>(error.code)]);
+  nb::object exception = type(error.text);
+  if (!error.frame.empty()) exception.attr("frame_id") = error.frame;
+  if (error.is_extrapolation()) {
+    exception.attr("requested_ns") = error.requested;
+    if (error.newest != 0 || error.oldest != 0) {
+      exception.attr("oldest_ns") = error.oldest;
+      exception.attr("newest_ns") = error.newest;
+    }
+  }
+  return exception;
+}
+
+void raise(const tf2::Error& error) {
+  const nb::object exception = exception_of(error);
+  PyErr_SetObject(exception.type().ptr(), exception.ptr());
+  throw nb::python_error();
+}
+
+namespace {
+
+using tf2::Query;
+
+// What Python holds; a sink on another thread holds the same buffer without Python.
+struct BufferHandle {
+  std::shared_ptr<tf2::Buffer> buffer;
+};
+
+// A lookup's answer. The names are the caller's own str objects.
+struct Answer {
+  nb::object frame_id, child_frame_id;
+  tf2::StampedTransform transform;
+};
+
+nb::tuple translation_of(const Answer& answer) {
+  const auto& p = answer.transform.value.translation;
+  return nb::make_tuple(p.x, p.y, p.z);
+}
+
+nb::tuple rotation_of(const Answer& answer) {
+  const auto& q = answer.transform.value.rotation;
+  return nb::make_tuple(q.x, q.y, q.z, q.w);
+}
+
+Answer answer_or_raise(const tf2::Result<tf2::StampedTransform>& result, const NameArgument& target,
+                       const NameArgument& source) {
+  if (!result) raise(result.error());
+  return {nb::borrow(target.object), nb::borrow(source.object), *result};
+}
+
+Query full(const NameArgument& target, StampArgument target_stamp, const NameArgument& source,
+           StampArgument source_stamp, const NameArgument& fixed) {
+  return {target.text, source.text, target_stamp.value, source_stamp.value, fixed.text};
+}
+
+Query simple(const NameArgument& target, const NameArgument& source, StampArgument stamp) {
+  return Query::at(target.text, source.text, stamp.value);
+}
+
+std::optional<std::string> reason(const tf2::Error& error) {
+  if (error.code == tf2::Code::ok) return std::nullopt;
+  return error.text;
+}
+
+std::chrono::steady_clock::time_point deadline_after(double timeout_s) {
+  using Clock = std::chrono::steady_clock;
+  constexpr double longest_s = 1e9;  // some thirty years: for ever
+  if (std::isnan(timeout_s)) throw nb::value_error("timeout_s must be a number of seconds, not NaN");
+  const std::chrono::duration<double> timeout(std::clamp(timeout_s, 0.0, longest_s));
+  return Clock::now() + std::chrono::duration_cast<Clock::duration>(timeout);
+}
+
+bool wait(const tf2::Buffer& buffer, const Query& query, double timeout_s) {
+  const auto deadline = deadline_after(timeout_s);
+  for (;;) {
+    tf2::Buffer::Waited waited;
+    {
+      const nb::gil_scoped_release release;
+      waited = buffer.wait(query, deadline, std::chrono::milliseconds(50));
+    }
+    if (waited != tf2::Buffer::Waited::interrupted) return waited == tf2::Buffer::Waited::yes;
+    if (PyErr_CheckSignals() != 0) throw nb::python_error();
+  }
+}
+
+tf2::Requests::Callback request_callback(nb::callable callable) {
+  return [callback = Callback(std::move(callable))](tf2::Requests::Handle handle, tf2::Requests::Outcome outcome) {
+    callback(handle, outcome == tf2::Requests::Outcome::available);
+  };
+}
+
+std::optional<tf2::Requests::Handle> pending(tf2::Requests::Handle handle) {
+  if (handle == tf2::Requests::never) return std::nullopt;
+  return handle;
+}
+
+void bind_answer(nb::module_& m) {
+  nb::class_<Answer>(m, "StampedTransform", "A lookup's answer: target_from_source at a time.")
+      .def_prop_ro("stamp_ns", [](const Answer& a) { return a.transform.stamp; }, "Time [ns since epoch].")
+      .def_prop_ro("frame_id", [](const Answer& a) { return nb::borrow<nb::str>(a.frame_id); },
+                   "The target frame: data that went through the transform is in it.")
+      .def_prop_ro("child_frame_id", [](const Answer& a) { return nb::borrow<nb::str>(a.child_frame_id); },
+                   "The source frame.")
+      .def_prop_ro("translation", &translation_of,
+                   nb::sig("def translation(self) -> tuple[float, float, float]"),
+                   "Where the source frame's origin is in the target frame [m].")
+      .def_prop_ro("rotation_xyzw", &rotation_of,
+                   nb::sig("def rotation_xyzw(self) -> tuple[float, float, float, float]"),
+                   "Unit quaternion x, y, z, w.")
+      .def("__repr__", [](const Answer& a) {
+        return nb::str("StampedTransform({!r} from {!r}, stamp_ns={}, translation={}, rotation_xyzw={})")
+            .format(a.frame_id, a.child_frame_id, a.transform.stamp, translation_of(a), rotation_of(a));
+      });
+}
+
+void bind_queries(nb::class_<BufferHandle>& type) {
+  type.def(
+          "lookup",
+          [](const BufferHandle& self, const NameArgument& target, const NameArgument& source, StampArgument stamp) {
+            return answer_or_raise(self.buffer->lookup(simple(target, source, stamp)), target, source);
+          },
+          "target_frame"_a, "source_frame"_a, "stamp_ns"_a = 0,
+          "Return target_from_source: the transform that takes data in `source_frame` into `target_frame`.\n\n"
+          "Between two stored stamps, translation is interpolated linearly and rotation by slerp.\n\n"
+          "Args:\n"
+          "    target_frame: Frame to express the data in.\n"
+          "    source_frame: Frame the data is in now.\n"
+          "    stamp_ns: Time of the transform [ns since epoch]; 0 is the newest time at which the whole chain is "
+          "known.\n\n"
+          "Returns:\n"
+          "    Translation [m] and unit quaternion (x, y, z, w), stamped with the time used.\n\n"
+          "Raises:\n"
+          "    LookupException: a frame has never been heard of, or the chain is a loop.\n"
+          "    ConnectivityException: the two frames are in different trees.\n"
+          "    ExtrapolationException: `stamp_ns` lies outside the stored history.\n"
+          "    InvalidArgumentException: a frame's name is empty or starts with a slash.")
+      .def(
+          "lookup_full",
+          [](const BufferHandle& self, const NameArgument& target, StampArgument target_stamp,
+             const NameArgument& source, StampArgument source_stamp, const NameArgument& fixed) {
+            return answer_or_raise(self.buffer->lookup(full(target, target_stamp, source, source_stamp, fixed)),
+                                   target, source);
+          },
+          "target_frame"_a, "target_stamp_ns"_a, "source_frame"_a, "source_stamp_ns"_a, "fixed_frame"_a,
+          "Return target_from_source across time: the source at its stamp, by way of `fixed_frame`, which is taken "
+          "not to move, into the target at its own.\n\n"
+          "The answer has the target's stamp. Raises as `lookup` does.")
+      .def(
+          "can",
+          [](const BufferHandle& self, const NameArgument& target, const NameArgument& source, StampArgument stamp) {
+            return self.buffer->can(simple(target, source, stamp));
+          },
+          "target_frame"_a, "source_frame"_a, "stamp_ns"_a = 0,
+          "Return whether `lookup` with the same arguments would have an answer.")
+      .def(
+          "can_full",
+          [](const BufferHandle& self, const NameArgument& target, StampArgument target_stamp,
+             const NameArgument& source, StampArgument source_stamp, const NameArgument& fixed) {
+            return self.buffer->can(full(target, target_stamp, source, source_stamp, fixed));
+          },
+          "target_frame"_a, "target_stamp_ns"_a, "source_frame"_a, "source_stamp_ns"_a, "fixed_frame"_a,
+          "Return whether `lookup_full` with the same arguments would have an answer.")
+      .def(
+          "find_obstacle",
+          [](const BufferHandle& self, const NameArgument& target, const NameArgument& source, StampArgument stamp) {
+            return reason(self.buffer->why_not(simple(target, source, stamp)));
+          },
+          "target_frame"_a, "source_frame"_a, "stamp_ns"_a = 0,
+          "Return why `can` is false, in tf2's words, or None.")
+      .def(
+          "find_obstacle_full",
+          [](const BufferHandle& self, const NameArgument& target, StampArgument target_stamp,
+             const NameArgument& source, StampArgument source_stamp, const NameArgument& fixed) {
+            return reason(self.buffer->why_not(full(target, target_stamp, source, source_stamp, fixed)));
+          },
+          "target_frame"_a, "target_stamp_ns"_a, "source_frame"_a, "source_stamp_ns"_a, "fixed_frame"_a,
+          "Return why `can_full` is false, in tf2's words, or None.")
+      .def(
+          "latest_common_time",
+          [](const BufferHandle& self, const NameArgument& target, const NameArgument& source) {
+            const auto result = self.buffer->latest_common_time(target.text, source.text);
+            if (!result) raise(result.error());
+            return *result;
+          },
+          "target_frame"_a, "source_frame"_a,
+          "Return the newest time at which the whole chain is known [ns since epoch]; 0 if all of it is static.\n\n"
+          "Raises LookupException, ConnectivityException or InvalidArgumentException as `lookup` does.");
+}
+
+void bind_waiting(nb::class_<BufferHandle>& type) {
+  type.def(
+          "wait",
+          [](const BufferHandle& self, const NameArgument& target, const NameArgument& source, StampArgument stamp,
+             double timeout_s) { return wait(*self.buffer, simple(target, source, stamp), timeout_s); },
+          "target_frame"_a, "source_frame"_a, "stamp_ns"_a = 0, nb::kw_only(), "timeout_s"_a,
+          "Wait until `lookup` has an answer: True. False after `timeout_s`, or as soon as it's clear that none will "
+          "come, as the stamp is older than all that the cache keeps or a name is invalid.\n\n"
+          "Wakes within a millisecond of the transform that was missing. Releases the GIL; signal handlers run, and "
+          "what they raise is raised here.")
+      .def(
+          "wait_full",
+          [](const BufferHandle& self, const NameArgument& target, StampArgument target_stamp,
+             const NameArgument& source, StampArgument source_stamp, const NameArgument& fixed, double timeout_s) {
+            return wait(*self.buffer, full(target, target_stamp, source, source_stamp, fixed), timeout_s);
+          },
+          "target_frame"_a, "target_stamp_ns"_a, "source_frame"_a, "source_stamp_ns"_a, "fixed_frame"_a,
+          nb::kw_only(), "timeout_s"_a, "Wait until `lookup_full` has an answer; see `wait`.")
+      .def(
+          "add_request",
+          [](BufferHandle& self, const NameArgument& target, const NameArgument& source, StampArgument stamp,
+             nb::callable callback) {
+            return pending(self.buffer->add_request(simple(target, source, stamp), request_callback(callback)));
+          },
+          "target_frame"_a, "source_frame"_a, "stamp_ns"_a, "callback"_a,
+          "Ask to be called when `lookup` has an answer.\n\n"
+          "`callback(handle, is_available)` is called once, on the thread that stored the transform; with False when "
+          "the stamp has become older than the cache keeps.\n\n"
+          "Returns the request's handle; 0 if there is an answer now, and None if there can never be one: then "
+          "nothing is called.")
+      .def(
+          "add_request_full",
+          [](BufferHandle& self, const NameArgument& target, StampArgument target_stamp, const NameArgument& source,
+             StampArgument source_stamp, const NameArgument& fixed, nb::callable callback) {
+            const Query query = full(target, target_stamp, source, source_stamp, fixed);
+            return pending(self.buffer->add_request(query, request_callback(callback)));
+          },
+          "target_frame"_a, "target_stamp_ns"_a, "source_frame"_a, "source_stamp_ns"_a, "fixed_frame"_a,
+          "callback"_a, "Ask to be called when `lookup_full` has an answer; see `add_request`.")
+      .def(
+          "cancel_request",
+          [](BufferHandle& self, tf2::Requests::Handle handle) { return self.buffer->cancel_request(handle); },
+          "handle"_a, "Forget a request. Returns False if it has been answered, or never was.");
+}
+
+void bind_contents(nb::class_<BufferHandle>& type) {
+  type.def(
+          "set",
+          [](BufferHandle& self, const NameArgument& frame_id, const NameArgument& child_frame_id, StampArgument stamp,
+             const std::array<double, 3>& p, const std::array<double, 4>& q, const NameArgument& authority,
+             bool is_static) {
+            const tf2::Entry entry{frame_id.text,
+                                   child_frame_id.text,
+                                   stamp.value,
+                                   {{p[0], p[1], p[2]}, {q[0], q[1], q[2], q[3]}}};
+            return self.buffer->set({&entry, 1}, authority.text, is_static) == 1;
+          },
+          "frame_id"_a, "child_frame_id"_a, "stamp_ns"_a, "translation"_a, "rotation_xyzw"_a,
+          "authority"_a = "", "static"_a = false,
+          "Store parent_from_child at a time, or for all times if `static`.\n\n"
+          "Args:\n"
+          "    frame_id: The parent frame; one leading slash is dropped, here and from the child.\n"
+          "    child_frame_id: The child frame.\n"
+          "    stamp_ns: When it was so [ns since epoch].\n"
+          "    translation: x, y, z of the child's origin in the parent [m].\n"
+          "    rotation_xyzw: Quaternion of any length but zero; it's stored with length one.\n"
+          "    authority: Who says so; the listings print it.\n"
+          "    static: Whether it holds at all times.\n\n"
+          "Returns:\n"
+          "    False if it was rejected: a name is missing, both are the same, a number is NaN, the quaternion is "
+          "zero, or it's older than the cache keeps. The reason goes to the log callback.")
+      .def(
+          "clear", [](BufferHandle& self) { self.buffer->clear(); }, nb::call_guard<nb::gil_scoped_release>(),
+          "Forget the history of all moving frames. Static transforms and frames' names stay.")
+      .def_prop_ro(
+          "cache_time_ns",
+          [](const BufferHandle& self) -> std::optional<tf2::Stamp> {
+            if (self.buffer->cache_time() == tf2::unlimited) return std::nullopt;
+            return self.buffer->cache_time();
+          },
+          "How far back each frame's history reaches from its newest sample [ns]; None: without limit.")
+      .def(
+          "set_log_callback",
+          [](BufferHandle& self, std::optional<nb::callable> callback) {
+            if (!callback) return self.buffer->set_log_callback({});
+            self.buffer->set_log_callback([log = Callback(*callback)](tf2::Severity severity, const std::string& text) {
+              log(static_cast<int>(severity), text);
+            });
+          },
+          "callback"_a.none(),
+          "Set who is told of rejected data: `callback(severity, text)`, severity as in Python's logging.\n\n"
+          "It's called on the thread that brought the data, at most once a second for each frame and kind of "
+          "trouble; the line then says how many were held back. None: nobody.");
+}
+
+void bind_listings(nb::class_<BufferHandle>& type) {
+  type.def(
+          "frame_names", [](const BufferHandle& self) { return self.buffer->frame_names(); },
+          "Return the names of all frames, in order of first mention.")
+      .def(
+          "has_frame", [](const BufferHandle& self, const NameArgument& name) { return self.buffer->has_frame(name.text); },
+          "frame_id"_a, "Return whether a frame has been heard of.")
+      .def(
+          "branches",
+          [](const BufferHandle& self, const NameArgument& target, const NameArgument& source, StampArgument stamp) {
+            const auto result = self.buffer->branches(target.text, source.text, stamp.value);
+            if (!result) raise(result.error());
+            return nb::make_tuple(result->target, result->source);
+          },
+          "target_frame"_a, "source_frame"_a, "stamp_ns"_a = 0,
+          nb::sig("def branches(self, target_frame: str, source_frame: str, stamp_ns: int = 0) -> tuple[list[str], "
+                  "list[str]]"),
+          "Return the frames that a lookup passes: the target's branch and the source's, each from the bottom up to "
+          "below where they meet. Raises as `lookup` does.")
+      .def(
+          "all_frames_as_string", [](const BufferHandle& self) { return self.buffer->all_frames_as_string(); },
+          nb::call_guard<nb::gil_scoped_release>(), "Return a line for each frame with a parent.")
+      .def(
+          "all_frames_as_yaml",
+          [](const BufferHandle& self, double now_s) { return self.buffer->all_frames_as_yaml(now_s); },
+          "now_s"_a = 0.0, nb::call_guard<nb::gil_scoped_release>(),
+          "Return each frame's parent, broadcaster, rate and times as YAML; with its delay if `now_s` is given.")
+      .def(
+          "all_frames_as_dot",
+          [](const BufferHandle& self, double now_s) { return self.buffer->all_frames_as_dot(now_s); },
+          "now_s"_a = 0.0, nb::call_guard<nb::gil_scoped_release>(), "Return the tree in graphviz's language.");
+}
+
+}  // namespace
+
+void bind_tf2(nb::module_& m) {
+  bind_answer(m);
+  nb::class_<BufferHandle> type(m, "Buffer", "A tree of frames over time; see `tfloom.tf2.buffer.Buffer`.");
+  type.def(
+      "__init__",
+      [](BufferHandle* self, std::optional<StampArgument> cache_time) {
+        const tf2::Stamp limit = cache_time ? cache_time->value : tf2::unlimited;
+        if (limit < 0) throw nb::value_error("cache_time_ns must not be negative");
+        new (self) BufferHandle{std::make_shared<tf2::Buffer>(limit)};
+      },
+      "cache_time_ns"_a.none() = tf2::Buffer::default_cache_time,
+      "Make an empty buffer; see `cache_time_ns`.");
+  bind_queries(type);
+  bind_waiting(type);
+  bind_contents(type);
+  bind_listings(type);
+}
+
+}  // namespace tfloom::bindings

@@ -1,0 +1,271 @@
+#include "tf2/buffer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tf2/text.hpp"
+
+namespace tfloom::tf2 {
+namespace {
+
+std::string_view without_slash(std::string_view name) {
+  if (name.starts_with('/')) name.remove_prefix(1);
+  return name;
+}
+
+bool has_nan(const Transform& t) {
+  // The sum is NaN if one of them is; infinities of both signs make one too, so look closer then.
+  const auto& [p, q] = t;
+  if (!std::isnan(p.x + p.y + p.z + q.x + q.y + q.z + q.w)) return false;
+  return std::isnan(p.x) || std::isnan(p.y) || std::isnan(p.z) || std::isnan(q.x) || std::isnan(q.y) ||
+         std::isnan(q.z) || std::isnan(q.w);
+}
+
+bool is_unit(const Quaternion& q) {
+  constexpr double tolerance = 0.01;
+  return std::abs(dot(q, q) - 1.0) < tolerance;
+}
+
+// Composes the links of both branches while they're walked.
+struct Composer {
+  Transform top_from_source, top_from_target;
+
+  void source(FrameId, const Bracket& link) { top_from_source = link.value() * top_from_source; }
+  void target(FrameId, const Bracket& link) { top_from_target = link.value() * top_from_target; }
+  void forget_source() { top_from_source = {}; }
+
+  [[nodiscard]] Transform target_from_source() const {
+    Transform result = inverse(top_from_target) * top_from_source;
+    result.rotation = canonical(result.rotation);
+    return result;
+  }
+};
+
+struct Prober {
+  void source(FrameId, const Bracket&) {}
+  void target(FrameId, const Bracket&) {}
+  void forget_source() {}
+};
+
+struct Namer {
+  const FrameTable& frames;
+  Branches branches{};
+
+  void source(FrameId id, const Bracket&) { branches.source.push_back(frames[id].name); }
+  void target(FrameId id, const Bracket&) { branches.target.push_back(frames[id].name); }
+  void forget_source() { branches.source.clear(); }
+};
+
+}  // namespace
+
+std::size_t Buffer::set(std::span<const Entry> entries, std::string_view authority, bool is_static) {
+  std::size_t stored = 0;
+  std::vector<Rejection> rejections;
+  {
+    const std::unique_lock lock(frames_mutex_);
+    for (const Entry& entry : entries) stored += insert(entry, authority, is_static, rejections) ? 1 : 0;
+  }
+  for (const Rejection& rejection : rejections) report(rejection, authority);
+  if (stored > 0) announce();
+  return stored;
+}
+
+bool Buffer::insert(Entry entry, std::string_view authority, bool is_static, std::vector<Rejection>& rejections) {
+  entry.frame_id = without_slash(entry.frame_id);
+  entry.child_frame_id = without_slash(entry.child_frame_id);
+  entry.value.rotation = canonical(entry.value.rotation);
+  const std::size_t before = rejections.size();
+  const auto reject_if = [&](bool is_so, Problem problem) {
+    if (is_so) rejections.push_back({entry, problem});
+  };
+  reject_if(entry.child_frame_id == entry.frame_id, Problem::self);
+  reject_if(entry.child_frame_id.empty(), Problem::child_unset);
+  reject_if(entry.frame_id.empty(), Problem::parent_unset);
+  reject_if(has_nan(entry.value), Problem::nan);
+  reject_if(!is_unit(entry.value.rotation), Problem::denormalized);
+  if (rejections.size() > before) return false;
+
+  const FrameId child = frames_.intern(entry.child_frame_id);  // the child first: names are listed in this order
+  const FrameId parent = frames_.intern(entry.frame_id);
+  Frame& frame = frames_[child];
+  if (!frame.insert({entry.stamp, parent, entry.value}, is_static, cache_time_)) {
+    rejections.push_back({entry, Problem::old});
+    return false;
+  }
+  if (frame.authority != authority) frame.authority = authority;
+  return true;
+}
+
+void Buffer::report(const Rejection& rejection, std::string_view authority) {
+  const std::string_view child = rejection.entry.child_frame_id;
+  const auto& [p, q] = rejection.entry.value;
+  const std::string position = join("(", fixed(p.x, 6), " ", fixed(p.y, 6), " ", fixed(p.z, 6), ")");
+  const std::string rotation =
+      join("(", fixed(q.x, 6), " ", fixed(q.y, 6), " ", fixed(q.z, 6), " ", fixed(q.w, 6), ")");
+  const auto error = [&](std::string_view topic, const auto&... reason) {
+    log_.report(Severity::error, topic, child, join(topic, ": Ignoring transform ", reason...));
+  };
+  switch (rejection.problem) {
+    case Problem::self:
+      return error("TF_SELF_TRANSFORM", "from authority \"", authority, "\" with frame_id and  child_frame_id \"",
+                   child, "\" because they are the same");
+    case Problem::child_unset:
+      return error("TF_NO_CHILD_FRAME_ID", "from authority \"", authority, "\" because child_frame_id not set ");
+    case Problem::parent_unset:
+      return error("TF_NO_FRAME_ID", "with child_frame_id \"", child, "\"  from authority \"", authority,
+                   "\" because frame_id not set");
+    case Problem::nan:
+      return error("TF_NAN_INPUT", "for child_frame_id \"", child, "\" from authority \"", authority,
+                   "\" because of a nan value in the transform ", position, " ", rotation);
+    case Problem::denormalized:
+      return error("TF_DENORMALIZED_QUATERNION", "for child_frame_id \"", child, "\" from authority \"", authority,
+                   "\" because of an invalid quaternion in the transform ", rotation);
+    case Problem::old:
+      return log_.report(Severity::warn, "TF_OLD_DATA", child,
+                         join("TF_OLD_DATA ignoring data from the past for frame ", child, " at time ",
+                              time_text(rejection.entry.stamp), " according to authority ", authority,
+                              "\nPossible reasons are listed at http://wiki.ros.org/tf/Errors%20explained"));
+  }
+}
+
+void Buffer::clear() {
+  const std::unique_lock lock(frames_mutex_);
+  for (FrameId id = 0; id < frames_.size(); ++id) {
+    if (frames_[id].history) frames_[id].history->clear();
+  }
+}
+
+std::optional<FrameId> Buffer::find_frame(std::string_view name) const {
+  const auto id = frames_.find(name);
+  return id == no_parent ? std::nullopt : id;
+}
+
+bool Buffer::resolve(const Query& query, Ids& ids) const {
+  const auto target = find_frame(query.target), source = find_frame(query.source);
+  const auto fixed = query.fixed ? find_frame(*query.fixed) : target;
+  if (!target || !source || !fixed) return false;
+  ids = {*target, *source, *fixed};
+  // A stored "//a" is known as "/a", and yet nobody may ask for it.
+  return !query.target.starts_with('/') && !query.source.starts_with('/') &&
+         !(query.fixed && query.fixed->starts_with('/'));
+}
+
+Failure Buffer::lookup_at(FrameId target, FrameId source, Stamp stamp, StampedTransform& out) const {
+  if (target == source) {
+    out = {stamp == latest ? frames_[target].newest_stamp() : stamp, {}};
+    return {};
+  }
+  if (stamp == latest) {
+    const CommonTime common = tf2::latest_common_time(frames_, target, source);
+    if (common.failure) return common.failure;
+    stamp = common.stamp;
+  }
+  Composer composer;
+  const Failure failure = walk(frames_, target, source, stamp, composer);
+  if (!failure) out = {stamp, composer.target_from_source()};
+  return failure;
+}
+
+Failure Buffer::check_at(FrameId target, FrameId source, Stamp stamp) const {
+  if (target == source) return {};
+  if (stamp == latest) {
+    const CommonTime common = tf2::latest_common_time(frames_, target, source);
+    if (common.failure) return common.failure;
+    stamp = common.stamp;
+  }
+  Prober prober;
+  return walk(frames_, target, source, stamp, prober);
+}
+
+Result<StampedTransform> Buffer::lookup(const Query& query) const {
+  const Reading lock(frames_mutex_);
+  if (!query.fixed && query.target == query.source) {
+    const auto id = find_frame(query.target);
+    const Stamp newest = id ? frames_[*id].newest_stamp() : 0;
+    return StampedTransform{query.target_stamp == latest ? newest : query.target_stamp, {}};
+  }
+  Ids ids;
+  if (!resolve(query, ids)) return name_error(query, Phrase::lookup);
+  StampedTransform result;
+  if (!query.fixed) {
+    if (const Failure failure = lookup_at(ids.target, ids.source, query.target_stamp, result)) {
+      return error_of(failure, ids.target, ids.source);
+    }
+    return result;
+  }
+  StampedTransform fixed_from_source;
+  if (const Failure failure = lookup_at(ids.fixed, ids.source, query.source_stamp, fixed_from_source)) {
+    return error_of(failure, ids.fixed, ids.source);
+  }
+  if (const Failure failure = lookup_at(ids.target, ids.fixed, query.target_stamp, result)) {
+    return error_of(failure, ids.target, ids.fixed);
+  }
+  result.value = result.value * fixed_from_source.value;
+  result.value.rotation = canonical(result.value.rotation);
+  return result;
+}
+
+Error Buffer::find_error(const Query& query, const Ids& ids) const {
+  if (!query.fixed) {
+    const Failure failure = check_at(ids.target, ids.source, query.target_stamp);
+    return failure ? error_of(failure, ids.target, ids.source) : Error{.code = Code::ok};
+  }
+  if (const Failure failure = check_at(ids.target, ids.fixed, query.target_stamp)) {
+    return error_of(failure, ids.target, ids.fixed);
+  }
+  const Failure failure = check_at(ids.fixed, ids.source, query.source_stamp);
+  return failure ? error_of(failure, ids.fixed, ids.source) : Error{.code = Code::ok};
+}
+
+Error Buffer::why_not(const Query& query) const {
+  if (!query.fixed && query.target == query.source) return {.code = Code::ok};
+  const Reading lock(frames_mutex_);
+  Ids ids;
+  return resolve(query, ids) ? find_error(query, ids) : name_error(query, Phrase::can);
+}
+
+bool Buffer::can(const Query& query) const {
+  const Reading lock(frames_mutex_);
+  return can_answer(query);
+}
+
+bool Buffer::can_answer(const Query& query) const {
+  if (!query.fixed && query.target == query.source) return true;
+  Ids ids;
+  if (!resolve(query, ids)) return false;
+  if (!query.fixed) return !check_at(ids.target, ids.source, query.target_stamp);
+  return !check_at(ids.target, ids.fixed, query.target_stamp) &&
+         !check_at(ids.fixed, ids.source, query.source_stamp);
+}
+
+Result<Stamp> Buffer::latest_common_time(std::string_view target, std::string_view source) const {
+  const Reading lock(frames_mutex_);
+  for (const std::string_view name : {target, source}) {
+    if (Error error = name_error_of(name, "get_latest_common_time", Phrase::lookup); error.code != Code::ok) {
+      return error;
+    }
+  }
+  const FrameId target_id = *find_frame(target), source_id = *find_frame(source);
+  const CommonTime common = tf2::latest_common_time(frames_, target_id, source_id);
+  if (common.failure) return error_of(common.failure, target_id, source_id);
+  return common.stamp;
+}
+
+Result<Branches> Buffer::branches(std::string_view target, std::string_view source, Stamp stamp) const {
+  const Reading lock(frames_mutex_);
+  const Query query = Query::at(target, source, stamp);
+  Ids ids;
+  if (!resolve(query, ids)) return name_error(query, Phrase::lookup);
+  if (stamp == latest) {
+    const CommonTime common = tf2::latest_common_time(frames_, ids.target, ids.source);
+    if (common.failure) return error_of(common.failure, ids.target, ids.source);
+    stamp = common.stamp;
+  }
+  Namer namer{frames_};
+  if (const Failure failure = walk(frames_, ids.target, ids.source, stamp, namer)) {
+    return error_of(failure, ids.target, ids.source);
+  }
+  return std::move(namer.branches);
+}
+
+}  // namespace tfloom::tf2

@@ -1,0 +1,147 @@
+// A tree of frames over time: transforms go in, the transform between any two frames at any known time comes out.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <shared_mutex>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tf2/errors.hpp"
+#include "tf2/frames.hpp"
+#include "tf2/log.hpp"
+#include "tf2/requests.hpp"
+#include "tf2/walk.hpp"
+
+namespace tfloom::tf2 {
+
+// One transform to store: parent_from_child at a time.
+struct Entry {
+  std::string_view frame_id;
+  std::string_view child_frame_id;
+  Stamp stamp = 0;
+  Transform value;
+};
+
+struct StampedTransform {
+  Stamp stamp = 0;
+  Transform value;  // target_from_source
+};
+
+// A query at one time, or with `fixed` set, one that travels in time: the source at its stamp, through the fixed
+// frame, to the target at its own.
+struct Query {
+  std::string_view target;
+  std::string_view source;
+  Stamp target_stamp = latest;
+  Stamp source_stamp = latest;
+  std::optional<std::string_view> fixed;
+
+  static Query at(std::string_view target, std::string_view source, Stamp stamp) {
+    return {target, source, stamp, stamp, std::nullopt};
+  }
+};
+
+// The frames that a query at one time passes: both ends' branches from the bottom up, and where they meet.
+struct Branches {
+  std::vector<std::string> target, source;
+  std::string top;
+};
+
+// Thread-safe. Queries share one lock that inserts take alone; both hold it for about a microsecond, so that a lock
+// for each frame would cost more than it frees. Nothing is called while it's held: the log, the waiting threads and
+// the requests' callbacks come after.
+class Buffer {
+ public:
+  static constexpr Stamp default_cache_time = 10'000'000'000;
+
+  explicit Buffer(Stamp cache_time = default_cache_time) : cache_time_(cache_time) {}
+  Buffer(const Buffer&) = delete;
+  Buffer& operator=(const Buffer&) = delete;
+
+  [[nodiscard]] Stamp cache_time() const { return cache_time_; }
+  void set_log_callback(LogCallback callback) { log_.set_callback(std::move(callback)); }
+  [[nodiscard]] Log& log() { return log_; }
+
+  // Stores what it can and returns how many that were; each rejection is logged. One lock for all of them.
+  std::size_t set(std::span<const Entry> entries, std::string_view authority, bool is_static);
+  void clear();  // empties every history; static transforms, names and authorities stay
+
+  [[nodiscard]] Result<StampedTransform> lookup(const Query& query) const;
+  [[nodiscard]] bool can(const Query& query) const;
+  [[nodiscard]] Error why_not(const Query& query) const;  // Code::ok if it can
+  [[nodiscard]] Result<Stamp> latest_common_time(std::string_view target, std::string_view source) const;
+
+  // Waits until the query can be answered: true; until the deadline, or as soon as no data to come can help: false.
+  enum class Waited : std::uint8_t { yes, no, interrupted };
+  // `interrupted` comes every `slice`, for the caller to look whether a signal has come, and to wait again.
+  [[nodiscard]] Waited wait(const Query& query, std::chrono::steady_clock::time_point deadline,
+                            std::chrono::nanoseconds slice) const;
+
+  // Calls back once, on the thread that inserts: when the query can be answered, or never will be. The frames'
+  // names are copied. Returns 0 if it can be answered now, `Requests::never` if it's too old for the cache.
+  Requests::Handle add_request(const Query& query, Requests::Callback callback);
+  bool cancel_request(Requests::Handle handle) { return requests_.cancel(handle); }
+
+  // For people and tools.
+  [[nodiscard]] std::vector<std::string> frame_names() const;
+  [[nodiscard]] bool has_frame(std::string_view name) const;
+  [[nodiscard]] Result<Branches> branches(std::string_view target, std::string_view source, Stamp stamp) const;
+  [[nodiscard]] std::string all_frames_as_string() const;
+  [[nodiscard]] std::string all_frames_as_yaml(double now_s) const;
+  [[nodiscard]] std::string all_frames_as_dot(double now_s) const;
+
+ private:
+  using Reading = std::shared_lock<std::shared_mutex>;
+  enum class Phrase : std::uint8_t { lookup, can };
+  enum class Problem : std::uint8_t { self, child_unset, parent_unset, nan, denormalized, old };
+  struct Rejection {
+    Entry entry;
+    Problem problem;
+  };
+  struct Ids {
+    FrameId target = no_parent, source = no_parent, fixed = no_parent;
+  };
+
+  // These want frames_mutex_ held:
+  [[nodiscard]] std::optional<FrameId> find_frame(std::string_view name) const;
+  [[nodiscard]] bool resolve(const Query& query, Ids& ids) const;
+  [[nodiscard]] Error name_error(const Query& query, Phrase phrase) const;
+  [[nodiscard]] Error name_error_of(std::string_view name, std::string_view where, Phrase phrase) const;
+  [[nodiscard]] Failure lookup_at(FrameId target, FrameId source, Stamp stamp, StampedTransform& out) const;
+  [[nodiscard]] Failure check_at(FrameId target, FrameId source, Stamp stamp) const;
+  [[nodiscard]] Error error_of(const Failure& failure, FrameId target, FrameId source) const;
+  [[nodiscard]] Error find_error(const Query& query, const Ids& ids) const;
+  [[nodiscard]] bool can_answer(const Query& query) const;
+  [[nodiscard]] bool never_can(const Query& query) const;
+  [[nodiscard]] bool is_too_old(FrameId target, FrameId source, Stamp stamp) const;
+  [[nodiscard]] std::string frames_as_string() const;
+  bool insert(Entry entry, std::string_view authority, bool is_static, std::vector<Rejection>& rejections);
+
+  void report(const Rejection& rejection, std::string_view authority);
+  void announce();
+  [[nodiscard]] Requests::State judge(const Requests::Request& request) const;
+
+  const Stamp cache_time_;
+  mutable std::shared_mutex frames_mutex_;
+  FrameTable frames_;
+
+  // A waiter counts itself before it looks at the generation, and an insert grows the generation before it looks
+  // for waiters (both sequentially consistent): one of the two sees the other.
+  mutable std::atomic<std::uint64_t> generation_{0};
+  mutable std::atomic<int> waiters_{0};
+  mutable std::mutex waiting_mutex_;
+  mutable std::condition_variable changed_;
+
+  Requests requests_;
+  Log log_;
+};
+
+}  // namespace tfloom::tf2

@@ -1,0 +1,101 @@
+// How a buffer lets others wait for data: threads on a condition, requests by callback.
+#include <algorithm>
+
+#include "tf2/buffer.hpp"
+
+namespace tfloom::tf2 {
+namespace {
+
+class Counted {
+ public:
+  explicit Counted(std::atomic<int>& count) : count_(count) { ++count_; }
+  Counted(const Counted&) = delete;
+  Counted& operator=(const Counted&) = delete;
+  ~Counted() { --count_; }
+
+ private:
+  std::atomic<int>& count_;
+};
+
+bool is_askable(std::string_view name) { return !name.empty() && !name.starts_with('/'); }
+
+Query query_of(const Requests::Request& request) {
+  Query query{request.target, request.source, request.target_stamp, request.source_stamp, std::nullopt};
+  if (request.is_full) query.fixed = request.fixed;
+  return query;
+}
+
+}  // namespace
+
+void Buffer::announce() {
+  generation_.fetch_add(1);
+  if (waiters_.load() > 0) {
+    { const std::lock_guard lock(waiting_mutex_); }  // a waiter is now either asleep or has seen the new number
+    changed_.notify_all();
+  }
+  requests_.settle([this](const Requests::Request& request) { return judge(request); });
+}
+
+Buffer::Waited Buffer::wait(const Query& query, std::chrono::steady_clock::time_point deadline,
+                            std::chrono::nanoseconds slice) const {
+  using Clock = std::chrono::steady_clock;
+  const Counted counted(waiters_);
+  const auto slice_end = std::min(deadline, Clock::now() + slice);
+  for (;;) {
+    const std::uint64_t seen = generation_.load();
+    {
+      const Reading lock(frames_mutex_);
+      if (can_answer(query)) return Waited::yes;
+      if (never_can(query)) return Waited::no;
+    }
+    std::unique_lock waiting(waiting_mutex_);
+    if (!changed_.wait_until(waiting, slice_end, [&] { return generation_.load() != seen; })) {
+      return Clock::now() >= deadline ? Waited::no : Waited::interrupted;
+    }
+  }
+}
+
+bool Buffer::is_too_old(FrameId target, FrameId source, Stamp stamp) const {
+  if (stamp == latest || target == source) return false;
+  const CommonTime common = tf2::latest_common_time(frames_, target, source);
+  return !common.failure && common.stamp != 0 && is_older_than(stamp, cache_time_, common.stamp);
+}
+
+bool Buffer::never_can(const Query& query) const {
+  if (!is_askable(query.target) || !is_askable(query.source) || !is_askable(query.fixed.value_or("-"))) return true;
+  Ids ids;
+  if (!resolve(query, ids)) return false;
+  if (!query.fixed) return is_too_old(ids.target, ids.source, query.target_stamp);
+  return is_too_old(ids.fixed, ids.source, query.source_stamp) ||
+         is_too_old(ids.target, ids.fixed, query.target_stamp);
+}
+
+Requests::State Buffer::judge(const Requests::Request& request) const {
+  const Query query = query_of(request);
+  const Reading lock(frames_mutex_);
+  if (never_can(query)) return Requests::State::failed;
+  return can_answer(query) ? Requests::State::available : Requests::State::pending;
+}
+
+Requests::Handle Buffer::add_request(const Query& query, Requests::Callback callback) {
+  // Added before it's judged: an insert between the two settles it, and then it can't be cancelled any more.
+  const Requests::Handle handle = requests_.add({.handle = 0,
+                                                 .target = std::string(query.target),
+                                                 .source = std::string(query.source),
+                                                 .fixed = std::string(query.fixed.value_or("")),
+                                                 .is_full = query.fixed.has_value(),
+                                                 .target_stamp = query.target_stamp,
+                                                 .source_stamp = query.source_stamp,
+                                                 .callback = std::move(callback)});
+  bool can = false, never = false;
+  {
+    const Reading lock(frames_mutex_);
+    can = can_answer(query);
+    never = !can && never_can(query);
+  }
+  if (!can && !never) return handle;
+  if (!requests_.cancel(handle)) return handle;
+  return can ? Requests::now : Requests::never;
+}
+
+}  // namespace tfloom::tf2

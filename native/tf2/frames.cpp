@@ -1,0 +1,57 @@
+#include "tf2/frames.hpp"
+
+namespace tfloom::tf2 {
+
+Bracket Frame::find(Stamp stamp) const {
+  if (kind == Kind::moving) return history->find(stamp);
+  if (kind == Kind::root) return {};
+  return {Bracket::Found::yes, fixed_parent, &fixed_value, nullptr, 0.0};
+}
+
+FrameId Frame::newest_parent() const {
+  return kind == Kind::moving ? history->newest_parent() : fixed_parent;
+}
+
+Stamp Frame::newest_stamp() const { return kind == Kind::moving ? history->newest_stamp() : 0; }
+
+Stamp Frame::oldest_stamp() const { return kind == Kind::moving ? history->oldest_stamp() : 0; }
+
+std::size_t Frame::sample_count() const {
+  if (kind == Kind::moving) return history->size();
+  return kind == Kind::fixed ? 1 : 0;
+}
+
+bool Frame::insert(const Sample& sample, bool is_static, Stamp max_age) {
+  if (is_static) {
+    kind = Kind::fixed;
+    history.reset();
+    fixed_parent = sample.parent;
+    fixed_value = sample.value;
+    return true;
+  }
+  if (kind != Kind::moving) {
+    kind = Kind::moving;
+    fixed_parent = no_parent;
+    history = std::make_unique<TimeCache>(max_age);
+  }
+  return history->insert(sample);
+}
+
+FrameTable::FrameTable() { intern("NO_PARENT"); }
+
+std::optional<FrameId> FrameTable::find(std::string_view name) const {
+  const auto found = ids_.find(name);
+  if (found == ids_.end()) return std::nullopt;
+  return found->second;
+}
+
+FrameId FrameTable::intern(std::string_view name) {
+  if (const auto known = find(name)) return *known;
+  const auto id = static_cast<FrameId>(frames_.size());
+  frames_.push_back(std::make_unique<Frame>());
+  frames_.back()->name = name;
+  ids_.emplace(frames_.back()->name, id);
+  return id;
+}
+
+}  // namespace tfloom::tf2

@@ -1,0 +1,45 @@
+// What a buffer has to say about the data it's given: throttled here, so that a flood of bad data is a line a second.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace tfloom::tf2 {
+
+// The numbers of rcl's logger and of Python's logging.
+enum class Severity : std::uint8_t { warn = 30, error = 40 };
+
+using LogCallback = std::function<void(Severity severity, const std::string& text)>;
+
+// Thread-safe. Calls the callback on the thread that reports, with no lock held.
+class Log {
+ public:
+  void set_callback(LogCallback callback);
+
+  // Of each (topic, frame) one line a second; the next one that is let through says how many were not.
+  void report(Severity severity, std::string_view topic, std::string_view frame, std::string text);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Recent {
+    Clock::time_point last;
+    std::uint64_t held_back = 0;
+  };
+  static constexpr std::chrono::seconds period{1};
+  static constexpr std::size_t most_remembered = 1024;  // names come from the wire: bounded
+
+  Recent& recent(std::string_view topic, std::string_view frame, Clock::time_point now);
+
+  std::mutex mutex_;
+  std::shared_ptr<const LogCallback> callback_;
+  std::map<std::pair<std::string, std::string>, Recent> recent_;
+};
+
+}  // namespace tfloom::tf2

@@ -1,0 +1,27 @@
+#include "tf2/requests.hpp"
+
+#include <algorithm>
+
+namespace tfloom::tf2 {
+
+Requests::Handle Requests::add(Request request) {
+  const std::lock_guard lock(mutex_);
+  request.handle = ++last_;
+  requests_.push_back(std::make_shared<const Request>(std::move(request)));
+  count_.store(requests_.size());
+  return last_;
+}
+
+bool Requests::cancel(Handle handle) {
+  std::shared_ptr<const Request> cancelled;  // let go of after the lock: its callback may own anything
+  const std::lock_guard lock(mutex_);
+  const auto found = std::find_if(requests_.begin(), requests_.end(),
+                                  [handle](const auto& request) { return request->handle == handle; });
+  if (found == requests_.end()) return false;
+  cancelled = std::move(*found);
+  requests_.erase(found);
+  count_.store(requests_.size());
+  return true;
+}
+
+}  // namespace tfloom::tf2

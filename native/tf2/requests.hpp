@@ -1,0 +1,63 @@
+// Queries that wait for their data, each with a callback: what async lookups and message filters stand on.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "tf2/errors.hpp"
+
+namespace tfloom::tf2 {
+
+class Requests {
+ public:
+  using Handle = std::uint64_t;
+  static constexpr Handle now = 0;
+  static constexpr Handle never = UINT64_MAX;
+
+  enum class Outcome : std::uint8_t { available, failed };
+  // Called with no lock held, so it may add, cancel and insert.
+  using Callback = std::function<void(Handle, Outcome)>;
+
+  struct Request {
+    Handle handle = 0;
+    std::string target, source, fixed;
+    bool is_full = false;
+    Stamp target_stamp = 0, source_stamp = 0;
+    Callback callback;
+  };
+  enum class State : std::uint8_t { pending, available, failed };
+
+  Handle add(Request request);
+  bool cancel(Handle handle);
+
+  // Asks `judge(request) -> State` of each, removes the settled ones and calls them back in order of arrival.
+  template <class Judge>
+  void settle(Judge&& judge) {
+    if (count_.load() == 0) return;
+    std::vector<std::pair<std::shared_ptr<const Request>, Outcome>> settled;
+    {
+      const std::lock_guard lock(mutex_);
+      std::erase_if(requests_, [&](const std::shared_ptr<const Request>& request) {
+        const State state = judge(*request);
+        if (state == State::pending) return false;
+        settled.emplace_back(request, state == State::available ? Outcome::available : Outcome::failed);
+        return true;
+      });
+      count_.store(requests_.size());
+    }
+    for (const auto& [request, outcome] : settled) request->callback(request->handle, outcome);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::atomic<std::size_t> count_{0};
+  Handle last_ = 0;
+  std::vector<std::shared_ptr<const Request>> requests_;
+};
+
+}  // namespace tfloom::tf2

@@ -1,0 +1,157 @@
+#include "tf2/time_cache.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace tfloom::tf2 {
+namespace {
+
+template <class T>
+std::vector<T> take_from(std::vector<T>& values, std::size_t index) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(index);
+  std::vector<T> taken;
+  taken.reserve(TimeCache::block_size);
+  taken.assign(middle, values.end());
+  values.erase(middle, values.end());
+  return taken;
+}
+
+template <class T>
+void insert_at(std::vector<T>& values, std::size_t index, const T& value) {
+  values.insert(values.begin() + static_cast<std::ptrdiff_t>(index), value);
+}
+
+template <class T>
+void erase_before(std::vector<T>& values, std::size_t index) {
+  values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
+}  // namespace
+
+void TimeCache::Block::insert(std::size_t index, const Sample& sample) {
+  insert_at(stamps, index, sample.stamp);
+  insert_at(parents, index, sample.parent);
+  insert_at(values, index, sample.value);
+}
+
+void TimeCache::Block::drop_pruned() {
+  erase_before(stamps, begin);
+  erase_before(parents, begin);
+  erase_before(values, begin);
+  begin = 0;
+}
+
+TimeCache::Block TimeCache::Block::split() {
+  const std::size_t middle = stamps.size() / 2;
+  return {take_from(stamps, middle), take_from(parents, middle), take_from(values, middle), 0};
+}
+
+bool TimeCache::insert(const Sample& sample) {
+  const Stamp newest = newest_stamp();
+  prune();
+  if (!empty() && is_older_than(sample.stamp, max_age_, newest)) return false;
+  Position position = after(sample.stamp);
+  if (holds(sample, position)) return true;
+  if (blocks_.empty() || (position.block == blocks_.size() - 1 && position.index == block_size)) {
+    blocks_.emplace_back();  // appending leaves full blocks behind
+    position = {blocks_.size() - 1, 0};
+  } else if (blocks_[position.block].stamps.size() == block_size) {
+    Block& full = blocks_[position.block];
+    if (full.begin > 0) {
+      position.index -= full.begin;
+      full.drop_pruned();
+    } else {
+      Block upper = full.split();
+      const std::size_t lower_size = full.stamps.size();
+      blocks_.insert(blocks_.begin() + static_cast<std::ptrdiff_t>(position.block) + 1, std::move(upper));
+      if (position.index > lower_size) position = {position.block + 1, position.index - lower_size};
+    }
+  }
+  blocks_[position.block].insert(position.index, sample);
+  ++size_;
+  return true;
+}
+
+Bracket TimeCache::find(Stamp stamp) const {
+  using Found = Bracket::Found;
+  if (empty()) return {};
+  const Block& last = blocks_.back();
+  const Stamp newest = last.stamps.back();
+  if (stamp == latest || stamp == newest) {
+    return {Found::yes, last.parents.back(), &last.values.back(), nullptr, 0.0};
+  }
+  if (size_ == 1) return {Found::only_one, no_parent, nullptr, nullptr, 0.0};
+  if (stamp > newest) return {Found::after_newest, no_parent, nullptr, nullptr, 0.0};
+  const Block& first = blocks_.front();
+  if (stamp < first.first_stamp()) return {Found::before_oldest, no_parent, nullptr, nullptr, 0.0};
+  if (stamp == first.first_stamp()) {
+    return {Found::yes, first.parents[first.begin], &first.values[first.begin], nullptr, 0.0};
+  }
+  return between(stamp);
+}
+
+Bracket TimeCache::between(Stamp stamp) const {
+  Position newer = after(stamp);
+  const Block& later = blocks_[newer.block];
+  const bool same_block = newer.index > later.begin;
+  const Block& earlier = same_block ? later : blocks_[newer.block - 1];
+  const std::size_t older = same_block ? newer.index - 1 : earlier.stamps.size() - 1;
+  Bracket bracket{Bracket::Found::yes, earlier.parents[older], &earlier.values[older], nullptr, 0.0};
+  if (later.parents[newer.index] != bracket.parent) return bracket;  // the old parent holds until the new one starts
+  bracket.newer = &later.values[newer.index];
+  const Stamp start = earlier.stamps[older];
+  // In doubles, as the differences of extreme stamps overflow.
+  const auto span = static_cast<double>(static_cast<std::uint64_t>(later.stamps[newer.index]) -
+                                        static_cast<std::uint64_t>(start));
+  bracket.ratio =
+      static_cast<double>(static_cast<std::uint64_t>(stamp) - static_cast<std::uint64_t>(start)) / span;
+  return bracket;
+}
+
+void TimeCache::clear() {
+  blocks_.clear();
+  size_ = 0;
+}
+
+std::size_t TimeCache::memory() const {
+  std::size_t octets = blocks_.capacity() * sizeof(Block);
+  for (const Block& block : blocks_) {
+    octets += block.stamps.capacity() * sizeof(Stamp) + block.parents.capacity() * sizeof(FrameId) +
+              block.values.capacity() * sizeof(Transform);
+  }
+  return octets;
+}
+
+TimeCache::Position TimeCache::after(Stamp stamp) const {
+  if (empty()) return {};
+  if (blocks_.back().stamps.back() <= stamp) return {blocks_.size() - 1, blocks_.back().stamps.size()};
+  const auto block = std::upper_bound(blocks_.begin(), blocks_.end(), stamp, [](Stamp value, const Block& candidate) {
+    return value < candidate.stamps.back();
+  });
+  const auto begin = block->stamps.begin() + static_cast<std::ptrdiff_t>(block->begin);
+  const auto index = std::upper_bound(begin, block->stamps.end(), stamp) - block->stamps.begin();
+  return {static_cast<std::size_t>(block - blocks_.begin()), static_cast<std::size_t>(index)};
+}
+
+bool TimeCache::holds(const Sample& sample, Position end) const {
+  for (std::size_t b = end.block + 1; b-- > 0 && b < blocks_.size();) {
+    const Block& block = blocks_[b];
+    for (std::size_t i = b == end.block ? end.index : block.stamps.size(); i-- > block.begin;) {
+      if (block.stamps[i] != sample.stamp) return false;
+      if (block.parents[i] == sample.parent && block.values[i] == sample.value) return true;
+    }
+  }
+  return false;
+}
+
+void TimeCache::prune() {
+  const Stamp newest = newest_stamp();
+  while (!empty() && is_older_than(oldest_stamp(), max_age_, newest)) {
+    Block& first = blocks_.front();
+    ++first.begin;
+    --size_;
+    if (first.live() == 0) blocks_.erase(blocks_.begin());
+  }
+}
+
+}  // namespace tfloom::tf2

@@ -1,0 +1,108 @@
+// The history of one frame: samples in order of time, in contiguous blocks.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "tf2/errors.hpp"
+#include "tf2/transform.hpp"
+
+namespace tfloom::tf2 {
+
+using FrameId = std::uint32_t;
+
+inline constexpr FrameId no_parent = 0;
+inline constexpr Stamp unlimited = INT64_MAX;
+
+// stamp + age < newest, where the sum may lie beyond the range.
+constexpr bool is_older_than(Stamp stamp, Stamp age, Stamp newest) {
+  return stamp <= INT64_MAX - age && stamp + age < newest;
+}
+
+struct Sample {
+  Stamp stamp = 0;
+  FrameId parent = no_parent;
+  Transform value;  // parent_from_child
+
+  friend bool operator==(const Sample&, const Sample&) = default;
+};
+
+// The stored samples that a query falls on: one, or the two to interpolate between.
+struct Bracket {
+  enum class Found : std::uint8_t { yes, empty, only_one, after_newest, before_oldest };
+
+  Found found = Found::empty;
+  FrameId parent = no_parent;
+  const Transform* older = nullptr;
+  const Transform* newer = nullptr;  // null: `older` is the answer
+  double ratio = 0.0;
+
+  [[nodiscard]] Transform value() const { return newer ? interpolate(*older, *newer, ratio) : *older; }
+};
+
+// Samples ascend by stamp; among equal stamps, in order of arrival. Binary search finds the block, then the sample,
+// so an insert anywhere moves part of one block, and pruning from the old end moves nothing.
+class TimeCache {
+ public:
+  static constexpr std::size_t block_size = 256;
+
+  explicit TimeCache(Stamp max_age) : max_age_(max_age) {}
+
+  // False: older than the newest sample by more than the maximum age, and not stored. What's identical to a stored
+  // sample is not stored again. Pruning goes by what was stored before, so it lags by one insert, as users of
+  // sparse transforms rely on.
+  bool insert(const Sample& sample);
+
+  // The answer's pointers live until the next change. `stamp` of `latest` is the newest sample.
+  [[nodiscard]] Bracket find(Stamp stamp) const;
+
+  void clear();
+
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] Stamp newest_stamp() const { return empty() ? 0 : blocks_.back().stamps.back(); }
+  [[nodiscard]] Stamp oldest_stamp() const { return empty() ? 0 : blocks_.front().first_stamp(); }
+  [[nodiscard]] FrameId newest_parent() const { return empty() ? no_parent : blocks_.back().parents.back(); }
+  [[nodiscard]] std::size_t memory() const;  // octets
+
+  // Calls visit(stamp, parent, transform) for each sample, oldest first.
+  template <class Visitor>
+  void for_each(Visitor&& visit) const {
+    for (const Block& block : blocks_) {
+      for (std::size_t i = block.begin; i < block.stamps.size(); ++i) {
+        visit(block.stamps[i], block.parents[i], block.values[i]);
+      }
+    }
+  }
+
+ private:
+  // A structure of arrays: a search touches stamps only. Full blocks hold 68 octets a sample.
+  struct Block {
+    std::vector<Stamp> stamps;
+    std::vector<FrameId> parents;
+    std::vector<Transform> values;
+    std::size_t begin = 0;  // what is before it has been pruned
+
+    [[nodiscard]] Stamp first_stamp() const { return stamps[begin]; }
+    [[nodiscard]] std::size_t live() const { return stamps.size() - begin; }
+    void insert(std::size_t index, const Sample& sample);
+    void drop_pruned();
+    [[nodiscard]] Block split();
+  };
+
+  struct Position {
+    std::size_t block = 0, index = 0;
+  };
+
+  [[nodiscard]] Position after(Stamp stamp) const;  // of the first sample later than `stamp`
+  [[nodiscard]] bool holds(const Sample& sample, Position end) const;
+  [[nodiscard]] Bracket between(Stamp stamp) const;
+  void prune();
+
+  Stamp max_age_;
+  std::size_t size_ = 0;
+  std::vector<Block> blocks_;  // none is empty
+};
+
+}  // namespace tfloom::tf2

@@ -1,0 +1,143 @@
+// A rigid transform as seven doubles, and the arithmetic that a frame tree needs.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+namespace tfloom::tf2 {
+
+struct Vector3 {
+  double x = 0.0, y = 0.0, z = 0.0;
+
+  friend constexpr Vector3 operator+(const Vector3& a, const Vector3& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+  friend constexpr Vector3 operator-(const Vector3& a, const Vector3& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
+  friend constexpr Vector3 operator*(double s, const Vector3& v) { return {s * v.x, s * v.y, s * v.z}; }
+  friend constexpr bool operator==(const Vector3&, const Vector3&) = default;
+};
+
+constexpr Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+struct Quaternion {
+  double x = 0.0, y = 0.0, z = 0.0, w = 1.0;
+
+  friend constexpr bool operator==(const Quaternion&, const Quaternion&) = default;
+};
+
+constexpr double dot(const Quaternion& a, const Quaternion& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
+}
+constexpr Quaternion conjugate(const Quaternion& q) { return {-q.x, -q.y, -q.z, q.w}; }
+constexpr Quaternion operator-(const Quaternion& q) { return {-q.x, -q.y, -q.z, -q.w}; }
+
+// Hamilton product.
+constexpr Quaternion operator*(const Quaternion& a, const Quaternion& b) {
+  return {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
+          a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
+}
+
+// v + 2w(u × v) + 2u × (u × v), u the vector part of a unit quaternion.
+constexpr Vector3 rotate(const Quaternion& q, const Vector3& v) {
+  const Vector3 u{q.x, q.y, q.z};
+  const Vector3 t = 2.0 * cross(u, v);
+  return v + q.w * t + cross(u, t);
+}
+
+// Row-major rotation matrix of a quaternion of any length, by the scale 2/‖q‖².
+inline std::array<double, 9> rotation_matrix(const Quaternion& q) {
+  const double s = 2.0 / dot(q, q);
+  const double xs = q.x * s, ys = q.y * s, zs = q.z * s;
+  const double wx = q.w * xs, wy = q.w * ys, wz = q.w * zs;
+  const double xx = q.x * xs, xy = q.x * ys, xz = q.x * zs;
+  const double yy = q.y * ys, yz = q.y * zs, zz = q.z * zs;
+  return {1.0 - (yy + zz), xy - wz, xz + wy, xy + wz, 1.0 - (xx + zz), yz - wx, xz - wy, yz + wx, 1.0 - (xx + yy)};
+}
+
+// Quaternion of a row-major rotation matrix. Of the two, the one with w > 0 where the trace is positive, else the
+// one whose largest vector component is positive: rotations print with the signs that ROS users know.
+inline Quaternion quaternion_of_matrix(const std::array<double, 9>& m) {
+  const double trace = m[0] + m[4] + m[8];
+  if (trace > 0.0) {
+    const double root = std::sqrt(trace + 1.0);
+    const double s = 0.5 / root;
+    return {(m[7] - m[5]) * s, (m[2] - m[6]) * s, (m[3] - m[1]) * s, 0.5 * root};
+  }
+  const std::size_t i = m[0] < m[4] ? (m[4] < m[8] ? 2 : 1) : (m[0] < m[8] ? 2 : 0);
+  const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+  const double root = std::sqrt(m[4 * i] - m[4 * j] - m[4 * k] + 1.0);
+  const double s = 0.5 / root;
+  std::array<double, 3> v{};
+  v[i] = 0.5 * root;
+  v[j] = (m[3 * j + i] + m[3 * i + j]) * s;
+  v[k] = (m[3 * k + i] + m[3 * i + k]) * s;
+  return {v[0], v[1], v[2], (m[3 * k + j] - m[3 * j + k]) * s};
+}
+
+// Unit length and canonical sign. The zero quaternion gives NaN.
+inline Quaternion canonical(const Quaternion& q) { return quaternion_of_matrix(rotation_matrix(q)); }
+
+// Weights of the two ends of a slerp: sin((1-r)θ)/sin θ and sin(rθ)/sin θ.
+struct SlerpWeights {
+  double first, second;
+};
+
+// For near ends the series of sin(rθ)/sin θ in c = cos θ - 1 (D. Eberly, "A Fast and Accurate Algorithm for
+// Computing SLERP", 2011): no trigonometry, and exact where acos loses half of the digits.
+constexpr double slerp_series(double r, double c) {
+  constexpr int terms = 8;  // remainder below 1e-16 for c > -0.02
+  const double rr = r * r;
+  double sum = 1.0;
+  for (int i = terms; i > 0; --i) {
+    const double u = 1.0 / (i * (2 * i + 1)), v = static_cast<double>(i) / (2 * i + 1);
+    sum = 1.0 + (u * rr - v) * c * sum;
+  }
+  return r * sum;
+}
+
+constexpr double slerp_series_limit = 0.02;  // 1 - cos θ, θ = 11.5°
+
+inline SlerpWeights slerp_weights(double r, double one_minus_cos) {
+  if (one_minus_cos < slerp_series_limit) {
+    return {slerp_series(1.0 - r, -one_minus_cos), slerp_series(r, -one_minus_cos)};
+  }
+  const double c = 1.0 - one_minus_cos;
+  const double sine = std::sqrt(one_minus_cos * (1.0 + c));
+  const double angle = std::atan2(sine, c);
+  return {std::sin((1.0 - r) * angle) / sine, std::sin(r * angle) / sine};
+}
+
+// Spherical interpolation of unit quaternions on the shorter arc, r from 0 to 1.
+inline Quaternion slerp(const Quaternion& a, const Quaternion& b_any_sign, double r) {
+  const Quaternion b = dot(a, b_any_sign) < 0.0 ? -b_any_sign : b_any_sign;
+  const Quaternion d{b.x - a.x, b.y - a.y, b.z - a.z, b.w - a.w};
+  const auto [wa, wb] = slerp_weights(r, 0.5 * dot(d, d));  // |a - b|² = 2 - 2 cos θ
+  return {wa * a.x + wb * b.x, wa * a.y + wb * b.y, wa * a.z + wb * b.z, wa * a.w + wb * b.w};
+}
+
+// parent_from_child: p_parent = rotation · p_child + translation.
+struct Transform {
+  Vector3 translation;
+  Quaternion rotation;
+
+  friend constexpr bool operator==(const Transform&, const Transform&) = default;
+};
+
+constexpr Transform operator*(const Transform& a, const Transform& b) {
+  return {rotate(a.rotation, b.translation) + a.translation, a.rotation * b.rotation};
+}
+
+constexpr Transform inverse(const Transform& t) {
+  const Quaternion back = conjugate(t.rotation);
+  return {-1.0 * rotate(back, t.translation), back};
+}
+
+inline Transform interpolate(const Transform& a, const Transform& b, double r) {
+  return {a.translation + r * (b.translation - a.translation), slerp(a.rotation, b.rotation, r)};
+}
+
+}  // namespace tfloom::tf2

@@ -1,0 +1,132 @@
+"""The buffer against the slow, obvious one, on random trees; and the laws that any buffer of transforms obeys."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+from tests.oracles.transforms import NoAnswerError, OracleBuffer, matrix
+
+from tfloom.tf2.buffer import Buffer
+from tfloom.tf2.errors import (
+    ConnectivityException,
+    ExtrapolationException,
+    LookupException,
+)
+
+SECOND = 1_000_000_000
+FRAMES = [f"f{i}" for i in range(7)]
+
+coordinates = st.floats(-100, 100, allow_nan=False)
+translations = st.tuples(coordinates, coordinates, coordinates)
+rotations = st.tuples(*[st.floats(-1, 1)] * 4).filter(lambda q: np.linalg.norm(q) > 0.1)
+# A coarse grid makes equal stamps and exact hits common; the odd offset falls between.
+stamps = st.builds(
+    lambda tenth, odd: 100 * SECOND + tenth * SECOND // 10 + odd, st.integers(0, 250), st.integers(0, 3)
+)
+queries = st.one_of(st.just(0), stamps)
+# A child's parent has a lower number, so that there are no cycles; it may change over time.
+edges = st.integers(1, len(FRAMES) - 1).flatmap(
+    lambda child: st.tuples(st.integers(0, child - 1), st.just(child))
+)
+inserts = st.tuples(edges, stamps, translations, rotations, st.sampled_from([False] * 5 + [True]))
+
+
+def build(
+    operations: list[tuple[tuple[int, int], int, tuple[float, ...], tuple[float, ...], bool]],
+) -> tuple[Buffer, OracleBuffer]:
+    buffer, oracle = Buffer(), OracleBuffer()
+    buffer.set_log_callback(None)
+    for (parent, child), stamp, translation, rotation, static in operations:
+        call = FRAMES[parent], FRAMES[child], stamp, translation, rotation
+        assert buffer.set(*call, static=static) == oracle.set(*call, static=static)
+    return buffer, oracle
+
+
+def as_matrix(answer: object) -> np.ndarray:
+    return matrix(np.array(answer.translation), np.array(answer.rotation_xyzw))
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.lists(inserts, min_size=1, max_size=60), st.sampled_from(FRAMES), st.sampled_from(FRAMES), queries)
+def test_answers_as_the_oracle_does(operations: list, target: str, source: str, stamp: int) -> None:
+    assume(target != source)
+    buffer, oracle = build(operations)
+    try:
+        stamp_used, expected = oracle.lookup(target, source, stamp)
+    except NoAnswerError as reason:
+        assert not buffer.can(target, source, stamp)
+        kinds = {
+            "unknown": (LookupException,),
+            "unconnected": (ConnectivityException, ExtrapolationException),
+            "extrapolation": (ExtrapolationException,),
+        }
+        with pytest.raises(kinds[reason.kind]):
+            buffer.lookup(target, source, stamp)
+        return
+    assert buffer.can(target, source, stamp)
+    answer = buffer.lookup(target, source, stamp)
+    assert answer.stamp_ns == stamp_used
+    assert np.allclose(as_matrix(answer), expected, rtol=1e-9, atol=1e-9 * 700)
+    assert np.linalg.norm(answer.rotation_xyzw) == pytest.approx(1, abs=1e-12)
+
+
+@st.composite
+def trees(draw: st.DrawFn) -> Buffer:
+    """A connected tree in which every edge is known from 100 s to 110 s."""
+    buffer = Buffer()
+    for child in range(1, len(FRAMES)):
+        parent = FRAMES[draw(st.integers(0, child - 1))]
+        for stamp in (100 * SECOND, 110 * SECOND):
+            assert buffer.set(parent, FRAMES[child], stamp, draw(translations), draw(rotations))
+    return buffer
+
+
+within = st.integers(100 * SECOND, 110 * SECOND)
+
+
+@settings(max_examples=100, deadline=None)
+@given(trees(), st.permutations(FRAMES), within)
+def test_lookups_compose(buffer: Buffer, order: list[str], stamp: int) -> None:
+    a, b, c = order[:3]
+    a_from_b, b_from_c, a_from_c, b_from_a = (
+        as_matrix(buffer.lookup(*pair, stamp)) for pair in [(a, b), (b, c), (a, c), (b, a)]
+    )
+    assert np.allclose(a_from_b @ b_from_c, a_from_c, rtol=1e-9, atol=1e-9 * 700)
+    assert np.allclose(a_from_b @ b_from_a, np.eye(4), rtol=1e-9, atol=1e-9 * 700)
+
+
+@settings(max_examples=100, deadline=None)
+@given(trees(), st.permutations(FRAMES), within, within)
+def test_a_full_lookup_goes_by_way_of_the_fixed_frame(
+    buffer: Buffer, order: list[str], target_stamp: int, source_stamp: int
+) -> None:
+    target, source, fixed = order[:3]
+    full = buffer.lookup_full(target, target_stamp, source, source_stamp, fixed)
+    target_from_fixed = as_matrix(buffer.lookup(target, fixed, target_stamp))
+    fixed_from_source = as_matrix(buffer.lookup(fixed, source, source_stamp))
+    assert full.stamp_ns == target_stamp
+    assert np.allclose(as_matrix(full), target_from_fixed @ fixed_from_source, rtol=1e-9, atol=1e-9 * 700)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_a_long_history_in_any_order(seed: int) -> None:
+    """Thousands of samples, shuffled: blocks split, fill up and are pruned."""
+    random = np.random.default_rng(seed)
+    buffer, oracle = Buffer(30 * SECOND), OracleBuffer(30 * SECOND)
+    buffer.set_log_callback(None)
+    grid = 100 * SECOND + np.arange(1200) * SECOND // 20  # 60 s: the first half is pruned on the way
+    order = np.concatenate(
+        [random.permutation(600), 600 + random.permutation(600), random.integers(0, 1200, 300)]
+    )
+    for index in order:
+        call = "map", "base", int(grid[index]), tuple(random.normal(size=3)), tuple(random.normal(size=4))
+        assert buffer.set(*call) == oracle.set(*call)
+    for stamp in random.integers(100 * SECOND, 160 * SECOND, 300):
+        try:
+            _, expected = oracle.lookup("map", "base", int(stamp))
+        except NoAnswerError:
+            assert not buffer.can("map", "base", int(stamp))
+            continue
+        assert np.allclose(as_matrix(buffer.lookup("map", "base", int(stamp))), expected, atol=1e-9)
