@@ -17,10 +17,6 @@ void Feeder::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
-void Feeder::abandon() {
-  if (thread_.joinable()) thread_.detach();
-}
-
 void Feeder::schedule(Source& source) {
   const std::lock_guard lock(mutex_);
   enqueue(source);

@@ -35,9 +35,6 @@ class Feeder {
   // Ends the thread; what is scheduled is left. Not from the feeder's own thread.
   void stop();
 
-  // Gives the thread up without waiting: in a forked child it doesn't exist.
-  void abandon();
-
  private:
   void run();
   void enqueue(Source& source);

@@ -71,12 +71,13 @@ bool Participant::is_forked() const { return process_ != process_id(); }
 
 void Participant::close() {
   if (is_forked()) {
-    feeder_.abandon();
+    // The feeder's thread doesn't exist here, and to destroy a condition that a thread waits for would wait for it.
+    static_cast<void>(feeder_.release());
     static_cast<void>(domain_.release());
     return;
   }
-  feeder_.stop();
   if (!domain_) return;
+  feeder_->stop();
   library_.delete_entity(entity_);
   domain_.reset();
 }

@@ -39,7 +39,7 @@ class Participant {
   void close();
 
   [[nodiscard]] const Library& library() const { return library_; }
-  [[nodiscard]] Feeder& feeder() { return feeder_; }
+  [[nodiscard]] Feeder& feeder() { return *feeder_; }
   [[nodiscard]] const Gid& gid() const { return gid_; }
   [[nodiscard]] Entity entity() const { return entity_; }
   [[nodiscard]] Entity publisher() const { return publisher_; }
@@ -57,7 +57,7 @@ class Participant {
   Entity publisher_ = 0;
   Entity subscriber_ = 0;
   Gid gid_{};
-  Feeder feeder_;
+  std::unique_ptr<Feeder> feeder_ = std::make_unique<Feeder>();
 };
 
 Gid gid_of(const Library& library, Entity entity);

@@ -209,9 +209,15 @@ class CycloneParticipant:
 
     def forget(self, end: CycloneWriter | CycloneReader) -> None:
         """Drop an endpoint that closes from the list of what its node has."""
+        if self._is_forked():
+            return
         with self._lock:
             if self._ends.pop(end, None) is not None:
                 self._tell()
+
+    def _is_forked(self) -> bool:
+        """Tell whether this is a child of the process that joined: there the library's threads don't exist."""
+        return self._process != os.getpid()
 
     def _tell(self) -> None:
         """Tell all participants what nodes are here, and what each has open."""
@@ -226,7 +232,7 @@ class CycloneParticipant:
 
     def close(self) -> None:
         """Close all writers and readers and leave the domain. Closing again does nothing."""
-        if self._closed or self._process != os.getpid():
+        if self._closed or self._is_forked():
             return
         self._closed = True
         with self._lock:
