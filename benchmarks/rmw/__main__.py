@@ -1,0 +1,142 @@
+"""Round trip of 1 kB between two processes on loopback: tfloom's wire, and cyclonedds' own Python API.
+
+The two take turns, so that whatever else the machine does hits both. Times are from write to the answer's arrival.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from statistics import median
+from time import perf_counter_ns
+
+from tfloom.rmw.cyclone_config import configuration
+
+PAYLOAD_SIZE = 1000
+WARM_UP = 200
+ROUND_TRIPS = 1000
+TURNS = 5
+DOMAIN_ID = 39
+
+Trip = Callable[[], None]
+
+
+def tfloom_ends(there: str, back: str) -> tuple[Callable[[bytes], None], Callable[[], bytes]]:
+    """Return how to send on one topic and how to wait on the other."""
+    from tfloom._native import ReadyQueue
+    from tfloom.rmw.base import NodeName, Topic
+    from tfloom.rmw.cyclonedds import open_participant
+    from tfloom.rmw.qos import QoS
+
+    participant, node = open_participant(DOMAIN_ID), NodeName("/", "bench")
+    writer = participant.create_writer(node, Topic(f"/{there}", "bench/msg/Bytes", ""), QoS())
+    reader = participant.create_reader(node, Topic(f"/{back}", "bench/msg/Bytes", ""), QoS())
+    queue = ReadyQueue()
+    reader.notify(queue, 1)
+
+    def receive() -> bytes:
+        while (sample := reader.take()) is None:
+            queue.wait(1_000_000_000)
+        return sample.data
+
+    wait_for(lambda: writer.matched_count() and reader.matched_count())
+    return writer.write, receive
+
+
+def cyclonedds_ends(there: str, back: str) -> tuple[Callable[[bytes], None], Callable[[], bytes]]:
+    """Return the same through cyclonedds' readers, writers and waitsets, on a type of its own."""
+    from cyclonedds.core import ReadCondition, SampleState, WaitSet
+    from cyclonedds.domain import DomainParticipant
+    from cyclonedds.pub import DataWriter
+    from cyclonedds.qos import Policy, Qos
+    from cyclonedds.sub import DataReader
+    from cyclonedds.topic import Topic
+
+    from benchmarks.rmw.cyclone_type import Bytes
+
+    qos = Qos(Policy.Reliability.Reliable(2**63 - 1), Policy.History.KeepLast(10))
+    participant = DomainParticipant(DOMAIN_ID)
+    writer = DataWriter(participant, Topic(participant, there, Bytes), qos=qos)
+    reader = DataReader(participant, Topic(participant, back, Bytes), qos=qos)
+    waitset = WaitSet(participant)
+    waitset.attach(ReadCondition(reader, SampleState.NotRead))
+
+    def send(data: bytes) -> None:
+        writer.write(Bytes(data=data))
+
+    def receive() -> bytes:
+        while not (samples := reader.take(1)):
+            waitset.wait(1_000_000_000)
+        return bytes(samples[0].data)
+
+    wait_for(lambda: writer.get_matched_subscriptions() and reader.get_matched_publications())
+    return send, receive
+
+
+ENDS = {"tfloom": tfloom_ends, "cyclonedds": cyclonedds_ends}
+
+
+def wait_for(condition: Callable[[], object]) -> None:
+    import time
+
+    while not condition():
+        time.sleep(0.005)
+
+
+def answer(name: str) -> None:
+    """Send back all that comes, until the parent ends this process."""
+    send, receive = ENDS[name](f"{name}_back", f"{name}_there")
+    while True:
+        send(receive())
+
+
+def trips_us(send: Callable[[bytes], None], receive: Callable[[], bytes], data: bytes) -> list[float]:
+    times = []
+    for _ in range(ROUND_TRIPS):
+        start = perf_counter_ns()
+        send(data)
+        receive()
+        times.append((perf_counter_ns() - start) / 1e3)
+    return times
+
+
+def main() -> None:
+    os.environ["CYCLONEDDS_URI"] = configuration()
+    data = b"\0\1\0\0" + os.urandom(PAYLOAD_SIZE)
+    partners = [subprocess.Popen([sys.executable, "-m", "benchmarks.rmw", name]) for name in ENDS]
+    try:
+        ends = {name: open_ends(f"{name}_there", f"{name}_back") for name, open_ends in ENDS.items()}
+        for send, receive in ends.values():
+            for _ in range(WARM_UP):
+                send(data)
+                receive()
+        times: dict[str, list[float]] = {name: [] for name in ENDS}
+        for _ in range(TURNS):
+            for name, (send, receive) in ends.items():
+                times[name] += trips_us(send, receive, data)
+    finally:
+        for partner in partners:
+            partner.kill()
+            partner.wait()
+    report(times)
+
+
+def report(times: dict[str, list[float]]) -> None:
+    print(f"round trip of {PAYLOAD_SIZE} octets, {len(times['tfloom'])} trips each [us]")
+    p50 = {name: median(values) for name, values in times.items()}
+    p99 = {name: sorted(values)[len(values) * 99 // 100] for name, values in times.items()}
+    for name in times:
+        print(f"  {name:12} p50 {p50[name]:7.1f}   p99 {p99[name]:7.1f}")
+    print(
+        f"  cyclonedds / tfloom: p50 {p50['cyclonedds'] / p50['tfloom']:.1f}, "
+        f"p99 {p99['cyclonedds'] / p99['tfloom']:.1f}"
+    )
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 1:
+        answer(sys.argv[1])
+    else:
+        main()
