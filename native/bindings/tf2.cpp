@@ -14,6 +14,7 @@
 #include "bindings/bindings.hpp"
 #include "bindings/callback.hpp"
 #include "bindings/tf2_arguments.hpp"
+#include "bindings/tf2_buffer.hpp"
 #include "tf2/buffer.hpp"
 
 namespace nb = nanobind;
@@ -49,11 +50,6 @@ void raise(const tf2::Error& error) {
 namespace {
 
 using tf2::Query;
-
-// What Python holds; a sink on another thread holds the same buffer without Python.
-struct BufferHandle {
-  std::shared_ptr<tf2::Buffer> buffer;
-};
 
 // A lookup's answer. The names are the caller's own str objects.
 struct Answer {
@@ -362,6 +358,7 @@ void bind_tf2(nb::module_& m) {
   bind_waiting(type);
   bind_contents(type);
   bind_listings(type);
+  bind_tf2_wire(m, type);
 }
 
 }  // namespace tfloom::bindings

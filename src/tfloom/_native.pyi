@@ -339,3 +339,28 @@ class Buffer:
 
     def all_frames_as_dot(self, now_s: float = 0.0) -> str:
         """Return the tree in graphviz's language."""
+
+    def tf_sink(self, authority: str, static: bool) -> TfSink:
+        """
+        Make a sink for `Reader.feed`: what it takes as `tf2_msgs/msg/TFMessage` is stored here.
+
+        A message that can't be read is dropped whole, and the log callback is told.
+        """
+
+    def insert_cdr(self, data: bytes, authority: str = '', static: bool = False) -> int:
+        """
+        Store the transforms of a `tf2_msgs/msg/TFMessage`, given as encapsulation header and CDR.
+
+        Returns how many were stored; the others were rejected, as by `set`. Raises ValueError, with nothing stored, where the bytes are no such message.
+        """
+
+class TfSink(Sink):
+    """Takes the samples of /tf or /tf_static into a buffer, without Python."""
+
+    @property
+    def message_count(self) -> int:
+        """How many messages have come."""
+
+    @property
+    def dropped_count(self) -> int:
+        """How many of them were unreadable, and dropped."""

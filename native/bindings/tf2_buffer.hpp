@@ -1,0 +1,19 @@
+// The buffer as Python holds it, for the files that bind parts of it.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+#include <memory>
+
+#include "tf2/buffer.hpp"
+
+namespace tfloom::bindings {
+
+// A sink on another thread holds the same buffer, without Python.
+struct BufferHandle {
+  std::shared_ptr<tf2::Buffer> buffer;
+};
+
+void bind_tf2_wire(nanobind::module_& m, nanobind::class_<BufferHandle>& type);
+
+}  // namespace tfloom::bindings

@@ -1,0 +1,40 @@
+// Whether bytes are UTF-8.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+
+namespace tfloom::cdr {
+
+// By the Unicode standard's table 3-7: no overlong forms, no surrogates, nothing beyond U+10FFFF.
+inline bool is_utf8(std::string_view text) {
+  const auto* at = reinterpret_cast<const unsigned char*>(text.data());
+  const auto* const end = at + text.size();
+  const auto continues = [&](std::ptrdiff_t index) { return (at[index] & 0xC0U) == 0x80U; };
+  while (at < end) {
+    if (end - at >= 8) {
+      std::uint64_t octets;
+      std::memcpy(&octets, at, sizeof octets);
+      if ((octets & 0x8080808080808080U) == 0) {
+        at += sizeof octets;
+        continue;
+      }
+    }
+    const unsigned first = *at;
+    const std::ptrdiff_t length = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+    if (first >= 0x80 && (first < 0xC2 || first > 0xF4)) return false;
+    if (length > end - at) return false;
+    for (std::ptrdiff_t i = 1; i < length; ++i) {
+      if (!continues(i)) return false;
+    }
+    if (first == 0xE0 && at[1] < 0xA0) return false;
+    if (first == 0xED && at[1] > 0x9F) return false;
+    if (first == 0xF0 && at[1] < 0x90) return false;
+    if (first == 0xF4 && at[1] > 0x8F) return false;
+    at += length;
+  }
+  return true;
+}
+
+}  // namespace tfloom::cdr
