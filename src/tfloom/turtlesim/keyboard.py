@@ -1,0 +1,158 @@
+"""Single key presses from a terminal, which is left as it was found whatever ends the program."""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+import sys
+from collections.abc import Callable
+from types import FrameType, TracebackType
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+ARROWS = {"A": "up", "B": "down", "C": "right", "D": "left"}
+# An arrow as terminals send it: plain, in application mode, with a modifier key held.
+_KEY = re.compile(
+    r"\x1b(?:\[[\d;]*|O)(?P<arrow>[A-D])|\x1b\[[\d;?]*[@-~]|\x1b[O[].?|(?P<letter>.)", re.DOTALL
+)
+_UNFINISHED = re.compile(r"\x1b(?:[O[][\d;?]*)?\Z")
+ESCAPE_WAIT_S = 0.05
+"""How long the rest of an arrow key's sequence may take to arrive."""
+
+
+class NoTerminalError(Exception):
+    """Standard input is no terminal, so no single key can be read from it."""
+
+
+def decode_keys(text: str) -> list[str]:
+    """Return the keys in what a terminal sent: `up`, `down`, `left`, `right` or a letter.
+
+    A key that follows itself counts once: while one is held down the terminal repeats it, and what has piled up
+    is to be forgotten, not to be played back. Sequences of other keys are left out.
+    """
+    keys: list[str] = []
+    for match in _KEY.finditer(text):
+        key = ARROWS.get(match["arrow"] or "") or match["letter"]
+        if key and key != "\x1b" and keys[-1:] != [key]:
+            keys.append(key)
+    return keys
+
+
+if sys.platform != "win32":
+    import select
+    import termios
+
+    class Keyboard:
+        """Key presses on standard input, which has to be a terminal; a context that sets and restores its mode.
+
+        Ctrl-C goes on being a signal. Hang-up and quit end the program by SystemExit; a stop (Ctrl-Z) gives the
+        terminal back until the program goes on. To be entered in the main thread.
+        """
+
+        def __init__(self) -> None:
+            self._fd = 0
+            self._handlers: dict[int, Callable[[int, FrameType | None], object] | int | None] = {}
+
+        def __enter__(self) -> Self:
+            if not os.isatty(self._fd):
+                raise NoTerminalError
+            self._found = termios.tcgetattr(self._fd)
+            for number, handler in {
+                signal.SIGHUP: _exit_on_signal,
+                signal.SIGQUIT: _exit_on_signal,
+                signal.SIGTSTP: self._stop,
+            }.items():
+                self._handlers[number] = signal.signal(number, handler)
+            self._set_mode()
+            return self
+
+        def __exit__(
+            self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+        ) -> None:
+            self._restore_mode()
+            for number, handler in self._handlers.items():
+                signal.signal(number, handler)
+
+        def read(self, timeout_s: float) -> list[str]:
+            """Wait for keys and return all that were pressed; none when the time is over.
+
+            Raises:
+                EOFError: the terminal has gone.
+            """
+            if not select.select([self._fd], [], [], timeout_s)[0]:
+                return []
+            text = self._read_text()
+            while _UNFINISHED.search(text) and select.select([self._fd], [], [], ESCAPE_WAIT_S)[0]:
+                text += self._read_text()
+            return decode_keys(text)
+
+        def _read_text(self) -> str:
+            try:
+                data = os.read(self._fd, 4096)
+            except OSError:
+                data = b""
+            if not data:
+                raise EOFError
+            return data.decode("utf-8", "replace")
+
+        def _set_mode(self) -> None:
+            mode = termios.tcgetattr(self._fd)
+            mode[3] &= ~(termios.ICANON | termios.ECHO)
+            mode[6][termios.VMIN], mode[6][termios.VTIME] = 1, 0
+            termios.tcsetattr(self._fd, termios.TCSADRAIN, mode)
+
+        def _restore_mode(self) -> None:
+            # From the background this would stop the process, and the terminal never be restored.
+            old = signal.signal(signal.SIGTTOU, signal.SIG_IGN)
+            try:
+                termios.tcsetattr(self._fd, termios.TCSANOW, self._found)
+            except termios.error:
+                pass  # the terminal has gone, and its mode with it
+            finally:
+                signal.signal(signal.SIGTTOU, old)
+
+        def _stop(self, number: int, _: FrameType | None) -> None:
+            self._restore_mode()
+            signal.signal(number, signal.SIG_DFL)
+            os.kill(os.getpid(), number)
+            signal.signal(number, self._stop)
+            self._set_mode()
+
+    def _exit_on_signal(number: int, _: FrameType | None) -> None:
+        raise SystemExit(128 + number)
+
+else:
+    import msvcrt
+    import time
+
+    WINDOWS_ARROWS = {"H": "up", "P": "down", "M": "right", "K": "left"}
+    POLL_S = 0.01
+
+    class Keyboard:
+        """Key presses at the console, which has no mode to set."""
+
+        def __enter__(self) -> Self:
+            if not sys.stdin.isatty():
+                raise NoTerminalError
+            return self
+
+        def __exit__(
+            self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+        ) -> None:
+            pass
+
+        def read(self, timeout_s: float) -> list[str]:
+            """Wait for keys and return all that were pressed; none when the time is over."""
+            end = time.monotonic() + timeout_s
+            while not msvcrt.kbhit() and time.monotonic() < end:
+                time.sleep(POLL_S)
+            keys: list[str] = []
+            while msvcrt.kbhit():
+                letter = msvcrt.getwch()
+                key = WINDOWS_ARROWS.get(msvcrt.getwch(), "") if letter in "\x00\xe0" else letter
+                if key and keys[-1:] != [key]:
+                    keys.append(key)
+            return keys

@@ -1,0 +1,127 @@
+"""Keys out of what terminals send."""
+
+from __future__ import annotations
+
+import os
+import pty
+import signal
+import termios
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tfloom.turtlesim.keyboard import Keyboard, NoTerminalError, decode_keys
+
+
+@pytest.mark.parametrize(
+    ("text", "keys"),
+    [
+        ("\x1b[A\x1b[B\x1b[C\x1b[D", ["up", "down", "right", "left"]),
+        ("\x1bOA", ["up"]),
+        ("\x1b[1;5C", ["right"]),
+        ("gq", ["g", "q"]),
+        ("\x1b[A" * 40, ["up"]),
+        ("\x1b[A\x1b[A\x1b[D\x1b[A", ["up", "left", "up"]),
+        ("\x1b[3~\x1b[H\x1bOPx", ["x"]),
+        ("\x1b", []),
+        ("\x1b[", []),
+        ("", []),
+    ],
+)
+def test_decoding(text: str, keys: list[str]) -> None:
+    assert decode_keys(text) == keys
+
+
+@given(st.text(alphabet="\x1b[O;1ABCDEFgq~"))
+def test_decoding_survives_anything(text: str) -> None:
+    assert all(key in {"up", "down", "left", "right"} or len(key) == 1 for key in decode_keys(text))
+
+
+def test_without_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(os, "isatty", lambda fd: False)
+    with pytest.raises(NoTerminalError), Keyboard():
+        pass
+
+
+SCRIPT = """
+from tfloom.turtlesim.keyboard import Keyboard
+with Keyboard() as keyboard:
+    print("ready", flush=True)
+    keys = []
+    while "q" not in keys:
+        keys += keyboard.read(0.1)
+        if "x" in keys:
+            raise RuntimeError("on purpose")
+print(keys, flush=True)
+"""
+
+
+@pytest.fixture
+def in_terminal(start_program: Callable[..., Any]) -> Any:
+    """Start the script on a terminal of its own."""
+    ours, theirs = pty.openpty()
+
+    def start() -> tuple[Any, int, list]:
+        before = termios.tcgetattr(ours)
+        program = start_program("python", "-c", SCRIPT, stdin=theirs)
+        program.wait_for("ready")
+        assert not termios.tcgetattr(ours)[3] & (termios.ICANON | termios.ECHO)
+        return program, ours, before
+
+    yield start
+    os.close(ours)
+    os.close(theirs)
+
+
+def test_keys_from_a_terminal(in_terminal: Callable[[], tuple[Any, int, list]]) -> None:
+    program, terminal, before = in_terminal()
+    os.write(terminal, b"\x1b")  # an arrow that arrives in two parts
+    os.write(terminal, b"[Agq")
+    assert program.wait() == 0
+    assert program.lines[-1] == "['up', 'g', 'q']"
+    assert termios.tcgetattr(terminal) == before
+
+
+@pytest.mark.parametrize("end", ["error", signal.SIGHUP, signal.SIGQUIT, signal.SIGINT])
+def test_the_terminal_is_left_as_it_was(in_terminal: Callable[[], tuple[Any, int, list]], end: Any) -> None:
+    program, terminal, before = in_terminal()
+    if end == "error":
+        os.write(terminal, b"x")
+    else:
+        program.signal(end)
+    assert program.wait() != 0
+    assert termios.tcgetattr(terminal) == before
+
+
+# The kernel stops no program whose process group has no parent in its session: so this one plays the shell.
+SHELL = """
+import os, subprocess, sys
+program = subprocess.Popen([sys.executable, "-c", sys.argv[1]], preexec_fn=os.setpgrp)
+print("pid", program.pid, flush=True)
+while os.WIFSTOPPED(status := os.waitpid(program.pid, os.WUNTRACED)[1]):
+    print("stopped", flush=True)
+sys.exit(os.waitstatus_to_exitcode(status))
+"""
+
+
+def test_a_stopped_program_gives_the_terminal_back(
+    start_program: Callable[..., Any], wait_until: Callable[..., None]
+) -> None:
+    terminal, theirs = pty.openpty()
+    before = termios.tcgetattr(terminal)
+    shell = start_program("python", "-c", SHELL, SCRIPT, stdin=theirs)
+    shell.wait_for("ready")
+    pid = int(next(line for line in shell.lines if line.startswith("pid")).split()[1])
+    os.kill(pid, signal.SIGTSTP)
+    shell.wait_for("stopped")
+    assert termios.tcgetattr(terminal) == before
+    os.kill(pid, signal.SIGCONT)
+    wait_until(lambda: not termios.tcgetattr(terminal)[3] & termios.ICANON, what="single keys again")
+    os.write(terminal, b"q")
+    assert shell.wait() == 0
+    assert termios.tcgetattr(terminal) == before
+    os.close(terminal)
+    os.close(theirs)
