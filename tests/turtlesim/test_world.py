@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from tfloom.turtlesim.world import (
     STEP_S,
     WORLD_SIZE_M,
+    Moved,
     Pen,
     RotationStep,
     Stroke,
@@ -223,7 +224,8 @@ def test_rotation_ends_for_a_command_a_cancel_and_a_newer_one(world: World, turt
 
 def test_pen(world: World, turtle: Turtle) -> None:
     world.command(turtle, 1.0, None, 0.0)
-    (stroke,) = world.step()
+    moved, stroke = world.step()
+    assert moved == Moved(turtle)
     assert isinstance(stroke, Stroke)
     assert (stroke.color, stroke.width_px) == ((179, 184, 255), 3)
     assert stroke.start == pytest.approx((CENTRE, CENTRE), abs=1e-6)
@@ -231,7 +233,7 @@ def test_pen(world: World, turtle: Turtle) -> None:
     assert turtle.pen == Pen((1, 2, 3), 1, is_on=True)
     turtle.set_pen((9, 9, 9), 9, off=True)
     assert turtle.pen == Pen((1, 2, 3), 1, is_on=False)
-    assert world.step() == []
+    assert world.step() == [Moved(turtle)]
 
 
 def test_spawn_names(world: World) -> None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from ctypes import c_float
+from itertools import count
 from typing import Literal, NamedTuple
 
 STEP_S = 0.016
@@ -88,7 +89,13 @@ class RotationStep(NamedTuple):
     rotation: Rotation
 
 
-Event = Stroke | WallHit | RotationStep
+class Moved(NamedTuple):
+    """A turtle is where this step takes it: its pose can be told, its sensor read; its stroke comes next."""
+
+    turtle: Turtle
+
+
+Event = Stroke | WallHit | RotationStep | Moved
 
 
 class Rotation:
@@ -121,8 +128,12 @@ class _RelativeTeleport(NamedTuple):
 class Turtle:
     """One turtle. What it is told waits until the next step; what it is and has is read at any time."""
 
-    def __init__(self, name: str, x: float, y: float, theta: float, commanded_ns: int = 0) -> None:
+    def __init__(
+        self, name: str, x: float, y: float, theta: float, commanded_ns: int = 0, kind: int = 0
+    ) -> None:
         self.name = name
+        self.kind = kind
+        """Which of the turtles' looks it has, from 0 on."""
         self.pen = Pen()
         self.x = x
         self.y_down = WORLD_SIZE_M - y
@@ -195,6 +206,7 @@ class Turtle:
             self._stop()
         before = self.x, self.y
         yield from self._move(dt_s)
+        yield Moved(self)
         yield from self._draw(before)
 
     def _jump(self) -> Iterator[Stroke]:
@@ -267,6 +279,7 @@ class World:
         self.turtles: dict[str, Turtle] = {}
         self._simulated_ns = 0
         self._count = 0
+        self._kinds = count()
         self.now_ns: Callable[[], int] = clock_ns or (lambda: self._simulated_ns)
         self.reset()
 
@@ -295,7 +308,7 @@ class World:
             name = self._next_name()
         elif name in self.turtles:
             return None
-        turtle = Turtle(name, x, y, theta, self.now_ns())
+        turtle = Turtle(name, x, y, theta, self.now_ns(), next(self._kinds))
         self.turtles[name] = turtle
         return turtle
 

@@ -1,0 +1,117 @@
+"""The turtles' world as a picture: pen strokes that stay, turtles on top. One painter for every way to show it."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterable
+
+from PIL import Image, ImageDraw
+
+from tfloom.turtlesim.art import sprite
+from tfloom.turtlesim.world import PX_PER_M, WINDOW_PX, WORLD_SIZE_M, Color, Stroke, Turtle
+
+FINENESS = 4
+"""How many times finer than the original's picture strokes are kept: smooth there, and sharp in larger ones."""
+FINE_PX = WINDOW_PX * FINENESS
+NOTHING_DRAWN: Color = (255, 255, 255)
+"""What a turtle's colour sensor sees where there is no stroke, whatever the background."""
+DEFAULT_BACKGROUND: Color = (0x45, 0x56, 0xFF)
+OPAQUE = 255
+
+Box = tuple[int, int, int, int]
+
+
+class Canvas:
+    """Keeps the strokes, and paints pictures of them with turtles on top.
+
+    Args:
+        background: Colour behind everything.
+    """
+
+    def __init__(self, background: Color = DEFAULT_BACKGROUND) -> None:
+        self.background = background
+        self._ink = Image.new("RGBA", (FINE_PX, FINE_PX))
+        self._draw = ImageDraw.Draw(self._ink)
+        self._ink_in_size: Image.Image | None = None
+        self._fresh: Box | None = None
+
+    def clear(self) -> None:
+        """Wipe off all strokes."""
+        self._ink.paste((0, 0, 0, 0), (0, 0, FINE_PX, FINE_PX))
+        self._ink_in_size = None
+        self._fresh = None
+
+    def paint(self, stroke: Stroke) -> None:
+        """Draw a stroke with round ends."""
+        ends = [_fine(*stroke.start), _fine(*stroke.end)]
+        width = stroke.width_px * FINENESS
+        color = (*stroke.color, OPAQUE)
+        self._draw.line(ends, color, width)
+        radius = width / 2
+        for x, y in ends:
+            self._draw.ellipse((x - radius, y - radius, x + radius, y + radius), color)
+        self._touch(ends, radius)
+
+    def _touch(self, ends: list[tuple[float, float]], radius: float) -> None:
+        """Remember what part of the ink has changed."""
+        (x0, y0), (x1, y1) = ends
+        low, high = min(x0, x1) - radius - 1, max(x0, x1) + radius + 1
+        top, bottom = min(y0, y1) - radius - 1, max(y0, y1) + radius + 1
+        if self._fresh is not None:
+            low, top = min(low, self._fresh[0]), min(top, self._fresh[1])
+            high, bottom = max(high, self._fresh[2]), max(bottom, self._fresh[3])
+        self._fresh = int(low), int(top), int(high) + 1, int(bottom) + 1
+
+    def color_at(self, x: float, y: float) -> Color:
+        """Return the colour of the strokes at a place [m]; white where there is none."""
+        px, py = (min(max(int(value), 0), FINE_PX - 1) for value in _fine(x, y))
+        pixel = self._ink.getpixel((px, py))
+        if not isinstance(pixel, tuple) or pixel[3] == 0:
+            return NOTHING_DRAWN
+        red, green, blue, _ = pixel
+        return red, green, blue
+
+    def render(self, turtles: Iterable[Turtle], size_px: int = WINDOW_PX) -> Image.Image:
+        """Return an RGB picture of `size_px` by `size_px`, the turtles in order of their names."""
+        picture = Image.new("RGBA", (size_px, size_px), (*self.background, OPAQUE))
+        picture.alpha_composite(self._ink_at(size_px))
+        scale = size_px / WINDOW_PX
+        for turtle in sorted(turtles, key=lambda one: one.name):
+            image = sprite(turtle.kind, turtle.theta, PX_PER_M * scale)
+            x, y = (value * scale / FINENESS - image.width / 2 for value in _fine(turtle.x, turtle.y))
+            self._put(picture, image, round(x), round(y))
+        return picture.convert("RGB")
+
+    @staticmethod
+    def _put(picture: Image.Image, image: Image.Image, x: int, y: int) -> None:
+        """Lay `image` onto `picture`, as far as it is on it."""
+        left, top = max(0, -x), max(0, -y)
+        if left < image.width and top < image.height and x < picture.width and y < picture.height:
+            picture.alpha_composite(image, (max(0, x), max(0, y)), (left, top))
+
+    def png(self, turtles: Iterable[Turtle], size_px: int = WINDOW_PX) -> bytes:
+        """Return the picture as a PNG file's bytes."""
+        file = io.BytesIO()
+        self.render(turtles, size_px).save(file, "PNG")
+        return file.getvalue()
+
+    def _ink_at(self, size_px: int) -> Image.Image:
+        """Return the strokes in this size; only what is fresh is scaled again."""
+        old, fresh = self._ink_in_size, self._fresh
+        self._fresh = None
+        if old is None or old.width != size_px:
+            old = self._ink_in_size = self._ink.resize((size_px, size_px), Image.Resampling.BOX)
+        elif fresh is not None:
+            ratio = FINE_PX / size_px
+            left, top = (max(0, int(edge / ratio) - 1) for edge in fresh[:2])
+            right, bottom = (min(size_px, int(edge / ratio) + 2) for edge in fresh[2:])
+            if left < right and top < bottom:
+                source = (left * ratio, top * ratio, right * ratio, bottom * ratio)
+                part = self._ink.resize((right - left, bottom - top), Image.Resampling.BOX, source)
+                old.paste(part, (left, top))
+        return old
+
+
+def _fine(x: float, y: float) -> tuple[float, float]:
+    """Return the ink's pixel at a place [m]."""
+    return x * PX_PER_M * FINENESS, (WORLD_SIZE_M - y) * PX_PER_M * FINENESS
