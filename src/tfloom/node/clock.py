@@ -223,7 +223,8 @@ class ROSClock(Clock):
         """Whether the clock shows simulated time."""
         return self._is_active
 
-    def _set_ros_time_is_active(self, enabled: bool) -> None:
+    def set_ros_time_is_active(self, enabled: bool) -> None:
+        """Turn simulated time on or off; a TimeSource does it."""
         with self._lock:
             if enabled == self._is_active:
                 return

@@ -162,3 +162,26 @@ class ParameterUninitializedException(ParameterException):
 
     def __init__(self, parameter_name: str, *args: object) -> None:
         super().__init__(f"The parameter '{parameter_name}' is not initialized", parameter_name, *args)
+
+
+class InvalidHandle(Exception):
+    """Something was used after its `destroy`."""
+
+
+class RCLError(RuntimeError):
+    """The library below refused, for example because its context is shut down."""
+
+
+class RCLInvalidROSArgsError(RCLError):
+    """An argument behind `--ros-args` can't be understood."""
+
+    def __init__(self, why: str) -> None:
+        super().__init__(f"Failed to parse ROS arguments: {why}")
+
+
+class UnknownROSArgsError(RuntimeError):
+    """Something behind `--ros-args` is no ROS argument."""
+
+    def __init__(self, unknown: list[str]) -> None:
+        super().__init__(f"Found unknown ROS arguments: [{', '.join(repr(word) for word in unknown)}]")
+        self.unknown = unknown

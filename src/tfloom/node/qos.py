@@ -261,6 +261,12 @@ class QoSProfile:
             liveliness_lease_duration=Duration(nanoseconds=qos.liveliness_lease_ns),
         )
 
+    def history_text(self) -> str:
+        """Return history and depth as the tools print them: `KEEP_LAST (10)`."""
+        if self.history is HistoryPolicy.KEEP_LAST:
+            return f"{self.history.name} ({self.depth})"
+        return self.history.name
+
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, QoSProfile):
             return NotImplemented

@@ -10,7 +10,7 @@ from collections.abc import Callable, Coroutine, Generator, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 if TYPE_CHECKING:
-    from tfloom.node.executors import Executor
+    from tfloom.node.executor import Executor
 
 __all__ = ["Future", "Task"]
 
@@ -147,8 +147,7 @@ class Future(Generic[T]):
 class Task(Future[T]):
     """A function or coroutine on its way through an executor; its outcome completes the future.
 
-    Calling the task runs the function, or the coroutine up to the next thing it awaits. `resume` is called,
-    on whichever thread, when a coroutine that waited can go on.
+    Calling the task runs the function, or the coroutine up to the next thing it awaits.
     """
 
     def __init__(
@@ -157,7 +156,6 @@ class Task(Future[T]):
         args: Iterable[Any] | None = None,
         kwargs: Mapping[str, Any] | None = None,
         executor: Executor | None = None,
-        resume: Callable[[Task[T]], None] | None = None,
     ) -> None:
         super().__init__(executor=executor)
         self._coroutine: Coroutine[Any, Any, T] | None = None
@@ -168,7 +166,7 @@ class Task(Future[T]):
             self._handler = handler
         self._args = tuple(args or ())
         self._kwargs = dict(kwargs or {})
-        self._resume = resume
+        self._resume: Callable[[], None] | None = None
         self._step_lock = threading.Lock()
 
     def __call__(self) -> None:
@@ -183,6 +181,10 @@ class Task(Future[T]):
             waits_for.when_complete(self._go_on)
         elif not self._done and not self._cancelled:
             self._go_on()
+
+    def on_resume(self, resume: Callable[[], None]) -> None:
+        """Have `resume()` called, on whichever thread, when a coroutine that waited can go on."""
+        self._resume = resume
 
     def executing(self) -> bool:
         """Return whether a step is being run right now."""
@@ -219,4 +221,4 @@ class Task(Future[T]):
 
     def _go_on(self) -> None:
         if self._resume is not None:
-            self._resume(self)
+            self._resume()

@@ -1,0 +1,369 @@
+"""What all executors are: they wait for entities that have something to do, and run their callbacks.
+
+Entities post tokens to one queue; no set of things to wait for is built, however many there are. In each pass an
+executor takes one thing from each entity that posted, and looks at an entity again as long as it had something.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections import deque
+from collections.abc import Callable, Coroutine
+from contextlib import suppress
+from itertools import count
+from types import CoroutineType, TracebackType
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
+
+from tfloom._native import ReadyQueue
+from tfloom.node.context import WAKE, Context
+from tfloom.node.running_work import RunningWork
+from tfloom.node.task import Future, Task
+from tfloom.node.timer_schedule import TimerSchedule
+from tfloom.node.utilities import get_default_context, timeout_sec_to_nsec
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+    from tfloom.node.entity import Entity
+    from tfloom.node.node import Node
+
+__all__ = [
+    "ConditionReachedException",
+    "Executor",
+    "ExternalShutdownException",
+    "ShutdownException",
+    "TimeoutException",
+    "Work",
+]
+
+T = TypeVar("T")
+
+# ruff: noqa: N818  # ROS's own names
+
+
+class TimeoutException(Exception):
+    """Nothing became ready in time."""
+
+
+class ShutdownException(Exception):
+    """The executor was shut down."""
+
+
+class ExternalShutdownException(Exception):
+    """The context was shut down while an executor was at work."""
+
+    def __init__(self) -> None:
+        super().__init__("the context was shut down, by a signal or by another thread")
+
+
+class ConditionReachedException(Exception):
+    """What was waited for has come true."""
+
+
+class Work(NamedTuple):
+    """A callback that may begin: its group has been told so."""
+
+    entity: Entity | None
+    taken: Any
+    """What the entity gave; without entity, a Task."""
+
+
+class Executor:
+    """Runs the callbacks of the nodes added to it, while one of its `spin` methods is called.
+
+    Nodes, and their entities, may come and go from any thread at any time. One thread at a time may spin.
+
+    Args:
+        context: Whose shutdown ends every spin; None: the default one.
+    """
+
+    def __init__(self, *, context: Context | None = None) -> None:
+        self._context = context or get_default_context()
+        self._queue = ReadyQueue()
+        self._context.add_queue(self._queue)
+        self._lock = threading.RLock()
+        self._spinning = threading.RLock()
+        self._nodes: list[Node] = []
+        self._entities: dict[int, Entity] = {}
+        self._tokens: dict[Entity, int] = {}
+        self._tasks: dict[int, Task[Any]] = {}
+        self._numbers = count(WAKE + 1)
+        self._ready: deque[int] = deque()
+        self._pass_left = 0
+        self._timers = TimerSchedule()
+        self._is_shutdown = False
+        self._running = RunningWork()
+
+    @property
+    def context(self) -> Context:
+        """Whose shutdown ends every spin."""
+        return self._context
+
+    # Nodes and entities
+
+    def add_node(self, node: Node) -> bool:
+        """Run a node's callbacks from now on; False if they are already. A node is in one executor at a time."""
+        with self._lock:
+            if self._is_shutdown:
+                raise ShutdownException("cannot add a node to an executor that is shut down")
+            if node in self._nodes:
+                return False
+            self._nodes.append(node)
+        node.executor = self
+        for entity in node.entities():
+            self.add_entity(entity)
+        return True
+
+    def remove_node(self, node: Node) -> None:
+        """Run a node's callbacks no more."""
+        with self._lock:
+            if node not in self._nodes:
+                return
+            self._nodes.remove(node)
+        for entity in node.entities():
+            self.remove_entity(entity)
+        if node.executor is self:
+            node.executor = None
+
+    def get_nodes(self) -> list[Node]:
+        """Return the nodes that were added."""
+        with self._lock:
+            return list(self._nodes)
+
+    def add_entity(self, entity: Entity) -> None:
+        """Run an entity; nodes call it for what they create."""
+        with self._lock:
+            if entity in self._tokens:
+                return
+            token = next(self._numbers)
+            self._tokens[entity] = token
+            self._entities[token] = entity
+        entity.attach(self._queue, token)
+
+    def remove_entity(self, entity: Entity) -> None:
+        """Run an entity no more; what it has posted is ignored."""
+        with self._lock:
+            token = self._tokens.pop(entity, None)
+            if token is None:
+                return
+            del self._entities[token]
+            entity.detach()
+
+    def create_task(
+        self, callback: Callable[..., T] | Coroutine[Any, Any, T], *args: Any, **kwargs: Any
+    ) -> Task[T]:
+        """Have a function or coroutine run; the task is a future of its result.
+
+        An exception in it is raised from `spin` too, as a callback's is.
+        """
+        task: Task[T] = Task(callback, args, kwargs, executor=self)
+        self._start_task(task)
+        return task
+
+    def _start_task(self, task: Task[Any]) -> None:
+        token = next(self._numbers)
+        queue = self._queue
+        task.on_resume(lambda: queue.post(token))
+        self._tasks[token] = task
+        queue.post(token)
+
+    # Waiting
+
+    def wake(self) -> None:
+        """End the wait of whatever spins, for it to look again at what it waits for."""
+        self._queue.post(WAKE)
+
+    def can_execute(self, entity: Entity) -> bool:
+        """Return whether the group of an entity lets its callback begin now."""
+        group = entity.callback_group
+        return group is None or group.can_execute(entity)
+
+    def _next(self, timeout_sec: float | None, condition: Callable[[], bool] | None = None) -> Work:
+        """Wait for a callback that may begin.
+
+        Raises:
+            TimeoutException: none came in time.
+            ConditionReachedException: `condition()` is true.
+            ShutdownException: the executor was shut down.
+            ExternalShutdownException: its context was.
+        """
+        timeout_ns = timeout_sec_to_nsec(timeout_sec)
+        end_ns = None if timeout_ns < 0 else time.monotonic_ns() + timeout_ns
+        waited = False
+        while True:
+            if self._is_shutdown:
+                raise ShutdownException
+            if not self._context.ok():
+                raise ExternalShutdownException
+            if condition is not None and condition():
+                raise ConditionReachedException
+            if self._has_room():
+                work = self._work_of_this_pass()
+                if work is not None:
+                    return work
+            if waited and end_ns is not None and time.monotonic_ns() >= end_ns:
+                raise TimeoutException
+            waited = True
+            self._collect(end_ns)
+
+    def _has_room(self) -> bool:
+        """Return whether one more callback may be run now."""
+        return True
+
+    def _work_of_this_pass(self) -> Work | None:
+        while self._pass_left:
+            self._pass_left -= 1
+            work = self._begin(self._ready.popleft())
+            if work is not None:
+                return work
+        return None
+
+    def _collect(self, end_ns: int | None) -> None:
+        """Wait for posts and timers, not beyond `end_ns`, and begin a new pass over all that is ready."""
+        tokens = self._queue.wait(self._wait_ns(end_ns))
+        self._ready.extend(token for token in tokens if token != WAKE)
+        self._ready.extend(self._timers.take_due(time.monotonic_ns()))
+        self._pass_left = len(self._ready)
+
+    def _wait_ns(self, end_ns: int | None) -> int:
+        if self._ready and self._has_room():
+            return 0
+        ends = [end for end in (end_ns, self._timers.next_ns()) if end is not None]
+        return max(0, min(ends) - time.monotonic_ns()) if ends else -1
+
+    def _begin(self, token: int) -> Work | None:
+        entity = self._entities.get(token)
+        if entity is None:
+            task = self._tasks.get(token)
+            return None if task is None else Work(None, task)
+        group = entity.callback_group
+        if group is not None and not group.beginning_execution(entity):
+            group.park(lambda: self._queue.post(token))
+            if group.can_execute(entity):  # it ended in between
+                group.release_parked()
+            return None
+        try:
+            taken = entity.take()
+        except BaseException:
+            self._end(entity)
+            raise
+        if entity.is_timed:
+            self._timers.set(token, entity.deadline_ns())
+        if taken is None:
+            self._end(entity)
+            return None
+        if not entity.is_timed:
+            self._ready.append(token)
+        return Work(entity, taken)
+
+    def _end(self, entity: Entity) -> None:
+        group = entity.callback_group
+        if group is not None:
+            group.ending_execution(entity)
+            group.release_parked()
+
+    # Running
+
+    def _run(self, work: Work) -> None:
+        """Run a callback to its end, or a coroutine to its next await; what it raises comes out."""
+        with self._running:
+            if work.entity is None:
+                self._run_task(work.taken)
+            else:
+                self._run_entity(work.entity, work.taken)
+
+    def _run_entity(self, entity: Entity, taken: Any) -> None:
+        outcome: Any = None
+        try:
+            outcome = entity.run(taken)
+        finally:
+            if not isinstance(outcome, CoroutineType):
+                self._end(entity)
+        if isinstance(outcome, CoroutineType):
+            task: Task[Any] = Task(outcome, executor=self)
+            task.when_complete(lambda: self._end(entity))
+            self._start_task(task)
+
+    def _run_task(self, task: Task[Any]) -> None:
+        task()
+        if not task.done() and not task.cancelled():
+            return
+        for token, each in list(self._tasks.items()):
+            if each is task:
+                del self._tasks[token]
+        exception = task.exception() if task.done() else None
+        if exception is not None:
+            raise exception
+
+    # Spinning
+
+    def spin(self) -> None:
+        """Run callbacks until the context, or the executor, is shut down.
+
+        Raises:
+            ExternalShutdownException: the context was shut down while this waited.
+            KeyboardInterrupt: Ctrl-C, on the main thread.
+            Exception: whatever a callback raises.
+        """
+        while self._context.ok() and not self._is_shutdown:
+            self.spin_once()
+
+    def spin_once(self, timeout_sec: float | None = None) -> None:
+        """Wait for one callback and run it; return without one after `timeout_sec` [s] (None, negative: never)."""
+        self._spin_once(timeout_sec)
+
+    def spin_until_future_complete(self, future: Future[Any], timeout_sec: float | None = None) -> None:
+        """Run callbacks until a future is done, or `timeout_sec` [s] are over (None, negative: never)."""
+        future.when_complete(self.wake)
+        end_s = None if timeout_sec is None or timeout_sec < 0 else time.monotonic() + timeout_sec
+        while self._context.ok() and not self._is_shutdown and not future.done() and not future.cancelled():
+            left_s = None if end_s is None else max(0.0, end_s - time.monotonic())
+            self._spin_once(left_s, lambda: future.done() or future.cancelled())
+            if end_s is not None and time.monotonic() >= end_s:
+                return
+
+    def spin_once_until_future_complete(self, future: Future[Any], timeout_sec: float | None = None) -> None:
+        """Wait for one callback and run it, or return when a future is done or after `timeout_sec` [s]."""
+        future.when_complete(self.wake)
+        self._spin_once(timeout_sec, lambda: future.done() or future.cancelled())
+
+    def _spin_once(self, timeout_sec: float | None, condition: Callable[[], bool] | None = None) -> None:
+        with suppress(TimeoutException, ShutdownException, ConditionReachedException):
+            self._run(self._wait_for_work(timeout_sec, condition))
+
+    def _wait_for_work(self, timeout_sec: float | None, condition: Callable[[], bool] | None) -> Work:
+        if not self._spinning.acquire(blocking=False):
+            raise RuntimeError("Executor is already spinning, on another thread")
+        try:
+            return self._next(timeout_sec, condition)
+        finally:
+            self._spinning.release()
+
+    # The end
+
+    def shutdown(self, timeout_sec: float | None = None) -> bool:
+        """End every spin, wait for the callbacks that run on other threads, and let go of all nodes.
+
+        Returns:
+            False if one still runs after `timeout_sec` [s] (None: wait for ever).
+        """
+        self._is_shutdown = True
+        self._context.remove_queue(self._queue)
+        self.wake()
+        if not self._running.wait(timeout_sec):
+            return False
+        for node in self.get_nodes():
+            self.remove_node(node)
+        for entity in list(self._tokens):
+            self.remove_entity(entity)
+        self._tasks.clear()
+        return True
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, t: type[BaseException] | None, v: BaseException | None, tb: TracebackType | None
+    ) -> None:
+        self.shutdown()

@@ -1,0 +1,30 @@
+"""Which threads run callbacks now."""
+
+from __future__ import annotations
+
+import threading
+
+__all__ = ["RunningWork"]
+
+
+class RunningWork:
+    """Counts the callbacks that run, for whoever must wait for their end."""
+
+    def __init__(self) -> None:
+        self._changed = threading.Condition()
+        self._threads: list[int] = []
+
+    def __enter__(self) -> None:
+        with self._changed:
+            self._threads.append(threading.get_ident())
+
+    def __exit__(self, *_: object) -> None:
+        with self._changed:
+            self._threads.remove(threading.get_ident())
+            self._changed.notify_all()
+
+    def wait(self, timeout_s: float | None) -> bool:
+        """Wait until no callback runs, but for the one this is called from; False after `timeout_s`."""
+        me = threading.get_ident()
+        with self._changed:
+            return self._changed.wait_for(lambda: all(thread == me for thread in self._threads), timeout_s)

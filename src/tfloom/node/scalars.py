@@ -1,0 +1,65 @@
+"""Parameter values as ROS reads them from YAML text."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+__all__ = ["parse_scalar", "parse_value"]
+
+_TRUE = {"y", "Y", "yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"}
+_FALSE = {"n", "N", "no", "No", "NO", "false", "False", "FALSE", "off", "Off", "OFF"}
+_INTEGER = re.compile(r"[-+]?(0[xX][0-9a-fA-F]+|[0-9]+)\Z")
+_DOUBLE = re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\Z")
+_NOT_FINITE = re.compile(r"([-+]?)\.(inf|Inf|INF|nan|NaN|NAN)\Z")
+_NEEDS_YAML = re.compile(r"[\[\]{}'\"#&*!|>%@`,\n]|: |:$|^[-?] |^\s|\s$")
+
+
+def parse_scalar(text: str) -> bool | int | float | str:
+    """Return the value of an unquoted scalar: a truth value, an integer, a number, else the text itself."""
+    if text in _TRUE:
+        return True
+    if text in _FALSE:
+        return False
+    if _INTEGER.match(text):
+        digits = text.lstrip("+-")
+        is_octal = len(digits) > 1 and digits[0] == "0" and digits[1] not in "xX"
+        if not is_octal:
+            return int(text, 0)
+        if set(digits) <= set("01234567"):
+            return int(text, 8)
+    if _DOUBLE.match(text):
+        return float(text)
+    special = _NOT_FINITE.match(text)
+    return float(special.group(1) + special.group(2)) if special else text
+
+
+def parse_value(text: str) -> Any:
+    """Return the value of a piece of YAML: a scalar, a list, or a mapping with text for keys.
+
+    Raises:
+        ValueError: it is no YAML, or more than one document.
+    """
+    if text and not _NEEDS_YAML.search(text):
+        return parse_scalar(text)
+    import yaml
+
+    try:
+        node = yaml.compose(text, Loader=yaml.SafeLoader)
+    except yaml.YAMLError as error:
+        raise ValueError(f"it is no valid YAML: {' '.join(str(error).split())}") from None
+    return _construct(node)
+
+
+def _construct(node: Any) -> Any:
+    import yaml
+
+    if node is None:
+        return ""
+    if isinstance(node, yaml.MappingNode):
+        return {str(key.value): _construct(value) for key, value in node.value}
+    if isinstance(node, yaml.SequenceNode):
+        return [_construct(item) for item in node.value]
+    if node.style is not None or node.tag == "!!str":
+        return node.value
+    return parse_scalar(node.value)

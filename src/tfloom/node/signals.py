@@ -1,0 +1,87 @@
+"""Ctrl-C and SIGTERM: they shut all contexts down, so that whatever spins ends at once."""
+
+from __future__ import annotations
+
+import signal
+import threading
+from enum import IntFlag
+from types import FrameType
+from typing import Any
+
+from tfloom.node.context import live_contexts
+
+__all__ = [
+    "SignalHandlerOptions",
+    "get_current_signal_handlers_options",
+    "install_signal_handlers",
+    "uninstall_signal_handlers",
+]
+
+
+class SignalHandlerOptions(IntFlag):
+    """Which signals to handle."""
+
+    NO = 0
+    SIGINT = 1
+    SIGTERM = 2
+    ALL = 3
+
+
+_previous: dict[signal.Signals, Any] = {}
+_SIGNALS = {SignalHandlerOptions.SIGINT: signal.SIGINT, SignalHandlerOptions.SIGTERM: signal.SIGTERM}
+
+
+def _on_signal(number: int, frame: FrameType | None) -> None:
+    for context in live_contexts():
+        context.interrupt()
+    previous = _previous.get(signal.Signals(number))
+    if callable(previous):  # Python's own, for SIGINT, raises KeyboardInterrupt
+        previous(number, frame)
+
+
+def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
+    """Handle these signals, and those only, from now on.
+
+    A handler shuts all contexts down and then calls what handled the signal before: for SIGINT, Python's own
+    raises KeyboardInterrupt in the main thread. SIGTERM, which by default would end the process, makes spins
+    raise ExternalShutdownException.
+
+    Python lets only the main thread do this; on another nothing happens.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        return
+    for option, number in _SIGNALS.items():
+        if options & option:
+            _install(number)
+        else:
+            _uninstall(number)
+
+
+def uninstall_signal_handlers() -> None:
+    """Give the signals back to what handled them before. On the main thread only, as installing."""
+    if threading.current_thread() is threading.main_thread():
+        for number in list(_previous):
+            _uninstall(number)
+
+
+def get_current_signal_handlers_options() -> SignalHandlerOptions:
+    """Return which signals are handled now."""
+    options = SignalHandlerOptions.NO
+    for option, number in _SIGNALS.items():
+        if number in _previous:
+            options |= option
+    return options
+
+
+def _install(number: signal.Signals) -> None:
+    if number not in _previous:
+        _previous[number] = signal.getsignal(number)
+        signal.signal(number, _on_signal)
+
+
+def _uninstall(number: signal.Signals) -> None:
+    if number in _previous:
+        previous = _previous.pop(number)
+        # A handler that somebody has put over ours since stays.
+        if signal.getsignal(number) is _on_signal:
+            signal.signal(number, previous if previous is not None else signal.SIG_DFL)

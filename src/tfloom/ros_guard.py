@@ -1,0 +1,43 @@
+"""The guard of the façades: no ROS name of ours is served beside a real ROS 2."""
+
+from __future__ import annotations
+
+import os
+import sys
+from importlib.machinery import PathFinder
+
+__all__ = ["claim"]
+
+_ROS_NAMES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ros_names") + os.sep  # noqa: PTH100, PTH118, PTH120  # pathlib takes longer to load than all that is here
+
+
+def claim(name: str) -> None:
+    """Check that `rclpy` comes from tfloom too, before a façade that needs it is served.
+
+    Each façade calls it before its other imports. It loads nothing.
+
+    Args:
+        name: The façade's own name, for the error's text.
+
+    Raises:
+        ImportError: `rclpy` would come, or has come, from elsewhere: of a real ROS and tfloom in one program, each
+            has nodes and messages that the other doesn't know.
+    """
+    where = _origin("rclpy")
+    if where is not None and os.path.abspath(where).startswith(_ROS_NAMES):  # noqa: PTH100
+        return
+    if where is None:
+        advice = "call `tfloom.use_ros_names()` first"
+    else:
+        advice = f"install '{name}' for that ROS, or take that ROS out of PYTHONPATH to run on tfloom alone"
+    raise ImportError(
+        f"'{name}' would come from tfloom, but 'rclpy' comes from {where or 'nowhere'}: {advice}.", name=name
+    )
+
+
+def _origin(name: str) -> str | None:
+    loaded = sys.modules.get(name)
+    if loaded is not None:
+        return getattr(loaded, "__file__", None)
+    spec = PathFinder.find_spec(name)
+    return None if spec is None else spec.origin

@@ -1,0 +1,4 @@
+"""Spans of time."""
+
+from tfloom.node.duration import *
+from tfloom.node.duration import __all__

@@ -1,0 +1,4 @@
+"""What rclpy raises."""
+
+from tfloom.node.exceptions import *
+from tfloom.node.exceptions import __all__

@@ -1,0 +1,4 @@
+"""Loggers by name."""
+
+from tfloom.node.logging import *
+from tfloom.node.logging import __all__

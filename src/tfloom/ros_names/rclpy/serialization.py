@@ -1,0 +1,4 @@
+"""Messages to bytes and back."""
+
+from tfloom.node.serialization import *
+from tfloom.node.serialization import __all__

@@ -1,0 +1,4 @@
+"""Callbacks at a fixed period."""
+
+from tfloom.node.timer import *
+from tfloom.node.timer import __all__

@@ -1,0 +1,5 @@
+"""What is valid as a full name."""
+
+from tfloom.node.names import validate_full_topic_name
+
+__all__ = ["validate_full_topic_name"]

@@ -1,0 +1,5 @@
+"""What is valid as a name that a program gives."""
+
+from tfloom.node.names import TOPIC_SEPARATOR_STRING, validate_topic_name
+
+__all__ = ["TOPIC_SEPARATOR_STRING", "validate_topic_name"]
