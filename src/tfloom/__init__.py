@@ -8,13 +8,13 @@ puts them last on `sys.path`, so that a real ROS always comes first.
 
 from __future__ import annotations
 
+import os
 import sys
-from pathlib import Path
 
 __version__ = "0.1.0"
 __all__ = ["__version__", "use_ros_names"]
 
-_ROS_NAMES = Path(__file__).parent / "ros_names"
+_ROS_NAMES = os.path.join(os.path.dirname(__file__), "ros_names")  # noqa: PTH118, PTH120 pathlib costs 5 ms
 
 
 def use_ros_names() -> None:
@@ -24,6 +24,5 @@ def use_ros_names() -> None:
     --target`, or in a notebook whose kernel has been running since before the install. Calling it again does
     nothing.
     """
-    path = str(_ROS_NAMES)
-    if path not in sys.path:
-        sys.path.append(path)
+    if _ROS_NAMES not in sys.path:
+        sys.path.append(_ROS_NAMES)
