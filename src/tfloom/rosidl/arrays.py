@@ -25,21 +25,18 @@ def convert(type_text: str, value: Any) -> Any:
     """
     type_ = parse_type(type_text)
     if type_.shape == "array":
-        return numeric_array(type_, value)
+        return _numpy_array(type_, value)
     code = ARRAY_CODES[type_.base]
     if isinstance(value, array) and value.typecode == code:
         return value
     return _from_memory(code, value) or array(code, value)
 
 
-def numeric_array(type_: Type, value: Any) -> Any:
-    """Return a numpy array of the field's number type: of zeros if `value` is a length, else of these numbers."""
+def _numpy_array(type_: Type, value: Any) -> Any:
+    """Return a numpy array of the field's number type."""
     import numpy as np
 
-    dtype = np.dtype("uint8" if type_.base == "char" else type_.base)
-    if isinstance(value, int):
-        return np.zeros(value, dtype)
-    return np.asarray(value, dtype)
+    return np.asarray(value, ARRAY_CODES[type_.base])
 
 
 def _from_memory(code: str, value: Any) -> array[Any] | None:

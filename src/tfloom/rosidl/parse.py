@@ -6,8 +6,9 @@ import re
 
 from tfloom.rosidl import spec
 from tfloom.rosidl.literal import parse_value
+from tfloom.rosidl.type_text import split_type
 
-_TYPE = re.compile(r"(?P<base>[A-Za-z][\w/]*)(?:<=(?P<bound>\d+))?(?:\[(?P<at_most><=)?(?P<count>\d*)\])?")
+_TYPE = re.compile(r"(?P<base>[A-Za-z][\w/]*)(?:<=(?P<bound>\d+))?(?:\[(?:(?:<=)?\d+)?\])?")
 _FIELD_NAME = re.compile(r"(?!.*__)[a-z][a-z0-9_]*(?<!_)")
 _CONSTANT_NAME = re.compile(r"(?!.*__)[A-Z][A-Z0-9_]*(?<!_)")
 _MESSAGE_NAME = re.compile(r"[A-Z][A-Za-z0-9]*")
@@ -64,15 +65,12 @@ def parse_type(text: str, package: str = "") -> spec.Type:
     base = _resolve(match["base"], package)
     if match["bound"] is not None and base not in spec.STRINGS:
         raise ValueError(f"only strings have a bound of characters, '{match['base']}' has none")
-    shape, count = "", 0
-    if match["count"] is not None:
-        shape = "bounded" if match["at_most"] else "array" if match["count"] else "unbounded"
-        count = int(match["count"] or 0)
-        if shape != "unbounded" and count == 0:
-            raise ValueError(f"'{text}': the length must be 1 or more")
-    if match["bound"] is not None and int(match["bound"]) == 0:
+    _, bound, shape, length = split_type(text)
+    if length == 0 and shape in {"array", "bounded"}:
+        raise ValueError(f"'{text}': the length must be 1 or more")
+    if match["bound"] is not None and bound == 0:
         raise ValueError(f"'{text}': the bound must be 1 or more")
-    return spec.Type(base, int(match["bound"] or 0), shape, count)
+    return spec.Type(base, bound, shape, length)
 
 
 def _split_name(name: str) -> tuple[str, str, str]:

@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
-from array import array
-from typing import Any
-
 from tfloom._native import Plan
-from tfloom.rosidl.arrays import numeric_array
 from tfloom.rosidl.message import ARRAY_CODES, Message
-from tfloom.rosidl.parse import parse_type
 from tfloom.rosidl.registry import get_message_class
-from tfloom.rosidl.spec import Type
+from tfloom.rosidl.type_text import split_type
 
-_ZEROS: dict[str, Any] = {"bool": False, "byte": b"\0", "string": "", "wstring": ""}
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any
+
+_ZEROS: dict[str, Any] = {
+    **dict.fromkeys(ARRAY_CODES, 0),
+    "float32": 0.0,
+    "float64": 0.0,
+    "bool": False,
+    "byte": b"\0",
+    "string": "",
+    "wstring": "",
+}
 
 
 def compile_plan(cls: type[Message]) -> Plan:
@@ -27,58 +34,62 @@ def compile_plan(cls: type[Message]) -> Plan:
     )
     if owner is Message:
         raise TypeError(f"{cls.__qualname__} is no message class")
-    if owner._PLAN is None:
-        plan = Plan(owner, owner._TYPE_NAME)
-        for name, text in owner._FIELDS.items():
-            _add_field(plan, name, parse_type(text), owner._DEFAULTS.get(name))
-        owner._PLAN = plan
-        return plan
-    return owner._PLAN
+    if owner._PLAN is not None:
+        return owner._PLAN
+    plan = Plan(owner, owner._TYPE_NAME)
+    for name, text in owner._FIELDS.items():
+        _add_field(plan, name, text, owner._DEFAULTS.get(name))
+    owner._PLAN = plan
+    return plan
 
 
-def _add_field(plan: Plan, name: str, type_: Type, default: Any) -> None:
+def _add_field(plan: Plan, name: str, type_text: str, default: Any) -> None:
+    base, string_bound, shape, length = split_type(type_text)
     nested = None
-    if not type_.is_primitive:
-        nested = get_message_class(type_.base)
+    if base not in _ZEROS:
+        nested = get_message_class(base)
         if nested._PLAN is None:
             compile_plan(nested)
-    is_array = bool(type_.shape) and type_.base in ARRAY_CODES
-    initial = _initial(type_, default)
+    is_array = bool(shape) and base in ARRAY_CODES
+    if is_array:
+        initial = empty = _empty(base, length if shape == "array" else 0)
+        if default is not None:
+            initial = _filled(type_text, default)
+    else:
+        initial, empty = _initial(base, shape, length, default), None
     plan.add_field(
         name=name,
-        kind="message" if nested else type_.base,
-        shape=type_.shape,
-        count=type_.length,
-        string_bound=type_.string_bound,
+        kind="message" if nested else base,
+        shape=shape,
+        count=length,
+        string_bound=string_bound,
         message_class=nested,
         initial=initial,
         copies=isinstance(initial, list) or is_array,
-        empty=_empty(type_) if is_array else None,
+        empty=empty,
     )
 
 
-def _empty(type_: Type) -> Any:
-    """Return a numeric array without content: of length 0, or of zeros if its length is fixed."""
-    return numeric_array(type_, type_.length) if type_.shape == "array" else array(ARRAY_CODES[type_.base])
+def _empty(base: str, length: int) -> Any:
+    """Return a numeric array without content: zeros if its length is fixed, else one of length 0."""
+    if length:
+        import numpy as np
+
+        return np.zeros(length, ARRAY_CODES[base])
+    from array import array
+
+    return array(ARRAY_CODES[base])
 
 
-def _initial(type_: Type, default: Any) -> Any:
-    """Return the default of a field; None for messages, which are built anew."""
-    if type_.shape and type_.base in ARRAY_CODES:
-        initial = _empty(type_)
-        if default is not None:
-            initial = (
-                numeric_array(type_, default) if type_.shape == "array" else array(initial.typecode, default)
-            )
-        return initial
-    if type_.shape:
-        if default is not None:
-            return list(default)
-        return [_zero(type_)] * type_.length if type_.shape == "array" and type_.is_primitive else []
-    return _zero(type_) if default is None else default
+def _filled(type_text: str, default: Any) -> Any:
+    from tfloom.rosidl.arrays import convert
+
+    return convert(type_text, default)
 
 
-def _zero(type_: Type) -> Any:
-    if not type_.is_primitive:
-        return None
-    return _ZEROS.get(type_.base, 0.0 if type_.base.startswith("float") else 0)
+def _initial(base: str, shape: str, length: int, default: Any) -> Any:
+    """Return the default of a field that is no numeric array; None for a message, which is built anew."""
+    zero = _ZEROS.get(base)
+    if shape:
+        return list(default or ([zero] * length if shape == "array" and base in _ZEROS else []))
+    return zero if default is None else default

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import sys
-from importlib import import_module
-from pathlib import Path
-from typing import Any
 
 from tfloom.rosidl.message import Message
 
-DEFINITIONS = Path(__file__).parent / "definitions"
-"""The definitions that come with tfloom: `package/kind/Name.kind`."""
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from pathlib import Path
+    from typing import Any
 
 _classes: dict[str, Any] = {}
 
@@ -35,10 +34,18 @@ def register(cls: type[Message]) -> None:
     _classes[cls._TYPE_NAME] = cls
 
 
+def definitions_folder() -> Path:
+    """Return where the definitions that come with tfloom are: `package/kind/Name.kind`."""
+    from pathlib import Path
+
+    return Path(__file__).parent / "definitions"
+
+
 def interface_names(kind: str = "msg") -> list[str]:
     """Return the names of all interfaces of a kind (msg, srv, action) that come with tfloom, sorted."""
     return sorted(
-        f"{path.parent.parent.name}/{kind}/{path.stem}" for path in DEFINITIONS.glob(f"*/{kind}/*.{kind}")
+        f"{path.parent.parent.name}/{kind}/{path.stem}"
+        for path in definitions_folder().glob(f"*/{kind}/*.{kind}")
     )
 
 
@@ -55,14 +62,13 @@ def _find(name: str) -> type[Message]:
 
 def _import(module_name: str) -> Any:
     """Import a module, or give None if it or its package is not there. What fails inside it is raised."""
-    if module_name in sys.modules:
-        return sys.modules[module_name]
     try:
-        return import_module(module_name)
+        __import__(module_name)
     except ModuleNotFoundError as error:
         if error.name is None or not module_name.startswith(error.name):
             raise
         return None
+    return sys.modules[module_name]
 
 
 def _nearest(name: str) -> str:
