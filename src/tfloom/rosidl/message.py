@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from typing import Any, ClassVar
 
     from tfloom._native import Plan
+    from tfloom.rosidl.definition import AbstractType
     from tfloom.rosidl.spec import Value
 
 ARRAY_CODES = {
@@ -31,6 +32,16 @@ ARRAY_CODES = {
     "float64": "d",
 }
 """The type code by which `array.array` and numpy hold a sequence of each number type."""
+
+
+class _SlotTypes:
+    """`SLOT_TYPES`: the type of each field as an object of `tfloom.rosidl.definition`, made when asked for."""
+
+    def __get__(self, instance: object, owner: type[Message]) -> tuple[AbstractType, ...]:
+        from tfloom.rosidl.definition import to_type
+        from tfloom.rosidl.parse import parse_type
+
+        return tuple(to_type(parse_type(text)) for text in owner._FIELDS.values())
 
 
 class Message(MessageBase):
@@ -51,6 +62,7 @@ class Message(MessageBase):
     _DEFAULTS: ClassVar[dict[str, Value]] = {}
     """The fields whose definition gives a default."""
     _PLAN: ClassVar[Plan | None] = None
+    SLOT_TYPES = _SlotTypes()
 
     def __init_subclass__(cls, **kwargs: Any) -> None:
         super().__init_subclass__(**kwargs)
@@ -95,8 +107,10 @@ def _converting(name: str, member: Any) -> property:
 
 
 def _equal(ours: Any, theirs: Any) -> bool:
+    if getattr(ours, "shape", None) != getattr(theirs, "shape", None):
+        return False
     same = ours == theirs
-    return same if isinstance(same, bool) else bool(getattr(same, "all", lambda: same)())
+    return same if isinstance(same, bool) else bool(same.all())
 
 
 def _field_repr(value: object) -> str:
