@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import math
 from collections.abc import Iterable
 
 from PIL import Image, ImageDraw
@@ -32,14 +33,14 @@ class Canvas:
         self.background = background
         self._ink = Image.new("RGBA", (FINE_PX, FINE_PX))
         self._draw = ImageDraw.Draw(self._ink)
-        self._ink_in_size: Image.Image | None = None
+        self._ground: Image.Image | None = None
+        self._ground_color = background
         self._fresh: Box | None = None
 
     def clear(self) -> None:
         """Wipe off all strokes."""
         self._ink.paste((0, 0, 0, 0), (0, 0, FINE_PX, FINE_PX))
-        self._ink_in_size = None
-        self._fresh = None
+        self._ground = None
 
     def paint(self, stroke: Stroke) -> None:
         """Draw a stroke with round ends."""
@@ -73,21 +74,13 @@ class Canvas:
 
     def render(self, turtles: Iterable[Turtle], size_px: int = WINDOW_PX) -> Image.Image:
         """Return an RGB picture of `size_px` by `size_px`, the turtles in order of their names."""
-        picture = Image.new("RGBA", (size_px, size_px), (*self.background, OPAQUE))
-        picture.alpha_composite(self._ink_at(size_px))
+        picture = self._ground_at(size_px).copy()
         scale = size_px / WINDOW_PX
         for turtle in sorted(turtles, key=lambda one: one.name):
             image = sprite(turtle.kind, turtle.theta, PX_PER_M * scale)
             x, y = (value * scale / FINENESS - image.width / 2 for value in _fine(turtle.x, turtle.y))
-            self._put(picture, image, round(x), round(y))
-        return picture.convert("RGB")
-
-    @staticmethod
-    def _put(picture: Image.Image, image: Image.Image, x: int, y: int) -> None:
-        """Lay `image` onto `picture`, as far as it is on it."""
-        left, top = max(0, -x), max(0, -y)
-        if left < image.width and top < image.height and x < picture.width and y < picture.height:
-            picture.alpha_composite(image, (max(0, x), max(0, y)), (left, top))
+            picture.paste(image, (round(x), round(y)), image)
+        return picture
 
     def png(self, turtles: Iterable[Turtle], size_px: int = WINDOW_PX) -> bytes:
         """Return the picture as a PNG file's bytes."""
@@ -95,21 +88,31 @@ class Canvas:
         self.render(turtles, size_px).save(file, "PNG")
         return file.getvalue()
 
-    def _ink_at(self, size_px: int) -> Image.Image:
-        """Return the strokes in this size; only what is fresh is scaled again."""
-        old, fresh = self._ink_in_size, self._fresh
+    def _ground_at(self, size_px: int) -> Image.Image:
+        """Return background and strokes in this size; only what is fresh is scaled again."""
+        ground, fresh = self._ground, self._fresh
         self._fresh = None
-        if old is None or old.width != size_px:
-            old = self._ink_in_size = self._ink.resize((size_px, size_px), Image.Resampling.BOX)
-        elif fresh is not None:
-            ratio = FINE_PX / size_px
-            left, top = (max(0, int(edge / ratio) - 1) for edge in fresh[:2])
-            right, bottom = (min(size_px, int(edge / ratio) + 2) for edge in fresh[2:])
-            if left < right and top < bottom:
-                source = (left * ratio, top * ratio, right * ratio, bottom * ratio)
-                part = self._ink.resize((right - left, bottom - top), Image.Resampling.BOX, source)
-                old.paste(part, (left, top))
-        return old
+        if ground is None or ground.width != size_px or self._ground_color != self.background:
+            ground = self._ground = Image.new("RGB", (size_px, size_px), self.background)
+            self._ground_color = self.background
+            fresh = (0, 0, FINE_PX, FINE_PX)
+        if fresh is not None:
+            self._scale_ink(ground, fresh)
+        return ground
+
+    def _scale_ink(self, ground: Image.Image, part: Box) -> None:
+        """Lay the ink within `part`, in the ink's pixels, onto `ground`."""
+        ratio = FINE_PX / ground.width
+        left, top = (max(0, int(edge / ratio) - 1) for edge in part[:2])
+        right, bottom = (min(ground.width, int(edge / ratio) + 2) for edge in part[2:])
+        if left < right and top < bottom:
+            # The part alone: resize() would first copy all of an image with transparency.
+            x, y = int(left * ratio), int(top * ratio)
+            ink = self._ink.crop((x, y, math.ceil(right * ratio), math.ceil(bottom * ratio)))
+            source = (left * ratio - x, top * ratio - y, right * ratio - x, bottom * ratio - y)
+            ink = ink.resize((right - left, bottom - top), Image.Resampling.BOX, source)
+            ground.paste(self.background, (left, top, right, bottom))
+            ground.paste(ink, (left, top), ink)
 
 
 def _fine(x: float, y: float) -> tuple[float, float]:

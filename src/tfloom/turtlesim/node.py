@@ -1,0 +1,172 @@
+"""The node `turtlesim`: turtles that obey velocity commands and tell their poses."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from typing import TYPE_CHECKING
+
+from tfloom.interfaces.geometry_msgs.msg import Twist
+from tfloom.interfaces.rcl_interfaces.msg import IntegerRange, ParameterDescriptor
+from tfloom.interfaces.turtlesim.msg import Color, Pose
+from tfloom.node import init, spin
+from tfloom.node.clock import Clock, ClockType
+from tfloom.node.executor import ExternalShutdownException
+from tfloom.node.node import Node
+from tfloom.node.utilities import remove_ros_args, try_shutdown
+from tfloom.turtlesim.canvas import DEFAULT_BACKGROUND, Canvas
+from tfloom.turtlesim.world import STEP_S, Event, Moved, Stroke, Turtle, WallHit, World, is_usable
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+    from tfloom.turtlesim.window import Window
+
+QOS_DEPTH = 7
+FRAME_S = 1 / 60
+"""Time between two pictures in the window [s]."""
+
+
+class TurtleTopics:
+    """What one turtle publishes and listens to, under its name."""
+
+    def __init__(self, node: TurtlesimNode, turtle: Turtle) -> None:
+        self._node = node
+        self._turtle = turtle
+        self._pose = node.create_publisher(Pose, f"{turtle.name}/pose", QOS_DEPTH)
+        self._color = node.create_publisher(Color, f"{turtle.name}/color_sensor", QOS_DEPTH)
+        self._cmd_vel = node.create_subscription(Twist, f"{turtle.name}/cmd_vel", self._on_cmd_vel, QOS_DEPTH)
+
+    def publish(self) -> None:
+        """Tell where the turtle is, what it was commanded [m, rad, m/s, rad/s], and what it sees under it."""
+        turtle = self._turtle
+        self._pose.publish(
+            Pose(
+                x=turtle.x,
+                y=turtle.y,
+                theta=turtle.theta,
+                linear_velocity=turtle.linear_velocity,
+                angular_velocity=turtle.angular_velocity,
+            )
+        )
+        red, green, blue = self._node.canvas.color_at(turtle.x, turtle.y)
+        self._color.publish(Color(r=red, g=green, b=blue))
+
+    def _on_cmd_vel(self, twist: Twist) -> None:
+        ahead, left, turn = twist.linear.x, twist.linear.y, twist.angular.z
+        if not is_usable(ahead, left, turn):
+            self._node.get_logger().warning(
+                f"Ignoring a velocity command for [{self._turtle.name}] that is not a number or too large: "
+                f"linear [{ahead}, {left}], angular [{turn}]",
+                throttle_duration_sec=1.0,
+            )
+            return
+        self._node.world.command(self._turtle, ahead, left if self._node.is_holonomic else None, turn)
+
+
+class TurtlesimNode(Node):
+    """Steps a world of turtles 62.5 times a second and connects it to topics."""
+
+    def __init__(self) -> None:
+        super().__init__("turtlesim")
+        self._declare_parameters()
+        self.get_logger().info(f"Starting turtlesim with node name {self.get_fully_qualified_name()}")
+        self.canvas = Canvas()
+        self.world = World(lambda: self.get_clock().now().nanoseconds)
+        self._topics: dict[str, TurtleTopics] = {}
+        for turtle in self.world.turtles.values():
+            self._show(turtle)
+        # Simulated time may be made by what these turtles do: so they themselves go by real time.
+        self._timer = self.create_timer(STEP_S, self._step, clock=Clock(clock_type=ClockType.STEADY_TIME))
+
+    def _declare_parameters(self) -> None:
+        for channel, default in zip(("Red", "Green", "Blue"), DEFAULT_BACKGROUND, strict=True):
+            descriptor = ParameterDescriptor(
+                description=f"{channel} channel of the background color",
+                integer_range=[IntegerRange(from_value=0, to_value=255, step=1)],
+            )
+            self.declare_parameter(f"background_{channel[0].lower()}", default, descriptor)
+        descriptor = ParameterDescriptor(description="If true, then turtles will be holonomic")
+        self.declare_parameter("holonomic", False, descriptor)
+
+    @property
+    def is_holonomic(self) -> bool:
+        """Whether turtles may go sideways."""
+        return bool(self.get_parameter("holonomic").value)
+
+    def render(self, size_px: int) -> Image:
+        """Return the picture of the world, `size_px` by `size_px`."""
+        red, green, blue = (int(self.get_parameter(f"background_{channel}").value) for channel in "rgb")
+        self.canvas.background = red, green, blue
+        return self.canvas.render(self.world.turtles.values(), size_px)
+
+    def show_in(self, window: Window) -> None:
+        """Keep the picture in `window` up to date; once the user closes it, shut down."""
+
+        def refresh() -> None:
+            if not window.show(self.render):
+                window.close()
+                try_shutdown(context=self.context)
+
+        self.create_timer(FRAME_S, refresh, clock=Clock(clock_type=ClockType.STEADY_TIME))
+
+    def _show(self, turtle: Turtle) -> None:
+        self.get_logger().info(
+            f"Spawning turtle [{turtle.name}] at x=[{turtle.x:f}], y=[{turtle.y:f}], theta=[{turtle.theta:f}]"
+        )
+        self._topics[turtle.name] = TurtleTopics(self, turtle)
+
+    def _step(self) -> None:
+        for event in self.world.step():
+            self._take(event)
+
+    def _take(self, event: Event) -> None:
+        if isinstance(event, Moved):
+            self._topics[event.turtle.name].publish()
+        elif isinstance(event, Stroke):
+            self.canvas.paint(event)
+        elif isinstance(event, WallHit):
+            self.get_logger().warning(str(event))
+
+
+def open_window(node: Node) -> Window | None:
+    """Open the window; where that can't be, say why, once, and return None."""
+    try:
+        from tfloom.turtlesim.window import NoDisplayError, Window
+    except ImportError as error:
+        node.get_logger().info(f"Running headless: {error}")
+        return None
+    try:
+        return Window()
+    except NoDisplayError as error:
+        node.get_logger().info(f"Running headless: {error}")
+        return None
+
+
+def parse_arguments(words: list[str]) -> argparse.Namespace:
+    """Read a command line without its ROS arguments; exits with a usage text if it makes no sense."""
+    parser = argparse.ArgumentParser(
+        prog="turtlesim_node",
+        description="Simulate turtles. Each listens to NAME/cmd_vel (geometry_msgs/msg/Twist) and tells where "
+        "it is on NAME/pose (turtlesim/msg/Pose), 62.5 times a second; the first is turtle1.",
+    )
+    parser.add_argument("--headless", action="store_true", help="open no window")
+    return parser.parse_args(words)
+
+
+def main(args: list[str] | None = None) -> int:
+    """Simulate until stopped or the window is closed; return the exit code."""
+    args = sys.argv[1:] if args is None else args
+    options = parse_arguments(remove_ros_args(args))
+    init(args=args)
+    try:
+        node = TurtlesimNode()
+        window = None if options.headless else open_window(node)
+        if window is not None:
+            node.show_in(window)
+        spin(node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        try_shutdown()
+    return 0

@@ -1,0 +1,67 @@
+"""The window that shows the turtles' picture. The only file that knows the window toolkit."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable
+
+from PIL import Image
+
+os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
+
+try:
+    import pygame
+except ImportError as _error:  # the extra `turtlesim` isn't installed
+    raise ImportError("no window toolkit: pip install 'tfloom[turtlesim]' brings it") from _error
+
+TITLE = "TurtleSim"
+SIDE = 500
+"""Width and height at first, in the desktop's units."""
+
+
+class NoDisplayError(Exception):
+    """There is no screen to open a window on; its text says why."""
+
+
+class Window:
+    """Shows square pictures, as large as the window lets them be and as sharp as its screen. For the main thread.
+
+    Raises:
+        NoDisplayError: there is no display.
+    """
+
+    def __init__(self) -> None:
+        if not has_display():
+            raise NoDisplayError("there is no display")
+        try:
+            pygame.display.init()
+            self._window = pygame.Window(TITLE, (SIDE, SIDE), resizable=True, allow_high_dpi=True)
+            self._window.minimum_size = (100, 100)
+        except pygame.error as error:
+            raise NoDisplayError(str(error)) from None
+
+    def show(self, draw: Callable[[int], Image.Image]) -> bool:
+        """Show the picture that `draw` makes in the size it is given [px]; return False once the window is closed."""
+        if any(event.type in {pygame.QUIT, pygame.WINDOWCLOSE} for event in pygame.event.get()):
+            return False
+        surface = self._window.get_surface()
+        size = max(1, min(surface.get_size()))
+        picture = draw(size)
+        image = pygame.image.frombuffer(picture.tobytes(), picture.size, "RGB")
+        surface.fill((0, 0, 0))
+        surface.blit(image, ((surface.get_width() - size) // 2, (surface.get_height() - size) // 2))
+        self._window.flip()
+        return True
+
+    def close(self) -> None:
+        """Take the window off the screen."""
+        self._window.destroy()
+        pygame.display.quit()
+
+
+def has_display() -> bool:
+    """Return whether a window could be seen: on Linux, X or Wayland or a driver that the user chose."""
+    if sys.platform in {"win32", "darwin"}:
+        return True
+    return any(os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"))

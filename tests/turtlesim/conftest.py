@@ -1,0 +1,58 @@
+"""A turtlesim node and a user's node beside it, in this process and with no network."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import pytest
+
+from tfloom.node import init
+from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.node import Node
+from tfloom.node.utilities import try_shutdown
+from tfloom.turtlesim.node import TurtlesimNode
+
+
+class Stage:
+    """The two nodes, spun only while a test waits."""
+
+    def __init__(self, args: list[str]) -> None:
+        init(args=args)
+        self.turtlesim = TurtlesimNode()
+        self.user = Node("user")
+        self._executor = SingleThreadedExecutor()
+        for node in (self.turtlesim, self.user):
+            self._executor.add_node(node)
+
+    def spin_until(self, condition: Callable[[], object], turns: int = 3000) -> None:
+        for _ in range(turns):
+            if condition():
+                return
+            self._executor.spin_once(timeout_sec=0.05)
+        pytest.fail("the nodes never got there")
+
+    def end(self) -> None:
+        self._executor.shutdown()
+        for node in (self.turtlesim, self.user):
+            node.destroy_node()
+        try_shutdown()
+
+
+@pytest.fixture
+def start_stage(monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[..., Stage]]:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+    stages: list[Stage] = []
+
+    def start(*args: str) -> Stage:
+        stages.append(Stage(["--ros-args", *args] if args else []))
+        return stages[-1]
+
+    yield start
+    for stage in stages:
+        stage.end()
+
+
+@pytest.fixture
+def stage(start_stage: Callable[..., Any]) -> Any:
+    return start_stage()

@@ -1,0 +1,128 @@
+"""The node turtlesim: what it tells, and how it obeys."""
+
+from __future__ import annotations
+
+import math
+import re
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tfloom.interfaces.geometry_msgs.msg import Twist
+from tfloom.interfaces.turtlesim.msg import Color, Pose
+from tfloom.node.parameter import Parameter
+
+GOLDEN = Path(__file__).parents[1] / "golden" / "cli" / "turtlesim_log.txt"
+
+
+def twist(ahead: float = 0.0, left: float = 0.0, turn: float = 0.0) -> Twist:
+    message = Twist()
+    message.linear.x, message.linear.y, message.angular.z = ahead, left, turn
+    return message
+
+
+def poses_of(stage: Any, turtle: str = "turtle1") -> list[Pose]:
+    poses: list[Pose] = []
+    stage.user.create_subscription(Pose, f"/{turtle}/pose", poses.append, 7)
+    return poses
+
+
+def commander(stage: Any, turtle: str = "turtle1") -> Any:
+    return stage.user.create_publisher(Twist, f"/{turtle}/cmd_vel", 7)
+
+
+def masked(line: str) -> str:
+    return re.sub(r"\[\d+\.\d+\]", "[stamp]", line)
+
+
+def test_it_starts_with_the_reference_s_lines(
+    start_stage: Callable[..., Any], capfd: pytest.CaptureFixture[str]
+) -> None:
+    start_stage()
+    lines = [masked(line) for line in capfd.readouterr().err.splitlines()]
+    assert lines == [masked(line) for line in GOLDEN.read_text().splitlines()[2:4]]
+
+
+def test_poses(stage: Any) -> None:
+    poses = poses_of(stage)
+    started = time.monotonic()
+    stage.spin_until(lambda: len(poses) >= 63)
+    assert time.monotonic() - started == pytest.approx(1.0, abs=0.3), "62.5 poses a second"
+    # What `ros2 topic echo --once /turtle1/pose` of the reference shows.
+    expected = Pose(x=5.544444561004639, y=5.544444561004639)
+    assert poses[0] == expected
+
+
+def test_a_command_moves_the_turtle(stage: Any) -> None:
+    poses = poses_of(stage)
+    commander(stage).publish(twist(1.0, 5.0, 0.5))
+    stage.spin_until(lambda: poses and poses[-1].theta > 0.1)
+    assert poses[-1].linear_velocity == 1.0
+    assert poses[-1].angular_velocity == 0.5
+    assert poses[-1].x > poses[0].x
+
+
+def test_holonomic_turtles(start_stage: Callable[..., Any]) -> None:
+    stage = start_stage("-p", "holonomic:=true")
+    poses = poses_of(stage)
+    commander(stage).publish(twist(0.0, 2.0))
+    stage.spin_until(lambda: poses and poses[-1].y > 5.6)
+    assert poses[-1].x == poses[0].x
+    stage.turtlesim.set_parameters([Parameter("holonomic", value=False)])
+    commander(stage).publish(twist(1.0, -2.0))
+    stage.spin_until(lambda: poses[-1].x > poses[0].x)
+    assert poses[-1].linear_velocity == pytest.approx(math.sqrt(5)), "what went sideways stays"
+
+
+def test_commands_that_are_no_numbers_are_ignored(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
+    poses = poses_of(stage)
+    commands = commander(stage)
+    for number in (math.nan, math.inf, -1e300):
+        commands.publish(twist(number))
+        commands.publish(twist(turn=number))
+    stage.spin_until(lambda: len(poses) > 3)
+    assert poses[-1] == poses[0]
+    warning = "Ignoring a velocity command for [turtle1] that is not a number or too large: linear [nan, 0.0]"
+    assert capfd.readouterr().err.count(warning) == 1
+
+
+def test_the_wall_warns(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
+    poses = poses_of(stage)
+    commander(stage).publish(twist(500.0))
+    stage.spin_until(lambda: poses and poses[-1].x > 11.0)
+    assert "[WARN]" in (text := capfd.readouterr().err)
+    assert "Oh no! I hit the wall! (Clamping from [x=13.544445, y=5.544445])" in text
+    assert poses[-1].x == pytest.approx(11.088889)
+
+
+def test_the_sensor_sees_the_trace(stage: Any) -> None:
+    colors: list[Color] = []
+    stage.user.create_subscription(Color, "/turtle1/color_sensor", colors.append, 7)
+    stage.spin_until(lambda: colors)
+    assert colors[0] == Color(r=255, g=255, b=255)
+    commander(stage).publish(twist(0.5))
+    stage.spin_until(lambda: colors[-1] == Color(r=179, g=184, b=255))
+
+
+def test_the_background_follows_its_parameters(stage: Any) -> None:
+    assert stage.turtlesim.render(500).getpixel((1, 1)) == (69, 86, 255)
+    (result,) = stage.turtlesim.set_parameters([Parameter("background_r", value=150)])
+    assert result.successful
+    assert stage.turtlesim.render(500).getpixel((1, 1)) == (150, 86, 255)
+    (result,) = stage.turtlesim.set_parameters([Parameter("background_r", value=300)])
+    assert not result.successful
+
+
+def test_names_are_relative(start_stage: Callable[..., Any]) -> None:
+    stage = start_stage("-r", "__ns:=/turtlesim1")
+    poses = poses_of(stage, "turtlesim1/turtle1")
+    stage.spin_until(lambda: poses)
+
+
+def test_topics_keep_seven(stage: Any) -> None:
+    depths = {one.topic_name: one.qos_profile.depth for one in stage.turtlesim.publishers}
+    assert depths["/turtle1/pose"] == depths["/turtle1/color_sensor"] == 7
+    assert {one.qos_profile.depth for one in stage.turtlesim.subscriptions} == {7}
