@@ -74,7 +74,7 @@ void add_field(ObjectPlan& plan, const std::string& name, const std::string& kin
     plan.nested.push_back(message_class);
   }
   ObjectPlan::Slot slot;
-  slot.offset = slot_offset(nb::handle(reinterpret_cast<PyObject*>(plan.type)), name);
+  plan.offsets.push_back(slot_offset(nb::handle(reinterpret_cast<PyObject*>(plan.type)), name));
   slot.name = nb::steal(PyUnicode_InternFromString(name.c_str()));
   slot.initial = initial;
   slot.copies = copies;

@@ -49,7 +49,7 @@ nb::object new_message(const ObjectPlan& plan) {
   if (!message.is_valid()) throw nb::python_error();
   reinterpret_cast<MessageObject*>(message.ptr())->check_fields = check_by_default();
   for (std::size_t i = 0; i < plan.slots.size(); ++i) {
-    put(message.ptr(), plan.slots[i].offset, initial_value(plan, i));
+    put(message.ptr(), plan.offsets[i], initial_value(plan, i));
   }
   return message;
 }
@@ -81,12 +81,12 @@ void init(PyObject* self, PyObject* args, PyObject* kwargs) {
     PyObject* given = kwargs == nullptr ? nullptr : PyDict_GetItemWithError(kwargs, slot.name.ptr());
     if (given == nullptr) {
       if (PyErr_Occurred() != nullptr) throw nb::python_error();
-      put(self, slot.offset, initial_value(plan, i));
+      put(self, plan.offsets[i], initial_value(plan, i));
       continue;
     }
     const auto value = convert(self, slot, nb::borrow(given));
     if (check) message_hooks().check(class_of(self), slot.name, value);
-    put(self, slot.offset, value);
+    put(self, plan.offsets[i], value);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "bindings/objects.hpp"
 
 #include <cmath>
+#include <cstring>
 
 namespace tfloom::bindings {
 
@@ -31,22 +32,25 @@ nb::object copy(const nb::object& object) {
   return nb::steal(result);
 }
 
-ObjectSink::Value ObjectSink::message(const cdr::Plan& plan) {
-  PyTypeObject* type = outermost_ != nullptr ? outermost_ : static_cast<const ObjectPlan&>(plan).type;
-  outermost_ = nullptr;
-  return checked(type->tp_alloc(type, 0));
-}
-
-void ObjectSink::set(Value& message, const cdr::Plan& plan, std::size_t index, Value value) noexcept {
-  slot(message.ptr(), static_cast<const ObjectPlan&>(plan).slots[index].offset) = value.release().ptr();
-}
-
 ObjectSink::Value ObjectSink::octet(std::uint8_t value) {
   const char letter = static_cast<char>(value);
   return checked(PyBytes_FromStringAndSize(&letter, 1));
 }
 
 ObjectSink::Value ObjectSink::string(std::string_view text, std::size_t offset) {
+  constexpr std::size_t longest_kept = 32;
+  if (text.empty() || text.size() > longest_kept) return new_string(text, offset);
+  const auto hash = text.size() + static_cast<unsigned char>(text.back()) * 7 + static_cast<unsigned char>(text[0]);
+  nb::object& kept = strings_[hash % strings_.size()];
+  if (kept.is_valid() && PyUnicode_IS_COMPACT_ASCII(kept.ptr())) {
+    const auto size = static_cast<std::size_t>(PyUnicode_GET_LENGTH(kept.ptr()));
+    if (size == text.size() && std::memcmp(PyUnicode_1BYTE_DATA(kept.ptr()), text.data(), size) == 0) return kept;
+  }
+  kept = new_string(text, offset);
+  return kept;
+}
+
+ObjectSink::Value ObjectSink::new_string(std::string_view text, std::size_t offset) {
   PyObject* object = PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "strict");
   if (object != nullptr) return nb::steal(object);
   if (PyErr_ExceptionMatches(PyExc_UnicodeDecodeError) == 0) throw nb::python_error();
@@ -106,111 +110,100 @@ void clear_type_error() {
   PyErr_Clear();
 }
 
-nb::object as_int(const nb::object& value) {
-  if (PyLong_Check(value.ptr())) return value;
-  if (PyIndex_Check(value.ptr()) == 0) refuse("an int", value.ptr());
-  auto number = nb::steal(PyNumber_Index(value.ptr()));
+nb::object as_int(PyObject* value) {
+  if (PyLong_Check(value)) return nb::borrow(value);
+  if (PyIndex_Check(value) == 0) refuse("an int", value);
+  const auto held = nb::borrow(value);
+  auto number = nb::steal(PyNumber_Index(value));
   if (!number.is_valid()) throw nb::python_error();
   return number;
 }
 
 }  // namespace
 
-ObjectSource::Value ObjectSource::field(const Value& message, const cdr::Plan& plan, std::size_t index) {
-  PyObject* value = slot(message.ptr(), static_cast<const ObjectPlan&>(plan).slots[index].offset);
-  if (value == nullptr) throw EncodeError("is not set");
+ObjectSource::Held ObjectSource::open(Value value, const cdr::Plan& plan) {
+  PyTypeObject* wanted = static_cast<const ObjectPlan&>(plan).type;
+  if (Py_TYPE(value) != wanted && PyType_IsSubtype(Py_TYPE(value), wanted) == 0) refuse("a " + plan.name, value);
   return nb::borrow(value);
 }
 
-ObjectSource::Value ObjectSource::open(const Value& value, const cdr::Plan& plan) {
-  PyTypeObject* wanted = static_cast<const ObjectPlan&>(plan).type;
-  if (Py_TYPE(value.ptr()) == wanted || PyType_IsSubtype(Py_TYPE(value.ptr()), wanted) != 0) return value;
-  refuse("a " + plan.name, value.ptr());
+bool ObjectSource::boolean(Value value) {
+  if (value == Py_True) return true;
+  if (value == Py_False) return false;
+  const std::string_view type = Py_TYPE(value)->tp_name;
+  if (type != "numpy.bool_" && type != "numpy.bool") refuse("a bool", value);
+  return PyObject_IsTrue(value) == 1;
 }
 
-bool ObjectSource::boolean(const Value& value) {
-  if (value.ptr() == Py_True) return true;
-  if (value.ptr() == Py_False) return false;
-  const std::string_view type = Py_TYPE(value.ptr())->tp_name;
-  if (type != "numpy.bool_" && type != "numpy.bool") refuse("a bool", value.ptr());
-  return PyObject_IsTrue(value.ptr()) == 1;
+std::uint8_t ObjectSource::octet(Value value) {
+  if (!PyBytes_Check(value) || PyBytes_GET_SIZE(value) != 1) refuse("bytes of length 1", value);
+  return static_cast<std::uint8_t>(PyBytes_AS_STRING(value)[0]);
 }
 
-std::uint8_t ObjectSource::octet(const Value& value) {
-  if (!PyBytes_Check(value.ptr()) || PyBytes_GET_SIZE(value.ptr()) != 1) refuse("bytes of length 1", value.ptr());
-  return static_cast<std::uint8_t>(PyBytes_AS_STRING(value.ptr())[0]);
-}
-
-std::string_view ObjectSource::string(const Value& value) {
-  if (!PyUnicode_Check(value.ptr())) refuse("a str", value.ptr());
+std::string_view ObjectSource::any_string(Value value) {
+  if (!PyUnicode_Check(value)) refuse("a str", value);
   Py_ssize_t size = 0;
-  const char* text = PyUnicode_AsUTF8AndSize(value.ptr(), &size);  // kept by the str
+  const char* text = PyUnicode_AsUTF8AndSize(value, &size);  // kept by the str
   if (text != nullptr) return {text, static_cast<std::size_t>(size)};
   if (PyErr_ExceptionMatches(PyExc_UnicodeEncodeError) == 0) throw nb::python_error();
   PyErr_Clear();
-  refuse("text without lone surrogates", value.ptr());
+  refuse("text without lone surrogates", value);
 }
 
-std::u32string ObjectSource::wide(const Value& value) {
+std::u32string ObjectSource::wide(Value value) {
   string(value);  // refuses what is no text
-  const auto size = static_cast<std::size_t>(PyUnicode_GET_LENGTH(value.ptr()));
+  const auto size = static_cast<std::size_t>(PyUnicode_GET_LENGTH(value));
   std::u32string text(size, U'\0');
   auto* to = reinterpret_cast<Py_UCS4*>(text.data());
-  if (size != 0 && PyUnicode_AsUCS4(value.ptr(), to, static_cast<Py_ssize_t>(size), 0) == nullptr) {
-    throw nb::python_error();
-  }
+  if (size != 0 && PyUnicode_AsUCS4(value, to, static_cast<Py_ssize_t>(size), 0) == nullptr) throw nb::python_error();
   return text;
 }
 
-ObjectSource::Value ObjectSource::open_list(const Value& value, const cdr::Field&) {
-  PyObject* object = value.ptr();
-  if (PyList_CheckExact(object) || PyTuple_CheckExact(object)) return value;
-  if (PyUnicode_Check(object) || PyBytes_Check(object) || PyDict_Check(object)) refuse("a sequence", object);
-  auto list = nb::steal(PySequence_Fast(object, ""));
+ObjectSource::Held ObjectSource::open_list(Value value) {
+  if (PyList_CheckExact(value) || PyTuple_CheckExact(value)) return nb::borrow(value);
+  if (PyUnicode_Check(value) || PyBytes_Check(value) || PyDict_Check(value)) refuse("a sequence", value);
+  const auto held = nb::borrow(value);
+  auto list = nb::steal(PySequence_Fast(value, ""));
   if (list.is_valid()) return list;
   clear_type_error();
-  refuse("a sequence", object);
+  refuse("a sequence", value);
 }
 
-ObjectSource::Value ObjectSource::item(const Value& list, std::size_t index) {
+ObjectSource::Value ObjectSource::item(const Held& list, std::size_t index) {
   // The list may have shrunk: an element's own code can do that.
   if (index >= length(list)) throw EncodeError("is gone: the list changed while it was encoded");
-  return nb::borrow(PySequence_Fast_GET_ITEM(list.ptr(), static_cast<Py_ssize_t>(index)));
+  return PySequence_Fast_GET_ITEM(list.ptr(), static_cast<Py_ssize_t>(index));
 }
 
-double ObjectSource::real(const Value& value, double limit) {
-  PyObject* object = value.ptr();
-  double number;
-  if (PyFloat_CheckExact(object)) {
-    number = PyFloat_AS_DOUBLE(object);
-  } else {
-    number = PyFloat_AsDouble(object);  // whatever has __float__ or __index__: an int, numpy's numbers
-    if (number == -1.0 && PyErr_Occurred() != nullptr) {
-      clear_type_error();
-      refuse("a float", object);
-    }
+double ObjectSource::real(Value value, double limit) {
+  const auto held = nb::borrow(value);
+  const double number = PyFloat_AsDouble(value);  // whatever has __float__ or __index__: an int, numpy's numbers
+  if (number == -1.0 && PyErr_Occurred() != nullptr) {
+    clear_type_error();
+    refuse("a float", value);
   }
-  if (std::abs(number) > limit && std::isfinite(number)) refuse("a float within the range of float32", object);
+  if (std::abs(number) > limit && std::isfinite(number)) refuse("a float within the range of float32", value);
   return number;
 }
 
-std::int64_t ObjectSource::integer(const Value& value, std::int64_t least, std::int64_t greatest) {
-  const auto exact = as_int(value);
+std::int64_t ObjectSource::integer(Value value, std::int64_t least, std::int64_t greatest) {
   int overflow = 0;
-  const std::int64_t number = PyLong_AsLongLongAndOverflow(exact.ptr(), &overflow);
+  const auto exact = PyLong_CheckExact(value) ? nb::object() : as_int(value);
+  const std::int64_t number = PyLong_AsLongLongAndOverflow(exact.is_valid() ? exact.ptr() : value, &overflow);
   if (number == -1 && PyErr_Occurred() != nullptr) throw nb::python_error();
   if (overflow != 0 || number < least || number > greatest) {
-    refuse("an int in [" + std::to_string(least) + ", " + std::to_string(greatest) + "]", value.ptr());
+    refuse("an int in [" + std::to_string(least) + ", " + std::to_string(greatest) + "]",
+           exact.is_valid() ? exact.ptr() : value);
   }
   return number;
 }
 
-std::uint64_t ObjectSource::natural(const Value& value) {
+std::uint64_t ObjectSource::natural(Value value) {
   const auto exact = as_int(value);
   const std::uint64_t number = PyLong_AsUnsignedLongLong(exact.ptr());
   if (number == static_cast<std::uint64_t>(-1) && PyErr_Occurred() != nullptr) {
     clear_type_error();
-    refuse("an int in [0, 18446744073709551615]", value.ptr());
+    refuse("an int in [0, 18446744073709551615]", exact.ptr());
   }
   return number;
 }

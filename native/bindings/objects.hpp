@@ -3,6 +3,7 @@
 
 #include <nanobind/nanobind.h>
 
+#include <array>
 #include <atomic>
 #include <span>
 #include <string>
@@ -16,10 +17,9 @@ namespace tfloom::bindings {
 
 namespace nb = nanobind;
 
-// A plan with what it takes to reach the fields of the Python class: where each slot lies in the object.
+// A plan with what it takes to reach and to fill the fields of the Python class.
 struct ObjectPlan : cdr::Plan {
   struct Slot {
-    Py_ssize_t offset = 0;
     nb::object name;          // interned: "x"
     nb::object initial;       // the default: shared if immutable, else copied for each message
     bool copies = false;      // `initial` is mutable
@@ -28,6 +28,7 @@ struct ObjectPlan : cdr::Plan {
   };
 
   PyTypeObject* type = nullptr;  // borrowed: the class keeps the plan
+  std::vector<Py_ssize_t> offsets;  // of each field's slot in the object
   std::vector<Slot> slots;
   std::atomic<std::size_t> last_size = 64;  // of the last message encoded: the next one is likely of that size
   std::vector<nb::object> nested;  // keeps the plans of nested messages, and their classes, alive
@@ -81,8 +82,14 @@ class ObjectSink {
 
   explicit ObjectSink(PyTypeObject* outermost) : outermost_(outermost) {}
 
-  Value message(const cdr::Plan& plan);
-  void set(Value& message, const cdr::Plan& plan, std::size_t index, Value value) noexcept;
+  Value message(const cdr::Plan& plan) {
+    PyTypeObject* type = outermost_ != nullptr ? outermost_ : static_cast<const ObjectPlan&>(plan).type;
+    outermost_ = nullptr;
+    return checked(type->tp_alloc(type, 0));
+  }
+  void set(Value& message, const cdr::Plan& plan, std::size_t index, Value value) noexcept {
+    slot(message.ptr(), static_cast<const ObjectPlan&>(plan).offsets[index]) = value.release().ptr();
+  }
   Value boolean(bool value) { return nb::borrow(value ? Py_True : Py_False); }
   Value octet(std::uint8_t value);
   Value string(std::string_view text, std::size_t offset);
@@ -124,28 +131,44 @@ class ObjectSink {
   }
   static Value sequence(const ObjectPlan::Slot& slot, std::span<const std::byte> octets, bool swap);
 
-  PyTypeObject* outermost_;  // the class asked for: the plan's own or one derived from it
+  static Value new_string(std::string_view text, std::size_t offset);
+
+  std::array<nb::object, 8> strings_;  // short ones just read: frame names come again and again
+  PyTypeObject* outermost_;            // the class asked for: the plan's own or one derived from it
 };
 
-// Reads Python messages; the source of cdr::Emitter. Values are kept alive while they are walked: a number's
+// Reads Python messages; the source of cdr::Emitter. What it holds is kept alive while it is walked: a number's
 // __float__ may run any code.
 class ObjectSource {
  public:
-  using Value = nb::object;
+  using Value = PyObject*;
+  using Held = nb::object;
 
-  Value field(const Value& message, const cdr::Plan& plan, std::size_t index);
-  Value open(const Value& value, const cdr::Plan& plan);
-  bool boolean(const Value& value);
-  std::uint8_t octet(const Value& value);
-  std::string_view string(const Value& value);
-  std::u32string wide(const Value& value);
-  Value open_list(const Value& value, const cdr::Field& field);
-  std::size_t length(const Value& list) { return static_cast<std::size_t>(PySequence_Fast_GET_SIZE(list.ptr())); }
-  Value item(const Value& list, std::size_t index);
+  Value field(const Held& message, const cdr::Plan& plan, std::size_t index) {
+    PyObject* value = slot(message.ptr(), static_cast<const ObjectPlan&>(plan).offsets[index]);
+    if (value == nullptr) throw cdr::EncodeError("is not set");
+    return value;
+  }
+  Held open(Value value, const cdr::Plan& plan);
+  bool boolean(Value value);
+  std::uint8_t octet(Value value);
+  std::string_view string(Value value) {
+    if (PyUnicode_CheckExact(value) && PyUnicode_IS_COMPACT_ASCII(value)) {
+      return {reinterpret_cast<const char*>(PyUnicode_1BYTE_DATA(value)),
+              static_cast<std::size_t>(PyUnicode_GET_LENGTH(value))};
+    }
+    return any_string(value);
+  }
+  std::u32string wide(Value value);
+  Held open_list(Value value);
+  std::size_t length(const Held& list) { return static_cast<std::size_t>(PySequence_Fast_GET_SIZE(list.ptr())); }
+  Value item(const Held& list, std::size_t index);
 
   template <class T>
-  T number(const Value& value) {
-    if constexpr (std::is_floating_point_v<T>) {
+  T number(Value value) {
+    if constexpr (std::is_same_v<T, double>) {
+      return PyFloat_CheckExact(value) ? PyFloat_AS_DOUBLE(value) : real(value, std::numeric_limits<T>::max());
+    } else if constexpr (std::is_same_v<T, float>) {
       return static_cast<T>(real(value, std::numeric_limits<T>::max()));
     } else if constexpr (std::is_same_v<T, std::uint64_t>) {
       return natural(value);
@@ -155,18 +178,19 @@ class ObjectSource {
   }
 
   template <class T, class Visit>
-  bool numbers(const Value& value, const cdr::Field&, Visit&& visit) {
-    if (PyObject_CheckBuffer(value.ptr()) == 0) return false;
-    const Buffer buffer(value.ptr(), PyBUF_FORMAT | PyBUF_C_CONTIGUOUS);
+  bool numbers(Value value, Visit&& visit) {
+    if (PyObject_CheckBuffer(value) == 0) return false;
+    const Buffer buffer(value, PyBUF_FORMAT | PyBUF_C_CONTIGUOUS);
     if (!holds<T>(buffer.view())) return false;
     visit(buffer.octets());
     return true;
   }
 
  private:
-  static double real(const Value& value, double limit);
-  static std::int64_t integer(const Value& value, std::int64_t least, std::int64_t greatest);
-  static std::uint64_t natural(const Value& value);
+  static std::string_view any_string(Value value);
+  static double real(Value value, double limit);
+  static std::int64_t integer(Value value, std::int64_t least, std::int64_t greatest);
+  static std::uint64_t natural(Value value);
 
   template <class T>
   static bool holds(const Py_buffer& view) {

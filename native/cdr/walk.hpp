@@ -10,13 +10,14 @@
 //                                                                    a numeric array: takes it off the cursor
 //   Value list(std::uint32_t length)   void set_item(Value& list, std::uint32_t index, Value)
 //
-// A source has a type `Value` (owning, cheap to move) and
-//   Value field(const Value& message, const Plan&, std::size_t index)
-//   Value open(const Value&, const Plan&)                   checks that it is a message of that plan
-//   bool boolean(const Value&)   std::uint8_t octet(const Value&)   T number<T>(const Value&)
-//   std::string_view string(const Value&)   std::u32string wide(const Value&)
-//   bool numbers<T>(const Value&, const Field&, visit)      visit(span of octets), or false: not contiguous
-//   Value open_list(const Value&, const Field&)   std::size_t length(const Value&)   Value item(const Value&, i)
+// A source has a type `Value`, which lives until the next call that may run foreign code (`number`, `open_list`), a
+// type `Held`, which keeps what is in it alive, and
+//   Value field(const Held& message, const Plan&, std::size_t index)
+//   Held open(Value, const Plan&)                           checks that it is a message of that plan
+//   bool boolean(Value)   std::uint8_t octet(Value)   T number<T>(Value)
+//   std::string_view string(Value)   std::u32string wide(Value)
+//   bool numbers<T>(Value, visit)                           visit(span of octets), or false: not contiguous
+//   Held open_list(Value)   std::size_t length(const Held&)   Value item(const Held&, std::size_t index)
 // and throws EncodeError.
 #pragma once
 
@@ -154,10 +155,11 @@ template <class Source, class Storage>
 class Emitter {
  public:
   using Value = typename Source::Value;
+  using Held = typename Source::Held;
 
   Emitter(Source& source, Writer<Storage>& out) : source_(source), out_(out) {}
 
-  void message(const Value& message, const Plan& plan) {
+  void message(const Held& message, const Plan& plan) {
     for (std::size_t i = 0; i < plan.fields.size(); ++i) {
       try {
         value(source_.field(message, plan, i), plan.fields[i]);
@@ -170,25 +172,25 @@ class Emitter {
   }
 
  private:
-  void value(const Value& value, const Field& field) {
+  void value(Value value, const Field& field) {
     if (field.shape == Shape::single) {
       single(value, field);
     } else if (!is_number(field.kind) || !contiguous(value, field)) {
-      list(source_.open_list(value, field), field);
+      list(source_.open_list(value), field);
     }
   }
 
-  bool contiguous(const Value& value, const Field& field) {
+  bool contiguous(Value value, const Field& field) {
     return with_number_type(field.kind, [&](auto number) {
       using T = decltype(number);
-      return source_.template numbers<T>(value, field, [&](std::span<const std::byte> octets) {
+      return source_.template numbers<T>(value, [&](std::span<const std::byte> octets) {
         length(octets.size() / sizeof(T), field);
         out_.template write_all<T>(octets);
       });
     });
   }
 
-  void list(const Value& list, const Field& field) {
+  void list(const Held& list, const Field& field) {
     const std::size_t count = source_.length(list);
     length(count, field);
     for (std::size_t i = 0; i < count; ++i) {
@@ -211,7 +213,7 @@ class Emitter {
     out_.write(static_cast<std::uint32_t>(count));
   }
 
-  void single(const Value& value, const Field& field) {
+  void single(Value value, const Field& field) {
     switch (field.kind) {
       case Kind::float64: return out_.write(source_.template number<double>(value));
       case Kind::message: return message(source_.open(value, *field.message), *field.message);
@@ -225,14 +227,14 @@ class Emitter {
     }
   }
 
-  void string(const Value& value, const Field& field) {
+  void string(Value value, const Field& field) {
     const std::string_view text = source_.string(value);
     if (field.string_bound != 0) check_bound(detail::count_characters(text), field);
     if (text.size() >= std::numeric_limits<std::uint32_t>::max()) throw EncodeError("has more than 2^32 - 2 bytes");
     out_.write_string(text);
   }
 
-  void wide(const Value& value, const Field& field) {
+  void wide(Value value, const Field& field) {
     const std::u32string text = source_.wide(value);
     if (field.string_bound != 0) check_bound(text.size(), field);
     write_wide(out_, text);
