@@ -52,7 +52,8 @@ class _Filler:
             raise TypeError(f"Value '{values}' is expected to be a dictionary but is a {kind}")
         for name, value in values.items():
             if name not in msg._FIELDS:
-                raise AttributeError(f"'{type(msg).__name__}' object has no attribute '{name}'")
+                text = f"'{type(msg).__name__}' object has no attribute '{name}'"
+                raise AttributeError(text, name=name, obj=msg)
             self.set(msg, name, parse_type(msg._FIELDS[name]), value)
 
     def set(self, msg: Message, name: str, type_: Type, value: Any) -> None:
