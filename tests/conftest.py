@@ -120,6 +120,8 @@ class Program:
         self.process.wait(TIMEOUT_S)
         self._reader.join(TIMEOUT_S)
         self.process.stdout.close()
+        if self.process.stdin is not None:
+            self.process.stdin.close()
 
 
 @pytest.fixture

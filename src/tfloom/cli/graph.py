@@ -27,7 +27,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default=MOST_S,
         help=f"longest time to listen for others in seconds (default {MOST_S:g}; it ends when all is quiet)",
     )
-    parser.add_argument("-s", "--use-sim-time", action="store_true", help="take the time from /clock")
+    parser.add_argument(
+        "-s", "--use-sim-time", action="store_true", help="accepted; nothing here depends on the time"
+    )
     parser.add_argument(
         "--no-daemon", action="store_true", help="accepted and not needed: there is no daemon"
     )

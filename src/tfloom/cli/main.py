@@ -6,6 +6,7 @@ Each verb is a file with `add_arguments(parser)` and `main(args) -> int`, import
 from __future__ import annotations
 
 import os
+import signal
 import sys
 from collections.abc import Sequence
 
@@ -13,11 +14,37 @@ from tfloom.cli.errors import CommandError
 from tfloom.cli.parser import Group, build_parser
 
 COMMANDS: dict[str, str | Group] = {
+    "interface": Group(
+        "Look up definitions of messages, services and actions",
+        {
+            "list": "List the interfaces",
+            "package": "List the interfaces of one package",
+            "packages": "List the packages that define interfaces",
+            "proto": "Print a YAML value with an interface's fields and defaults",
+            "show": "Print an interface's definition",
+        },
+    ),
     "node": Group("Ask about nodes", {"list": "List the nodes that are running"}),
+    "pkg": Group(
+        "Ask about packages",
+        {
+            "executables": "List the programs that `run` finds",
+            "list": "List the packages",
+            "prefix": "Print where a package is installed",
+            "xml": "Print a package's package.xml, or a tag of it",
+        },
+    ),
     "run": "Run a program of a package",
     "topic": Group(
         "Ask about topics, listen and publish",
-        {"list": "List the topics"},
+        {
+            "echo": "Print the messages of a topic",
+            "find": "List the topics of a type",
+            "info": "Tell a topic's type, and who writes and reads it",
+            "list": "List the topics",
+            "pub": "Publish messages on a topic",
+            "type": "Print a topic's type",
+        },
         hidden="topics",
     ),
 }
@@ -35,6 +62,9 @@ def main(argv: Sequence[str] | None = None, prog: str = "tfloom") -> int:
         argv: The words after the program's name; None takes sys.argv's.
         prog: The program's name in help and errors.
     """
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        # A script's background jobs start so; ROS programs end on SIGINT there, too.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
     parser = build_parser(prog, COMMANDS)
     if "_ARGCOMPLETE" in os.environ:
         import argcomplete

@@ -1,0 +1,1 @@
+"""`interface`: definitions of messages, services and actions."""

@@ -1,0 +1,36 @@
+"""List the interfaces by kind."""
+
+from __future__ import annotations
+
+import argparse
+
+from tfloom.cli.interface.common import TITLES, add_kind_flags, asked_kinds
+from tfloom.workspace.interfaces import interface_packages, interfaces_of
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `interface list` takes."""
+    add_kind_flags(parser)
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print the names of each kind under the kind's title."""
+    packages = interface_packages()
+    names = {
+        kind: [
+            f"{package}/{kind}/{name}"
+            for package in packages
+            for name in interfaces_of(packages[package], kind)
+        ]
+        for kind in asked_kinds(args)
+    }
+    if args.json:
+        import json
+
+        print(json.dumps(names, indent=2))
+        return 0
+    for kind, of_kind in names.items():
+        print(f"{TITLES[kind]}:")
+        for name in of_kind:
+            print(f"    {name}")
+    return 0

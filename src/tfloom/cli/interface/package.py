@@ -1,0 +1,39 @@
+"""List the interfaces of one package."""
+
+from __future__ import annotations
+
+import argparse
+
+from tfloom.cli.errors import CommandError
+from tfloom.cli.interface.common import add_kind_flags, asked_kinds
+from tfloom.cli.names import did_you_mean
+from tfloom.workspace.interfaces import interface_packages, interfaces_of
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `interface package` takes."""
+    parser.add_argument("package_name", help="name of the package")
+    add_kind_flags(parser)
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print the interfaces, kind by kind, each kind in order of the names."""
+    packages = interface_packages()
+    folder = packages.get(args.package_name)
+    if folder is None:
+        raise CommandError(
+            f"Unknown package '{args.package_name}'{did_you_mean(args.package_name, packages)}"
+        )
+    names = [
+        f"{args.package_name}/{kind}/{name}"
+        for kind in asked_kinds(args)
+        for name in interfaces_of(folder, kind)
+    ]
+    if args.json:
+        import json
+
+        print(json.dumps(names, indent=2))
+        return 0
+    for name in names:
+        print(name)
+    return 0

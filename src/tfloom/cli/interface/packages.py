@@ -1,0 +1,31 @@
+"""List the packages that define interfaces."""
+
+from __future__ import annotations
+
+import argparse
+
+from tfloom.cli.interface.common import add_kind_flags, asked_kinds
+from tfloom.workspace.interfaces import interface_packages, interfaces_of
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `interface packages` takes."""
+    add_kind_flags(parser)
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print the packages in order of their names."""
+    kinds = asked_kinds(args)
+    names = [
+        package
+        for package, folder in interface_packages().items()
+        if any(interfaces_of(folder, kind) for kind in kinds)
+    ]
+    if args.json:
+        import json
+
+        print(json.dumps(names, indent=2))
+        return 0
+    for name in names:
+        print(name)
+    return 0

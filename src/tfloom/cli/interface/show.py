@@ -1,0 +1,33 @@
+"""Print an interface's definition, the fields of its fields' types beneath them."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Iterable
+from itertools import chain
+
+from tfloom.cli.errors import CommandError
+from tfloom.workspace.interfaces import expanded_definition
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `interface show` takes."""
+    comments = parser.add_mutually_exclusive_group()
+    comments.add_argument("--all-comments", action="store_true", help="comments of the inner types, too")
+    comments.add_argument("--no-comments", action="store_true", help="no comments and no empty lines")
+    parser.add_argument(
+        "type", help="name of the interface, as std_msgs/msg/String; - reads names from the input"
+    )
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print the definition of each name."""
+    comments = "all" if args.all_comments else "none" if args.no_comments else "own"
+    names: Iterable[str] = [args.type] if args.type != "-" else map(str.strip, sys.stdin)
+    try:
+        for line in chain.from_iterable(expanded_definition(name, comments) for name in names):
+            print(line)
+    except LookupError as error:
+        raise CommandError(str(error.args[0])) from None
+    return 0

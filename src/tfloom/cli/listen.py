@@ -1,0 +1,97 @@
+"""Listening to a topic without a node's machinery: its type, its publishers, its samples as they come."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from tfloom._native import ReadyQueue
+from tfloom.cli.errors import CommandError
+from tfloom.cli.graph import topic_types
+from tfloom.cli.names import did_you_mean
+from tfloom.rmw.base import EndpointInfo, Graph, NodeName, Participant, Sample, Topic
+from tfloom.rmw.qos import QoS
+from tfloom.rosidl.message import Message
+
+
+def find_type(graph: Graph, name: str) -> str:
+    """Return the type of a topic that is on the graph.
+
+    Raises:
+        CommandError: nobody has the topic, or it has several types.
+    """
+    topics = topic_types(graph.endpoints())
+    types = topics.get(name, [])
+    if not types:
+        raise CommandError(
+            f"WARNING: topic [{name}] does not appear to be published yet\n"
+            f"Could not determine the type for the passed topic{did_you_mean(name, topics)}"
+        )
+    if len(types) > 1:
+        raise CommandError(
+            f"Cannot tell the type of '{name}', as it contains more than one: [{', '.join(types)}]"
+        )
+    return types[0]
+
+
+def publishers_of(graph: Graph, name: str) -> list[EndpointInfo]:
+    """Return the writers of a topic."""
+    return [end for end in graph.endpoints() if end.is_writer and end.topic.name == name]
+
+
+def wait_for_publishers(graph: Graph, name: str, end_s: float) -> list[EndpointInfo]:
+    """Wait until somebody writes the topic and return who; nobody at `end_s` on the monotonic clock."""
+    queue = ReadyQueue()
+    graph.notify(queue)
+    try:
+        while not (publishers := publishers_of(graph, name)):
+            if not _wait(queue, end_s):
+                return []
+        return publishers
+    finally:
+        graph.notify(None)
+
+
+def cli_node() -> NodeName:
+    """Return the name that a command goes by on the graph; the underscore hides it from `node list`."""
+    return NodeName("/", f"_ros2cli_{os.getpid()}")
+
+
+@contextmanager
+def shown_node(participant: Participant, node: NodeName) -> Iterator[NodeName]:
+    """Show a node on the graph until the end."""
+    participant.add_node(node)
+    try:
+        yield node
+    finally:
+        participant.remove_node(node)
+
+
+def samples(
+    participant: Participant, name: str, message_class: type[Message], qos: QoS, end_s: float
+) -> Iterator[Sample]:
+    """Yield the samples of a topic as they come, until `end_s` on the monotonic clock."""
+    topic = Topic(name, message_class._TYPE_NAME, message_class._TYPE_HASH)
+    with shown_node(participant, cli_node()) as node:
+        reader = participant.create_reader(node, topic, qos)
+        try:
+            queue = ReadyQueue()
+            reader.notify(queue)
+            while True:
+                while sample := reader.take():
+                    yield sample
+                if not _wait(queue, end_s):
+                    return
+        finally:
+            reader.close()
+
+
+def _wait(queue: ReadyQueue, end_s: float) -> bool:
+    """Wait for a token until `end_s` on the monotonic clock (inf: for ever); False when it is over."""
+    if end_s == float("inf"):
+        queue.wait(-1)
+        return True
+    left_s = end_s - time.monotonic()
+    return left_s > 0 and bool(queue.wait(int(left_s * 1e9) + 1))

@@ -1,0 +1,30 @@
+"""Names as a user types them."""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Iterable
+
+from tfloom.cli.errors import CommandError
+
+
+def full_topic_name(name: str) -> str:
+    """Return a topic's name from the root: `turtle1/pose` becomes `/turtle1/pose`.
+
+    Raises:
+        CommandError: it can't be a topic's name.
+    """
+    full = name if name.startswith("/") else f"/{name}"
+    if not re.fullmatch(r"(/[A-Za-z_][A-Za-z0-9_]*)+", full):
+        raise CommandError(
+            f"'{name}' can't be a topic's name: each part between slashes has letters, digits and underscores, "
+            "and does not begin with a digit"
+        )
+    return full
+
+
+def did_you_mean(name: str, known: Iterable[str]) -> str:
+    """Return a line that names up to three known names near to `name`, or nothing."""
+    near = difflib.get_close_matches(name, list(known), 3, 0.5)
+    return f"\ndid you mean {' or '.join(near)}?" if near else ""

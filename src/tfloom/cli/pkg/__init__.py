@@ -1,0 +1,1 @@
+"""`pkg`: packages of the workspaces and our own."""

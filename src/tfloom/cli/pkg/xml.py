@@ -1,0 +1,37 @@
+"""Print a package's package.xml, or a tag of it."""
+
+from __future__ import annotations
+
+import argparse
+
+from tfloom.cli.errors import CommandError
+from tfloom.cli.pkg.common import package_prefix
+from tfloom.workspace import index
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `pkg xml` takes."""
+    parser.add_argument("package_name", help="name of the package")
+    parser.add_argument("-t", "--tag", help="print what this tag holds, as in -t version")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print the file, or the text of each of its tags of that name."""
+    path = index.share_folder(args.package_name, package_prefix(args.package_name)) / "package.xml"
+    if not path.is_file():
+        raise CommandError(f"{args.package_name} has no package.xml: it is part of tfloom")
+    text = path.read_text("utf-8")
+    if args.tag is None:
+        print(text, end="")
+        return 0
+    from xml.etree import ElementTree as ET
+
+    try:
+        tags = list(ET.fromstring(text).iter(args.tag))  # noqa: S314  # a file of the user's own workspace
+    except ET.ParseError as error:
+        raise CommandError(f"{path} isn't XML: {error}") from None
+    if not tags:
+        raise CommandError(f"No element of the tag '{args.tag}' found in {path}")
+    for tag in tags:
+        print("".join(tag.itertext()))
+    return 0

@@ -1,0 +1,62 @@
+"""Which messages, and what of them: Python expressions and field paths that a user typed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from typing import Any
+
+from tfloom.cli.errors import CommandError
+from tfloom.rosidl.message import Message
+
+
+def message_filter(expression: str | None) -> Callable[[Message], bool]:
+    """Return the test of a Python expression over the message `m`; None lets every message through.
+
+    Raises:
+        CommandError: it isn't a Python expression; the test raises it where the expression fails.
+    """
+    if expression is None:
+        return lambda _: True
+    try:
+        code = compile(expression, "--filter", "eval")
+    except SyntaxError as error:
+        raise CommandError(f"--filter isn't a Python expression: {error.msg}\n  {expression}") from None
+
+    def wanted(message: Message) -> bool:
+        try:
+            return bool(eval(code, {"m": message}))  # noqa: S307  # the user's own expression, on their machine
+        except Exception as error:  # noqa: BLE001  # whatever a user's expression raises
+            raise CommandError(f"--filter failed: {type(error).__name__}: {error}") from None
+
+    return wanted
+
+
+def field_picker(path: str | None) -> Callable[[Message], Any]:
+    """Return what gives a message's field, `header.stamp` or `transforms[0].header`; None gives the whole message.
+
+    Raises:
+        CommandError: it isn't a path; the picker raises it where a message has no such field.
+    """
+    if path is None:
+        return lambda message: message
+    if not re.fullmatch(r"[A-Za-z_]\w*(\[-?\d+\])*(\.[A-Za-z_]\w*(\[-?\d+\])*)*", path):
+        raise CommandError(f"--field is like header.stamp or transforms[0].header, not '{path}'")
+    steps = re.findall(r"\w+|\[-?\d+\]", path)
+
+    def pick(message: Message) -> Any:
+        value: Any = message
+        try:
+            for step in steps:
+                value = value[int(step[1:-1])] if step.startswith("[") else getattr(value, step)
+        except (AttributeError, IndexError, TypeError) as error:
+            raise CommandError(f"Invalid field '{path}': {error}{_there_are(value)}") from None
+        return value
+
+    return pick
+
+
+def _there_are(value: Any) -> str:
+    if not isinstance(value, Message):
+        return ""
+    return f"\nthere are: {', '.join(type(value).get_fields_and_field_types())}"

@@ -1,0 +1,145 @@
+"""Publish messages on a topic."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from collections.abc import Iterator
+from itertools import chain, repeat
+
+from tfloom.cli import graph, qos
+from tfloom.cli.errors import CommandError
+from tfloom.cli.interfaces import fill_message, message_class, parse_yaml
+from tfloom.cli.listen import cli_node, shown_node
+from tfloom.cli.names import full_topic_name
+from tfloom.rmw.base import NodeName, Topic, Writer
+from tfloom.rmw.qos import QoS
+from tfloom.rosidl import cdr
+from tfloom.rosidl.message import Message
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `topic pub` takes."""
+    parser.add_argument("topic_name", help="topic to publish on")
+    parser.add_argument("message_type", help="type of the messages, as geometry_msgs/msg/Twist")
+    parser.add_argument("values", nargs="?", default="{}", help="the fields in YAML, as '{linear: {x: 0.5}}'")
+    parser.add_argument(
+        "--stdin", action="store_true", help="read the values, YAML documents, from the input"
+    )
+    parser.add_argument(
+        "-r", "--rate", metavar="N", type=float, default=1.0, help="messages a second (default: 1)"
+    )
+    parser.add_argument(
+        "-p", "--print", metavar="N", type=int, default=1, help="print each Nth message only (default: 1)"
+    )
+    ends = parser.add_mutually_exclusive_group()
+    ends.add_argument("-1", "--once", action="store_true", help="publish one message and end")
+    ends.add_argument("-t", "--times", type=int, default=0, help="publish so many messages and end")
+    parser.add_argument(
+        "-w",
+        "--wait-matching-subscriptions",
+        type=int,
+        help="wait for so many subscriptions first (default: 1 with --once and --times, else 0)",
+    )
+    parser.add_argument("--max-wait-time-secs", type=float, help="longest time to wait for them in seconds")
+    parser.add_argument(
+        "--keep-alive",
+        metavar="N",
+        type=float,
+        default=0.1,
+        help="stay so many seconds after the last (default: 0.1)",
+    )
+    parser.add_argument("-n", "--node-name", help="name of the node that publishes")
+    qos.add_arguments(parser, default="default")
+    parser.add_argument(
+        "--spin-time", type=float, default=graph.MOST_S, help="accepted; nothing is asked here"
+    )
+    parser.add_argument("-s", "--use-sim-time", action="store_true", help="take the time from /clock")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Publish until Ctrl-C, or as often as --once and --times say."""
+    name = full_topic_name(args.topic_name)
+    if not args.rate > 0:
+        raise CommandError("rate must be greater than zero")
+    cls = message_class(args.message_type)
+    quality = qos.asked_qos(args, QoS()) or QoS()
+    # The mistakes in values are told before anything is on the wire.
+    drafts = _from_input(cls) if args.stdin else repeat(_Draft(cls, args.values))
+    node = NodeName("/", args.node_name) if args.node_name else cli_node()
+    with graph.joined_participant() as participant, shown_node(participant, node):
+        topic = Topic(name, cls._TYPE_NAME, cls._TYPE_HASH)
+        writer = participant.create_writer(node, topic, quality)
+        try:
+            _wait_for_subscriptions(writer, args)
+            _publish(writer, drafts, args)
+            time.sleep(args.keep_alive)
+        finally:
+            writer.close()
+    return 0
+
+
+class _Draft:
+    """A message to publish, and the times in it that are of each publishing anew."""
+
+    def __init__(self, cls: type[Message], values: str) -> None:
+        self.message = cls()
+        self._stamp_setters = fill_message(self.message, parse_yaml(values))
+        self.stamp()
+        try:
+            cdr.encode(self.message)
+        except cdr.EncodeError as error:
+            raise CommandError(f"Failed to populate field: {error}") from None
+
+    def stamp(self) -> None:
+        """Set the times that were given as `now` and the headers given as `auto`."""
+        if self._stamp_setters:
+            from tfloom.interfaces.builtin_interfaces.msg import Time
+
+            sec, nanosec = divmod(time.time_ns(), 1_000_000_000)
+            for set_stamp in self._stamp_setters:
+                set_stamp(Time(sec=sec, nanosec=nanosec))
+
+
+def _from_input(cls: type[Message]) -> Iterator[_Draft]:
+    """Yield a draft for each YAML document on standard input; a line `---` ends one."""
+    lines: list[str] = []
+    for line in chain(sys.stdin, ["---"]):
+        if line.rstrip() != "---":
+            lines.append(line)
+        elif "".join(lines).strip():
+            yield _Draft(cls, "".join(lines))
+            lines = []
+
+
+def _wait_for_subscriptions(writer: Writer, args: argparse.Namespace) -> None:
+    wanted = args.wait_matching_subscriptions
+    if wanted is None:
+        wanted = 1 if args.once or args.times else 0
+    start = told = time.monotonic()
+    while (found := writer.matched_count()) < wanted:
+        now = time.monotonic()
+        if args.max_wait_time_secs is not None and now - start >= args.max_wait_time_secs:
+            raise CommandError(
+                f"waited {args.max_wait_time_secs:g} s for {wanted} matching subscription(s), there are {found}"
+            )
+        if now - told >= 1.0:
+            print(f"Waiting for at least {wanted} matching subscription(s)...", file=sys.stderr)
+            told = now
+        time.sleep(0.01)
+
+
+def _publish(writer: Writer, drafts: Iterator[_Draft], args: argparse.Namespace) -> None:
+    print("publisher: beginning loop")
+    last = 1 if args.once else args.times
+    start = time.monotonic()
+    for number, draft in enumerate(drafts, 1):
+        draft.stamp()
+        if args.print > 0 and number % args.print == 0:
+            print(f"publishing #{number}: {draft.message!r}\n")
+        writer.write(cdr.encode(draft.message))
+        if number == last:
+            return
+        # From the start, so that the time that a message takes does not slow the rate.
+        time.sleep(max(0.0, start + number / args.rate - time.monotonic()))

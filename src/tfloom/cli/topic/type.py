@@ -1,0 +1,27 @@
+"""Print a topic's type."""
+
+from __future__ import annotations
+
+import argparse
+
+from tfloom.cli.errors import CommandError
+from tfloom.cli.graph import add_arguments as add_graph_arguments
+from tfloom.cli.graph import settled_graph, topic_types
+from tfloom.cli.names import did_you_mean, full_topic_name
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `topic type` takes."""
+    add_graph_arguments(parser)
+    parser.add_argument("topic_name", help="name of the topic")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print each of its types on a line."""
+    name = full_topic_name(args.topic_name)
+    with settled_graph(args) as graph:
+        topics = topic_types(graph.endpoints())
+    if name not in topics:
+        raise CommandError(f"Unknown topic '{name}'{did_you_mean(name, topics)}")
+    print("\n".join(topics[name]))
+    return 0

@@ -1,0 +1,79 @@
+"""When discovery counts as over."""
+
+from __future__ import annotations
+
+import threading
+import time
+from types import SimpleNamespace
+
+import pytest
+
+from tfloom._native import ReadyQueue
+from tfloom.cli import graph
+
+
+class FakeGraph:
+    """A graph that changes at given times after somebody asks to be told."""
+
+    def __init__(self, *changes_s: float) -> None:
+        self.count = 0
+        self.listener: ReadyQueue | None = None
+        self.timers = [threading.Timer(when, self.change) for when in changes_s]
+
+    def change(self) -> None:
+        self.count += 1
+        if self.listener is not None:
+            self.listener.post(0)
+
+    def changes(self) -> int:
+        return self.count
+
+    def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
+        self.listener = queue
+        if queue is not None:
+            for timer in self.timers:
+                timer.start()
+
+
+def waited(changes_s: list[float], most_s: float) -> float:
+    fake = FakeGraph(*changes_s)
+    start = time.monotonic()
+    graph.wait_until_quiet(fake, most_s)
+    duration = time.monotonic() - start
+    assert fake.listener is None
+    for timer in fake.timers:
+        timer.join()
+    return duration
+
+
+@pytest.mark.parametrize(
+    ("changes_s", "most_s", "at_least_s"),
+    [
+        ([], 5.0, graph.LEAST_S),
+        ([0.01], 5.0, graph.LEAST_S),
+        ([0.1], 5.0, 0.1 + graph.QUIET_S),
+        ([0.1, 0.2, 0.3], 5.0, 0.3 + graph.QUIET_S),
+        ([0.05 * i for i in range(1, 40)], 0.5, 0.5),
+    ],
+    ids=["nothing", "at once", "one", "a chain", "no end"],
+)
+def test_it_waits_until_nothing_new_comes(changes_s: list[float], most_s: float, at_least_s: float) -> None:
+    duration = waited(changes_s, most_s)
+    assert at_least_s <= duration < at_least_s + 0.4
+
+
+@pytest.mark.parametrize(
+    ("name", "hidden"),
+    [("/a/b", False), ("/_a", True), ("/a/_action/status", True), ("/a_b", False), ("/", False)],
+)
+def test_hidden_names(name: str, hidden: bool) -> None:
+    assert graph.is_hidden(name) is hidden
+
+
+def test_types_of_topics_are_in_order_and_once() -> None:
+    ends = [
+        SimpleNamespace(topic=SimpleNamespace(name=name, type_name=kind))
+        for name, kind in [("/b", "p/msg/Z"), ("/a", "p/msg/T"), ("/b", "p/msg/A"), ("/b", "p/msg/Z")]
+    ]
+    types = graph.topic_types(ends)
+    assert list(types.items()) == [("/a", ["p/msg/T"]), ("/b", ["p/msg/A", "p/msg/Z"])]

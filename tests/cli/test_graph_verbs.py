@@ -1,0 +1,99 @@
+"""Questions to the graph, asked by real processes over DDS, against the recorded answers."""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+import transcript
+
+pytestmark = pytest.mark.wire
+
+
+@pytest.fixture(autouse=True)
+def recorded_graph(domain_id: int, start_program: Callable[..., object]) -> None:
+    """Run the recorded graph in a domain of its own."""
+    start_program("python", Path(__file__).with_name("a_graph.py"), stdin=subprocess.PIPE).wait_for("ready")
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "topic_list",
+        "topic_list_t",
+        "topic_list_c",
+        "topic_list_hidden",
+        "topic_type",
+        "topic_find",
+        "topic_info",
+        "topic_info_bad",
+        "node_list",
+    ],
+)
+def test_answers_are_as_recorded(
+    name: str,
+) -> None:
+    recorded = transcript.golden(name)
+    assert transcript.run(*recorded.command) == recorded
+
+
+def test_the_asker_is_not_counted(deviations: dict[str, dict[str, str]]) -> None:
+    assert "cli-asker-uncounted" in deviations
+    recorded = transcript.golden("topic_list_v")
+    answer = transcript.run(*recorded.command)
+    assert answer.text == recorded.text.replace("4 publishers", "3 publishers").rstrip("\n")
+    assert answer.exit_code == recorded.exit_code
+
+
+def test_a_topic_in_detail() -> None:
+    recorded = transcript.golden("topic_info_v")
+    answer = transcript.run(*recorded.command)
+    without_gid = [re.sub(r"GID: [0-9a-f.]+", "GID: #", text) for text in (answer.text, recorded.text)]
+    assert without_gid[0] == without_gid[1].rstrip("\n")
+    assert re.search(r"^GID: ([0-9a-f]{2}\.){15}[0-9a-f]{2}$", answer.text, re.MULTILINE)
+
+
+def test_a_misspelt_topic_names_the_nearest() -> None:
+    for verb in ("info", "type"):
+        answer = transcript.run("topic", verb, "/turtle1/pos")
+        assert answer.exit_code == 1
+        assert answer.text.startswith("Unknown topic '/turtle1/pos'\ndid you mean /turtle1/pose")
+
+
+def test_a_list_is_complete_each_time() -> None:
+    whole = transcript.golden("topic_list").text
+    assert {transcript.run("topic", "list").text for _ in range(10)} == {whole}
+
+
+def test_json_says_the_same() -> None:
+    topics = json.loads(transcript.run("topic", "list", "--json").text)
+    assert [topic["name"] for topic in topics] == transcript.golden("topic_list").text.splitlines()
+    pose = next(topic for topic in topics if topic["name"] == "/turtle1/pose")
+    assert pose == {
+        "name": "/turtle1/pose",
+        "types": ["turtlesim/msg/Pose"],
+        "publishers": 1,
+        "subscribers": 0,
+    }
+    nodes = json.loads(transcript.run("node", "list", "--json").text)
+    assert nodes == transcript.golden("node_list").text.splitlines()
+    info = json.loads(transcript.run("topic", "info", "/turtle1/pose", "--json").text)
+    assert [end["node"] for end in info["publishers"]] == ["/turtlesim"]
+
+
+def test_counts() -> None:
+    assert transcript.run("node", "list", "-c").text == "3"
+    assert transcript.run("topic", "find", "-c", "rcl_interfaces/msg/Log").text == "1"
+    hidden = transcript.run("topic", "--include-hidden-topics", "list", "-c")
+    assert hidden.text == "9"
+
+
+@pytest.mark.parametrize("name", ["/a b", "", "/", "/1a", "a//b", "/a/"])
+def test_a_name_that_is_none_is_told(name: str) -> None:
+    answer = transcript.run("topic", "info", name)
+    assert answer.exit_code == 1
+    assert answer.text.startswith(f"'{name}' can't be a topic's name")

@@ -1,0 +1,152 @@
+"""`topic echo` hears what `topic pub` says, process to process over DDS, and prints it as recorded."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+
+import pytest
+import transcript
+
+pytestmark = pytest.mark.wire
+POSE = "{x: 5.544444561004639, y: 5.544444561004639}"
+CAMERA = (
+    "{transforms: [{header: {stamp: {sec: 1795257442, nanosec: 127281577}, frame_id: world}, child_frame_id: camera,"
+    " transform: {translation: {x: 1.0, y: 2.0, z: 3.0},"
+    " rotation: {z: 0.707106771713121, w: 0.707106790659974}}}]}"
+)
+LOG = (
+    "{stamp: {sec: 1795257453, nanosec: 352914069}, level: 20, name: talker, msg: 'Publishing: \"Hello World: 10\"',"
+    " file: <prefix>/lib/python3.11/site-packages/demo_nodes_py/topics/talker.py, function: timer_callback, line: 35}"
+)
+TRANSIENT = ("--qos-durability", "transient_local")
+
+
+@pytest.fixture
+def publish(domain_id: int, start_program: Callable[..., object]) -> Callable[..., object]:
+    """Publish values on a topic from a process of its own, ten times a second."""
+
+    def start(topic: str, kind: str, values: str, *flags: str) -> object:
+        program = start_program("tfloom", "topic", "pub", "-r", "10", *flags, topic, kind, values)
+        program.wait_for("publishing #1")
+        return program
+
+    return start
+
+
+@pytest.mark.parametrize(
+    ("name", "publication"),
+    [
+        ("topic_echo_once", ("/turtle1/pose", "turtlesim/msg/Pose", POSE)),
+        ("topic_echo_csv", ("/turtle1/pose", "turtlesim/msg/Pose", POSE)),
+        ("topic_echo_field", ("/turtle1/pose", "turtlesim/msg/Pose", POSE)),
+        ("topic_echo_flow", ("/tf_static", "tf2_msgs/msg/TFMessage", CAMERA, *TRANSIENT)),
+        ("topic_echo_tf_static", ("/tf_static", "tf2_msgs/msg/TFMessage", CAMERA, *TRANSIENT)),
+        ("topic_echo_noarr", ("/rosout", "rcl_interfaces/msg/Log", LOG)),
+    ],
+)
+def test_messages_print_as_recorded(
+    name: str, publication: tuple[str, ...], publish: Callable[..., object]
+) -> None:
+    publish(*publication)
+    recorded = transcript.golden(name)
+    assert transcript.run(*recorded.command) == recorded
+
+
+@pytest.mark.parametrize("name", ["topic_echo_bad", "topic_echo_badtype"])
+def test_mistakes_begin_as_recorded(name: str, domain_id: int, deviations: dict[str, dict[str, str]]) -> None:
+    assert "cli-nearest-names" in deviations
+    recorded = transcript.golden(name)
+    answer = transcript.run(*recorded.command)
+    assert answer.exit_code == recorded.exit_code
+    assert answer.text.startswith(recorded.text)
+
+
+def test_a_misspelt_topic_or_type_names_the_nearest(publish: Callable[..., object]) -> None:
+    publish("/turtle1/pose", "turtlesim/msg/Pose", POSE)
+    assert transcript.run("topic", "echo", "/turtle/pose").text.endswith("\ndid you mean /turtle1/pose?")
+    assert "'turtlesim/msg/Pose'" in transcript.run("topic", "echo", "/x", "turtlesim/msg/Poze").text
+
+
+def test_it_waits_for_a_topic_whose_type_is_given(
+    domain_id: int, start_program: Callable[..., object], publish: Callable[..., object]
+) -> None:
+    echo = start_program("tfloom", "topic", "echo", "--once", "/tf_static", "tf2_msgs/msg/TFMessage")
+    publish(
+        "/tf_static",
+        "tf2_msgs/msg/TFMessage",
+        CAMERA,
+        *TRANSIENT,
+        "--times",
+        "1",
+        "-w",
+        "0",
+        "--keep-alive",
+        "30",
+    )
+    assert echo.wait() == 0
+    assert "frame_id: world" in echo.output
+
+
+def test_what_was_published_before_is_heard_from_every_transient_publisher(
+    publish: Callable[..., object],
+) -> None:
+    for number in range(7):
+        publish("/late", "std_msgs/msg/Int32", f"{{data: {number}}}", *TRANSIENT, "--times", "1", "-w", "0",
+                "--keep-alive", "60")  # fmt: skip
+    answer = transcript.run("topic", "echo", "--csv", "--timeout", "2", "/late")
+    assert sorted(answer.text.splitlines()) == [str(number) for number in range(7)]
+
+
+def test_messages_are_chosen_by_a_filter(publish: Callable[..., object]) -> None:
+    publish("/turtle1/pose", "turtlesim/msg/Pose", POSE)
+    words = ("topic", "echo", "/turtle1/pose")
+    assert transcript.run(*words, "--once", "--csv", "--filter", "m.x > 5").exit_code == 0
+    assert transcript.run(*words, "--timeout", "1", "--filter", "m.x < 5").text == ""
+    mistaken = transcript.run(*words, "--filter", "m.q")
+    assert (mistaken.exit_code, mistaken.text) == (
+        1,
+        "--filter failed: AttributeError: 'Pose' object has no attribute 'q'",
+    )
+    assert transcript.run(*words, "--filter", "m.x >").text.startswith("--filter isn't a Python expression")
+
+
+def test_a_field_inside_an_array(publish: Callable[..., object]) -> None:
+    publish("/tf_static", "tf2_msgs/msg/TFMessage", CAMERA, *TRANSIENT)
+    words = ("topic", "echo", "--once", "/tf_static", "--field")
+    assert transcript.run(*words, "transforms[0].transform.translation.z").text == "3.0\n---"
+    assert (
+        transcript.run(*words, "transforms[0].header.stamp").text
+        == "sec: 1795257442\nnanosec: 127281577\n---"
+    )
+    outside = transcript.run(*words, "transforms[1].header")
+    assert outside.exit_code == 1
+    assert outside.text.startswith("Invalid field 'transforms[1].header': ")
+    wrong = transcript.run(*words, "transforms[0].header.q")
+    assert wrong.text.endswith("there are: stamp, frame_id")
+
+
+def test_forms_for_programs(publish: Callable[..., object]) -> None:
+    publish("/tf_static", "tf2_msgs/msg/TFMessage", CAMERA, *TRANSIENT)
+    words = ("topic", "echo", "--once", "/tf_static")
+    message = json.loads(transcript.run(*words, "--json").text)
+    assert message["transforms"][0]["transform"]["translation"] == {"x": 1.0, "y": 2.0, "z": 3.0}
+    assert transcript.run(*words, "--raw").text.startswith("b'\\x00\\x01\\x00\\x00\\x01\\x00\\x00\\x00")
+    info = transcript.run(*words, "--csv", "--include-message-info").text
+    assert info.startswith("{'source_timestamp': ")
+
+
+def test_no_message_in_time_is_told(domain_id: int) -> None:
+    answer = transcript.run("topic", "echo", "--once", "--timeout", "0.5", "/x", "std_msgs/msg/Empty")
+    assert answer.exit_code == 1
+    assert answer.text.endswith("no message on /x within 0.5 s")
+
+
+def test_arrays_and_strings_are_cut_where_asked(publish: Callable[..., object]) -> None:
+    values = f"{{data: {'x' * 200}}}"
+    publish("/long", "std_msgs/msg/String", values)
+    words = ("topic", "echo", "--once", "/long")
+    assert transcript.run(*words).text == f"data: {'x' * 128}...\n---"
+    assert transcript.run(*words, "--truncate-length", "5").text == "data: xxxxx...\n---"
+    assert transcript.run(*words, "--full-length").text == f"data: {'x' * 200}\n---"
+    assert transcript.run(*words, "--no-str").text == "data: '<string length: <200>>'\n---"

@@ -1,0 +1,116 @@
+"""`topic pub`: what it prints, when it ends, and what it says about mistakes."""
+
+from __future__ import annotations
+
+import re
+import time
+from collections.abc import Callable
+
+import pytest
+import transcript
+
+pytestmark = pytest.mark.wire
+
+
+def test_once_waits_for_a_subscription_and_prints_as_recorded(
+    domain_id: int, start_program: Callable[..., object]
+) -> None:
+    echo = start_program("tfloom", "topic", "echo", "--once", "/turtle1/cmd_vel", "geometry_msgs/msg/Twist")
+    recorded = transcript.golden("topic_pub_once")
+    answer = transcript.run(*recorded.command)
+    assert answer == (recorded.command, recorded.text.rstrip("\n"), 0)
+    assert echo.wait() == 0
+    assert echo.lines[:2] == ["linear:", "  x: 0.5"]
+
+
+def test_times_prints_as_recorded(domain_id: int) -> None:
+    recorded = transcript.golden("topic_pub_times")
+    assert transcript.run(*recorded.command) == (recorded.command, recorded.text.rstrip("\n"), 0)
+
+
+@pytest.mark.parametrize("name", ["topic_pub_badfield", "topic_pub_badvalue", "topic_pub_badtype"])
+def test_mistakes_begin_as_recorded(name: str, domain_id: int, deviations: dict[str, dict[str, str]]) -> None:
+    assert "cli-nearest-names" in deviations
+    recorded = transcript.golden(name)
+    answer = transcript.run(*recorded.command)
+    assert answer.exit_code == recorded.exit_code
+    assert answer.text.splitlines()[: recorded.text.count("\n") + 1] == recorded.text.splitlines()
+
+
+def test_a_field_that_is_not_there_names_those_that_are(domain_id: int) -> None:
+    answer = transcript.run("topic", "pub", "/x", "geometry_msgs/msg/Twist", "{linear: {q: 1}}")
+    assert answer.text.endswith("\nVector3 has: x, y, z")
+
+
+def test_mistaken_yaml_is_shown_at_its_place(domain_id: int, deviations: dict[str, dict[str, str]]) -> None:
+    assert "cli-yaml-mistake" in deviations
+    recorded = transcript.golden("topic_pub_badyaml")
+    answer = transcript.run(*recorded.command)
+    assert answer.exit_code == recorded.exit_code
+    assert answer.text == (
+        "The passed value isn't YAML: expected the node content, but found '<stream end>' at line 1, column 10:\n"
+        "  {linear: \n"
+        "           ^"
+    )
+
+
+def test_a_value_that_is_no_mapping_is_told(domain_id: int) -> None:
+    answer = transcript.run("topic", "pub", "/x", "std_msgs/msg/String", "hi")
+    assert answer.exit_code == 1
+    assert answer.text == "The passed value needs to be a dictionary in YAML format, not 'hi'"
+
+
+def test_a_rate_that_is_none_is_told(domain_id: int) -> None:
+    answer = transcript.run("topic", "pub", "-r", "0", "/x", "std_msgs/msg/String")
+    assert (answer.exit_code, answer.text) == (1, "rate must be greater than zero")
+
+
+def test_the_rate_is_kept(domain_id: int, start_program: Callable[..., object]) -> None:
+    start = time.monotonic()
+    program = start_program(
+        "tfloom", "topic", "pub", "-r", "50", "-t", "100", "-w", "0", "/x", "std_msgs/msg/Empty"
+    )
+    assert program.wait() == 0
+    assert 1.98 < time.monotonic() - start < 6.0
+    assert program.output.count("publishing #") == 100
+
+
+def test_each_nth_is_printed(domain_id: int) -> None:
+    words = ("topic", "pub", "-t", "6", "-r", "100", "-w", "0", "-p", "3", "/x", "std_msgs/msg/Empty")
+    assert re.findall(r"#(\d+)", transcript.run(*words).text) == ["3", "6"]
+
+
+def test_headers_and_times_are_of_now(domain_id: int) -> None:
+    now = int(time.time())
+    words = ("topic", "pub", "-t", "1", "-w", "0", "/x", "geometry_msgs/msg/PointStamped", "{header: auto}")
+    stamped = re.search(r"Time\(sec=(\d+), nanosec=", transcript.run(*words).text)
+    assert stamped
+    assert now <= int(stamped[1]) <= now + 60
+    words = ("topic", "pub", "-t", "1", "-w", "0", "/x", "builtin_interfaces/msg/Time", "now")
+    assert transcript.run(*words).exit_code == 1
+
+
+def test_values_come_from_the_input(domain_id: int, start_program: Callable[..., object]) -> None:
+    import subprocess
+
+    program = start_program(
+        "tfloom", "topic", "pub", "--stdin", "-r", "100", "/x", "std_msgs/msg/String", stdin=subprocess.PIPE
+    )
+    program.process.stdin.write("data: one\n---\n---\ndata: two\n")
+    program.process.stdin.close()
+    assert program.wait() == 0
+    assert re.findall(r"data='(\w+)'", program.output) == ["one", "two"]
+
+
+def test_waiting_for_too_long_is_told(domain_id: int) -> None:
+    answer = transcript.run("topic", "pub", "-1", "--max-wait-time-secs", "1.2", "/x", "std_msgs/msg/Empty")
+    assert answer.exit_code == 1
+    assert answer.text == (
+        "Waiting for at least 1 matching subscription(s)...\n"
+        "waited 1.2 s for 1 matching subscription(s), there are 0"
+    )
+
+
+def test_a_name_for_the_node(domain_id: int, start_program: Callable[..., object]) -> None:
+    start_program("tfloom", "topic", "pub", "-n", "my_node", "/x", "std_msgs/msg/Empty").wait_for("#1")
+    assert transcript.run("node", "list").text == "/my_node"

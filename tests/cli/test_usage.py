@@ -1,0 +1,95 @@
+"""Each flag that ros2's verbs take is taken here, too."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from tfloom.cli.main import COMMANDS
+from tfloom.cli.parser import VerbParser, build_parser
+
+USAGES: dict[str, str | None] = json.loads(
+    (Path(__file__).parents[1] / "golden" / "cli_usage.json").read_text("utf-8")
+)
+
+WITH_SERVICES = "asks a node's services, which come with the client library's"
+NOT_HERE = {
+    **dict.fromkeys(
+        (f"action {verb}" for verb in ("info", "list", "send_goal", "type")),
+        WITH_SERVICES,
+    ),
+    **dict.fromkeys(
+        (f"component {verb}" for verb in ("list", "load")), "components are libraries for a C++ container"
+    ),
+    **dict.fromkeys((f"daemon {verb}" for verb in ("start", "stop", "status")), "discovery needs no daemon"),
+    **dict.fromkeys((f"lifecycle {verb}" for verb in ("get", "list", "nodes", "set")), WITH_SERVICES),
+    **dict.fromkeys((f"multicast {verb}" for verb in ("receive", "send")), "comes with doctor"),
+    **dict.fromkeys(
+        (f"param {verb}" for verb in ("delete", "describe", "dump", "get", "list", "load", "set")),
+        WITH_SERVICES,
+    ),
+    **dict.fromkeys(
+        (f"service {verb}" for verb in ("call", "find", "info", "list", "type", "echo")),
+        WITH_SERVICES,
+    ),
+    "doctor": "comes when there is more to look at",
+    "launch": "comes with launch files",
+    "node info": WITH_SERVICES,
+    "pkg create": "comes with its templates",
+    "topic bw": "comes next",
+    "topic delay": "comes next",
+    "topic hz": "comes next",
+}
+"""Verbs that ros2 has and we don't, each with its reason."""
+
+
+def parsers(parser: argparse.ArgumentParser) -> dict[str, VerbParser]:
+    """Return the parser of each verb by its words, each filled with its arguments."""
+    for action in parser._actions:
+        if isinstance(action, argparse._SubParsersAction):
+            found: dict[str, VerbParser] = {}
+            for word, child in action.choices.items():
+                below = parsers(child)
+                found |= {f"{word} {rest}".strip(): each for rest, each in below.items()}
+            return found
+    assert isinstance(parser, VerbParser)
+    parser.fill()
+    return {"": parser}
+
+
+VERBS = parsers(build_parser("ros2", COMMANDS))
+RECORDED = [verb for verb in USAGES if verb in VERBS and USAGES[verb]]
+
+
+def test_each_verb_of_ros2_is_here_or_has_its_reason() -> None:
+    assert set(USAGES) - set(VERBS) == set(NOT_HERE)
+
+
+@pytest.mark.parametrize("verb", RECORDED)
+def test_each_flag_of_ros2_is_taken(verb: str) -> None:
+    usage = USAGES[verb]
+    assert usage is not None
+    flags = set(re.findall(r"(?<![\w-])--?[a-zA-Z][\w-]*", usage))
+    assert flags <= VERBS[verb]._option_string_actions.keys()
+
+
+@pytest.mark.parametrize("verb", RECORDED)
+def test_each_argument_is_taken_in_its_place(verb: str) -> None:
+    usage = USAGES[verb]
+    assert usage is not None
+    positional = re.sub(r"\[-[^\]]*\]|^ros2 ", "", usage).removeprefix(verb).split()
+    ours = VERBS[verb].format_usage().split()
+    names = [word for word in positional if re.fullmatch(r"\[?\w+\]?", word)]
+    assert [word for word in ours if word in names] == names
+    assert ("..." in positional) == ("..." in ours)
+
+
+@pytest.mark.parametrize("verb", VERBS)
+def test_each_argument_is_explained(verb: str) -> None:
+    for action in VERBS[verb]._actions:
+        assert action.help, f"{verb}: {action.dest} has no help"
+    assert VERBS[verb].description

@@ -1,0 +1,87 @@
+"""Definitions as text: where they are, what is in them, and what is told when there is none."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tfloom.workspace import index, interfaces
+
+
+@pytest.fixture
+def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv(index.PREFIX_PATH_VARIABLE, str(tmp_path))
+    marker = tmp_path / index.RESOURCE_INDEX / "rosidl_interfaces" / "my_msgs"
+    marker.parent.mkdir(parents=True)
+    marker.touch()
+    share = tmp_path / "share" / "my_msgs"
+    for path, text in {
+        "msg/Inner.msg": "# inner\nint32 x  # inner too\n",
+        "msg/Outer.msg": (
+            "# outer\n\nInner[<=3] inner # one\nstring NAME='a # b'\nint8 MODE=1\nstring<=4 text \"#\"\n"
+            "builtin_interfaces/Time when\n"
+        ),
+        "msg/Loop.msg": "Loop[] loops\n",
+    }.items():
+        (share / path).parent.mkdir(parents=True, exist_ok=True)
+        (share / path).write_text(text)
+    return share
+
+
+def test_a_workspaces_interfaces_stand_beside_ours(workspace: Path) -> None:
+    packages = interfaces.interface_packages()
+    assert packages["my_msgs"] == workspace
+    assert list(packages) == sorted(packages)
+    assert interfaces.interfaces_of(packages["my_msgs"], "msg") == ["Inner", "Loop", "Outer"]
+    assert "Twist" in interfaces.interfaces_of(packages["geometry_msgs"], "msg")
+
+
+OUTER_WITH_NO_COMMENTS = """\
+Inner[<=3] inner
+\tint32 x
+string NAME='a # b'
+int8 MODE=1
+string<=4 text "#"
+builtin_interfaces/Time when
+\tint32 sec
+\tuint32 nanosec
+"""
+OUTER_WITH_ITS_OWN = "# outer\n\n" + OUTER_WITH_NO_COMMENTS.replace("] inner\n", "] inner # one\n")
+OUTER_WITH_ALL = OUTER_WITH_ITS_OWN.replace("\tint32 x\n", "\t# inner\n\tint32 x  # inner too\n")
+
+
+@pytest.mark.parametrize(
+    ("comments", "text"),
+    [("none", OUTER_WITH_NO_COMMENTS), ("own", OUTER_WITH_ITS_OWN), ("all", OUTER_WITH_ALL)],
+)
+def test_the_types_of_fields_stand_beneath_them(workspace: Path, comments: str, text: str) -> None:
+    assert "\n".join([*interfaces.expanded_definition("my_msgs/msg/Outer", comments), ""]) == text
+
+
+def test_a_type_that_holds_itself_has_an_end(workspace: Path) -> None:
+    assert list(interfaces.expanded_definition("my_msgs/Loop")) == ["Loop[] loops"]
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("my_msg/msg/Inner", "Unknown package 'my_msg'\ndid you mean my_msgs?"),
+        (
+            "my_msgs/msg/Iner",
+            "Could not find the interface 'my_msgs/msg/Iner'\ndid you mean my_msgs/msg/Inner?",
+        ),
+        ("Inner", "an interface's name is like std_msgs/msg/String, not 'Inner'"),
+        ("../msg/Inner", "an interface's name is like std_msgs/msg/String, not '../msg/Inner'"),
+    ],
+)
+def test_what_is_not_there_is_told(workspace: Path, name: str, text: str) -> None:
+    with pytest.raises(LookupError) as error:
+        interfaces.read_definition(name)
+    assert error.value.args[0] == text
+
+
+def test_a_short_name_finds_its_kind() -> None:
+    assert interfaces.split_name("turtlesim/Spawn") == ("turtlesim", "srv", "Spawn")
+    assert interfaces.split_name("turtlesim/RotateAbsolute") == ("turtlesim", "action", "RotateAbsolute")
+    assert interfaces.split_name("std_msgs/String") == ("std_msgs", "msg", "String")
