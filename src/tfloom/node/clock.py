@@ -176,6 +176,11 @@ class Clock:
             clock=self, threshold=threshold, pre_callback=pre_callback, post_callback=post_callback
         )
 
+    def jump_handles(self) -> list[JumpHandle]:
+        """Return what is registered now."""
+        with self._lock:
+            return list(self._handles)
+
     def add_jump_handle(self, handle: JumpHandle) -> None:
         """Register a handle; each handle does it for itself."""
         with self._lock:

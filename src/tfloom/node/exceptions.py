@@ -26,6 +26,29 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from tfloom.node.parameter import Parameter
 
+__all__ = [
+    "InvalidHandle",
+    "InvalidNamespaceException",
+    "InvalidNodeNameException",
+    "InvalidParameterException",
+    "InvalidParameterTypeException",
+    "InvalidParameterValueException",
+    "InvalidServiceNameException",
+    "InvalidTopicNameException",
+    "NameValidationException",
+    "NoTypeSupportImportedException",
+    "NotInitializedException",
+    "ParameterAlreadyDeclaredException",
+    "ParameterException",
+    "ParameterImmutableException",
+    "ParameterNotDeclaredException",
+    "ParameterUninitializedException",
+    "RCLError",
+    "RCLInvalidROSArgsError",
+    "ROSInterruptException",
+    "UnknownROSArgsError",
+]
+
 # ROS's own names end in "Exception".
 # ruff: noqa: N818
 

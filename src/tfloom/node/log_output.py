@@ -162,9 +162,9 @@ def write(record: Record) -> None:
     stream = sys.stdout if os.environ.get("RCUTILS_LOGGING_USE_STDOUT") == "1" else sys.stderr
     text = record.format(os.environ.get("RCUTILS_CONSOLE_OUTPUT_FORMAT") or DEFAULT_FORMAT)
     if stream is not None:
-        if _use_color(stream):
-            text = f"{_COLORS.get(record.severity, '')}{text}{_NO_COLOR}"
         try:
+            if _use_color(stream):
+                text = f"{_COLORS.get(record.severity, '')}{text}{_NO_COLOR}"
             stream.write(f"{text}\n")
             stream.flush()
         except (OSError, ValueError):

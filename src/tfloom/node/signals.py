@@ -28,6 +28,7 @@ class SignalHandlerOptions(IntFlag):
 
 
 _previous: dict[signal.Signals, Any] = {}
+_handled_now: set[int] = set()
 _SIGNALS = {SignalHandlerOptions.SIGINT: signal.SIGINT, SignalHandlerOptions.SIGTERM: signal.SIGTERM}
 
 
@@ -35,8 +36,12 @@ def _on_signal(number: int, frame: FrameType | None) -> None:
     for context in live_contexts():
         context.interrupt()
     previous = _previous.get(signal.Signals(number))
-    if callable(previous):  # Python's own, for SIGINT, raises KeyboardInterrupt
-        previous(number, frame)
+    if callable(previous) and number not in _handled_now:
+        _handled_now.add(number)  # whoever came after us may call us in turn
+        try:
+            previous(number, frame)  # Python's own, for SIGINT, raises KeyboardInterrupt
+        finally:
+            _handled_now.discard(number)
 
 
 def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
@@ -74,8 +79,9 @@ def get_current_signal_handlers_options() -> SignalHandlerOptions:
 
 
 def _install(number: signal.Signals) -> None:
-    if number not in _previous:
-        _previous[number] = signal.getsignal(number)
+    current = signal.getsignal(number)
+    if current is not _on_signal:
+        _previous[number] = current
         signal.signal(number, _on_signal)
 
 

@@ -1,0 +1,67 @@
+"""Nodes on the in-process wire, each test with a context of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import pytest
+
+from tfloom.node import log_output
+from tfloom.node.context import Context
+from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.node import Node
+
+
+@pytest.fixture(autouse=True)
+def local_wire(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+    yield
+    log_output.reset_levels()
+
+
+@pytest.fixture
+def context() -> Iterator[Context]:
+    context = Context()
+    context.init(["program"])
+    yield context
+    context.destroy()
+
+
+@pytest.fixture
+def make_node(context: Context) -> Iterator[Callable[..., Node]]:
+    nodes: list[Node] = []
+
+    def make(name: str = "tester", **options: object) -> Node:
+        node = Node(name, **{"context": context, **options})
+        nodes.append(node)
+        return node
+
+    yield make
+    for node in nodes:
+        node.destroy_node()
+
+
+@pytest.fixture
+def node(make_node: Callable[..., Node]) -> Node:
+    return make_node()
+
+
+@pytest.fixture
+def executor(context: Context) -> Iterator[SingleThreadedExecutor]:
+    with SingleThreadedExecutor(context=context) as executor:
+        yield executor
+
+
+@pytest.fixture
+def spin_until(executor: SingleThreadedExecutor) -> Callable[..., None]:
+    """Spin until a condition holds; fail the test when it stays false."""
+    import time
+
+    def spin(condition: Callable[[], object], timeout_s: float = 10.0) -> None:
+        end = time.monotonic() + timeout_s
+        while not condition():
+            if time.monotonic() > end:
+                pytest.fail(f"gave up spinning after {timeout_s} s")
+            executor.spin_once(timeout_sec=0.1)
+
+    return spin

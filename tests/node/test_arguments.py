@@ -1,0 +1,174 @@
+"""ROS arguments on a command line."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+
+from tfloom.node.arguments import parse_arguments, remove_ros_args
+from tfloom.node.exceptions import RCLInvalidROSArgsError, UnknownROSArgsError
+from tfloom.node.logging_severity import LoggingSeverity
+from tfloom.node.scalars import parse_value
+
+
+def test_what_is_not_for_ros_is_left() -> None:
+    line = ["prog", "a", "--ros-args", "-p", "x:=1", "--", "b", "--ros-args", "-r", "a:=b"]
+    assert remove_ros_args(line) == ["prog", "a", "b"]
+
+
+def test_node_and_namespace() -> None:
+    parsed = parse_arguments(["--ros-args", "-r", "__node:=bob", "--remap", "__ns:=/here"])
+    assert parsed.node_name("alice") == "bob"
+    assert parsed.namespace("alice", "/") == "/here"
+
+
+def test_a_rule_for_one_node_leaves_the_others() -> None:
+    parsed = parse_arguments(["--ros-args", "-r", "alice:__node:=bob", "-r", "alice:a:=b"])
+    assert parsed.node_name("alice") == "bob"
+    assert parsed.node_name("carol") == "carol"
+    assert parsed.remap("/a", "alice", "/") == "/b"
+    assert parsed.remap("/a", "carol", "/") is None
+
+
+def test_topics_and_services_are_remapped_by_their_full_names() -> None:
+    parsed = parse_arguments(
+        [
+            "--ros-args",
+            "-r",
+            "chatter:=/talk",
+            "-r",
+            "rosservice://s:=t",
+            "-r",
+            "rostopic://~/p:=q",
+            "-r",
+            "chatter:=late",
+        ]
+    )
+    assert parsed.remap("/ns/chatter", "me", "/ns") == "/talk"
+    assert parsed.remap("/chatter", "me", "/ns") is None
+    assert parsed.remap("/ns/s", "me", "/ns", is_service=True) == "/ns/t"
+    assert parsed.remap("/ns/s", "me", "/ns") is None
+    assert parsed.remap("/ns/me/p", "me", "/ns") == "/ns/q"
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("1", 1),
+        ("-0x10", -16),
+        ("010", 8),
+        ("1.5", 1.5),
+        ("1e3", 1000.0),
+        (".5", 0.5),
+        ("-.inf", -math.inf),
+        ("true", True),
+        ("off", False),
+        ("hello", "hello"),
+        ("'1'", "1"),
+        ("a b", "a b"),
+        ("/turtle1/pose", "/turtle1/pose"),
+        ("[1, 2]", [1, 2]),
+        ("[a, 'b']", ["a", "b"]),
+        ("''", ""),
+        ("1.2.3", "1.2.3"),
+    ],
+)
+def test_values_are_read_as_ros_reads_them(text: str, value: object) -> None:
+    found = parse_value(text)
+    assert found == value
+    assert type(found) is type(value)
+    parsed = parse_arguments(["--ros-args", "-p", f"x:={text}"])
+    assert parsed.parameter_overrides("/any/node") == {"x": value}
+
+
+def test_the_later_value_wins_and_a_node_can_be_named() -> None:
+    parsed = parse_arguments(["--ros-args", "-p", "x:=1", "-p", "x:=2", "-p", "bob:x:=3", "-p", "bob:y:=4"])
+    assert parsed.parameter_overrides("/alice") == {"x": 2}
+    assert parsed.parameter_overrides("/ns/bob") == {"x": 3, "y": 4}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "text"),
+    [
+        (["-r"], "-r needs a value: \\[node:\\]from:=to"),
+        (["-p", "x=1"], "cannot understand '-p x=1'"),
+        (["-p", "x:="], "has no value"),
+        (["-p", "x:=[1, "], "no valid YAML"),
+        (["-p", "x:={a: 1}"], "can't be a mapping"),
+        (["-r", "a b:=c"], "'a b': topic name must not contain"),
+        (["-r", "__node:=a/b"], "'a/b': node name must not contain"),
+        (["-r", "__ns:=a b"], "namespace must not contain"),
+        (["--log-level", "loud"], "'loud' is no level; known are unset, debug"),
+        (["--params-file", "/no/such/file"], "No such file"),
+        (["--log-file-name", "a/b"], "without a directory"),
+        (["-e", "robot"], "enclave must be absolute"),
+    ],
+)
+def test_bad_arguments_say_what_is_wrong(arguments: list[str], text: str) -> None:
+    with pytest.raises(RCLInvalidROSArgsError, match=text):
+        parse_arguments(["--ros-args", *arguments])
+
+
+def test_unknown_arguments_are_all_named() -> None:
+    with pytest.raises(UnknownROSArgsError, match=r"\['--nope', 'x'\]"):
+        parse_arguments(["--ros-args", "--nope", "x"])
+
+
+def test_log_levels() -> None:
+    parsed = parse_arguments(["--ros-args", "--log-level", "debug", "--log-level", "a.b:=ERROR"])
+    assert parsed.log_levels == [("", LoggingSeverity.DEBUG), ("a.b", LoggingSeverity.ERROR)]
+
+
+FILE = """
+/**:
+  ros__parameters:
+    everywhere: 1
+/ns/alice:
+  ros__parameters:
+    text: "12"
+    nested: {deep: {x: 1.0}}
+    list: [1, 2.5]
+ns:
+  bob:
+    ros__parameters:
+      everywhere: 2
+/*/carol:
+  ros__parameters:
+    only: [a, b]
+"""
+
+
+def test_a_parameter_file_is_read_by_node(tmp_path: Path) -> None:
+    path = tmp_path / "p.yaml"
+    path.write_text(FILE)
+    parsed = parse_arguments(["--ros-args", "--params-file", str(path), "-p", "last:=1"])
+    assert parsed.parameter_overrides("/ns/alice") == {
+        "everywhere": 1,
+        "text": "12",
+        "nested.deep.x": 1.0,
+        "list": [1.0, 2.5],
+        "last": 1,
+    }
+    assert parsed.parameter_overrides("/ns/bob") == {"everywhere": 2, "last": 1}
+    assert parsed.parameter_overrides("/x/carol") == {"everywhere": 1, "only": ["a", "b"], "last": 1}
+    assert parsed.parameter_overrides("/x/y/carol") == {"everywhere": 1, "last": 1}
+
+
+@pytest.mark.parametrize(
+    ("content", "text"),
+    [
+        ("[1]", "mapping of node names"),
+        ("a: 1", "/a: expected 'ros__parameters' below it"),
+        ("a: {ros__parameters: 1}", "must hold names and values"),
+        ("a: {ros__parameters: {x: [1, a]}}", "list of 'x' must be of one scalar type"),
+        ("a: {ros__parameters: {x: [[1]]}}", "list of 'x' must be of one scalar type"),
+        ("a: [", "no valid YAML"),
+    ],
+)
+def test_a_bad_parameter_file_says_what_and_where(content: str, text: str, tmp_path: Path) -> None:
+    path = tmp_path / "p.yaml"
+    path.write_text(content)
+    with pytest.raises(RCLInvalidROSArgsError, match=text):
+        parse_arguments(["--ros-args", "--params-file", str(path)])

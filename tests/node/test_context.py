@@ -1,0 +1,120 @@
+"""Contexts: one life each."""
+
+from __future__ import annotations
+
+import pytest
+
+from tfloom import node as rclpy
+from tfloom.node.context import Context
+from tfloom.node.exceptions import RCLError, RCLInvalidROSArgsError
+from tfloom.node.logging import get_logger_effective_level
+from tfloom.node.node import Node
+
+
+def test_one_life(context: Context) -> None:
+    assert context.ok()
+    with pytest.raises(RuntimeError, match="only be called once"):
+        context.init([])
+    context.shutdown()
+    assert not context.ok()
+    with pytest.raises(RCLError, match="already called"):
+        context.shutdown()
+    assert not context.try_shutdown()
+    with pytest.raises(RuntimeError, match="must be initialized before"):
+        Context().shutdown()
+
+
+def test_callbacks_of_shutdown(context: Context) -> None:
+    called: list[str] = []
+
+    class Listener:
+        def gone(self) -> None:
+            called.append("gone")
+
+        def there(self) -> None:
+            called.append("there")
+
+    listener = Listener()
+    context.on_shutdown(listener.there)
+    context.on_shutdown(Listener().gone)
+    context.on_shutdown(lambda: called.append("function"))
+    context.shutdown()
+    assert called == ["there", "function"]
+    context.on_shutdown(lambda: called.append("late"))
+    assert called[-1] == "late"
+    with pytest.raises(TypeError, match="callable"):
+        context.on_shutdown(5)  # type: ignore[arg-type]
+
+
+def test_the_default_context_lives_again_and_again() -> None:
+    for _ in range(3):
+        rclpy.init(args=[])
+        assert rclpy.ok()
+        rclpy.create_node("again").destroy_node()
+        rclpy.shutdown()
+        assert not rclpy.ok()
+    with pytest.raises(RuntimeError, match="must be initialized before"):
+        rclpy.shutdown()
+    rclpy.try_shutdown()
+
+
+def test_arguments_of_the_program(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("sys.argv", ["prog", "--ros-args", "--log-level", "warn", "-r", "__node:=given"])
+    with Context() as context, Node("own", context=context) as node:
+        assert node.get_name() == "given"
+        assert get_logger_effective_level("given").name == "WARN"
+
+
+def test_bad_arguments_leave_the_context_unborn() -> None:
+    context = Context()
+    with pytest.raises(RCLInvalidROSArgsError):
+        context.init(["--ros-args", "-p", "x"])
+    assert not context.ok()
+    context.init([])
+    context.destroy()
+
+
+def test_the_domain(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ROS_DOMAIN_ID", "17")
+    one, two = Context(), Context()
+    one.init([])
+    two.init([], domain_id=18)
+    assert (one.get_domain_id(), two.get_domain_id()) == (17, 18)
+    with Node("a", context=one) as a, Node("b", context=two) as b:
+        assert (a.get_node_names(), b.get_node_names()) == (["a"], ["b"])
+    with pytest.raises(RuntimeError, match="lower than zero"):
+        Context().init([], domain_id=-1)
+    one.destroy()
+    two.destroy()
+
+
+def test_the_wire_is_left_with_the_last_node_after_shutdown(
+    context: Context, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    node = Node("last", context=context)
+    watching = Context()
+    watching.init([])
+    with Node("watcher", context=watching) as watcher:
+        context.shutdown()
+        assert watcher.get_node_names() == ["last", "watcher"]
+        node.destroy_node()
+        assert watcher.get_node_names() == ["watcher"]
+    watching.destroy()
+
+
+def test_spinning_functions() -> None:
+    rclpy.init(args=[])
+    node = rclpy.create_node("spun")
+    ticks: list[int] = []
+    node.create_timer(0.001, lambda: ticks.append(1))
+    rclpy.spin_once(node, timeout_sec=1.0)
+    assert ticks == [1]
+    assert node.executor is None
+    future: rclpy.Future[int] = rclpy.Future()
+    node.create_timer(0.001, lambda: future.set_result(1) if not future.done() else None)
+    rclpy.spin_until_future_complete(node, future, timeout_sec=10)
+    assert future.done()
+    node.create_timer(0.001, rclpy.try_shutdown)
+    rclpy.spin(node)
+    assert not rclpy.ok()
+    node.destroy_node()

@@ -1,0 +1,376 @@
+"""Executors: order and fairness, tasks, threads, errors and ends."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+
+import pytest
+
+from tfloom.interfaces.std_msgs.msg import Int32
+from tfloom.node.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
+from tfloom.node.context import Context
+from tfloom.node.executors import (
+    ExternalShutdownException,
+    MultiThreadedExecutor,
+    ShutdownException,
+    SingleThreadedExecutor,
+)
+from tfloom.node.node import Node
+from tfloom.node.task import Future
+
+SpinUntil = Callable[..., None]
+
+
+def test_a_busy_topic_does_not_starve_the_others(
+    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
+) -> None:
+    order: list[str] = []
+    busy = node.create_publisher(Int32, "busy", 1000)
+    quiet = node.create_publisher(Int32, "quiet", 10)
+    node.create_subscription(Int32, "busy", lambda msg: order.append("busy"), 1000)
+    node.create_subscription(Int32, "quiet", lambda msg: order.append("quiet"), 10)
+    executor.add_node(node)
+    for number in range(100):
+        busy.publish(Int32(data=number))
+    quiet.publish(Int32())
+    spin_until(lambda: len(order) == 101)
+    assert order.index("quiet") <= 2
+
+
+def test_a_timer_runs_between_messages(
+    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
+) -> None:
+    publisher = node.create_publisher(Int32, "loop", 10)
+    node.create_subscription(Int32, "loop", publisher.publish, 10)
+    ticks: list[float] = []
+    node.create_timer(0.001, lambda: ticks.append(time.monotonic()))
+    executor.add_node(node)
+    publisher.publish(Int32())
+    spin_until(lambda: len(ticks) == 5)
+
+
+def test_entities_may_come_and_go_while_it_spins(
+    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
+) -> None:
+    publisher = node.create_publisher(Int32, "numbers", 10)
+    executor.add_node(node)
+    first: list[int] = []
+    second: list[int] = []
+
+    def replace(msg: Int32) -> None:
+        first.append(msg.data)
+        node.destroy_subscription(subscription)
+        node.create_subscription(Int32, "numbers", lambda msg: second.append(msg.data), 10)
+        publisher.publish(Int32(data=3))
+
+    subscription = node.create_subscription(Int32, "numbers", replace, 10)
+    publisher.publish(Int32(data=1))
+    publisher.publish(Int32(data=2))
+    spin_until(lambda: second)
+    assert (first, second) == ([1], [3])
+
+
+def test_entities_may_go_from_another_thread(context: Context, make_node: Callable[..., Node]) -> None:
+    node = make_node()
+    publisher = node.create_publisher(Int32, "numbers", 10)
+    with SingleThreadedExecutor(context=context) as executor:
+        executor.add_node(node)
+        errors: list[BaseException] = []
+
+        def spin() -> None:
+            try:
+                executor.spin()
+            except ExternalShutdownException:
+                pass
+            except BaseException as error:  # noqa: BLE001
+                errors.append(error)
+
+        thread = threading.Thread(target=spin)
+        thread.start()
+        for _ in range(200):
+            subscription = node.create_subscription(Int32, "numbers", lambda msg: None, 10)
+            timer = node.create_timer(0.0001, lambda: None)
+            publisher.publish(Int32())
+            node.destroy_subscription(subscription)
+            node.destroy_timer(timer)
+        context.shutdown()
+        thread.join(10)
+    assert not thread.is_alive()
+    assert not errors
+
+
+def test_an_error_in_a_callback_comes_out_of_spin_and_the_node_goes_on(
+    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
+) -> None:
+    calls: list[int] = []
+
+    def callback(msg: Int32) -> None:
+        calls.append(msg.data)
+        if msg.data == 1:
+            raise KeyError("mine")
+
+    publisher = node.create_publisher(Int32, "numbers", 10)
+    node.create_subscription(Int32, "numbers", callback, 10)
+    executor.add_node(node)
+    publisher.publish(Int32(data=1))
+    publisher.publish(Int32(data=2))
+    with pytest.raises(KeyError, match="mine"):
+        executor.spin()
+    spin_until(lambda: calls == [1, 2])
+
+
+def test_spin_once_returns_after_its_timeout(node: Node, executor: SingleThreadedExecutor) -> None:
+    executor.add_node(node)
+    start = time.monotonic()
+    executor.spin_once(timeout_sec=0.05)
+    assert 0.05 <= time.monotonic() - start < 5.0
+
+
+def test_a_future_ends_a_spin(node: Node, executor: SingleThreadedExecutor) -> None:
+    future: Future[int] = Future()
+    node.create_timer(0.001, lambda: future.set_result(5))
+    executor.add_node(node)
+    executor.spin_until_future_complete(future, timeout_sec=10)
+    assert future.result() == 5
+    executor.spin_until_future_complete(Future(), timeout_sec=0.01)
+
+
+def test_a_future_set_on_another_thread_ends_a_spin(node: Node, executor: SingleThreadedExecutor) -> None:
+    future: Future[str] = Future()
+    executor.add_node(node)
+    threading.Timer(0.01, lambda: future.set_result("x")).start()
+    executor.spin_until_future_complete(future, timeout_sec=10)
+    assert future.result() == "x"
+
+
+def test_coroutines_wait_without_holding_the_executor(
+    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
+) -> None:
+    future: Future[int] = Future(executor=executor)
+    steps: list[str] = []
+
+    async def waits() -> int:
+        steps.append("waits")
+        return await future or 0
+
+    async def outer() -> int:
+        return await waits() + 1
+
+    task = executor.create_task(outer)
+    executor.create_task(lambda: steps.append("other"))
+    spin_until(lambda: len(steps) == 2)
+    assert not task.done()
+    future.set_result(41)
+    spin_until(task.done)
+    assert task.result() == 42
+
+
+def test_an_async_callback_keeps_its_group_until_its_end(
+    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
+) -> None:
+    gate: Future[None] = Future(executor=executor)
+    begun: list[int] = []
+    ended: list[int] = []
+
+    async def callback(msg: Int32) -> None:
+        begun.append(msg.data)
+        await gate
+        ended.append(msg.data)
+
+    publisher = node.create_publisher(Int32, "numbers", 10)
+    node.create_subscription(Int32, "numbers", callback, 10)
+    executor.add_node(node)
+    for number in range(3):
+        publisher.publish(Int32(data=number))
+    spin_until(lambda: begun)
+    for _ in range(5):
+        executor.spin_once(timeout_sec=0)
+    assert (begun, ended) == ([0], [])
+    gate.set_result(None)
+    spin_until(lambda: len(ended) == 3)
+    assert ended == [0, 1, 2]
+
+
+def test_a_reentrant_group_lets_async_callbacks_overlap(
+    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
+) -> None:
+    gate: Future[None] = Future(executor=executor)
+    begun: list[int] = []
+
+    async def callback(msg: Int32) -> None:
+        begun.append(msg.data)
+        await gate
+
+    publisher = node.create_publisher(Int32, "numbers", 10)
+    node.create_subscription(Int32, "numbers", callback, 10, callback_group=ReentrantCallbackGroup())
+    executor.add_node(node)
+    for number in range(3):
+        publisher.publish(Int32(data=number))
+    spin_until(lambda: len(begun) == 3)
+    gate.set_result(None)
+
+
+def test_a_waiting_coroutine_takes_no_time(node: Node, executor: SingleThreadedExecutor) -> None:
+    gate: Future[None] = Future(executor=executor)
+
+    async def waits() -> None:
+        await gate
+
+    executor.add_node(node)
+    executor.create_task(waits)
+    before = time.process_time()
+    executor.spin_until_future_complete(Future(), timeout_sec=0.2)
+    assert time.process_time() - before < 0.05
+    gate.set_result(None)
+
+
+def test_an_error_in_a_task_comes_out_of_spin(executor: SingleThreadedExecutor) -> None:
+    def fails() -> None:
+        raise ValueError("mine")
+
+    task = executor.create_task(fails)
+    with pytest.raises(ValueError, match="mine"):
+        executor.spin_once(timeout_sec=1)
+    assert isinstance(task.exception(), ValueError)
+
+
+def test_shutting_the_context_down_ends_a_spin_on_another_thread(context: Context, node: Node) -> None:
+    raised: list[BaseException] = []
+    with SingleThreadedExecutor(context=context) as executor:
+        executor.add_node(node)
+
+        def spin() -> None:
+            try:
+                executor.spin()
+            except ExternalShutdownException as error:
+                raised.append(error)
+
+        thread = threading.Thread(target=spin)
+        thread.start()
+        context.shutdown()
+        thread.join(10)
+    assert not thread.is_alive()
+
+
+def test_a_callback_that_shuts_down_ends_the_spin_quietly(
+    context: Context, node: Node, executor: SingleThreadedExecutor
+) -> None:
+    node.create_timer(0.0, context.shutdown)
+    executor.add_node(node)
+    executor.spin()
+    assert not context.ok()
+
+
+def test_an_executor_that_is_shut_down_takes_no_node(context: Context, node: Node) -> None:
+    executor = SingleThreadedExecutor(context=context)
+    executor.add_node(node)
+    assert executor.shutdown()
+    assert node.executor is None
+    executor.spin()
+    with pytest.raises(ShutdownException):
+        executor.add_node(node)
+
+
+def test_a_node_moves_from_executor_to_executor(context: Context, node: Node) -> None:
+    with SingleThreadedExecutor(context=context) as one, SingleThreadedExecutor(context=context) as two:
+        assert one.add_node(node)
+        assert not one.add_node(node)
+        assert two.add_node(node)
+        assert one.get_nodes() == []
+        assert two.get_nodes() == [node]
+        assert node.executor is two
+        two.remove_node(node)
+        assert node.executor is None
+
+
+def test_two_threads_cannot_spin_one_executor(context: Context, node: Node) -> None:
+    with SingleThreadedExecutor(context=context) as executor:
+        executor.add_node(node)
+        spinning = threading.Event()
+        node.create_timer(0.001, spinning.set)
+
+        def spin() -> None:
+            with pytest.raises(ExternalShutdownException):
+                executor.spin_until_future_complete(Future())
+
+        thread = threading.Thread(target=spin)
+        thread.start()
+        assert spinning.wait(10)
+        with pytest.raises(RuntimeError, match="already spinning"):  # noqa: PT012
+            while True:
+                executor.spin_once(timeout_sec=0)
+        context.shutdown()
+        thread.join(10)
+
+
+def test_threads_run_what_groups_allow(context: Context, node: Node) -> None:
+    together = threading.Barrier(2)
+    done = [Future(), Future()]
+    for future in done:
+
+        def callback(future: Future[bool] = future) -> None:
+            together.wait(10)
+            future.set_result(True)
+
+        node.create_timer(0.001, callback, MutuallyExclusiveCallbackGroup())
+    with MultiThreadedExecutor(2, context=context) as executor:
+        executor.add_node(node)
+        for future in done:
+            executor.spin_until_future_complete(future, timeout_sec=10)
+            assert future.done()
+        together.abort()
+        executor.shutdown()
+
+
+def test_threads_keep_a_group_exclusive(context: Context, node: Node) -> None:
+    running = 0
+    most = 0
+    calls = 0
+    finished: Future[None] = Future()
+
+    def callback(msg: Int32) -> None:
+        nonlocal running, most, calls
+        running += 1
+        most = max(most, running)
+        time.sleep(0.0005)
+        running -= 1
+        calls += 1
+        if calls == 60:
+            finished.set_result(None)
+
+    publisher = node.create_publisher(Int32, "numbers", 100)
+    group = MutuallyExclusiveCallbackGroup()
+    for _ in range(3):
+        node.create_subscription(Int32, "numbers", callback, 100, callback_group=group)
+    with MultiThreadedExecutor(4, context=context) as executor:
+        executor.add_node(node)
+        for number in range(20):
+            publisher.publish(Int32(data=number))
+        executor.spin_until_future_complete(finished, timeout_sec=10)
+    assert (calls, most) == (60, 1)
+
+
+def test_an_error_on_a_thread_comes_out_of_spin(context: Context, node: Node) -> None:
+    def fails() -> None:
+        raise KeyError("mine")
+
+    node.create_timer(0.001, fails)
+    with MultiThreadedExecutor(2, context=context) as executor:
+        executor.add_node(node)
+        with pytest.raises(KeyError, match="mine"):
+            executor.spin()
+
+
+def test_five_hundred_topics_in_one_node(
+    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
+) -> None:
+    heard: set[int] = set()
+    publishers = [node.create_publisher(Int32, f"t{index}", 1) for index in range(500)]
+    for index in range(500):
+        node.create_subscription(Int32, f"t{index}", lambda msg: heard.add(msg.data), 1)
+    executor.add_node(node)
+    for index, publisher in enumerate(publishers):
+        publisher.publish(Int32(data=index))
+    spin_until(lambda: len(heard) == 500)

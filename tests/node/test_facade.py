@@ -1,0 +1,54 @@
+"""`import rclpy`: it is this room, quickly, and never beside a real ROS."""
+
+from __future__ import annotations
+
+import importlib
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+FACADE = Path(__file__).parents[2] / "src" / "tfloom" / "ros_names" / "rclpy"
+MODULES = sorted(
+    ".".join(path.relative_to(FACADE.parent).with_suffix("").parts).removesuffix(".__init__")
+    for path in FACADE.rglob("*.py")
+)
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_each_module_re_exports_the_room(name: str) -> None:
+    module = importlib.import_module(name)
+    for each in getattr(module, "__all__", []):
+        thing = getattr(module, each)
+        defined_in = getattr(thing, "__module__", "tfloom.node")
+        assert str(defined_in).startswith(("tfloom.", "typing", "builtins")), each
+
+
+def run(code: str, *options: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, *options, "-c", code], capture_output=True, text=True, timeout=60, check=False
+    )
+
+
+def test_importing_it_loads_nothing_heavy() -> None:
+    heavy = ["numpy", "yaml", "asyncio", "inspect", "dataclasses", "logging", "argparse", "subprocess"]
+    code = f"import sys, rclpy, rclpy.node, rclpy.executors; print([m for m in {heavy} if m in sys.modules])"
+    result = run(code)
+    assert result.stdout.strip() == "[]", result.stderr
+
+
+def test_beside_a_real_ros_a_facade_refuses(tmp_path: Path) -> None:
+    (tmp_path / "rclpy").mkdir()
+    (tmp_path / "rclpy" / "__init__.py").write_text("")
+    code = f"import sys; sys.path.insert(0, {str(tmp_path)!r}); from tfloom.ros_guard import claim; claim('tf2_ros')"
+    result = run(code)
+    assert result.returncode == 1
+    last = result.stderr.strip().splitlines()[-1]
+    assert last.startswith("ImportError: 'tf2_ros' would come from tfloom, but 'rclpy' comes from ")
+    assert str(tmp_path) in last
+
+
+def test_the_guard_lets_our_own_pass() -> None:
+    assert run("import rclpy; from tfloom.ros_guard import claim; claim('tf2_ros')").returncode == 0
+    assert run("from tfloom.ros_guard import claim; claim('tf2_ros')").returncode == 0

@@ -1,0 +1,129 @@
+"""Loggers: ROS's console format, levels by name, and filters."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import pytest
+
+from tfloom.node import logging
+from tfloom.node.clock import ROSClock
+from tfloom.node.clock_type import ClockType
+from tfloom.node.logging_severity import LoggingSeverity
+from tfloom.node.time import Time
+
+Capture = pytest.CaptureFixture[str]
+
+
+def lines(capsys: Capture) -> list[str]:
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    return captured.err.splitlines()
+
+
+def test_the_console_format(capsys: Capture) -> None:
+    logging.get_logger("talker").info('Publishing: "Hello World: 0"')
+    (line,) = lines(capsys)
+    assert re.fullmatch(r'\[INFO\] \[\d{10}\.\d{9}\] \[talker\]: Publishing: "Hello World: 0"', line)
+
+
+@pytest.mark.parametrize("name", ["debug", "info", "warn", "warning", "error", "fatal"])
+def test_each_severity_has_its_name(name: str, capsys: Capture) -> None:
+    logger = logging.get_logger("x")
+    logger.set_level(LoggingSeverity.DEBUG)
+    assert getattr(logger, name)("text")
+    (line,) = lines(capsys)
+    assert line.startswith(f"[{'WARN' if name == 'warning' else name.upper()}]")
+
+
+def test_levels_hold_for_the_names_below(capsys: Capture) -> None:
+    child = logging.get_logger("a").get_child("b")
+    assert child.name == "a.b"
+    assert not child.debug("no")
+    logging.get_logger("a").set_level(LoggingSeverity.DEBUG)
+    assert child.debug("yes")
+    assert child.get_effective_level() is LoggingSeverity.DEBUG
+    assert not logging.get_logger("ab").debug("no")
+    logging.set_logger_level("a.b", LoggingSeverity.ERROR)
+    assert not child.warning("no")
+    logging.set_logger_level("a.b", LoggingSeverity.UNSET)
+    assert child.is_enabled_for(LoggingSeverity.DEBUG)
+    assert logging.get_logger_level("a.b") is LoggingSeverity.UNSET
+    assert len(lines(capsys)) == 1
+
+
+def test_a_format_of_ones_own(monkeypatch: pytest.MonkeyPatch, capsys: Capture) -> None:
+    monkeypatch.setenv(
+        "RCUTILS_CONSOLE_OUTPUT_FORMAT", "{severity}|{name}|{message}|{function_name}|{nope}|{"
+    )
+    logging.get_logger("x").info("a {name} b")
+    assert lines(capsys) == ["INFO|x|a {name} b|test_a_format_of_ones_own|{nope}|{"]
+
+
+def test_colour_and_stdout_when_asked(monkeypatch: pytest.MonkeyPatch, capsys: Capture) -> None:
+    monkeypatch.setenv("RCUTILS_COLORIZED_OUTPUT", "1")
+    monkeypatch.setenv("RCUTILS_LOGGING_USE_STDOUT", "1")
+    logging.get_logger("x").error("red")
+    captured = capsys.readouterr()
+    assert captured.err == ""
+    assert captured.out.startswith("\033[31m[ERROR]")
+    assert captured.out.endswith("red\033[0m\n")
+
+
+def said(log: Callable[[int], bool]) -> list[int]:
+    return [number for number in range(4) if log(number)]
+
+
+def test_once_and_skip_first() -> None:
+    logger = logging.get_logger("x")
+    assert said(lambda number: logger.info(number, once=True)) == [0]
+    assert said(lambda number: logger.info(number, skip_first=True)) == [1, 2, 3]
+    assert said(logger.info) == [0, 1, 2, 3]
+
+
+def test_throttle_by_a_clock() -> None:
+    logger = logging.get_logger("x")
+    clock = ROSClock()
+    clock.set_ros_time_is_active(True)
+
+    def log(second: int) -> bool:
+        clock.set_ros_time_override(Time(seconds=second, clock_type=ClockType.ROS_TIME))
+        return logger.info(second, throttle_duration_sec=2, throttle_time_source_type=clock)
+
+    assert said(log) == [0, 2]
+
+
+def test_bad_options() -> None:
+    logger = logging.get_logger("x")
+    with pytest.raises(TypeError, match='"nope" is not one of the recognized logging options'):
+        logger.info("x", nope=1)
+    with pytest.raises(TypeError, match="throttle_duration_sec"):
+        logger.info("x", throttle_time_source_type=ROSClock())
+    with pytest.raises(TypeError, match="is not a Clock instance"):
+        logger.info("x", throttle_duration_sec=1, throttle_time_source_type=5)
+    with pytest.raises(ValueError, match="severity cannot be changed"):  # noqa: PT012  # one place, two severities
+        for severity in (LoggingSeverity.INFO, LoggingSeverity.WARN):
+            logger.log("x", severity, once=True)
+    with pytest.raises(ValueError, match="must not be empty"):
+        logging.get_logger("")
+    with pytest.raises(RuntimeError, match="loud"):
+        logging.get_logging_severity_from_string("loud")
+
+
+def test_a_closed_stream_is_no_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    import io
+    import sys
+
+    stream = io.StringIO()
+    stream.close()
+    monkeypatch.setattr(sys, "stderr", stream)
+    assert logging.get_logger("x").info("into the void")
+
+
+def test_the_log_directory(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ROS_LOG_DIR", "/logs")
+    assert str(logging.get_logging_directory()) == "/logs"
+    monkeypatch.delenv("ROS_LOG_DIR")
+    monkeypatch.setenv("ROS_HOME", "/home/ros")
+    assert str(logging.get_logging_directory()) == "/home/ros/log"

@@ -1,0 +1,99 @@
+"""Valid names, and what relative ones stand for."""
+
+from __future__ import annotations
+
+import pytest
+
+from tfloom.node.exceptions import (
+    InvalidNamespaceException,
+    InvalidNodeNameException,
+    InvalidServiceNameException,
+    InvalidTopicNameException,
+)
+from tfloom.node.names import (
+    expand_topic_name,
+    topic_or_service_is_hidden,
+    validate_full_topic_name,
+    validate_namespace,
+    validate_node_name,
+    validate_topic_name,
+)
+
+
+@pytest.mark.parametrize(
+    ("name", "full"),
+    [
+        ("chatter", "/ns/chatter"),
+        ("/chatter", "/chatter"),
+        ("~/x", "/ns/me/x"),
+        ("~", "/ns/me"),
+        ("{node}/x", "/ns/me/x"),
+        ("{ns}/x", "/ns/x"),
+        ("a/{namespace}", "/ns/a//ns"),
+    ],
+)
+def test_names_are_expanded(name: str, full: str) -> None:
+    assert expand_topic_name(name, "me", "/ns") == full
+
+
+def test_the_root_is_no_prefix() -> None:
+    assert expand_topic_name("chatter", "me", "/") == "/chatter"
+    assert expand_topic_name("~/x", "me", "/") == "/me/x"
+
+
+@pytest.mark.parametrize(
+    ("name", "index", "text"),
+    [
+        ("", 0, "empty"),
+        ("a/", 1, "end with a forward slash"),
+        ("a b", 1, "characters other than"),
+        ("a/1b", 2, "start with a number"),
+        ("9", 0, "start with a number"),
+        ("a{", 1, "curly braces"),
+        ("a}b", 1, "curly braces"),
+        ("{a-b}", 2, "substitution name must not contain"),
+        ("{1b}", 1, "substitution name must not start"),
+        ("a/~", 2, "tilde '~' unless it is the first"),
+        ("~a", 1, "not followed by a forward slash"),
+    ],
+)
+def test_a_bad_topic_name_says_where(name: str, index: int, text: str) -> None:
+    with pytest.raises(InvalidTopicNameException, match=text) as caught:
+        validate_topic_name(name)
+    assert caught.value.invalid_index == index
+    assert str(caught.value).endswith(f"\n  '{name}'\n   {' ' * index}^")
+    with pytest.raises(InvalidServiceNameException):
+        validate_topic_name(name, is_service=True)
+
+
+@pytest.mark.parametrize("name", ["chatter", "/a/b_c", "~/x", "~", "{node}/a", "a/_hidden"])
+def test_good_topic_names(name: str) -> None:
+    assert validate_topic_name(name)
+
+
+@pytest.mark.parametrize("name", ["", "a", "/a/", "/a//b", "/1", "/a-b", "/" + "a" * 300])
+def test_bad_full_names(name: str) -> None:
+    with pytest.raises(InvalidTopicNameException):
+        validate_full_topic_name(name)
+
+
+@pytest.mark.parametrize("name", ["", "a/b", "1a", "a b", "ä", "a" * 256])
+def test_bad_node_names(name: str) -> None:
+    with pytest.raises(InvalidNodeNameException):
+        validate_node_name(name)
+
+
+@pytest.mark.parametrize("name", ["", "a", "/a/", "/a//b", "/1", "/a b", "/" + "a" * 245])
+def test_bad_namespaces(name: str) -> None:
+    with pytest.raises(InvalidNamespaceException):
+        validate_namespace(name)
+
+
+def test_an_unknown_substitution_is_refused() -> None:
+    with pytest.raises(InvalidTopicNameException, match=r"unknown substitution '\{robot\}'"):
+        expand_topic_name("/{robot}/x", "me", "/")
+
+
+def test_hidden_names() -> None:
+    assert topic_or_service_is_hidden("/a/_b/c")
+    assert not topic_or_service_is_hidden("/a/b_")

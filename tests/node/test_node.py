@@ -1,0 +1,286 @@
+"""Nodes: what they create, what others see, and how they end."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+
+import pytest
+
+from tfloom import _native
+from tfloom.interfaces.rcl_interfaces.msg import Log
+from tfloom.interfaces.std_msgs.msg import Int32, String
+from tfloom.node.context import Context
+from tfloom.node.exceptions import (
+    InvalidHandle,
+    InvalidNamespaceException,
+    InvalidNodeNameException,
+    InvalidTopicNameException,
+    NotInitializedException,
+    NoTypeSupportImportedException,
+    RCLError,
+)
+from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.node import Node
+from tfloom.node.qos import QoSProfile, qos_profile_rosout_default, qos_profile_sensor_data
+from tfloom.rosidl import cdr
+
+MakeNode = Callable[..., Node]
+
+
+def test_a_message_goes_round(
+    node: Node, executor: SingleThreadedExecutor, spin_until: Callable[..., None]
+) -> None:
+    heard: list[str] = []
+    publisher = node.create_publisher(String, "chatter", 10)
+    node.create_subscription(String, "chatter", lambda msg: heard.append(msg.data), 10)
+    executor.add_node(node)
+    for word in ("a", "b", "c"):
+        publisher.publish(String(data=word))
+    spin_until(lambda: len(heard) == 3)
+    assert heard == ["a", "b", "c"]
+
+
+def test_a_callback_may_ask_for_the_stamps(
+    node: Node, executor: SingleThreadedExecutor, spin_until: Callable[..., None]
+) -> None:
+    infos: list[dict[str, int]] = []
+    publisher = node.create_publisher(String, "chatter", 10)
+    node.create_subscription(String, "chatter", lambda _, info: infos.append(info), 10)
+    executor.add_node(node)
+    before_ns = node.get_clock().now().nanoseconds
+    publisher.publish(String())
+    spin_until(lambda: infos)
+    assert before_ns <= infos[0]["source_timestamp"] <= infos[0]["received_timestamp"]
+
+
+def test_any_callable_with_a_fitting_signature_will_do(node: Node) -> None:
+    class Callable2:
+        def __call__(self, msg: String, info: dict[str, int]) -> None: ...
+
+        def method(self, msg: String, more: int = 1) -> None: ...
+
+    def three(a: int, b: int, c: int) -> None: ...
+
+    for callback in (
+        print,
+        [].append,
+        partial(three, 1, 2),
+        partial(three, 1),
+        Callable2(),
+        Callable2().method,
+    ):
+        node.create_subscription(String, "chatter", callback, 10)
+    with pytest.raises(RuntimeError, match="one argument"):
+        node.create_subscription(String, "chatter", three, 10)
+    assert node.count_subscribers("chatter") == 6
+
+
+def test_raw_bytes_both_ways(
+    node: Node, executor: SingleThreadedExecutor, spin_until: Callable[..., None]
+) -> None:
+    heard: list[bytes] = []
+    publisher = node.create_publisher(Int32, "number", 10)
+    node.create_subscription(Int32, "number", heard.append, 10, raw=True)
+    executor.add_node(node)
+    publisher.publish(cdr.encode(Int32(data=7)))
+    spin_until(lambda: heard)
+    assert cdr.decode(Int32, heard[0]).data == 7
+
+
+@pytest.mark.parametrize(
+    "data", [b"", b"\x00\x01\x00\x00", b"\x00\x01\x00\x00\xff\xff\xff\xff", b"\x09" * 40]
+)
+def test_a_message_that_cannot_be_read_is_dropped_with_one_warning(
+    node: Node,
+    executor: SingleThreadedExecutor,
+    spin_until: Callable[..., None],
+    capsys: pytest.CaptureFixture[str],
+    data: bytes,
+) -> None:
+    heard: list[str] = []
+    publisher = node.create_publisher(String, "chatter", 10)
+    node.create_subscription(String, "chatter", lambda msg: heard.append(msg.data), 10)
+    executor.add_node(node)
+    for _ in range(5):
+        publisher.publish(data)
+    publisher.publish(String(data="good"))
+    spin_until(lambda: heard)
+    warnings = [line for line in capsys.readouterr().err.splitlines() if "WARN" in line]
+    assert len(warnings) == 1
+    assert (
+        f"Dropped a message of {len(data)} bytes on /chatter that is no valid std_msgs/msg/String: "
+        in warnings[0]
+    )
+
+
+def test_a_sink_gets_the_bytes_and_no_callback_runs(node: Node, executor: SingleThreadedExecutor) -> None:
+    publisher = node.create_publisher(String, "chatter", 10)
+    subscription = node.create_subscription(String, "chatter", lambda msg: pytest.fail("called"), 10)
+    executor.add_node(node)
+    sink = _native.SampleQueue(10)
+    subscription.feed(sink)
+    publisher.publish(String(data="x"))
+    executor.spin_once(timeout_sec=0)
+    ((data, *_),) = sink.take()
+    assert cdr.decode(String, data).data == "x"
+
+
+@pytest.mark.parametrize("bad", [5, None, str, "std_msgs/msg/String"])
+def test_only_message_classes_are_types(node: Node, bad: object) -> None:
+    with pytest.raises(NoTypeSupportImportedException):
+        node.create_publisher(bad, "chatter", 10)  # type: ignore[arg-type]
+    with pytest.raises(NoTypeSupportImportedException):
+        node.create_subscription(bad, "chatter", print, 10)  # type: ignore[arg-type]
+
+
+def test_bad_publishing(node: Node) -> None:
+    publisher = node.create_publisher(String, "chatter", 10)
+    with pytest.raises(TypeError, match=r"Expected .*String.*, got .*Int32"):
+        publisher.publish(Int32())
+    with pytest.raises(cdr.EncodeError, match="data"):
+        publisher.publish(String(data=5))  # type: ignore[arg-type]
+    with pytest.raises(InvalidTopicNameException):
+        node.create_publisher(String, "no topic", 10)
+    with pytest.raises(TypeError, match="Expected QoSProfile or int"):
+        node.create_publisher(String, "chatter", "10")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="greater than or equal to 0"):
+        node.create_publisher(String, "chatter", -1)
+
+
+def test_what_is_not_there_yet_says_so(node: Node, make_node: MakeNode) -> None:
+    with pytest.raises(NotImplementedError, match="event_callbacks"):
+        node.create_publisher(String, "chatter", 10, event_callbacks=object())
+    with pytest.raises(NotImplementedError, match="qos_overriding_options"):
+        node.create_subscription(String, "chatter", print, 10, qos_overriding_options=object())
+
+
+def test_names_come_from_the_arguments_too(make_node: MakeNode) -> None:
+    node = make_node("alice", namespace="a/b", cli_args=["--ros-args", "-r", "__node:=bob", "-r", "in:=out"])
+    assert node.get_name() == "bob"
+    assert node.get_namespace() == "/a/b"
+    assert node.get_fully_qualified_name() == "/a/b/bob"
+    assert node.get_logger().name == "a.b.bob"
+    assert node.create_publisher(String, "in", 10).topic_name == "/a/b/out"
+    assert node.resolve_topic_name("in", only_expand=True) == "/a/b/in"
+    assert node.resolve_service_name("~/s") == "/a/b/bob/s"
+
+
+def test_the_programs_arguments_hold_unless_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    context = Context()
+    context.init(["program", "--ros-args", "-r", "__ns:=/there"])
+    with Node("one", context=context) as one, Node("two", context=context, use_global_arguments=False) as two:
+        assert one.get_fully_qualified_name() == "/there/one"
+        assert two.get_fully_qualified_name() == "/two"
+    context.destroy()
+
+
+def test_bad_names_are_refused(make_node: MakeNode) -> None:
+    with pytest.raises(InvalidNodeNameException):
+        make_node("a/b")
+    with pytest.raises(InvalidNamespaceException):
+        make_node("a", namespace="/b/")
+
+
+def test_a_node_needs_a_context(context: Context) -> None:
+    with pytest.raises(NotInitializedException):
+        Node("early", context=Context())
+    context.shutdown()
+    with pytest.raises(NotInitializedException):
+        Node("late", context=context)
+
+
+def test_the_graph_shows_what_every_node_has(make_node: MakeNode) -> None:
+    one = make_node("one")
+    two = make_node("two", namespace="/ns", enable_rosout=False)
+    two.create_subscription(String, "chatter", print, qos_profile_sensor_data)
+    assert one.get_fully_qualified_node_names() == ["/ns/two", "/one"]
+    assert one.get_topic_names_and_types() == [
+        ("/ns/chatter", ["std_msgs/msg/String"]),
+        ("/parameter_events", ["rcl_interfaces/msg/ParameterEvent"]),
+        ("/rosout", ["rcl_interfaces/msg/Log"]),
+    ]
+    assert one.count_publishers("/parameter_events") == 2
+    assert one.count_publishers("/rosout") == 1
+    assert one.get_publisher_names_and_types_by_node("two", "/ns") == [
+        ("/parameter_events", ["rcl_interfaces/msg/ParameterEvent"])
+    ]
+    assert one.get_subscriber_names_and_types_by_node("two", "/ns") == [
+        ("/ns/chatter", ["std_msgs/msg/String"])
+    ]
+    (info,) = one.get_subscriptions_info_by_topic("/ns/chatter")
+    assert (info.node_name, info.node_namespace) == ("two", "/ns")
+    assert info.qos_profile.reliability == qos_profile_sensor_data.reliability
+    assert str(info.topic_type_hash) == String._TYPE_HASH
+    with pytest.raises(RuntimeError, match="/nobody"):
+        one.get_publisher_names_and_types_by_node("nobody", "/")
+    assert one.wait_for_node("/ns/two", timeout=1.0)
+    assert not one.wait_for_node("three", timeout=0.0)
+
+
+def test_log_records_go_to_rosout(
+    make_node: MakeNode, executor: SingleThreadedExecutor, spin_until: Callable[..., None]
+) -> None:
+    node, other = make_node("talker", namespace="/ns"), make_node("other")
+    heard: list[Log] = []
+    other.create_subscription(Log, "/rosout", heard.append, qos_profile_rosout_default)
+    executor.add_node(other)
+    node.get_logger().warning("mind the gap")
+    node.get_logger().get_child("sub").info("below")
+    spin_until(lambda: len(heard) == 2)
+    first = heard[0]
+    assert (first.level, first.name, first.msg) == (30, "ns.talker", "mind the gap")
+    assert first.function == "test_log_records_go_to_rosout"
+    assert first.file == __file__
+    assert first.line > 0
+    assert first.stamp.sec > 1_600_000_000
+    assert heard[1].name == "ns.talker.sub"
+
+
+def test_destroying_leaves_the_graph(make_node: MakeNode) -> None:
+    stays, goes = make_node("stays"), make_node("goes")
+    publisher = goes.create_publisher(String, "chatter", 10)
+    subscription = goes.create_subscription(String, "chatter", print, 10)
+    assert goes.destroy_subscription(subscription)
+    assert not goes.destroy_subscription(subscription)
+    assert stays.count_subscribers("chatter") == 0
+    goes.destroy_node()
+    goes.destroy_node()
+    assert stays.get_node_names() == ["stays"]
+    assert stays.count_publishers("chatter") == 0
+    with pytest.raises(InvalidHandle):
+        publisher.publish(String())
+    with pytest.raises(InvalidHandle):
+        _ = subscription.handle
+
+
+def test_publishing_after_shutdown_is_refused(node: Node, context: Context) -> None:
+    publisher = node.create_publisher(String, "chatter", 10)
+    context.shutdown()
+    with pytest.raises(RCLError, match="context is invalid"):
+        publisher.publish(String())
+    node.destroy_node()
+
+
+def test_a_subclass_may_use_any_name_of_its_own(context: Context, executor: SingleThreadedExecutor) -> None:
+    class Mine(Node):
+        def __init__(self) -> None:
+            super().__init__("mine", context=context)
+            self._executor = self._context = self._publishers = self._timers = self._entities = "mine"
+            self._clock = self._logger = self._node_name = self._participant = "mine"
+
+        def _add(self) -> None:
+            pytest.fail("the node called a method of its subclass")
+
+        _remove = _resolve = _add
+
+    with Mine() as node:
+        executor.add_node(node)
+        node.create_timer(1.0, print)
+        node.create_publisher(String, "chatter", 10)
+        assert node.get_name() == "mine"
+        assert node.executor is executor
+
+
+def test_depth_stands_for_a_history(node: Node) -> None:
+    assert node.create_publisher(String, "chatter", 7).qos_profile == QoSProfile(depth=7)

@@ -1,0 +1,300 @@
+"""Parameters of nodes."""
+
+from __future__ import annotations
+
+import array
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from tfloom.interfaces.rcl_interfaces.msg import (
+    FloatingPointRange,
+    IntegerRange,
+    ParameterDescriptor,
+    ParameterEvent,
+    SetParametersResult,
+)
+from tfloom.node.context import Context
+from tfloom.node.exceptions import (
+    InvalidParameterException,
+    InvalidParameterTypeException,
+    InvalidParameterValueException,
+    ParameterAlreadyDeclaredException,
+    ParameterImmutableException,
+    ParameterNotDeclaredException,
+    ParameterUninitializedException,
+)
+from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.node import Node
+from tfloom.node.parameter import Parameter, get_parameter_value, parameter_dict_from_yaml_file
+from tfloom.node.qos import qos_profile_parameter_events
+
+Type = Parameter.Type
+MakeNode = Callable[..., Node]
+
+
+@pytest.mark.parametrize(
+    ("value", "kind"),
+    [
+        (None, Type.NOT_SET),
+        (True, Type.BOOL),
+        (1, Type.INTEGER),
+        (1.0, Type.DOUBLE),
+        ("a", Type.STRING),
+        ([b"a"], Type.BYTE_ARRAY),
+        ([True], Type.BOOL_ARRAY),
+        ([1], Type.INTEGER_ARRAY),
+        ((1.0, 2.0), Type.DOUBLE_ARRAY),
+        (array.array("q", [1]), Type.INTEGER_ARRAY),
+        (array.array("d", [1.0]), Type.DOUBLE_ARRAY),
+        (["a"], Type.STRING_ARRAY),
+        ([], Type.BYTE_ARRAY),
+    ],
+)
+def test_types_of_values(value: object, kind: Type) -> None:
+    parameter = Parameter("x", value=value)
+    assert parameter.type_ is kind
+    back = Parameter.from_parameter_msg(parameter.to_parameter_msg())
+    assert back.type_ is kind
+    if kind.value >= Type.BYTE_ARRAY.value:
+        assert list(back.value) == list(value)
+    else:
+        assert back.value == value
+
+
+@pytest.mark.parametrize("value", [{}, object(), [1, "a"], [1, 1.0], [[1]], b"ab"])
+def test_values_that_no_parameter_has(value: object) -> None:
+    with pytest.raises(TypeError, match="allowed types 'NOT_SET, BOOL"):
+        Parameter("x", value=value)
+
+
+def test_type_and_value_must_agree() -> None:
+    with pytest.raises(ValueError, match=r"'Type\.INTEGER' and value 'a' do not agree"):
+        Parameter("x", Type.INTEGER, "a")
+    with pytest.raises(TypeError, match=r"Parameter\.Type"):
+        Parameter("x", int, 1)  # type: ignore[arg-type]
+
+
+def test_declare_get_set(node: Node) -> None:
+    assert node.declare_parameter("a.b", 1).value == 1
+    assert node.get_parameter("a.b").value == 1
+    assert node.set_parameters([Parameter("a.b", value=2)]) == [SetParametersResult(successful=True)]
+    assert node.get_parameters(["a.b"])[0].value == 2
+    assert node.get_parameter_type("a.b") is Type.INTEGER
+    assert node.get_parameters_by_prefix("a")["b"].value == 2
+    assert node.get_parameter_or("nope", Parameter("x", value=3)).value == 3
+    assert node.get_parameter_or("nope").type_ is Type.NOT_SET
+    assert node.describe_parameter("a.b").type == 2
+
+
+def test_what_is_not_declared_is_refused(node: Node) -> None:
+    for use in (
+        lambda: node.get_parameter("x"),
+        lambda: node.undeclare_parameter("x"),
+        lambda: node.describe_parameter("x"),
+        lambda: node.set_parameters([Parameter("x", value=1)]),
+        lambda: node.set_parameters_atomically([Parameter("x", value=1)]),
+    ):
+        with pytest.raises(ParameterNotDeclaredException, match="undeclared"):
+            use()
+    node.declare_parameter("x", 1)
+    with pytest.raises(ParameterAlreadyDeclaredException, match="already declared: \\['x'\\]"):
+        node.declare_parameter("x", 1)
+    with pytest.raises(InvalidParameterException):
+        node.declare_parameter("", 1)
+
+
+def test_a_type_is_fixed_by_the_default(node: Node) -> None:
+    node.declare_parameter("x", 1)
+    (result,) = node.set_parameters([Parameter("x", value="a")])
+    assert not result.successful
+    assert result.reason == "Wrong parameter type, expected 'Type.INTEGER' got 'Type.STRING'"
+    node.declare_parameter("y", 1, ParameterDescriptor(dynamic_typing=True))
+    assert node.set_parameters([Parameter("y", value="a")])[0].successful
+    assert node.get_parameter_type("y") is Type.STRING
+
+
+def test_a_parameter_without_default(node: Node) -> None:
+    node.declare_parameter("x", Type.DOUBLE)
+    with pytest.raises(ParameterUninitializedException, match="'x' is not initialized"):
+        node.get_parameter("x")
+    assert not node.set_parameters([Parameter("x", value=1)])[0].successful
+    assert node.set_parameters([Parameter("x", value=1.0)])[0].successful
+    assert node.get_parameter("x").value == 1.0
+    with pytest.warns(UserWarning, match="only providing its name is deprecated"):
+        node.declare_parameter("y")
+    with pytest.raises(ValueError, match="NOT_SET"):
+        node.declare_parameter("z", Type.NOT_SET)
+
+
+def test_ranges_and_read_only(node: Node) -> None:
+    integers = ParameterDescriptor(integer_range=[IntegerRange(from_value=0, to_value=10, step=2)])
+    node.declare_parameter("i", 4, integers)
+    doubles = ParameterDescriptor(
+        floating_point_range=[FloatingPointRange(from_value=0.0, to_value=1.0, step=0.1)]
+    )
+    node.declare_parameter("d", 0.3, doubles)
+    node.declare_parameter("r", 1, ParameterDescriptor(read_only=True))
+
+    def reason(name: str, value: object) -> str:
+        (result,) = node.set_parameters([Parameter(name, value=value)])
+        return "" if result.successful else result.reason
+
+    assert reason("i", 10) == ""
+    assert reason("i", 11) == "Parameter i out of range. Min: 0, Max: 10, value: 11"
+    assert "i is not a valid step. Min: 0, max: 10, value: 3, step: 2" in reason("i", 3)
+    assert reason("d", 0.7) == ""
+    assert "not a valid step" in reason("d", 0.75)
+    assert "out of range" in reason("d", -0.1)
+    assert reason("r", 2) == "Trying to set a read-only parameter: r."
+    with pytest.raises(ParameterImmutableException):
+        node.undeclare_parameter("r")
+    with pytest.raises(InvalidParameterValueException, match="out of range"):
+        node.declare_parameter("j", 20, ParameterDescriptor(integer_range=integers.integer_range))
+    assert not node.has_parameter("j")
+
+
+def test_overrides_from_the_command_line(make_node: MakeNode) -> None:
+    node = make_node(cli_args=["--ros-args", "-p", "x:=5", "-p", "y:=text"])
+    assert node.declare_parameter("x", 1).value == 5
+    with pytest.raises(
+        InvalidParameterTypeException, match="'y' to 'text' of type 'STRING', expecting type 'DOUBLE'"
+    ):
+        node.declare_parameter("y", 1.0)
+    assert node.declare_parameter("y", 2.0, ignore_override=True).value == 2.0
+    other = make_node(
+        "other",
+        cli_args=["--ros-args", "-p", "x:=5"],
+        parameter_overrides=[Parameter("x", value=6)],
+        automatically_declare_parameters_from_overrides=True,
+    )
+    assert other.get_parameter("x").value == 6
+
+
+def test_undeclared_parameters_may_be_allowed(make_node: MakeNode) -> None:
+    node = make_node(allow_undeclared_parameters=True)
+    assert node.get_parameter("x").type_ is Type.NOT_SET
+    assert node.set_parameters([Parameter("x", value=1)])[0].successful
+    assert node.set_parameters([Parameter("x", value="a")])[0].successful
+    assert node.get_parameter("x").value == "a"
+    assert node.set_parameters([Parameter("x", Type.NOT_SET)])[0].successful
+    assert not node.has_parameter("x")
+
+
+def test_callbacks_allow_change_and_hear(node: Node) -> None:
+    node.declare_parameters("", [("x", 1), ("y", 1)])
+    heard: list[tuple[str, list[str]]] = []
+
+    def pre(parameters: list[Parameter]) -> list[Parameter]:
+        heard.append(("pre", [each.name for each in parameters]))
+        return [*parameters, Parameter("y", value=parameters[0].value)]
+
+    def check(parameters: list[Parameter]) -> SetParametersResult:
+        heard.append(("on", [each.name for each in parameters]))
+        return SetParametersResult(successful=parameters[0].value < 10, reason="too big")
+
+    def post(parameters: list[Parameter]) -> None:
+        heard.append(("post", [each.name for each in parameters]))
+
+    node.add_pre_set_parameters_callback(pre)
+    node.add_on_set_parameters_callback(check)
+    node.add_post_set_parameters_callback(post)
+    assert node.set_parameters([Parameter("x", value=5)])[0].successful
+    assert heard == [("pre", ["x"]), ("on", ["x", "y"]), ("post", ["x", "y"])]
+    assert node.get_parameter("y").value == 5
+    (result,) = node.set_parameters([Parameter("x", value=10)])
+    assert (result.successful, result.reason) == (False, "too big")
+    assert node.get_parameter("x").value == 5
+    with pytest.raises(InvalidParameterValueException, match="too big"):
+        node.declare_parameter("z", 11)
+    node.remove_pre_set_parameters_callback(pre)
+    node.remove_on_set_parameters_callback(check)
+    node.remove_post_set_parameters_callback(post)
+    assert node.set_parameters([Parameter("x", value=10)])[0].successful
+
+
+def test_atomically_means_all_or_none(node: Node) -> None:
+    node.declare_parameters("ns", [("x", 1), ("y", 1)])
+    bad = [Parameter("ns.x", value=2), Parameter("ns.y", value="a")]
+    assert not node.set_parameters_atomically(bad).successful
+    assert node.get_parameter("ns.x").value == 1
+    results = node.set_parameters(bad)
+    assert [result.successful for result in results] == [True, False]
+
+
+def test_names_below_prefixes(node: Node) -> None:
+    node.declare_parameters("", [("a.b.c", 1), ("a.d", 1), ("e", 1)])
+    assert node.list_parameters(["a"], 0).names == ["a.b.c", "a.d"]
+    assert node.list_parameters(["a"], 1).names == ["a.d"]
+    assert node.list_parameters(["a"], 1).prefixes == ["a"]
+    assert {"a.b.c", "a.d", "e"} <= set(node.list_parameters([], 0).names)
+    with pytest.raises(ValueError, match="depth"):
+        node.list_parameters([], -1)
+
+
+def test_another_descriptor(node: Node) -> None:
+    node.declare_parameter("x", 5)
+    narrow = ParameterDescriptor(integer_range=[IntegerRange(from_value=0, to_value=3, step=1)])
+    with pytest.raises(InvalidParameterValueException):
+        node.set_descriptor("x", narrow)
+    assert node.set_descriptor("x", narrow, Parameter("x", value=2).get_parameter_value()).integer_value == 2
+    assert not node.set_parameters([Parameter("x", value=4)])[0].successful
+
+
+def test_changes_are_published(
+    make_node: MakeNode, executor: SingleThreadedExecutor, spin_until: Callable[..., None]
+) -> None:
+    node, watcher = make_node("node", namespace="/ns"), make_node("watcher")
+    events: list[ParameterEvent] = []
+    watcher.create_subscription(
+        ParameterEvent, "/parameter_events", events.append, qos_profile_parameter_events
+    )
+    executor.add_node(watcher)
+    node.declare_parameter("x", 1)
+    node.set_parameters([Parameter("x", value=2)])
+    spin_until(lambda: len(events) == 2)
+    assert events[0].node == "/ns/node"
+    assert [each.name for each in events[0].new_parameters] == ["x"]
+    assert events[1].changed_parameters[0].value.integer_value == 2
+
+
+def test_sim_time_by_parameter(
+    make_node: MakeNode, executor: SingleThreadedExecutor, spin_until: Callable[..., None]
+) -> None:
+    from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMsg
+    from tfloom.interfaces.rosgraph_msgs.msg import Clock
+
+    node = make_node(cli_args=["--ros-args", "-p", "use_sim_time:=true"])
+    publisher = make_node("clock").create_publisher(Clock, "/clock", 10)
+    executor.add_node(node)
+    assert node.get_clock().now().nanoseconds == 0
+    publisher.publish(Clock(clock=TimeMsg(sec=7)))
+    spin_until(lambda: node.get_clock().now().nanoseconds == 7 * 10**9)
+    assert node.set_parameters([Parameter("use_sim_time", value=False)])[0].successful
+    assert node.get_clock().now().nanoseconds > 10**18
+    assert node.count_subscribers("/clock") == 0
+    assert not node.set_parameters([Parameter("use_sim_time", value=1)])[0].successful
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [("1", 2), ("1.0", 3), ("true", 1), ("abc", 4), ("[1,2]", 7), ("{a: 1}", 4), ("[1, a]", 4)],
+)
+def test_values_from_text(text: str, kind: int) -> None:
+    assert get_parameter_value(text).type == kind
+
+
+def test_parameters_from_a_file(tmp_path: Path) -> None:
+    path = tmp_path / "p.yaml"
+    path.write_text("/**: {ros__parameters: {w: 1}}\n/a: {ros__parameters: {x: {y: 2}}}\n")
+    assert set(parameter_dict_from_yaml_file(str(path), True, ["/a"])) == {"w", "x.y"}
+    assert set(parameter_dict_from_yaml_file(str(path), target_nodes=["a"], namespace="n")) == {"n.x.y"}
+    with pytest.raises(RuntimeError, match="/b"):
+        parameter_dict_from_yaml_file(str(path), target_nodes=["b"])
+
+
+def test_a_bad_use_sim_time_is_an_error(context: Context) -> None:
+    with pytest.raises(InvalidParameterTypeException):
+        Node("bad", context=context, cli_args=["--ros-args", "-p", "use_sim_time:=5"])
+    context.destroy()

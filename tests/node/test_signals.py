@@ -1,0 +1,139 @@
+"""Ctrl-C and SIGTERM, as a program sees them."""
+
+from __future__ import annotations
+
+import signal
+import sys
+from collections.abc import Callable
+
+import pytest
+from tests.conftest import Program
+
+StartProgram = Callable[..., Program]
+
+PROGRAM = """
+import sys, threading, time
+import rclpy
+from rclpy.executors import ExternalShutdownException
+
+def say(text):
+    sys.stdout.write(text + "\\n")
+    sys.stdout.flush()
+
+rclpy.init()
+node = rclpy.create_node("spinner")
+node.create_timer(0.01, lambda: say("spinning"))
+
+def spin():
+    try:
+        rclpy.spin(node)
+        say("returned")
+    except BaseException as error:
+        say(type(error).__name__ + (" ok" if rclpy.ok() else " not ok"))
+"""
+IN_MAIN = PROGRAM + "spin()\nnode.destroy_node()\nrclpy.try_shutdown()\nprint('end')\n"
+IN_THREAD = (
+    PROGRAM
+    + """
+thread = threading.Thread(target=spin)
+thread.start()
+try:
+    thread.join()
+except KeyboardInterrupt:
+    say("main KeyboardInterrupt")
+    thread.join()
+node.destroy_node()
+rclpy.try_shutdown()
+print("end")
+"""
+)
+
+
+def run(start_program: StartProgram, code: str, number: int) -> list[str]:
+    program = start_program("python", "-c", code)
+    program.wait_for("spinning")
+    program.signal(number)
+    assert program.wait(10) == 0, program.output
+    return [line for line in program.lines if line != "spinning"]
+
+
+@pytest.fixture(autouse=True)
+def local(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+
+
+def test_ctrl_c_raises_keyboard_interrupt(start_program: StartProgram) -> None:
+    assert run(start_program, IN_MAIN, signal.SIGINT) == ["KeyboardInterrupt not ok", "end"]
+
+
+def test_sigterm_raises_external_shutdown(start_program: StartProgram) -> None:
+    assert run(start_program, IN_MAIN, signal.SIGTERM) == ["ExternalShutdownException not ok", "end"]
+
+
+def test_ctrl_c_ends_a_spin_on_another_thread(start_program: StartProgram) -> None:
+    lines = run(start_program, IN_THREAD, signal.SIGINT)
+    assert sorted(lines[:2]) == ["ExternalShutdownException not ok", "main KeyboardInterrupt"]
+    assert lines[2:] == ["end"]
+
+
+def test_sigterm_ends_a_spin_on_another_thread(start_program: StartProgram) -> None:
+    assert run(start_program, IN_THREAD, signal.SIGTERM) == ["ExternalShutdownException not ok", "end"]
+
+
+def test_handlers_are_given_back() -> None:
+    from tfloom import node as rclpy
+    from tfloom.node.signals import get_current_signal_handlers_options
+
+    mine: list[int] = []
+    before = signal.signal(signal.SIGTERM, lambda number, frame: mine.append(number))
+    try:
+        inner = signal.getsignal(signal.SIGTERM)
+        rclpy.init(args=[])
+        assert get_current_signal_handlers_options() is rclpy.SignalHandlerOptions.ALL
+        signal.raise_signal(signal.SIGTERM)
+        assert mine == [signal.SIGTERM]
+        assert not rclpy.ok()
+        rclpy.try_shutdown()
+        rclpy.uninstall_signal_handlers()
+        assert signal.getsignal(signal.SIGTERM) is inner
+        rclpy.init(args=[], signal_handler_options=rclpy.SignalHandlerOptions.NO)
+        assert signal.getsignal(signal.SIGTERM) is inner
+        rclpy.shutdown()
+    finally:
+        signal.signal(signal.SIGTERM, before)
+
+
+def test_init_works_off_the_main_thread() -> None:
+    import threading
+
+    from tfloom import node as rclpy
+
+    errors: list[BaseException] = []
+
+    def life() -> None:
+        try:
+            rclpy.init(args=[])
+            rclpy.create_node("elsewhere").destroy_node()
+            rclpy.shutdown()
+        except BaseException as error:  # noqa: BLE001
+            errors.append(error)
+
+    thread = threading.Thread(target=life)
+    thread.start()
+    thread.join(10)
+    assert not errors
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="process times are read as Linux and macOS have them")
+def test_an_idle_node_takes_no_time(start_program: StartProgram) -> None:
+    code = """
+import time, rclpy
+rclpy.init()
+node = rclpy.create_node("idle")
+begin = time.process_time()
+rclpy.spin_until_future_complete(node, rclpy.Future(), timeout_sec=1.0)
+print("used", time.process_time() - begin)
+"""
+    program = start_program("python", "-c", code)
+    assert program.wait(20) == 0
+    assert float(program.lines[-1].split()[1]) < 0.02

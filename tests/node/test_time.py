@@ -1,0 +1,83 @@
+"""Times and durations."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tfloom.interfaces.builtin_interfaces import msg as builtin_msg
+from tfloom.node.clock_type import ClockType
+from tfloom.node.duration import Duration, Infinite
+from tfloom.node.time import Time
+
+STAMPS = st.integers(0, 2**31 * 10**9 - 1)
+SPANS = st.integers(-(2**31) * 10**9, 2**31 * 10**9 - 1)
+
+
+@given(STAMPS)
+def test_a_time_survives_its_message(stamp_ns: int) -> None:
+    time = Time(nanoseconds=stamp_ns, clock_type=ClockType.ROS_TIME)
+    assert Time.from_msg(time.to_msg()) == time
+
+
+@given(SPANS)
+def test_a_duration_survives_its_message(span_ns: int) -> None:
+    duration = Duration(nanoseconds=span_ns)
+    assert Duration.from_msg(duration.to_msg()) == duration
+    assert 0 <= duration.to_msg().nanosec < 10**9
+
+
+@given(STAMPS, SPANS)
+def test_adding_and_subtracting_undo_each_other(stamp_ns: int, span_ns: int) -> None:
+    time = Time(nanoseconds=stamp_ns + 2**31 * 10**9)
+    later = time + Duration(nanoseconds=span_ns)
+    assert later - time == Duration(nanoseconds=span_ns)
+    assert later - Duration(nanoseconds=span_ns) == time
+
+
+def test_seconds_and_nanoseconds_add_up() -> None:
+    assert Time(seconds=1.5, nanoseconds=2).nanoseconds == 1_500_000_002
+    assert Time(seconds=3, nanoseconds=7).seconds_nanoseconds() == (3, 7)
+    assert Duration(seconds=-0.5).nanoseconds == -500_000_000
+
+
+@pytest.mark.parametrize("parts", [{"seconds": -1}, {"nanoseconds": -1}])
+def test_a_time_is_not_negative(parts: dict[str, int]) -> None:
+    with pytest.raises(ValueError, match="must not be negative"):
+        Time(**parts)
+
+
+def test_what_does_not_fit_is_refused() -> None:
+    with pytest.raises(OverflowError):
+        Time(nanoseconds=2**63)
+    with pytest.raises(OverflowError):
+        Duration(nanoseconds=2**63)
+    with pytest.raises(OverflowError):
+        Time(nanoseconds=2**63 - 1) + Duration(nanoseconds=1)
+    with pytest.raises(ValueError, match="negative time"):
+        Time() - Duration(seconds=1)
+
+
+def test_times_of_different_clocks_do_not_meet() -> None:
+    system, steady = Time(), Time(clock_type=ClockType.STEADY_TIME)
+    with pytest.raises(ValueError, match="different clock types"):
+        system - steady
+    with pytest.raises(TypeError, match="different clock types"):
+        _ = system < steady
+    with pytest.raises(TypeError):
+        _ = system == 0
+
+
+def test_texts() -> None:
+    assert repr(Time(nanoseconds=5)) == "Time(nanoseconds=5, clock_type=SYSTEM_TIME)"
+    assert repr(Duration(nanoseconds=-1000000000)) == "Duration(nanoseconds=-1000000000)"
+    assert str(Infinite) == "Infinite"
+    assert str(Duration(nanoseconds=3)) == "3 nanoseconds"
+
+
+def test_only_messages_are_taken_for_messages() -> None:
+    with pytest.raises(TypeError, match="Must pass a builtin_interfaces"):
+        Time.from_msg(builtin_msg.Duration())  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="Must pass a builtin_interfaces"):
+        Duration.from_msg(builtin_msg.Time())  # type: ignore[arg-type]

@@ -1,0 +1,177 @@
+"""Timers, on the steady clock and on simulated time, and rates."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+
+import pytest
+
+from tfloom.node.clock import ROSClock
+from tfloom.node.clock_type import ClockType
+from tfloom.node.context import Context
+from tfloom.node.exceptions import InvalidHandle, ROSInterruptException
+from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.node import Node
+from tfloom.node.time import Time
+from tfloom.node.timer_schedule import TimerSchedule
+
+SpinUntil = Callable[..., None]
+
+
+def ros_time(seconds: float) -> Time:
+    return Time(seconds=seconds, clock_type=ClockType.ROS_TIME)
+
+
+def test_a_timer_keeps_its_period_on_average(
+    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
+) -> None:
+    ticks: list[float] = []
+    node.create_timer(0.005, lambda: ticks.append(time.monotonic()))
+    executor.add_node(node)
+    start = time.monotonic()
+    spin_until(lambda: len(ticks) == 20)
+    assert ticks[-1] - start >= 0.099
+
+
+def test_missed_calls_are_not_made_up_for(node: Node, executor: SingleThreadedExecutor) -> None:
+    ticks: list[float] = []
+    timer = node.create_timer(0.01, lambda: ticks.append(time.monotonic()))
+    executor.add_node(node)
+    while timer.time_until_next_call() > -35_000_000:
+        time.sleep(0.001)
+    executor.spin_once(timeout_sec=1)
+    assert len(ticks) == 1
+    assert 0 < timer.time_until_next_call() <= 10_000_000
+
+
+def test_cancel_and_reset(node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil) -> None:
+    ticks: list[int] = []
+    timer = node.create_timer(0.001, lambda: ticks.append(1))
+    executor.add_node(node)
+    spin_until(lambda: ticks)
+    timer.cancel()
+    assert timer.is_canceled()
+    assert timer.time_until_next_call() is None
+    assert not timer.is_ready()
+    count = len(ticks)
+    executor.spin_once(timeout_sec=0.02)
+    assert len(ticks) == count
+    timer.reset()
+    spin_until(lambda: len(ticks) > count)
+
+
+def test_without_autostart_it_waits_for_reset(
+    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
+) -> None:
+    ticks: list[int] = []
+    timer = node.create_timer(0.001, lambda: ticks.append(1), autostart=False)
+    executor.add_node(node)
+    executor.spin_once(timeout_sec=0.02)
+    assert not ticks
+    timer.reset()
+    spin_until(lambda: ticks)
+
+
+def test_the_end_of_a_timer(node: Node) -> None:
+    timer = node.create_timer(1.0, print)
+    assert list(node.timers) == [timer]
+    assert node.destroy_timer(timer)
+    assert list(node.timers) == []
+    with pytest.raises(InvalidHandle):
+        _ = timer.handle
+    with pytest.raises(ValueError, match="non-negative"):
+        node.create_timer(-1.0, print)
+
+
+def test_simulated_time_drives_a_timer(
+    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
+) -> None:
+    clock = ROSClock()
+    clock.set_ros_time_override(ros_time(100))
+    clock.set_ros_time_is_active(True)
+    ticks: list[int] = []
+    timer = node.create_timer(1.0, lambda: ticks.append(clock.now().nanoseconds), clock=clock)
+    executor.add_node(node)
+    executor.spin_once(timeout_sec=0.01)
+    assert not ticks
+    clock.set_ros_time_override(ros_time(100.9))
+    executor.spin_once(timeout_sec=0.01)
+    assert not ticks
+    clock.set_ros_time_override(ros_time(101))
+    spin_until(lambda: ticks == [101 * 10**9])
+    clock.set_ros_time_override(ros_time(105.5))  # four calls are due, one is made
+    spin_until(lambda: len(ticks) == 2)
+    executor.spin_once(timeout_sec=0.01)
+    assert len(ticks) == 2
+    assert timer.time_until_next_call() == 500_000_000
+    clock.set_ros_time_override(ros_time(50))  # back: a new period begins
+    assert timer.time_until_next_call() == 1_000_000_000
+    clock.set_ros_time_override(ros_time(51))
+    spin_until(lambda: len(ticks) == 3)
+
+
+def test_turning_simulated_time_on_keeps_what_is_left_of_a_period(node: Node) -> None:
+    clock = ROSClock()
+    timer = node.create_timer(100.0, print, clock=clock)
+    clock.set_ros_time_override(ros_time(5))
+    before_ns = timer.time_until_next_call()
+    clock.set_ros_time_is_active(True)
+    assert abs(timer.time_until_next_call() - before_ns) < 10**9
+    clock.set_ros_time_is_active(False)
+    assert 90 * 10**9 < timer.time_until_next_call() <= 100 * 10**9
+
+
+def test_a_rate_paces_a_loop_on_another_thread(
+    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
+) -> None:
+    rate = node.create_rate(200.0)
+    executor.add_node(node)
+    rounds: list[float] = []
+
+    def loop() -> None:
+        for _ in range(5):
+            rate.sleep()
+            rounds.append(time.monotonic())
+
+    thread = threading.Thread(target=loop)
+    start = time.monotonic()
+    thread.start()
+    spin_until(lambda: len(rounds) == 5)
+    thread.join(10)
+    assert rounds[-1] - start >= 0.02
+    assert node.destroy_rate(rate)
+    with pytest.raises(RuntimeError, match="destroyed"):
+        rate.sleep()
+
+
+def test_shutdown_wakes_a_sleeping_rate(node: Node, context: Context) -> None:
+    rate = node.create_rate(0.001)
+    raised = threading.Event()
+
+    def sleep() -> None:
+        with pytest.raises(ROSInterruptException):
+            rate.sleep()
+        raised.set()
+
+    thread = threading.Thread(target=sleep)
+    thread.start()
+    context.shutdown()
+    assert raised.wait(10)
+    thread.join(10)
+    with pytest.raises(ValueError, match="frequency must be > 0"):
+        node.create_rate(0)
+
+
+def test_a_schedule_keeps_the_last_deadline_of_each_token() -> None:
+    schedule = TimerSchedule()
+    for token in range(1, 1001):
+        schedule.set(token, 5000 - token)
+    for token in range(1, 1001):
+        schedule.set(token, token)
+    schedule.set(500, None)
+    assert schedule.next_ns() == 1
+    assert schedule.take_due(3) == [1, 2, 3]
+    assert len(schedule.take_due(10_000)) == 996
+    assert schedule.next_ns() is None
