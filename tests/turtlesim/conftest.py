@@ -15,15 +15,20 @@ from tfloom.turtlesim.node import TurtlesimNode
 
 
 class Stage:
-    """The two nodes, spun only while a test waits."""
+    """The nodes, spun only while a test waits."""
 
     def __init__(self, args: list[str]) -> None:
         init(args=args)
         self.turtlesim = TurtlesimNode()
         self.user = Node("user")
+        self._nodes: list[Node] = []
         self._executor = SingleThreadedExecutor()
-        for node in (self.turtlesim, self.user):
-            self._executor.add_node(node)
+        self.add(self.turtlesim)
+        self.add(self.user)
+
+    def add(self, node: Node) -> None:
+        self._nodes.append(node)
+        self._executor.add_node(node)
 
     def spin_until(self, condition: Callable[[], object], turns: int = 3000) -> None:
         for _ in range(turns):
@@ -34,7 +39,7 @@ class Stage:
 
     def end(self) -> None:
         self._executor.shutdown()
-        for node in (self.turtlesim, self.user):
+        for node in self._nodes:
             node.destroy_node()
         try_shutdown()
 

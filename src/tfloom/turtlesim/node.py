@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tfloom.interfaces.geometry_msgs.msg import Twist
@@ -15,6 +16,7 @@ from tfloom.node.executor import ExternalShutdownException
 from tfloom.node.node import Node
 from tfloom.node.utilities import remove_ros_args, try_shutdown
 from tfloom.turtlesim.canvas import DEFAULT_BACKGROUND, Canvas
+from tfloom.turtlesim.record import FRAME_MS, SIDE_PX, Recorder, RecordingError, open_recorder
 from tfloom.turtlesim.world import STEP_S, Event, Moved, Stroke, Turtle, WallHit, World, is_usable
 
 if TYPE_CHECKING:
@@ -110,6 +112,15 @@ class TurtlesimNode(Node):
 
         self.create_timer(FRAME_S, refresh, clock=Clock(clock_type=ClockType.STEADY_TIME))
 
+    def record_to(self, recorder: Recorder) -> None:
+        """Give `recorder` a picture now and as often as it wants one."""
+
+        def add() -> None:
+            recorder.add(self.render(SIDE_PX))
+
+        add()
+        self.create_timer(FRAME_MS / 1000, add, clock=Clock(clock_type=ClockType.STEADY_TIME))
+
     def _show(self, turtle: Turtle) -> None:
         self.get_logger().info(
             f"Spawning turtle [{turtle.name}] at x=[{turtle.x:f}], y=[{turtle.y:f}], theta=[{turtle.theta:f}]"
@@ -151,6 +162,12 @@ def parse_arguments(words: list[str]) -> argparse.Namespace:
         "it is on NAME/pose (turtlesim/msg/Pose), 62.5 times a second; the first is turtle1.",
     )
     parser.add_argument("--headless", action="store_true", help="open no window")
+    parser.add_argument(
+        "--record",
+        type=Path,
+        metavar="FILE",
+        help="record the picture: an animation (.gif, .webp), the last picture (.png) or a film (.mp4, by ffmpeg)",
+    )
     return parser.parse_args(words)
 
 
@@ -158,10 +175,27 @@ def main(args: list[str] | None = None) -> int:
     """Simulate until stopped or the window is closed; return the exit code."""
     args = sys.argv[1:] if args is None else args
     options = parse_arguments(remove_ros_args(args))
+    try:
+        recorder = None if options.record is None else open_recorder(options.record)
+        run(args, recorder, headless=options.headless)
+    except RecordingError as error:
+        print(f"turtlesim_node: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+def run(args: list[str], recorder: Recorder | None, *, headless: bool) -> None:
+    """Simulate until stopped or the window is closed.
+
+    Raises:
+        RecordingError: the recording can't be written.
+    """
     init(args=args)
     try:
         node = TurtlesimNode()
-        window = None if options.headless else open_window(node)
+        if recorder is not None:
+            node.record_to(recorder)
+        window = None if headless else open_window(node)
         if window is not None:
             node.show_in(window)
         spin(node)
@@ -169,4 +203,5 @@ def main(args: list[str] | None = None) -> int:
         pass
     finally:
         try_shutdown()
-    return 0
+        if recorder is not None:
+            recorder.finish()

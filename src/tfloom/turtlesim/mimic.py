@@ -1,0 +1,47 @@
+"""mimic: let one turtle do what another does."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+from tfloom.interfaces.geometry_msgs.msg import Twist
+from tfloom.interfaces.turtlesim.msg import Pose
+from tfloom.node import init, spin
+from tfloom.node.executor import ExternalShutdownException
+from tfloom.node.node import Node
+from tfloom.node.utilities import remove_ros_args, try_shutdown
+
+
+class Mimic(Node):
+    """Hears input/pose, and commands the same velocities on output/cmd_vel."""
+
+    def __init__(self) -> None:
+        super().__init__("turtle_mimic")
+        self._publisher = self.create_publisher(Twist, "output/cmd_vel", 1)
+        self.create_subscription(Pose, "input/pose", self._on_pose, 1)
+
+    def _on_pose(self, pose: Pose) -> None:
+        twist = Twist()
+        twist.linear.x = pose.linear_velocity
+        twist.angular.z = pose.angular_velocity
+        self._publisher.publish(twist)
+
+
+def main(args: list[str] | None = None) -> int:
+    """Mimic until stopped; return the exit code."""
+    args = sys.argv[1:] if args is None else args
+    parser = argparse.ArgumentParser(
+        prog="mimic",
+        description="Let one turtle do what another does: --ros-args -r input/pose:=turtle1/pose "
+        "-r output/cmd_vel:=turtle2/cmd_vel.",
+    )
+    parser.parse_args(remove_ros_args(args))
+    init(args=args)
+    try:
+        spin(Mimic())
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        try_shutdown()
+    return 0

@@ -1,0 +1,148 @@
+"""Recordings of the turtles' picture: an animation, a film, or the last picture alone."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import zlib
+from collections.abc import Iterator
+from contextlib import suppress
+from pathlib import Path
+from typing import Any, Protocol
+
+from PIL import Image
+
+FRAME_MS = 40
+"""Time between two pictures [ms]: 25 a second, which GIF can express."""
+SIDE_PX = 500
+
+
+class RecordingError(Exception):
+    """The recording can't be made; its text says why and what can."""
+
+
+class Recorder(Protocol):
+    """Takes a picture every FRAME_MS and makes a file of them."""
+
+    def add(self, picture: Image.Image) -> None:
+        """Take the next picture: RGB, SIDE_PX by SIDE_PX."""
+
+    def finish(self) -> None:
+        """Write the file.
+
+        Raises:
+            RecordingError: it can't be written.
+        """
+
+
+def open_recorder(path: Path) -> Recorder:
+    """Return a recorder for a file, by its name's ending.
+
+    Raises:
+        RecordingError: no such kind of recording, its folder isn't there, or ffmpeg is missing for a film.
+    """
+    if not path.parent.is_dir():
+        raise RecordingError(f"can't record to {path}: there is no folder {path.parent}")
+    kind = path.suffix.lower()
+    if kind == ".png":
+        return Still(path)
+    if kind in {".gif", ".webp"}:
+        return Animation(path)
+    if kind == ".mp4":
+        return Film(path)
+    raise RecordingError(f"can't record to {path}: the name has to end in .gif, .webp, .png or .mp4")
+
+
+class Still:
+    """Keeps the last picture."""
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        self._last: Image.Image | None = None
+
+    def add(self, picture: Image.Image) -> None:
+        """Take the next picture."""
+        self._last = picture
+
+    def finish(self) -> None:
+        """Write the last picture."""
+        if self._last is not None:
+            _save(self._last, self._path)
+
+
+class Animation:
+    """Keeps all pictures, compressed; one that stays the same is kept once, with the time that it lasts."""
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        self._frames: list[bytes] = []
+        self._lasting_ms: list[int] = []
+        self._last = b""
+
+    def add(self, picture: Image.Image) -> None:
+        """Take the next picture."""
+        pixels = picture.tobytes()
+        if pixels == self._last:
+            self._lasting_ms[-1] += FRAME_MS
+            return
+        self._last = pixels
+        self._frames.append(zlib.compress(pixels, 1))
+        self._lasting_ms.append(FRAME_MS)
+
+    def _pictures(self) -> Iterator[Image.Image]:
+        for frame in self._frames:
+            yield Image.frombytes("RGB", (SIDE_PX, SIDE_PX), zlib.decompress(frame))
+
+    def finish(self) -> None:
+        """Write the animation, which repeats for ever."""
+        if self._frames:
+            pictures = self._pictures()
+            first = next(pictures)
+            lasting = self._lasting_ms if len(self._lasting_ms) > 1 else self._lasting_ms[0]
+            _save(first, self._path, save_all=True, append_images=pictures, duration=lasting, loop=0)
+
+
+class Film:
+    """Passes each picture on to ffmpeg."""
+
+    def __init__(self, path: Path) -> None:
+        ffmpeg = shutil.which("ffmpeg")
+        if ffmpeg is None:
+            raise RecordingError("an .mp4 needs ffmpeg on the PATH; .gif, .webp and .png need nothing")
+        self._path = path
+        source = [
+            "-f",
+            "rawvideo",
+            "-pix_fmt",
+            "rgb24",
+            "-s",
+            f"{SIDE_PX}x{SIDE_PX}",
+            "-r",
+            str(1000 // FRAME_MS),
+        ]
+        command = [ffmpeg, "-y", "-loglevel", "error", *source, "-i", "-", "-pix_fmt", "yuv420p", str(path)]
+        # Of its own session: a Ctrl-C ends the recording, and only then, at the end of its input, ffmpeg.
+        self._ffmpeg = subprocess.Popen(
+            command, stdin=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True
+        )
+
+    def add(self, picture: Image.Image) -> None:
+        """Take the next picture."""
+        if self._ffmpeg.stdin is not None:
+            with suppress(BrokenPipeError):  # it has ended; `finish` tells why
+                self._ffmpeg.stdin.write(picture.tobytes())
+
+    def finish(self) -> None:
+        """Let ffmpeg write the film's end."""
+        _, errors = self._ffmpeg.communicate()
+        if self._ffmpeg.returncode:
+            raise RecordingError(
+                f"ffmpeg can't record to {self._path}: {errors.decode(errors='replace').strip()}"
+            )
+
+
+def _save(picture: Image.Image, path: Path, **options: Any) -> None:
+    try:
+        picture.save(path, **options)
+    except OSError as error:
+        raise RecordingError(f"can't record to {path}: {error.strerror or error}") from None

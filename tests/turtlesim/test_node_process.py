@@ -1,0 +1,64 @@
+"""turtlesim as a process: its end, its recordings, and its window on SDL's screenless driver."""
+
+from __future__ import annotations
+
+import os
+import signal
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PIL import Image
+
+pytestmark = pytest.mark.wire
+TURTLESIM = ("tfloom", "run", "turtlesim", "turtlesim_node")
+SPAWNED = "Spawning turtle [turtle1]"
+
+
+def environment(**changes: str) -> dict[str, str]:
+    screenless = {
+        name: value for name, value in os.environ.items() if name not in {"DISPLAY", "WAYLAND_DISPLAY"}
+    }
+    return screenless | changes
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_ends_it_cleanly(domain_id: int, start_program: Callable[..., Any], number: int) -> None:
+    program = start_program(*TURTLESIM, env=environment())
+    program.wait_for(SPAWNED)
+    program.wait_for("Running headless: ")
+    program.signal(number)
+    assert program.wait() == 0
+    assert "Traceback" not in program.output
+
+
+@pytest.mark.parametrize("ending", ["gif", "png"])
+def test_a_picture_without_a_screen(
+    domain_id: int, start_program: Callable[..., Any], tmp_path: Path, ending: str
+) -> None:
+    path = tmp_path / f"out.{ending}"
+    program = start_program(*TURTLESIM, "--record", path, env=environment())
+    program.wait_for("Running headless: ")
+    program.signal(signal.SIGINT)
+    assert program.wait() == 0
+    with Image.open(path) as picture:
+        assert picture.size == (500, 500)
+        assert picture.convert("RGB").getpixel((5, 5)) == pytest.approx((69, 86, 255), abs=6)
+
+
+def test_a_recording_that_cannot_be_is_a_sentence(
+    domain_id: int, start_program: Callable[..., Any], tmp_path: Path
+) -> None:
+    program = start_program(*TURTLESIM, "--record", tmp_path / "out.avi")
+    assert program.wait() == 1
+    assert program.lines[0].startswith("turtlesim_node: can't record to")
+
+
+def test_the_window_opens_and_ends_with_the_node(domain_id: int, start_program: Callable[..., Any]) -> None:
+    pytest.importorskip("pygame", reason="the extra `turtlesim` isn't installed")
+    program = start_program(*TURTLESIM, env=environment(SDL_VIDEODRIVER="dummy"))
+    program.wait_for(SPAWNED)
+    program.signal(signal.SIGINT)
+    assert program.wait() == 0
+    assert "headless" not in program.output

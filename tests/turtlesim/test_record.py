@@ -1,0 +1,84 @@
+"""Recordings: they can be read again, and last as long as what they show."""
+
+from __future__ import annotations
+
+import stat
+from pathlib import Path
+
+import pytest
+from PIL import Image, ImageSequence
+
+from tfloom.turtlesim.record import FRAME_MS, SIDE_PX, RecordingError, open_recorder
+
+
+def picture(color: tuple[int, int, int]) -> Image.Image:
+    return Image.new("RGB", (SIDE_PX, SIDE_PX), color)
+
+
+@pytest.mark.parametrize("ending", ["gif", "webp"])
+def test_animations(tmp_path: Path, ending: str) -> None:
+    path = tmp_path / f"out.{ending}"
+    recorder = open_recorder(path)
+    for color in [(255, 0, 0)] * 3 + [(0, 255, 0)] + [(0, 0, 255)] * 2:
+        recorder.add(picture(color))
+    recorder.finish()
+    with Image.open(path) as found:
+        frames = [
+            (frame.convert("RGB").getpixel((9, 9)), frame.info["duration"])
+            for frame in ImageSequence.Iterator(found)
+        ]
+    for (color, lasting), (expected, frames_long) in zip(
+        frames, [((255, 0, 0), 3), ((0, 255, 0), 1), ((0, 0, 255), 2)], strict=True
+    ):
+        assert color == pytest.approx(expected, abs=12)
+        assert lasting == frames_long * FRAME_MS
+
+
+@pytest.mark.parametrize("ending", ["gif", "webp", "png"])
+def test_one_picture(tmp_path: Path, ending: str) -> None:
+    path = tmp_path / f"out.{ending}"
+    recorder = open_recorder(path)
+    recorder.add(picture((1, 2, 3)))
+    recorder.finish()
+    with Image.open(path) as found:
+        assert found.size == (SIDE_PX, SIDE_PX)
+
+
+@pytest.mark.parametrize("ending", ["gif", "webp", "png"])
+def test_nothing_at_all_writes_nothing(tmp_path: Path, ending: str) -> None:
+    path = tmp_path / f"out.{ending}"
+    open_recorder(path).finish()
+    assert not path.exists()
+
+
+def test_what_cannot_be_recorded_is_said_at_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    with pytest.raises(RecordingError, match=r"has to end in \.gif, \.webp, \.png or \.mp4"):
+        open_recorder(tmp_path / "out.txt")
+    with pytest.raises(RecordingError, match="there is no folder"):
+        open_recorder(tmp_path / "missing" / "out.gif")
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(RecordingError, match="needs ffmpeg on the PATH"):
+        open_recorder(tmp_path / "out.mp4")
+
+
+def test_films_go_through_ffmpeg(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    # It only counts the octets that it is fed, as a film's writer has no other duty to us.
+    ffmpeg = tmp_path / "ffmpeg"
+    ffmpeg.write_text('#!/bin/sh\nfor last; do :; done\n/usr/bin/wc -c > "$last"\n')
+    ffmpeg.chmod(ffmpeg.stat().st_mode | stat.S_IXUSR)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    recorder = open_recorder(tmp_path / "out.mp4")
+    for _ in range(3):
+        recorder.add(picture((1, 2, 3)))
+    recorder.finish()
+    assert int((tmp_path / "out.mp4").read_text()) == 3 * SIDE_PX * SIDE_PX * 3
+
+
+def test_a_failing_ffmpeg_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    ffmpeg = tmp_path / "ffmpeg"
+    ffmpeg.write_text("#!/bin/sh\necho no room >&2\nexit 1\n")
+    ffmpeg.chmod(ffmpeg.stat().st_mode | stat.S_IXUSR)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    recorder = open_recorder(tmp_path / "out.mp4")
+    with pytest.raises(RecordingError, match="no room"):
+        recorder.finish()

@@ -1,0 +1,73 @@
+"""The window, on SDL's driver that needs no screen."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from PIL import Image
+
+pygame = pytest.importorskip("pygame", reason="the extra `turtlesim` isn't installed")
+from tfloom.turtlesim.window import NoDisplayError, Window  # noqa: E402  # only where pygame is
+
+
+@pytest.fixture
+def window(monkeypatch: pytest.MonkeyPatch) -> Iterator[Window]:
+    monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
+    window = Window()
+    yield window
+    window.close()
+
+
+def checked(size_px: int) -> Image.Image:
+    picture = Image.new("RGB", (size_px, size_px), (10, 200, 30))
+    picture.putpixel((0, 0), (255, 0, 0))
+    return picture
+
+
+def surface_of(window: Window) -> Any:
+    return window._window.get_surface()
+
+
+def test_it_opens_as_the_original_does(window: Window) -> None:
+    assert window._window.title == "TurtleSim"
+    assert window._window.size == (500, 500)
+    assert window._window.resizable
+
+
+def test_it_shows_the_picture(window: Window) -> None:
+    sizes = []
+
+    def draw(size_px: int) -> Image.Image:
+        sizes.append(size_px)
+        return checked(size_px)
+
+    assert window.show(draw)
+    assert sizes == [500]
+    assert surface_of(window).get_at((0, 0))[:3] == (255, 0, 0)
+    assert surface_of(window).get_at((250, 250))[:3] == (10, 200, 30)
+
+
+def test_a_larger_window_gets_a_larger_picture_in_its_middle(window: Window) -> None:
+    window._window.size = (900, 700)
+    assert window.show(checked)
+    assert surface_of(window).get_at((100, 0))[:3] == (255, 0, 0)
+    assert surface_of(window).get_at((99, 350))[:3] == (0, 0, 0)
+    assert surface_of(window).get_at((799, 350))[:3] == (10, 200, 30)
+
+
+def test_closing_it_ends_the_show(window: Window) -> None:
+    pygame.event.post(pygame.event.Event(pygame.QUIT))
+    assert not window.show(checked)
+
+
+def test_without_a_display(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr("sys.platform", "linux")
+    with pytest.raises(NoDisplayError, match="there is no display"):
+        Window()
+    monkeypatch.setenv("SDL_VIDEODRIVER", "nonsense")
+    with pytest.raises(NoDisplayError):
+        Window()
