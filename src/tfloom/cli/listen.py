@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import time
 from collections.abc import Iterator
@@ -70,27 +71,48 @@ def shown_node(participant: Participant, node: NodeName) -> Iterator[NodeName]:
 
 
 def samples(
-    participant: Participant, name: str, message_class: type[Message], qos: QoS, end_s: float
+    participant: Participant, name: str, message_class: type[Message], qos: QoS, end_s: float = math.inf
 ) -> Iterator[Sample]:
     """Yield the samples of a topic as they come, until `end_s` on the monotonic clock."""
+    for sample in samples_and_ticks(participant, name, message_class, qos, end_s=end_s):
+        if sample is not None:
+            yield sample
+
+
+def samples_and_ticks(
+    participant: Participant,
+    name: str,
+    message_class: type[Message],
+    qos: QoS,
+    *,
+    tick_s: float = math.inf,
+    end_s: float = math.inf,
+) -> Iterator[Sample | None]:
+    """Yield the samples of a topic as they come and None every `tick_s`, until `end_s` on the monotonic clock."""
     topic = Topic(name, message_class._TYPE_NAME, message_class._TYPE_HASH)
     with shown_node(participant, cli_node()) as node:
         reader = participant.create_reader(node, topic, qos)
         try:
             queue = ReadyQueue()
             reader.notify(queue)
-            while True:
+            next_tick_s = time.monotonic() + tick_s
+            while time.monotonic() < end_s:
                 while sample := reader.take():
                     yield sample
-                if not _wait(queue, end_s):
-                    return
+                    if time.monotonic() >= next_tick_s:
+                        break
+                else:
+                    _wait(queue, min(end_s, next_tick_s))
+                if time.monotonic() >= next_tick_s:
+                    next_tick_s += tick_s
+                    yield None
         finally:
             reader.close()
 
 
 def _wait(queue: ReadyQueue, end_s: float) -> bool:
     """Wait for a token until `end_s` on the monotonic clock (inf: for ever); False when it is over."""
-    if end_s == float("inf"):
+    if end_s == math.inf:
         queue.wait(-1)
         return True
     left_s = end_s - time.monotonic()

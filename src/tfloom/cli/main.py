@@ -38,8 +38,11 @@ COMMANDS: dict[str, str | Group] = {
     "topic": Group(
         "Ask about topics, listen and publish",
         {
+            "bw": "Tell how many bytes a second come on a topic",
+            "delay": "Tell how old messages are when they come",
             "echo": "Print the messages of a topic",
             "find": "List the topics of a type",
+            "hz": "Tell how often messages come on a topic",
             "info": "Tell a topic's type, and who writes and reads it",
             "list": "List the topics",
             "pub": "Publish messages on a topic",

@@ -1,0 +1,50 @@
+"""Tell how many bytes a second come on a topic."""
+
+from __future__ import annotations
+
+import argparse
+import time
+
+from tfloom.cli.names import full_topic_name
+from tfloom.cli.topic import rates
+from tfloom.rmw.base import Sample
+from tfloom.rosidl.message import Message
+
+UNITS = {"MB": 1e6, "KB": 1e3, "B": 1.0}
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `topic bw` takes."""
+    rates.add_arguments(parser, window=100)
+    parser.add_argument("topic", help="topic to listen to")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print the bandwidth each second, until Ctrl-C."""
+    sizes, arrivals = rates.Window(args.window), rates.Window(args.window)
+
+    def on_sample(sample: Sample, _: type[Message]) -> None:
+        sizes.add(len(sample.data))
+        arrivals.add(sample.received_stamp_ns * 1e-9)
+
+    def report() -> None:
+        if len(sizes.values) < 2 or not sizes.is_new:
+            return
+        sizes.is_new = False
+        print(bandwidth_text(list(sizes.values), time.time() - arrivals.values[0]))
+
+    print(f"Subscribed to [{full_topic_name(args.topic)}]")
+    rates.watch(args, args.topic, on_sample, report)
+    return 0
+
+
+def bandwidth_text(sizes: list[float], duration_s: float) -> str:
+    """Return the two lines on messages of these sizes [octets] in a time [s]; the rate chooses the unit of all."""
+    mean, least, greatest, _ = rates.spread(sizes)
+    per_second = sum(sizes) / duration_s
+    unit = next(unit for unit, octets in UNITS.items() if per_second >= octets or unit == "B")
+    rate, mean, least, greatest = (value / UNITS[unit] for value in (per_second, mean, least, greatest))
+    return (
+        f"{rate:.2f} {unit}/s from {len(sizes)} messages\n"
+        f"\tMessage size mean: {mean:.2f} {unit} min: {least:.2f} {unit} max: {greatest:.2f} {unit}"
+    )

@@ -1,0 +1,44 @@
+"""Tell how old messages are when they come: now minus the stamp in their header."""
+
+from __future__ import annotations
+
+import argparse
+from typing import Any
+
+from tfloom.cli.errors import CommandError
+from tfloom.cli.topic import rates
+from tfloom.rmw.base import Sample
+from tfloom.rosidl import cdr
+from tfloom.rosidl.message import Message
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `topic delay` takes."""
+    rates.add_arguments(parser, window=10_000)
+    parser.add_argument("topic", help="topic to listen to")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print the delay each second, until Ctrl-C."""
+    delays = rates.Window(args.window)
+
+    def on_sample(sample: Sample, cls: type[Message]) -> None:
+        message: Any = cdr.decode(cls, sample.data)
+        stamp = message.header.stamp
+        delays.add(sample.received_stamp_ns * 1e-9 - stamp.sec - stamp.nanosec * 1e-9)
+
+    def report() -> None:
+        if not delays.is_new:
+            return
+        delays.is_new = False
+        values = list(delays.values)
+        print(f"average delay: {rates.spread(values)[0]:.3f}")
+        print(rates.spread_line(values, len(values)))
+
+    rates.watch(args, args.topic, on_sample, report, check=_has_header)
+    return 0
+
+
+def _has_header(cls: type[Message]) -> None:
+    if cls.get_fields_and_field_types().get("header") != "std_msgs/Header":
+        raise CommandError("msg does not have header")

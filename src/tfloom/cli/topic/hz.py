@@ -1,0 +1,46 @@
+"""Tell how often messages come on a topic."""
+
+from __future__ import annotations
+
+import argparse
+from itertools import pairwise
+
+from tfloom.cli.selection import message_filter
+from tfloom.cli.topic import rates
+from tfloom.rmw.base import Sample
+from tfloom.rosidl import cdr
+from tfloom.rosidl.message import Message
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `topic hz` takes."""
+    parser.add_argument("topic_name", help="topic to listen to")
+    rates.add_arguments(parser, window=10_000)
+    parser.add_argument(
+        "--filter", metavar="EXPR", help="count messages only if this Python expression over m is true"
+    )
+    parser.add_argument("--wall-time", action="store_true", help="accepted; times are of arrival here")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print the rate each second, until Ctrl-C."""
+    wanted = message_filter(args.filter)
+    arrivals = rates.Window(args.window + 1)
+
+    def on_sample(sample: Sample, cls: type[Message]) -> None:
+        if args.filter is None or wanted(cdr.decode(cls, sample.data)):
+            arrivals.add(sample.received_stamp_ns * 1e-9)
+
+    def report() -> None:
+        times = list(arrivals.values)
+        periods = [later - earlier for earlier, later in pairwise(times)]
+        if not periods or not arrivals.is_new:
+            print("no new messages")
+            return
+        arrivals.is_new = False
+        mean = rates.spread(periods)[0]
+        print(f"average rate: {1 / mean if mean > 0 else float('inf'):.3f}")
+        print(rates.spread_line(periods, len(times)))
+
+    rates.watch(args, args.topic_name, on_sample, report)
+    return 0

@@ -1,0 +1,84 @@
+"""What hz, bw and delay share: listen to a topic, and report each second over a window of the newest messages."""
+
+from __future__ import annotations
+
+import argparse
+import math
+import sys
+from collections import deque
+from collections.abc import Callable, Sequence
+
+from tfloom.cli import graph
+from tfloom.cli.interfaces import message_class
+from tfloom.cli.listen import find_type, samples_and_ticks, wait_for_publishers
+from tfloom.cli.names import full_topic_name
+from tfloom.cli.qos import suiting_qos
+from tfloom.rmw.base import Sample
+from tfloom.rosidl.message import Message
+
+REPORT_S = 1.0
+
+
+def add_arguments(parser: argparse.ArgumentParser, window: int) -> None:
+    """Add the flags of all three."""
+    parser.add_argument(
+        "-w", "--window", type=int, default=window, help=f"count over so many messages (default: {window})"
+    )
+    parser.add_argument(
+        "--spin-time", type=float, default=graph.MOST_S, help="longest time to look for the topic"
+    )
+    parser.add_argument(
+        "-s", "--use-sim-time", action="store_true", help="accepted; times are of arrival here"
+    )
+
+
+class Window:
+    """The newest values: their number, mean, extremes and spread."""
+
+    def __init__(self, size: int) -> None:
+        self.values: deque[float] = deque(maxlen=max(size, 1))
+        self.is_new = False
+
+    def add(self, value: float) -> None:
+        """Take a value in; the oldest goes when the window is full."""
+        self.values.append(value)
+        self.is_new = True
+
+
+def spread(values: Sequence[float]) -> tuple[float, float, float, float]:
+    """Return mean, least, greatest and standard deviation."""
+    mean = sum(values) / len(values)
+    variance = sum((value - mean) ** 2 for value in values) / len(values)
+    return mean, min(values), max(values), math.sqrt(variance)
+
+
+def spread_line(values: Sequence[float], window: int) -> str:
+    """Return the line on the least, the greatest and the deviation of times [s]."""
+    _, least, greatest, deviation = spread(values)
+    return f"\tmin: {least:.3f}s max: {greatest:.3f}s std dev: {deviation:.5f}s window: {window}"
+
+
+def watch(
+    args: argparse.Namespace,
+    topic_name: str,
+    on_sample: Callable[[Sample, type[Message]], None],
+    report: Callable[[], None],
+    check: Callable[[type[Message]], None] = lambda _: None,
+) -> None:
+    """Give each sample of a topic to `on_sample` and call `report` each second, until Ctrl-C.
+
+    A topic that nobody has yet is waited for; `check` may refuse its type.
+    """
+    name = full_topic_name(topic_name)
+    with graph.joined_participant() as participant:
+        graph.wait_until_quiet(participant.graph, args.spin_time)
+        if not any(end.topic.name == name for end in participant.graph.endpoints()):
+            print(f"WARNING: topic [{name}] does not appear to be published yet", file=sys.stderr)
+        publishers = wait_for_publishers(participant.graph, name, math.inf)
+        cls = message_class(find_type(participant.graph, name))
+        check(cls)
+        for sample in samples_and_ticks(participant, name, cls, suiting_qos(publishers), tick_s=REPORT_S):
+            if sample is None:
+                report()
+            else:
+                on_sample(sample, cls)

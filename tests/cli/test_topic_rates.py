@@ -1,0 +1,90 @@
+"""`topic hz`, `bw` and `delay` of a publisher in another process."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import pytest
+import transcript
+
+from tfloom.cli.topic import bw, rates
+
+pytestmark = pytest.mark.wire
+
+
+@pytest.fixture
+def listen(domain_id: int, start_program: Callable[..., object]) -> Callable[..., object]:
+    """Publish on /x at 50 Hz and start a verb on it."""
+
+    def start(verb: str, *flags: str, kind: str = "std_msgs/msg/Header", values: str = "{}") -> object:
+        publisher = start_program("tfloom", "topic", "pub", "-r", "50", "-p", "0", "/x", kind, values)
+        publisher.wait_for("beginning")
+        return start_program("tfloom", "topic", verb, *flags, "/x")
+
+    return start
+
+
+def test_hz_has_the_recorded_form(listen: Callable[..., object]) -> None:
+    program = listen("hz")
+    recorded = transcript.golden("topic_hz").text.splitlines()[:2]
+    program.wait_for("window: ")
+    assert [transcript.mask(line) for line in program.lines[:2]] == [
+        transcript.mask(line) for line in recorded
+    ]
+    assert 40 < float(program.lines[0].split()[-1]) < 60
+
+
+def test_hz_counts_what_a_filter_lets_through(listen: Callable[..., object]) -> None:
+    listen("hz", "--filter", "m.frame_id == 'none'").wait_for("no new messages")
+
+
+def test_bw_has_the_recorded_form(listen: Callable[..., object]) -> None:
+    program = listen("bw", kind="turtlesim/msg/Pose")
+    recorded = transcript.golden("topic_bw").text.splitlines()
+    program.wait_for("Message size")
+    assert program.lines[0] == "Subscribed to [/x]"
+    assert [transcript.mask(line) for line in program.lines[1:3]] == [
+        transcript.mask(line) for line in recorded[1:3]
+    ]
+    size = re.search(r"mean: ([\d.]+) KB", program.output)
+    assert size
+    assert float(size[1]) == 0.02
+
+
+def test_delay_measures_from_the_headers_stamp(listen: Callable[..., object]) -> None:
+    program = listen("delay", kind="geometry_msgs/msg/PointStamped", values="{header: auto}")
+    program.wait_for("window: ")
+    assert 0 <= float(program.lines[0].removeprefix("average delay: ")) < 0.5
+
+
+def test_delay_needs_a_header(domain_id: int, listen: Callable[..., object]) -> None:
+    recorded = transcript.golden("topic_delay")
+    program = listen("delay", kind="turtlesim/msg/Pose")
+    assert program.wait() == recorded.exit_code
+    assert program.output == recorded.text
+
+
+def test_a_topic_that_is_not_there_yet_is_waited_for(
+    domain_id: int, start_program: Callable[..., object]
+) -> None:
+    program = start_program("tfloom", "topic", "hz", "/late")
+    program.wait_for("WARNING: topic [/late] does not appear to be published yet")
+    start_program("tfloom", "topic", "pub", "-r", "50", "/late", "std_msgs/msg/Empty")
+    program.wait_for("average rate: ")
+
+
+@pytest.mark.parametrize(
+    ("sizes", "duration_s", "first"),
+    [
+        ([24.0] * 100, 1.6, "1.50 KB/s from 100 messages"),
+        ([1.0, 3.0], 1.0, "4.00 B/s from 2 messages"),
+        ([1e6, 3e6], 2.0, "2.00 MB/s from 2 messages"),
+    ],
+)
+def test_the_unit_follows_the_rate(sizes: list[float], duration_s: float, first: str) -> None:
+    assert bw.bandwidth_text(sizes, duration_s).splitlines()[0] == first
+
+
+def test_spread() -> None:
+    assert rates.spread([1.0, 3.0]) == (2.0, 1.0, 3.0, 1.0)
