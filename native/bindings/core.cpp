@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bindings/bindings.hpp"
+#include "bindings/gil.hpp"
 #include "core/ready_queue.hpp"
 #include "core/sample_queue.hpp"
 #include "core/sink.hpp"
@@ -29,7 +30,7 @@ std::vector<ReadyQueue::Token> wait_for_tokens(ReadyQueue& queue, std::int64_t t
   for (;;) {
     ReadyQueue::Outcome outcome;
     {
-      const nb::gil_scoped_release release;
+      const ReleasedGil release;
       const auto left = deadline.left();
       outcome = queue.wait(left ? left->count() : -1, tokens);
     }
@@ -50,6 +51,12 @@ nb::list take_samples(SampleQueue& queue) {
 }  // namespace
 
 void bind_core(nb::module_& m) {
+  m.def("keep_other_threads_out", &keep_other_threads_out,
+        "From now on let no other thread come back to Python from a call that let go of the GIL.\n\n"
+        "For the end of the program, where Python would end such threads, and with them the process. It is called "
+        "at exit by itself; again does nothing.");
+  nb::module_::import_("atexit").attr("register")(m.attr("keep_other_threads_out"));
+
   nb::class_<Sink>(m, "Sink", "Takes serialized samples without Python; see `Reader.feed`.")
       .def(
           "push",
@@ -57,7 +64,7 @@ void bind_core(nb::module_& m) {
              const nb::bytes& publisher_gid) {
             const SampleInfo info{source_stamp_ns, received_stamp_ns, to_gid(publisher_gid)};
             const std::span view(static_cast<const std::byte*>(data.data()), data.size());
-            const nb::gil_scoped_release release;
+            const ReleasedGil release;
             sink.push(view, info);
           },
           "data"_a, "source_stamp_ns"_a, "received_stamp_ns"_a, "publisher_gid"_a,
@@ -73,7 +80,7 @@ void bind_core(nb::module_& m) {
   nb::class_<ReadyQueue>(m, "ReadyQueue",
                          "Tokens of entities that have something to do: any thread posts, one thread waits.")
       .def(nb::init<>())
-      .def("post", &ReadyQueue::post, "token"_a, nb::call_guard<nb::gil_scoped_release>(),
+      .def("post", &ReadyQueue::post, "token"_a, nb::call_guard<ReleasedGil>(),
            "Post a token. One that is posted again before it is taken is taken once.")
       .def("wait", &wait_for_tokens, "timeout_ns"_a,
            "Wait for tokens and take all of them, in order of first posting.\n\n"

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "bindings/bindings.hpp"
+#include "bindings/gil.hpp"
 #include "dds/graph.hpp"
 #include "dds/participant.hpp"
 #include "dds/reader.hpp"
@@ -56,14 +57,14 @@ nb::object take(dds::Reader& reader) {
 
 void write(dds::Writer& writer, const nb::bytes& data) {
   const std::span view(static_cast<const std::byte*>(data.data()), data.size());
-  const nb::gil_scoped_release release;
+  const ReleasedGil release;
   writer.write(view);
 }
 
 nb::tuple snapshot(dds::Graph& graph) {
   dds::Graph::Snapshot state;
   {
-    const nb::gil_scoped_release release;
+    const ReleasedGil release;
     state = graph.snapshot();
   }
   nb::list participants;
@@ -79,7 +80,7 @@ nb::tuple snapshot(dds::Graph& graph) {
   return nb::make_tuple(participants, endpoints);
 }
 
-using ReleaseGil = nb::call_guard<nb::gil_scoped_release>;
+using ReleaseGil = nb::call_guard<ReleasedGil>;
 
 void bind_participant(nb::module_& m) {
   nb::class_<dds::Participant>(m, "DdsParticipant", "This process on one DDS domain.")
@@ -88,7 +89,7 @@ void bind_participant(nb::module_& m) {
           [](dds::Participant* self, const std::string& library_path, std::uint32_t domain_id,
              const std::string& config, const nb::bytes& user_data) {
             const std::string user_text = to_string(user_data);
-            const nb::gil_scoped_release release;
+            const ReleasedGil release;
             new (self) dds::Participant(dds::Library::open(library_path), domain_id, config, user_text);
           },
           "library_path"_a, "domain_id"_a, "config"_a, "user_data"_a,
@@ -105,7 +106,7 @@ void bind_writer(nb::module_& m) {
           [](dds::Writer* self, dds::Participant& participant, const std::string& topic_name,
              const std::string& type_name, const QosFields& qos, const nb::bytes& user_data) {
             const std::string user_text = to_string(user_data);
-            const nb::gil_scoped_release release;
+            const ReleasedGil release;
             new (self) dds::Writer(participant, {topic_name, type_name}, to_qos(qos), user_text);
           },
           "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a, "user_data"_a, nb::keep_alive<1, 2>(),
@@ -123,7 +124,7 @@ void bind_reader(nb::module_& m) {
           [](dds::Reader* self, dds::Participant& participant, const std::string& topic_name,
              const std::string& type_name, const QosFields& qos, const nb::bytes& user_data) {
             const std::string user_text = to_string(user_data);
-            const nb::gil_scoped_release release;
+            const ReleasedGil release;
             new (self) dds::Reader(participant, {topic_name, type_name}, to_qos(qos), user_text);
           },
           "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a, "user_data"_a, nb::keep_alive<1, 2>(),
@@ -147,7 +148,7 @@ void bind_graph(nb::module_& m) {
           [](dds::Graph* self, dds::Participant& participant, const std::string& topic_name,
              const std::string& type_name, const QosFields& qos, const nb::bytes& user_data) {
             const std::string user_text = to_string(user_data);
-            const nb::gil_scoped_release release;
+            const ReleasedGil release;
             new (self) dds::Graph(participant, {topic_name, type_name}, to_qos(qos), user_text);
           },
           "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a, "user_data"_a, nb::keep_alive<1, 2>(),

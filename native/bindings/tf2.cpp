@@ -12,6 +12,7 @@
 #include <string>
 
 #include "bindings/bindings.hpp"
+#include "bindings/gil.hpp"
 #include "bindings/callback.hpp"
 #include "bindings/tf2_arguments.hpp"
 #include "bindings/tf2_buffer.hpp"
@@ -100,7 +101,7 @@ bool wait(const tf2::Buffer& buffer, const Query& query, double timeout_s) {
   for (;;) {
     tf2::Buffer::Waited waited;
     {
-      const nb::gil_scoped_release release;
+      const ReleasedGil release;
       waited = buffer.wait(query, deadline, std::chrono::milliseconds(50));
     }
     if (waited != tf2::Buffer::Waited::interrupted) return waited == tf2::Buffer::Waited::yes;
@@ -284,7 +285,7 @@ void bind_contents(nb::class_<BufferHandle>& type) {
           "    False if it was rejected: a name is missing, both are the same, a number is NaN, the quaternion is "
           "zero, or it's older than the cache keeps. The reason goes to the log callback.")
       .def(
-          "clear", [](BufferHandle& self) { self.buffer->clear(); }, nb::call_guard<nb::gil_scoped_release>(),
+          "clear", [](BufferHandle& self) { self.buffer->clear(); }, nb::call_guard<ReleasedGil>(),
           "Forget the history of all moving frames. Static transforms and frames' names stay.")
       .def_prop_ro(
           "cache_time_ns",
@@ -328,16 +329,16 @@ void bind_listings(nb::class_<BufferHandle>& type) {
           "below where they meet. Raises as `lookup` does.")
       .def(
           "all_frames_as_string", [](const BufferHandle& self) { return self.buffer->all_frames_as_string(); },
-          nb::call_guard<nb::gil_scoped_release>(), "Return a line for each frame with a parent.")
+          nb::call_guard<ReleasedGil>(), "Return a line for each frame with a parent.")
       .def(
           "all_frames_as_yaml",
           [](const BufferHandle& self, double now_s) { return self.buffer->all_frames_as_yaml(now_s); },
-          "now_s"_a = 0.0, nb::call_guard<nb::gil_scoped_release>(),
+          "now_s"_a = 0.0, nb::call_guard<ReleasedGil>(),
           "Return each frame's parent, broadcaster, rate and times as YAML; with its delay if `now_s` is given.")
       .def(
           "all_frames_as_dot",
           [](const BufferHandle& self, double now_s) { return self.buffer->all_frames_as_dot(now_s); },
-          "now_s"_a = 0.0, nb::call_guard<nb::gil_scoped_release>(), "Return the tree in graphviz's language.");
+          "now_s"_a = 0.0, nb::call_guard<ReleasedGil>(), "Return the tree in graphviz's language.");
 }
 
 }  // namespace

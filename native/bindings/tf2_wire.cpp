@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bindings/gil.hpp"
 #include "bindings/tf2_arguments.hpp"
 #include "bindings/tf2_buffer.hpp"
 #include "cdr/cursor.hpp"
@@ -20,7 +21,7 @@ namespace {
 
 std::size_t insert_cdr(BufferHandle& self, const nb::bytes& data, const NameArgument& authority, bool is_static) {
   const std::span octets(static_cast<const std::byte*>(data.data()), data.size());
-  const nb::gil_scoped_release release;
+  const ReleasedGil release;
   std::vector<tf2::Entry> entries;
   try {
     cdr::read_tf_message(octets, entries);

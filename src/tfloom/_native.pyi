@@ -4,6 +4,13 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 
+def keep_other_threads_out() -> None:
+    """
+    From now on let no other thread come back to Python from a call that let go of the GIL.
+
+    For the end of the program, where Python would end such threads, and with them the process. It is called at exit by itself; again does nothing.
+    """
+
 class Sink:
     """Takes serialized samples without Python; see `Reader.feed`."""
 

@@ -11,6 +11,7 @@ from collections.abc import Callable
 from types import MethodType, TracebackType
 from typing import TYPE_CHECKING, Any
 
+from tfloom._native import keep_other_threads_out
 from tfloom.node import log_output
 from tfloom.node.arguments import Arguments, parse_arguments
 from tfloom.node.exceptions import NotInitializedException, RCLError
@@ -269,5 +270,7 @@ def _close_at_exit() -> None:
 
 
 def _destroy_all() -> None:
+    # A daemon thread that spins is to end with the program, not with an exception.
+    keep_other_threads_out()
     for context in list(_contexts):
         context.destroy()
