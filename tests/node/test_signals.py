@@ -35,13 +35,13 @@ IN_MAIN = PROGRAM + "spin()\nnode.destroy_node()\nrclpy.try_shutdown()\nprint('e
 IN_THREAD = (
     PROGRAM
     + """
-thread = threading.Thread(target=spin)
-thread.start()
+ended = threading.Event()  # until Python 3.13, a join that Ctrl-C broke off can't be taken up again
+threading.Thread(target=lambda: (spin(), ended.set())).start()
 try:
-    thread.join()
+    ended.wait()
 except KeyboardInterrupt:
     say("main KeyboardInterrupt")
-    thread.join()
+    ended.wait()
 node.destroy_node()
 rclpy.try_shutdown()
 print("end")
@@ -122,6 +122,27 @@ def test_init_works_off_the_main_thread() -> None:
     thread.start()
     thread.join(10)
     assert not errors
+
+
+@pytest.mark.parametrize("period_s", [0.0001, 100.0], ids=["busy", "idle"])
+def test_a_daemon_thread_that_spins_ends_with_the_program(
+    period_s: float, start_program: StartProgram
+) -> None:
+    code = f"""
+import threading, rclpy
+rclpy.init()
+node = rclpy.create_node("left_behind")
+publisher = node.create_publisher(__import__("std_msgs.msg", fromlist=["*"]).String, "chatter", 10)
+node.create_timer({period_s}, lambda: publisher.publish(publisher.msg_type()))
+begun = threading.Event()
+rclpy.get_global_executor().create_task(begun.set)
+threading.Thread(target=rclpy.spin, args=(node,), daemon=True).start()
+begun.wait()
+print("end")
+"""
+    program = start_program("python", "-c", code)
+    assert program.wait(20) == 0
+    assert program.lines == ["end"]
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="process times are read as Linux and macOS have them")
