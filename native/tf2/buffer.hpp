@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "tf2/errors.hpp"
+#include "tf2/fair_mutex.hpp"
 #include "tf2/frames.hpp"
 #include "tf2/log.hpp"
 #include "tf2/requests.hpp"
@@ -99,7 +100,7 @@ class Buffer {
   [[nodiscard]] std::string all_frames_as_dot(double now_s) const;
 
  private:
-  using Reading = std::shared_lock<std::shared_mutex>;
+  using Reading = std::shared_lock<FairMutex>;
   enum class Phrase : std::uint8_t { lookup, can };
   enum class Problem : std::uint8_t { self, child_unset, parent_unset, nan, denormalized, old };
   struct Rejection {
@@ -130,7 +131,7 @@ class Buffer {
   [[nodiscard]] Requests::State judge(const Requests::Request& request) const;
 
   const Stamp cache_time_;
-  mutable std::shared_mutex frames_mutex_;
+  mutable FairMutex frames_mutex_;
   FrameTable frames_;
 
   // A waiter counts itself before it looks at the generation, and an insert grows the generation before it looks

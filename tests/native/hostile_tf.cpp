@@ -1,0 +1,64 @@
+// Truncated, spoilt and random bytes into a TF sink. Ends with 0; the sanitizer watches the memory.
+#include <cstring>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "cdr/tf_message.hpp"
+
+using tfloom::cdr::TfSink;
+
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+template <class T>
+void append(Bytes& bytes, T value) {
+  while ((bytes.size() - 4) % sizeof(T) != 0) bytes.push_back(std::byte{0});
+  const auto* octets = reinterpret_cast<const std::byte*>(&value);
+  bytes.insert(bytes.end(), octets, octets + sizeof(T));
+}
+
+void append(Bytes& bytes, const std::string& text) {
+  append(bytes, static_cast<std::uint32_t>(text.size() + 1));
+  for (const char c : text) bytes.push_back(static_cast<std::byte>(c));
+  bytes.push_back(std::byte{0});
+}
+
+Bytes message(int count) {
+  Bytes bytes{std::byte{0}, std::byte{1}, std::byte{0}, std::byte{0}};
+  append(bytes, static_cast<std::uint32_t>(count));
+  for (int i = 0; i < count; ++i) {
+    append(bytes, std::int32_t{5});
+    append(bytes, std::uint32_t{0});
+    append(bytes, "frame" + std::to_string(i));
+    append(bytes, "frame" + std::to_string(i + 1));
+    for (int n = 0; n < 6; ++n) append(bytes, 0.5);
+    append(bytes, 1.0);
+  }
+  return bytes;
+}
+
+// A copy that ends with its allocation, so that the sanitizer sees one byte too many.
+void push(TfSink& sink, const std::byte* data, std::size_t size) {
+  const std::vector<std::byte> exact(data, data + size);
+  sink.push(exact, {});
+}
+
+}  // namespace
+
+int main() {
+  const auto buffer = std::make_shared<tfloom::tf2::Buffer>();
+  TfSink sink(buffer, "me", false);
+  const Bytes sound = message(3);
+  for (std::size_t size = 0; size <= sound.size(); ++size) push(sink, sound.data(), size);
+  if (sink.dropped_count() != sound.size()) return 1;
+
+  std::mt19937 random(1);
+  for (int n = 0; n < 20'000; ++n) {
+    Bytes spoilt = sound;
+    for (int k = 0; k < 3; ++k) spoilt[random() % spoilt.size()] = static_cast<std::byte>(random());
+    push(sink, spoilt.data(), random() % (spoilt.size() + 1));
+  }
+  return buffer->can(tfloom::tf2::Query::at("frame0", "frame3", 0)) ? 0 : 1;
+}

@@ -1,0 +1,53 @@
+"""The C++ programs of this folder, built with sanitizers on the core's own sources and run."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+BUILD_TIMEOUT_S = 300
+RUN_TIMEOUT_S = 120
+PROGRAMS = ["buffer_threads", "hostile_tf"]
+
+
+def build(folder: Path, sanitize: str) -> None:
+    cmake = shutil.which("cmake", path=f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}")
+    assert cmake, "cmake is not installed: install the dependency group 'build'"
+    options = [
+        "-DTFLOOM_NATIVE_TESTS=ON",
+        f"-DTFLOOM_SANITIZE={sanitize}",
+        "-DTFLOOM_WARNINGS_AS_ERRORS=ON",
+        # The optimiser of GCC 12 warns of code that only instrumentation makes.
+        "-DCMAKE_CXX_FLAGS=-O1 -Wno-error=maybe-uninitialized -Wno-error=restrict -Wno-error=tsan",
+        "-DCMAKE_BUILD_TYPE=None",
+    ]
+    for command in (
+        [cmake, "-S", ROOT, "-B", folder, *options],
+        [cmake, "--build", folder, "--target", *PROGRAMS],
+    ):
+        done = subprocess.run(command, capture_output=True, text=True, timeout=BUILD_TIMEOUT_S, check=False)
+        assert done.returncode == 0, done.stdout + done.stderr
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="MSVC has no ThreadSanitizer")
+@pytest.mark.parametrize("sanitize", ["thread", "address,undefined"])
+def test_the_core_under_sanitizers(sanitize: str, tmp_path: Path) -> None:
+    build(tmp_path, sanitize)
+    environment = {
+        **os.environ,
+        "TSAN_OPTIONS": "halt_on_error=1",
+        "UBSAN_OPTIONS": "halt_on_error=1:print_stacktrace=1",
+        "ASAN_OPTIONS": "detect_leaks=0",
+    }
+    for program in PROGRAMS:
+        found = next(path for path in tmp_path.rglob(program) if path.is_file())
+        done = subprocess.run(
+            [found], capture_output=True, text=True, timeout=RUN_TIMEOUT_S, check=False, env=environment
+        )
+        assert done.returncode == 0, f"{program} under {sanitize}:\n{done.stdout}{done.stderr}"
