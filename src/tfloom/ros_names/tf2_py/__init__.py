@@ -1,0 +1,4 @@
+"""The buffer and its exceptions, without a node."""
+
+from tfloom.tf2.errors import *
+from tfloom.tf2_ros.buffer_core import BufferCore

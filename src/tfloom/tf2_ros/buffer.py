@@ -1,0 +1,218 @@
+"""The buffer that programs use: lookups that wait, and futures of transforms to come."""
+
+from __future__ import annotations
+
+import weakref
+from typing import TYPE_CHECKING, Any
+
+from tfloom.node.clock import JumpThreshold
+from tfloom.node.duration import Duration
+from tfloom.node.logging import get_logger
+from tfloom.node.task import Future
+from tfloom.tf2_ros.buffer_core import BufferCore, duration_ns, time_ns
+from tfloom.tf2_ros.buffer_interface import NO_WAIT, BufferInterface
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tfloom.interfaces.geometry_msgs.msg import TransformStamped
+    from tfloom.node.clock import Clock, JumpHandle, TimeJump
+    from tfloom.node.context import Context
+    from tfloom.node.node import Node
+
+__all__ = ["Buffer"]
+
+LEAST_JUMP_BACK = Duration(seconds=-1)
+SLICE_S = 0.25
+"""A wait looks this often whether its context was shut down [s]."""
+
+
+class Buffer(BufferCore, BufferInterface):
+    """A tree of frames over time. A TransformListener fills it; all methods may be called from any thread.
+
+    A query with a timeout waits on a condition that each new transform wakes. It doesn't need the executor that it
+    is called on: a callback may wait for a transform.
+
+    Args:
+        cache_time: How far back each frame's history reaches from its newest sample; None: 10 s.
+        node: Its clock is watched: a jump back in simulated time clears the buffer. A listener has its own node's
+            clock watched in any case.
+    """
+
+    def __init__(self, cache_time: Any = None, node: Node | None = None) -> None:
+        BufferCore.__init__(self, cache_time)
+        BufferInterface.__init__(self)
+        self._jump_handles: weakref.WeakKeyDictionary[Clock, JumpHandle] = weakref.WeakKeyDictionary()
+        self._context: Context | None = None
+        if node is not None:
+            self.watch_clock(node)
+
+    def watch_clock(self, node: Node) -> None:
+        """Clear the buffer when the clock of `node` jumps back. Watching the same clock again does nothing."""
+        self._context = node.context
+        clock = node.get_clock()
+        if clock not in self._jump_handles:
+            threshold = JumpThreshold(min_forward=None, min_backward=LEAST_JUMP_BACK, on_clock_change=True)
+            self._jump_handles[clock] = clock.create_jump_callback(
+                threshold, post_callback=_jump_callback(weakref.ref(self))
+            )
+
+    def time_jump_callback(self, time_jump: TimeJump) -> None:  # noqa: ARG002, tf2's signature
+        """Clear the buffer, after a jump back in time."""
+        get_logger("tf2_buffer").warning("Detected jump back in time. Clearing tf buffer.")
+        self.clear()
+
+    def lookup_transform(
+        self, target_frame: str, source_frame: str, time: Any, timeout: Any = NO_WAIT
+    ) -> TransformStamped:
+        """Return the transform that takes data in `source_frame` into `target_frame`.
+
+        Args:
+            target_frame: Frame to express the data in.
+            source_frame: Frame the data is in now.
+            time: Time of the transform; `Time()` is the newest time at which the whole chain is known.
+            timeout: How long to wait for it.
+
+        Raises:
+            LookupException: a frame has never been heard of, or the chain is a loop.
+            ConnectivityException: the two frames are in different trees.
+            ExtrapolationException: the time lies outside the stored history.
+            InvalidArgumentException: a frame's name is empty or starts with a slash.
+        """
+        if timeout is not NO_WAIT:
+            self._wait(timeout, self.wait, target_frame, source_frame, time_ns(time))
+        return self.lookup_transform_core(target_frame, source_frame, time)
+
+    def lookup_transform_full(
+        self,
+        target_frame: str,
+        target_time: Any,
+        source_frame: str,
+        source_time: Any,
+        fixed_frame: str,
+        timeout: Any = NO_WAIT,
+    ) -> TransformStamped:
+        """Return the transform of data at `source_time`, by way of `fixed_frame`, to the target at `target_time`.
+
+        `fixed_frame` is one that does not move between the two times. Raises as `lookup_transform` does.
+        """
+        query = target_frame, target_time, source_frame, source_time, fixed_frame
+        if timeout is not NO_WAIT:
+            self._wait(timeout, self.wait_full, *_in_ns(*query))
+        return self.lookup_transform_full_core(*query)
+
+    def can_transform(
+        self,
+        target_frame: str,
+        source_frame: str,
+        time: Any,
+        timeout: Any = NO_WAIT,
+        return_debug_tuple: bool = False,
+    ) -> bool | tuple[bool, str]:
+        """Return whether `lookup_transform` has an answer, after waiting for it; with the reason if asked to."""
+        if timeout is not NO_WAIT:
+            self._wait(timeout, self.wait, target_frame, source_frame, time_ns(time))
+        verdict = self.can_transform_core(target_frame, source_frame, time)
+        return verdict if return_debug_tuple else verdict[0]
+
+    def can_transform_full(
+        self,
+        target_frame: str,
+        target_time: Any,
+        source_frame: str,
+        source_time: Any,
+        fixed_frame: str,
+        timeout: Any = NO_WAIT,
+        return_debug_tuple: bool = False,
+    ) -> bool | tuple[bool, str]:
+        """Return whether `lookup_transform_full` has an answer, after waiting for it; see `can_transform`."""
+        query = target_frame, target_time, source_frame, source_time, fixed_frame
+        if timeout is not NO_WAIT:
+            self._wait(timeout, self.wait_full, *_in_ns(*query))
+        verdict = self.can_transform_full_core(*query)
+        return verdict if return_debug_tuple else verdict[0]
+
+    def _wait(self, timeout: Any, wait: Callable[..., bool], *query: Any) -> None:
+        left_s = duration_ns(timeout) / 1e9
+        while left_s > 0 and not wait(*query, timeout_s=min(left_s, SLICE_S)):
+            left_s -= SLICE_S
+            if self._context is not None and not self._context.ok():
+                return
+
+    def wait_for_transform_async(
+        self, target_frame: str, source_frame: str, time: Any
+    ) -> Future[TransformStamped]:
+        """Return a future of what `lookup_transform` will return once it can.
+
+        It is completed on the thread that brings the missing transform. Where it's clear that none can come, the
+        future has the exception. Cancelling the future ends the waiting.
+        """
+        query = target_frame, source_frame, time
+        return self._future(
+            lambda: self.lookup_transform_core(*query),
+            lambda answer: self.add_request(target_frame, source_frame, time_ns(time), answer),
+        )
+
+    def wait_for_transform_full_async(
+        self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
+    ) -> Future[TransformStamped]:
+        """Return a future of what `lookup_transform_full` will return; see `wait_for_transform_async`."""
+        query = target_frame, target_time, source_frame, source_time, fixed_frame
+        return self._future(
+            lambda: self.lookup_transform_full_core(*query),
+            lambda answer: self.add_request_full(*_in_ns(*query), answer),
+        )
+
+    async def lookup_transform_async(
+        self, target_frame: str, source_frame: str, time: Any
+    ) -> TransformStamped:
+        """Return what `lookup_transform` does, as soon as it can; see `wait_for_transform_async`."""
+        await self.wait_for_transform_async(target_frame, source_frame, time)
+        return self.lookup_transform_core(target_frame, source_frame, time)
+
+    async def lookup_transform_full_async(
+        self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
+    ) -> TransformStamped:
+        """Return what `lookup_transform_full` does, as soon as it can; see `wait_for_transform_async`."""
+        query = target_frame, target_time, source_frame, source_time, fixed_frame
+        await self.wait_for_transform_full_async(*query)
+        return self.lookup_transform_full_core(*query)
+
+    def _future(
+        self,
+        look_up: Callable[[], TransformStamped],
+        request: Callable[[Callable[[int, bool], None]], int | None],
+    ) -> Future[TransformStamped]:
+        future: Future[TransformStamped] = Future()
+
+        def complete(*_: object) -> None:
+            if future.cancelled():
+                return
+            try:
+                future.set_result(look_up())
+            except Exception as error:  # noqa: BLE001, whoever awaits the future is to see it
+                future.set_exception(error)
+
+        handle = request(complete)
+        if not handle:
+            complete()
+        else:
+            future.add_done_callback(lambda ended: ended.cancelled() and self.cancel_request(handle))
+        return future
+
+
+def _jump_callback(buffer: weakref.ref[Buffer]) -> Callable[[TimeJump], None]:
+    """Make a callback that doesn't keep the buffer alive."""
+
+    def jumped(time_jump: TimeJump) -> None:
+        alive = buffer()
+        if alive is not None:
+            alive.time_jump_callback(time_jump)
+
+    return jumped
+
+
+def _in_ns(
+    target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
+) -> tuple[str, int, str, int, str]:
+    return target_frame, time_ns(target_time), source_frame, time_ns(source_time), fixed_frame

@@ -1,0 +1,201 @@
+"""The buffer with tf2_py's face: message in, message out."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMessage
+from tfloom.interfaces.geometry_msgs.msg import Quaternion, Transform, TransformStamped, Vector3
+from tfloom.interfaces.std_msgs.msg import Header
+from tfloom.node.clock_type import ClockType
+from tfloom.node.logging import get_logger
+from tfloom.node.time import Time
+from tfloom.tf2 import buffer as tf2_buffer
+from tfloom.tf2.buffer import DEFAULT_CACHE_TIME_NS
+from tfloom.tf2.errors import InvalidArgumentException, TransformException
+from tfloom.tf2.errors import LookupException as _LookupException
+
+__all__ = ["BufferCore", "duration_ns", "time_ns"]
+
+S_TO_NS = 1_000_000_000
+
+
+class BufferCore(tf2_buffer.Buffer):
+    """A tree of frames over time that takes and gives `geometry_msgs/msg/TransformStamped`.
+
+    Times and durations may be ROS messages (`sec`, `nanosec`) or rclpy's objects (`nanoseconds`). Messages may be of
+    any class, a real ROS install's included: their fields are read by attribute.
+
+    Args:
+        cache_time: How far back each frame's history reaches from its newest sample; None: 10 s. As in tf2_py, it's
+            given by position, and unknown keywords are ignored.
+
+    The methods named as in `tfloom.tf2.buffer.Buffer` are there too: names, nanoseconds and numbers.
+    """
+
+    def __init__(self, cache_time: Any = None, /, **_ignored: object) -> None:
+        super().__init__(DEFAULT_CACHE_TIME_NS if cache_time is None else duration_ns(cache_time))
+        self.set_log_callback(_log)
+
+    def set_transform(self, transform: Any, authority: str) -> None:
+        """Store a TransformStamped. What is wrong with it is logged, not raised.
+
+        Raises:
+            TypeError: the message or one of its parts lacks a field.
+        """
+        self._set(transform, authority, is_static=False)
+
+    def set_transform_static(self, transform: Any, authority: str) -> None:
+        """Store a TransformStamped that holds at all times; see `set_transform`."""
+        self._set(transform, authority, is_static=True)
+
+    def _set(self, transform: Any, authority: str, *, is_static: bool) -> None:
+        header = transform.header
+        values = transform.transform
+        self.set(
+            header.frame_id,
+            transform.child_frame_id,
+            time_ns(header.stamp),
+            _numbers(values.translation, "translation", "xyz"),
+            _numbers(values.rotation, "rotation", "xyzw"),
+            authority,
+            static=is_static,
+        )
+
+    def can_transform_core(self, target_frame: str, source_frame: str, time: Any) -> tuple[bool, str]:
+        """Return whether `lookup_transform_core` would have an answer, and if not, why."""
+        obstacle = self.find_obstacle(target_frame, source_frame, time_ns(time))
+        return obstacle is None, obstacle or ""
+
+    def can_transform_full_core(
+        self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
+    ) -> tuple[bool, str]:
+        """Return whether `lookup_transform_full_core` would have an answer, and if not, why."""
+        obstacle = self.find_obstacle_full(
+            target_frame, time_ns(target_time), source_frame, time_ns(source_time), fixed_frame
+        )
+        return obstacle is None, obstacle or ""
+
+    def lookup_transform_core(self, target_frame: str, source_frame: str, time: Any) -> TransformStamped:
+        """Return the transform that takes data in `source_frame` into `target_frame`.
+
+        Args:
+            target_frame: Frame to express the data in.
+            source_frame: Frame the data is in now.
+            time: Time of the transform; zero is the newest time at which the whole chain is known.
+
+        Raises:
+            LookupException: a frame has never been heard of, or the chain is a loop.
+            ConnectivityException: the two frames are in different trees.
+            ExtrapolationException: the time lies outside the stored history.
+            InvalidArgumentException: a frame's name is empty or starts with a slash.
+        """
+        return _message(self.lookup(target_frame, source_frame, time_ns(time)))
+
+    def lookup_transform_full_core(
+        self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
+    ) -> TransformStamped:
+        """Return the transform of data at `source_time`, by way of `fixed_frame`, to the target at `target_time`.
+
+        The answer has the target's time. Raises as `lookup_transform_core` does.
+        """
+        return _message(
+            self.lookup_full(
+                target_frame, time_ns(target_time), source_frame, time_ns(source_time), fixed_frame
+            )
+        )
+
+    def get_latest_common_time(self, target_frame: str, source_frame: str) -> Time:
+        """Return the newest time at which the whole chain is known; zero if all of it is static.
+
+        Raises:
+            LookupException: a frame has never been heard of.
+            InvalidArgumentException: a frame's name is empty or starts with a slash.
+            TransformException: the two frames are in different trees, or the chain is a loop.
+        """
+        try:
+            stamp = self.latest_common_time(target_frame, source_frame)
+        except InvalidArgumentException:
+            raise
+        except TransformException as error:
+            # tf2_py raises the base class where there is no chain.
+            if isinstance(error, _LookupException) and error.frame_id is not None:
+                raise
+            raise TransformException(*error.args) from None
+        return Time(nanoseconds=stamp, clock_type=ClockType.SYSTEM_TIME)
+
+    def _chain(
+        self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
+    ) -> list[str]:
+        source_ns, target_ns = time_ns(source_time), time_ns(target_time)
+        _, chain = self.branches(fixed_frame, source_frame, source_ns)
+        if source_ns == target_ns:
+            return chain
+        _, other = self.branches(target_frame, fixed_frame, target_ns)
+        while chain and other and chain[-1] == other[-1]:
+            chain.pop()
+            other.pop()
+        return chain + other
+
+    def _frameExists(self, frame_id: str) -> bool:  # noqa: N802, tf2_py's name
+        return self.has_frame(frame_id)
+
+    def _getFrameStrings(self) -> list[str]:  # noqa: N802, tf2_py's name
+        return self.frame_names()
+
+    def _allFramesAsDot(self, time: float = 0) -> str:  # noqa: N802, tf2_py's name
+        return self.all_frames_as_dot(float(time))
+
+
+def time_ns(time: Any) -> int:
+    """Return a time in nanoseconds: of an object with `nanoseconds`, or with `sec` and `nanosec`.
+
+    Raises:
+        TypeError: it has neither.
+    """
+    return _ns(time, "time")
+
+
+def duration_ns(duration: Any) -> int:
+    """Return a duration in nanoseconds: of an object with `nanoseconds`, or with `sec` and `nanosec`.
+
+    Raises:
+        TypeError: it has neither.
+    """
+    return _ns(duration, "duration")
+
+
+def _ns(value: Any, what: str) -> int:
+    try:
+        return int(value.nanoseconds)
+    except AttributeError:
+        pass
+    try:
+        return int(value.sec) * S_TO_NS + int(value.nanosec)
+    except AttributeError:
+        raise TypeError(f"{what} must have sec and nanosec, or nanoseconds.") from None
+
+
+def _numbers(part: Any, name: str, members: str) -> tuple[float, ...]:
+    try:
+        return tuple(float(getattr(part, member)) for member in members)
+    except AttributeError:
+        raise TypeError(f"transform.{name} must have members {', '.join(members)}") from None
+
+
+def _message(found: Any) -> TransformStamped:
+    sec, nanosec = divmod(found.stamp_ns, S_TO_NS)
+    x, y, z = found.translation
+    qx, qy, qz, qw = found.rotation_xyzw
+    return TransformStamped(
+        header=Header(stamp=TimeMessage(sec=sec, nanosec=nanosec), frame_id=found.frame_id),
+        child_frame_id=found.child_frame_id,
+        transform=Transform(
+            translation=Vector3(x=x, y=y, z=z),
+            rotation=Quaternion(x=qx, y=qy, z=qz, w=qw),
+        ),
+    )
+
+
+def _log(severity: int, text: str) -> None:
+    get_logger("tf2_buffer").log(text, severity)

@@ -1,0 +1,209 @@
+"""What buffers share: transforming whole objects, by functions that are registered for their types."""
+
+# ruff: noqa: ARG002, an interface's methods use none of theirs
+from __future__ import annotations
+
+from collections.abc import Callable
+from copy import deepcopy
+from typing import Any
+
+from tfloom.interfaces.std_msgs.msg import Header
+from tfloom.node.duration import Duration
+from tfloom.node.time import Time
+
+__all__ = [
+    "BufferInterface",
+    "ConvertRegistration",
+    "NotImplementedException",
+    "Stamped",
+    "TransformRegistration",
+    "TypeException",
+    "convert",
+]
+
+NO_WAIT = Duration()
+
+
+class TypeException(Exception):  # noqa: N818, tf2's name
+    """No function is registered for a type."""
+
+    def __init__(self, errstr: str) -> None:
+        super().__init__(errstr)
+        self.errstr = errstr
+
+
+class NotImplementedException(Exception):  # noqa: N818, tf2's name
+    """The buffer's class leaves this query out."""
+
+    def __init__(self) -> None:
+        super().__init__("CanTransform or LookupTransform not implemented")
+        self.errstr = "CanTransform or LookupTransform not implemented"
+
+
+class BufferInterface:
+    """The queries that a buffer answers, and `transform` on top of them."""
+
+    def __init__(self) -> None:
+        self.registration = TransformRegistration()
+
+    def transform(
+        self, object_stamped: Any, target_frame: str, timeout: Any = NO_WAIT, new_type: Any = None
+    ) -> Any:
+        """Return `object_stamped`, which has a header, in `target_frame` at its own time.
+
+        Args:
+            object_stamped: Of a type that a package such as tf2_geometry_msgs has registered.
+            target_frame: Frame to express it in.
+            timeout: How long to wait for the transform.
+            new_type: Type to convert the result to.
+
+        Raises:
+            TypeException: nothing is registered for the object's type, or for `new_type`.
+            TransformException: as `lookup_transform` raises.
+        """
+        transform_object = self._registered(type(object_stamped))
+        header = object_stamped.header
+        found = self.lookup_transform(target_frame, header.frame_id, header.stamp, timeout)
+        result = transform_object(object_stamped, found)
+        return result if new_type is None else convert(result, new_type)
+
+    def transform_full(
+        self,
+        object_stamped: Any,
+        target_frame: str,
+        target_time: Any,
+        fixed_frame: str,
+        timeout: Any = NO_WAIT,
+        new_type: Any = None,
+    ) -> Any:
+        """Return `object_stamped` in `target_frame` at another time, by way of `fixed_frame`; see `transform`."""
+        transform_object = self._registered(type(object_stamped))
+        header = object_stamped.header
+        found = self.lookup_transform_full(
+            target_frame, target_time, header.frame_id, header.stamp, fixed_frame, timeout
+        )
+        result = transform_object(object_stamped, found)
+        return result if new_type is None else convert(result, new_type)
+
+    def _registered(self, kind: Any) -> Callable[..., Any]:
+        return self.registration.get(kind)
+
+    def lookup_transform(
+        self, target_frame: str, source_frame: str, time: Any, timeout: Any = NO_WAIT
+    ) -> Any:
+        """Return the transform from one frame to another."""
+        raise NotImplementedException
+
+    def lookup_transform_full(
+        self,
+        target_frame: str,
+        target_time: Any,
+        source_frame: str,
+        source_time: Any,
+        fixed_frame: str,
+        timeout: Any = NO_WAIT,
+    ) -> Any:
+        """Return the transform from one frame at its time to another at its own."""
+        raise NotImplementedException
+
+    def can_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Any = NO_WAIT) -> Any:
+        """Return whether `lookup_transform` would have an answer."""
+        raise NotImplementedException
+
+    def can_transform_full(
+        self,
+        target_frame: str,
+        target_time: Any,
+        source_frame: str,
+        source_time: Any,
+        fixed_frame: str,
+        timeout: Any = NO_WAIT,
+    ) -> Any:
+        """Return whether `lookup_transform_full` would have an answer."""
+        raise NotImplementedException
+
+
+def Stamped(obj: Any, stamp: Any, frame_id: str) -> Any:  # noqa: N802, tf2's name
+    """Give `obj` a header with this stamp and frame, in place, and return it."""
+    message = stamp.to_msg() if isinstance(stamp, Time) else stamp
+    obj.header = Header(frame_id=frame_id, stamp=message)
+    return obj
+
+
+class TransformRegistration:
+    """Which function transforms which type: one table for the whole process."""
+
+    _functions: dict[Any, Callable[..., Any]] = {}  # noqa: RUF012, shared on purpose
+
+    def print_me(self) -> None:
+        """Print the table."""
+        print(self._functions)
+
+    def add(self, key: Any, callback: Callable[..., Any]) -> None:
+        """Have `callback(object, transform_stamped)` transform objects of the type `key`."""
+        self._functions[key] = callback
+
+    def get(self, key: Any) -> Callable[..., Any]:
+        """Return the function for a type.
+
+        Raises:
+            TypeException: there is none.
+        """
+        return _get(self._functions, key)
+
+
+class ConvertRegistration:
+    """Which functions convert between types: one table for the whole process."""
+
+    _to_msg: dict[Any, Callable[[Any], Any]] = {}  # noqa: RUF012, shared on purpose
+    _from_msg: dict[Any, Callable[[Any], Any]] = {}  # noqa: RUF012
+    _convert: dict[tuple[Any, Any], Callable[[Any], Any]] = {}  # noqa: RUF012
+
+    def add_from_msg(self, key: Any, callback: Callable[[Any], Any]) -> None:
+        """Have `callback(message)` make an object of the type `key`."""
+        self._from_msg[key] = callback
+
+    def add_to_msg(self, key: Any, callback: Callable[[Any], Any]) -> None:
+        """Have `callback(object)` make a message of an object of the type `key`."""
+        self._to_msg[key] = callback
+
+    def add_convert(self, key: tuple[Any, Any], callback: Callable[[Any], Any]) -> None:
+        """Have `callback(object)` convert from the type `key[0]` to the type `key[1]`."""
+        self._convert[key] = callback
+
+    def get_from_msg(self, key: Any) -> Callable[[Any], Any]:
+        """Return what makes `key` of a message; TypeException if nothing does."""
+        return _get(self._from_msg, key)
+
+    def get_to_msg(self, key: Any) -> Callable[[Any], Any]:
+        """Return what makes a message of `key`; TypeException if nothing does."""
+        return _get(self._to_msg, key)
+
+    def get_convert(self, key: tuple[Any, Any]) -> Callable[[Any], Any]:
+        """Return what converts `key[0]` to `key[1]`; TypeException if nothing does."""
+        return _get(self._convert, key)
+
+
+def convert(a: Any, b_type: Any) -> Any:
+    """Return `a` as a `b_type`: by the function registered for the two, as a copy, or by way of a message.
+
+    Raises:
+        TypeException: there is no such way.
+    """
+    registration = ConvertRegistration()
+    try:
+        direct = registration.get_convert((type(a), b_type))
+    except TypeException:
+        if type(a) is b_type:
+            return deepcopy(a)
+        return registration.get_from_msg(b_type)(registration.get_to_msg(type(a))(a))
+    return direct(a)
+
+
+def _get(table: dict[Any, Callable[..., Any]], key: Any) -> Callable[..., Any]:
+    try:
+        return table[key]
+    except KeyError:
+        raise TypeException(
+            f"Type {key if isinstance(key, str) else str(key)} is not loaded or supported"
+        ) from None

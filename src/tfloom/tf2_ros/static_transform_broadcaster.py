@@ -1,0 +1,44 @@
+"""Sends transforms that hold for good."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from tfloom.interfaces.tf2_msgs.msg import TFMessage
+from tfloom.node.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
+from tfloom.tf2_ros.transform_broadcaster import as_list
+
+if TYPE_CHECKING:
+    from tfloom.interfaces.geometry_msgs.msg import TransformStamped
+    from tfloom.node.node import Node
+
+__all__ = ["StaticTransformBroadcaster"]
+
+
+class StaticTransformBroadcaster:
+    """Publishes on /tf_static, for those who are there and those who come later.
+
+    Each message holds all that this broadcaster has sent, as late joiners get the last message alone. What is sent
+    again with the same child frame replaces what was sent before.
+
+    Args:
+        node: The node that publishes.
+        qos: What the publisher offers; None: reliable, transient local, the last 1.
+    """
+
+    def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
+        if qos is None:
+            qos = QoSProfile(
+                depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_LAST
+            )
+        self.pub_tf = node.create_publisher(TFMessage, "/tf_static", qos)
+        self.net_message = TFMessage()
+
+    def send_transform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:
+        """Send one transform or several, together with all that were sent before."""
+        by_child = {each.child_frame_id: each for each in [*self.net_message.transforms, *as_list(transform)]}
+        self.net_message = TFMessage(transforms=list(by_child.values()))
+        self.pub_tf.publish(self.net_message)
+
+    sendTransform = send_transform  # noqa: N815, tf2's name

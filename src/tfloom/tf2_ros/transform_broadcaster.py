@@ -1,0 +1,38 @@
+"""Sends transforms that change."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from tfloom.interfaces.tf2_msgs.msg import TFMessage
+from tfloom.node.qos import QoSProfile
+
+if TYPE_CHECKING:
+    from tfloom.interfaces.geometry_msgs.msg import TransformStamped
+    from tfloom.node.node import Node
+
+__all__ = ["TransformBroadcaster"]
+
+
+class TransformBroadcaster:
+    """Publishes on /tf.
+
+    Args:
+        node: The node that publishes.
+        qos: What the publisher offers; None: reliable, volatile, the last 100.
+    """
+
+    def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
+        self.pub_tf = node.create_publisher(TFMessage, "/tf", QoSProfile(depth=100) if qos is None else qos)
+
+    def send_transform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:
+        """Send one transform or several, in one message."""
+        self.pub_tf.publish(TFMessage(transforms=as_list(transform)))
+
+    sendTransform = send_transform  # noqa: N815, tf2's name
+
+
+def as_list(transform: TransformStamped | Iterable[TransformStamped]) -> list[TransformStamped]:
+    """Return one transform or several as a list."""
+    return list(transform) if isinstance(transform, Iterable) else [transform]

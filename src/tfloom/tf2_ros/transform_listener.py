@@ -1,0 +1,185 @@
+"""Fills a buffer from /tf and /tf_static."""
+
+from __future__ import annotations
+
+import secrets
+import threading
+from contextlib import suppress
+from typing import TYPE_CHECKING, Any
+
+from tfloom.interfaces.tf2_msgs.msg import TFMessage
+from tfloom.node.callback_groups import ReentrantCallbackGroup
+from tfloom.node.executors import ExternalShutdownException, SingleThreadedExecutor
+from tfloom.node.node import Node
+from tfloom.node.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
+from tfloom.tf2_ros.buffer_core import BufferCore
+
+if TYPE_CHECKING:
+    from tfloom.node.subscription import Subscription
+
+__all__ = ["StaticTransformListener", "TransformListener"]
+
+AUTHORITY = "default_authority"
+DEPTH = 100
+JOIN_TIMEOUT_S = 2.0
+
+
+class TransformListener:
+    """Subscribes to /tf and /tf_static and puts all that comes into a buffer.
+
+    The bytes go from the wire's thread straight into the native buffer: no message is built, no executor has to
+    spin, and no callback waits behind them. Only where `callback`, `static_callback` or the buffer's
+    `set_transform` are overridden, messages are built and pass through these, on the executor.
+
+    It lives as long as its node, also where nobody keeps it, or until `unregister`.
+
+    Args:
+        buffer: What to fill.
+        node: The node that subscribes; None: one of the listener's own.
+        spin_thread: Whether to spin the node on a thread of the listener's. The transforms don't need it.
+        qos: What to ask for on /tf; None: reliable, volatile, the last 100.
+        static_qos: What to ask for on /tf_static; None: reliable, transient local, the last 100.
+        tf_topic: Topic of the transforms that change.
+        tf_static_topic: Topic of those that don't.
+        static_only: Whether to leave /tf alone.
+    """
+
+    def __init__(
+        self,
+        buffer: Any,
+        node: Node | None = None,
+        *,
+        spin_thread: bool = False,
+        qos: QoSProfile | int | None = None,
+        static_qos: QoSProfile | int | None = None,
+        tf_topic: str = "/tf",
+        tf_static_topic: str = "/tf_static",
+        static_only: bool = False,
+    ) -> None:
+        self._owns_node = node is None
+        self.node = _hidden_node() if node is None else node
+        self.executor: SingleThreadedExecutor | None = None
+        self.dedicated_listener_thread: threading.Thread | None = None
+        self.group = ReentrantCallbackGroup()
+        self.tf_sub: Subscription[TFMessage] | None = None
+        self.tf_static_sub: Subscription[TFMessage] | None = None
+        self._buffer = buffer
+        if not static_only:
+            self.tf_sub = self._subscribe(
+                tf_topic, self.callback, QoSProfile(depth=DEPTH) if qos is None else qos
+            )
+        self.tf_static_sub = self._subscribe(
+            tf_static_topic, self.static_callback, _static_profile() if static_qos is None else static_qos
+        )
+        self.buffer = buffer
+        if spin_thread:
+            self._spin()
+
+    def _subscribe(self, topic: str, callback: Any, qos: QoSProfile | int) -> Subscription[TFMessage]:
+        return self.node.create_subscription(TFMessage, topic, callback, qos, callback_group=self.group)
+
+    @property
+    def buffer(self) -> Any:
+        """What is filled. Assigning another sends all that comes from now on there."""
+        return self._buffer
+
+    @buffer.setter
+    def buffer(self, buffer: Any) -> None:
+        self._buffer = buffer
+        if hasattr(buffer, "watch_clock"):
+            buffer.watch_clock(self.node)
+        for subscription, name, setter in (
+            (self.tf_sub, "callback", "set_transform"),
+            (self.tf_static_sub, "static_callback", "set_transform_static"),
+        ):
+            if subscription is not None and self._is_direct(name, setter):
+                subscription.feed(buffer.tf_sink(AUTHORITY, static=name == "static_callback"))
+
+    def _is_direct(self, callback: str, setter: str) -> bool:
+        """Return whether nobody has put code of their own between the wire and the native buffer."""
+        kind = type(self._buffer)
+        return (
+            isinstance(self._buffer, BufferCore)
+            and getattr(kind, setter) is getattr(BufferCore, setter)
+            and setter not in vars(self._buffer)
+            and getattr(type(self), callback) is getattr(TransformListener, callback)
+        )
+
+    def callback(self, data: TFMessage) -> None:
+        """Put the transforms of a message into the buffer."""
+        for transform in data.transforms:
+            self._buffer.set_transform(transform, AUTHORITY)
+
+    def static_callback(self, data: TFMessage) -> None:
+        """Put the transforms of a message into the buffer, for good."""
+        for transform in data.transforms:
+            self._buffer.set_transform_static(transform, AUTHORITY)
+
+    def _spin(self) -> None:
+        executor = SingleThreadedExecutor(context=self.node.context)
+        executor.add_node(self.node)
+
+        def run() -> None:
+            with suppress(ExternalShutdownException):
+                executor.spin()
+
+        self.executor = executor
+        self.dedicated_listener_thread = threading.Thread(target=run, name="tf_listener", daemon=True)
+        self.dedicated_listener_thread.start()
+
+    def unregister(self) -> None:
+        """Stop listening. What the buffer holds stays."""
+        for subscription in (self.tf_sub, self.tf_static_sub):
+            if subscription is not None:
+                self.node.destroy_subscription(subscription)
+
+    def __del__(self) -> None:
+        # Runs on any thread, at any time, perhaps after a failed __init__ or at the interpreter's end.
+        with suppress(Exception):
+            if self.executor is not None:
+                self.executor.shutdown(0)
+            thread = self.dedicated_listener_thread
+            if thread is not None and thread is not threading.current_thread():
+                thread.join(JOIN_TIMEOUT_S)
+            self.unregister()
+            if self._owns_node:
+                self.node.destroy_node()
+
+
+class StaticTransformListener(TransformListener):
+    """Subscribes to /tf_static alone; see TransformListener."""
+
+    def __init__(
+        self,
+        buffer: Any,
+        node: Node | None = None,
+        *,
+        spin_thread: bool = False,
+        static_qos: QoSProfile | int | None = None,
+        tf_static_topic: str = "/tf_static",
+    ) -> None:
+        super().__init__(
+            buffer,
+            node,
+            spin_thread=spin_thread,
+            static_qos=static_qos,
+            tf_static_topic=tf_static_topic,
+            static_only=True,
+        )
+
+
+def _static_profile() -> QoSProfile:
+    return QoSProfile(
+        depth=DEPTH, durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_LAST
+    )
+
+
+def _hidden_node() -> Node:
+    name = f"transform_listener_impl_{secrets.token_hex(5)}"
+    # Given as an argument too, so that a `-r __node:=` for the whole program does not rename it.
+    return Node(
+        name,
+        cli_args=["--ros-args", "-r", f"__node:={name}"],
+        enable_rosout=False,
+        start_parameter_services=False,
+    )

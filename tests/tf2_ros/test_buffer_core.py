@@ -1,0 +1,152 @@
+"""tf2_py's face: the recorded runs again, by way of messages; and what it takes as a time and as a message."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+from tests.tf2.replay import expected, is_close, traces
+from tests.tf2_ros.conftest import SECOND, transform_stamped
+
+from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMessage
+from tfloom.interfaces.geometry_msgs.msg import TransformStamped
+from tfloom.node.duration import Duration
+from tfloom.node.time import Time
+from tfloom.tf2.errors import TransformException
+from tfloom.tf2_ros.buffer_core import BufferCore
+
+TRACES = traces()
+
+
+def at(stamp_ns: int) -> SimpleNamespace:
+    return SimpleNamespace(nanoseconds=stamp_ns)
+
+
+def as_dict(message: TransformStamped) -> dict[str, Any]:
+    stamp, p, q = message.header.stamp, message.transform.translation, message.transform.rotation
+    return {
+        "stamp_ns": stamp.sec * SECOND + stamp.nanosec,
+        "frame_id": message.header.frame_id,
+        "child_frame_id": message.child_frame_id,
+        "translation": [p.x, p.y, p.z],
+        "rotation_xyzw": [q.x, q.y, q.z, q.w],
+    }
+
+
+def run(buffer: BufferCore, op: dict[str, Any]) -> object:
+    kind = op["op"]
+    if kind.startswith("set_transform"):
+        message = transform_stamped(
+            op["frame_id"], op["child_frame_id"], op["stamp_ns"], op["translation"], op["rotation_xyzw"]
+        )
+        return getattr(buffer, kind)(message, op["authority"])
+    if kind in ("lookup", "can"):
+        names = op["target_frame"], op["source_frame"], at(op["stamp_ns"])
+        if kind == "can":
+            return list(buffer.can_transform_core(*names))
+        return as_dict(buffer.lookup_transform_core(*names))
+    if kind in ("lookup_full", "can_full"):
+        query = (
+            op["target_frame"], at(op["target_ns"]), op["source_frame"], at(op["source_ns"]), op["fixed_frame"]
+        )  # fmt: skip
+        if kind == "can_full":
+            return list(buffer.can_transform_full_core(*query))
+        return as_dict(buffer.lookup_transform_full_core(*query))
+    if kind == "latest_common_time":
+        return buffer.get_latest_common_time(op["target_frame"], op["source_frame"]).nanoseconds
+    plain = {"frame_names": "_getFrameStrings", "all_frames_as_dot": "_allFramesAsDot"}
+    return getattr(buffer, plain.get(kind, kind))()
+
+
+def answer(buffer: BufferCore, op: dict[str, Any]) -> dict[str, Any]:
+    try:
+        result = run(buffer, op)
+    except TransformException as error:
+        kinds = [kind.__name__ for kind in type(error).__mro__]
+        # The recording does not know the three kinds of extrapolation.
+        return {"raises": kinds[1] if kinds[1] == "ExtrapolationException" else kinds[0], "text": str(error)}
+    return {} if result is None else {"ok": result}
+
+
+@pytest.mark.parametrize("trace", TRACES, ids=[f"seed{trace['seed']}" for trace in TRACES])
+def test_every_answer_is_the_recorded_one(trace: dict[str, Any]) -> None:
+    buffer = BufferCore(Duration(seconds=trace["cache_time_s"]))
+    buffer.set_log_callback(None)
+    for op in trace["ops"]:
+        ours = answer(buffer, op)
+        assert is_close(ours, expected(op)), op
+
+
+@pytest.mark.parametrize(
+    "time", [Time(seconds=5), TimeMessage(sec=5), SimpleNamespace(sec=5, nanosec=0), Duration(seconds=5)]
+)
+def test_takes_anything_with_nanoseconds_or_sec_and_nanosec(time: object) -> None:
+    buffer = BufferCore(SimpleNamespace(sec=20, nanosec=7))
+    assert buffer.cache_time_ns == 20 * SECOND + 7
+    buffer.set_transform(transform_stamped("a", "b", 5 * SECOND), "me")
+    assert buffer.can_transform_core("a", "b", time) == (True, "")
+
+
+def test_a_stamp_may_be_rclpy_time_and_numbers_ints() -> None:
+    message = transform_stamped("a", "b", 0, (1, 2, 3), (0, 0, 0, 1))
+    message.header.stamp = Time(seconds=3)
+    buffer = BufferCore()
+    buffer.set_transform(message, "me")
+    assert as_dict(buffer.lookup_transform_core("a", "b", Time()))["stamp_ns"] == 3 * SECOND
+
+
+def test_takes_messages_of_any_class() -> None:
+    message = SimpleNamespace(
+        header=SimpleNamespace(frame_id="a", stamp=SimpleNamespace(sec=3, nanosec=4)),
+        child_frame_id="b",
+        transform=SimpleNamespace(
+            translation=SimpleNamespace(x=1, y=2, z=3), rotation=SimpleNamespace(x=0, y=0, z=0, w=1)
+        ),
+    )
+    buffer = BufferCore()
+    buffer.set_transform_static(message, "me")
+    assert as_dict(buffer.lookup_transform_core("a", "b", Time(seconds=9)))["translation"] == [1.0, 2.0, 3.0]
+
+
+@pytest.mark.parametrize(
+    ("spoil", "text"),
+    [
+        (lambda m: setattr(m.header, "stamp", 5), "time must have sec and nanosec, or nanoseconds."),
+        (lambda m: setattr(m.transform, "translation", 5), "transform.translation must have members x, y, z"),
+        (lambda m: setattr(m.transform, "rotation", 5), "transform.rotation must have members x, y, z, w"),
+    ],
+)
+def test_a_message_without_its_parts_is_a_type_error(spoil: Any, text: str) -> None:
+    message = transform_stamped("a", "b", SECOND)
+    spoil(message)
+    with pytest.raises(TypeError) as raised:
+        BufferCore().set_transform(message, "me")
+    assert str(raised.value) == text
+
+
+def test_a_cache_time_that_is_no_duration() -> None:
+    with pytest.raises(TypeError, match="duration must have sec and nanosec, or nanoseconds"):
+        BufferCore(5)
+    assert BufferCore(cache_time=Duration(seconds=1)).cache_time_ns == 10 * SECOND
+
+
+def test_negative_times_come_back_as_they_went_in() -> None:
+    buffer = BufferCore()
+    buffer.set_transform(transform_stamped("a", "b", -SECOND), "me")
+    assert as_dict(buffer.lookup_transform_core("a", "b", Time()))["stamp_ns"] == -SECOND
+
+
+def test_the_chain() -> None:
+    buffer = BufferCore()
+    for parent, child in (("map", "odom"), ("odom", "base"), ("base", "cam")):
+        buffer.set_transform(transform_stamped(parent, child, SECOND), "me")
+    zero = Time()
+    assert buffer._chain("map", zero, "cam", zero, "map") == ["cam", "base", "odom"]
+    assert buffer._chain("cam", zero, "map", zero, "cam") == []
+    assert buffer._frameExists("NO_PARENT")
+
+
+def test_rejections_go_to_the_log(capfd: pytest.CaptureFixture[str]) -> None:
+    BufferCore().set_transform(transform_stamped("a", "a", SECOND), "me")
+    assert "[tf2_buffer]: TF_SELF_TRANSFORM: Ignoring transform" in capfd.readouterr().err

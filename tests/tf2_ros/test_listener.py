@@ -1,0 +1,287 @@
+"""From broadcasters through a wire into a buffer, and out of it."""
+
+from __future__ import annotations
+
+import gc
+import threading
+import time
+import weakref
+from collections.abc import Callable
+
+import pytest
+from tests.tf2_ros.conftest import SECOND, transform_stamped
+
+from tfloom.interfaces.tf2_msgs.msg import TFMessage
+from tfloom.node.duration import Duration
+from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.node import Node
+from tfloom.node.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from tfloom.node.time import Time
+from tfloom.rmw.base import Topic
+from tfloom.tf2.errors import LookupException
+from tfloom.tf2_ros.buffer import Buffer
+from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
+from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
+from tfloom.tf2_ros.transform_listener import StaticTransformListener, TransformListener
+
+NOW = Time()
+
+
+def test_what_is_broadcast_can_be_looked_up_with_no_executor(node: Node) -> None:
+    buffer = Buffer()
+    listener = TransformListener(buffer, node)
+    TransformBroadcaster(node).sendTransform(transform_stamped("map", "base", 5 * SECOND))
+    StaticTransformBroadcaster(node).sendTransform([transform_stamped("base", "laser", 0)])
+    found = buffer.lookup_transform("map", "laser", NOW)
+    assert (found.header.frame_id, found.child_frame_id, found.header.stamp.sec) == ("map", "laser", 5)
+    assert found.transform.translation.x == 2.0
+    assert "broadcaster: 'default_authority'" in buffer.all_frames_as_yaml()
+    listener.unregister()
+
+
+def test_several_in_one_message(node: Node) -> None:
+    buffer = Buffer()
+    TransformListener(buffer, node)
+    sent = (transform_stamped("map", f"f{i}", SECOND) for i in range(5))
+    TransformBroadcaster(node).send_transform(sent)
+    assert buffer.frame_names() == ["f0", "map", "f1", "f2", "f3", "f4"]
+
+
+def test_qualities_of_service(node: Node) -> None:
+    listener = TransformListener(Buffer(), node)
+    moving, static = TransformBroadcaster(node), StaticTransformBroadcaster(node)
+    profiles = {
+        "sub": listener.tf_sub.qos_profile,
+        "static sub": listener.tf_static_sub.qos_profile,
+        "pub": moving.pub_tf.qos_profile,
+        "static pub": static.pub_tf.qos_profile,
+    }
+    assert {name: (p.depth, p.durability) for name, p in profiles.items()} == {
+        "sub": (100, DurabilityPolicy.VOLATILE),
+        "static sub": (100, DurabilityPolicy.TRANSIENT_LOCAL),
+        "pub": (100, DurabilityPolicy.VOLATILE),
+        "static pub": (1, DurabilityPolicy.TRANSIENT_LOCAL),
+    }
+    assert {p.reliability for p in profiles.values()} == {ReliabilityPolicy.RELIABLE}
+
+
+def test_late_joiners_get_all_static_transforms(node: Node) -> None:
+    broadcaster = StaticTransformBroadcaster(node)
+    for index in range(3):
+        broadcaster.sendTransform(transform_stamped("base", f"s{index}", 0))
+    buffer = Buffer()
+    TransformListener(buffer, node)
+    assert all(buffer.can_transform("base", f"s{index}", NOW) for index in range(3))
+
+
+def test_a_static_transform_sent_again_replaces_the_first(node: Node) -> None:
+    buffer = Buffer()
+    TransformListener(buffer, node)
+    broadcaster = StaticTransformBroadcaster(node)
+    broadcaster.sendTransform(transform_stamped("a", "b", 0))
+    broadcaster.sendTransform(transform_stamped("b", "d", 0))
+    broadcaster.sendTransform(transform_stamped("new_parent", "d", 0, (7.0, 0.0, 0.0)))
+    assert len(broadcaster.net_message.transforms) == 2
+    assert buffer.lookup_transform("new_parent", "d", NOW).transform.translation.x == 7.0
+    assert not buffer.can_transform("a", "d", NOW)
+
+
+def test_a_lookup_waits_inside_a_callback_of_a_single_threaded_executor(node: Node) -> None:
+    buffer = Buffer()
+    TransformListener(buffer, node)
+    broadcaster = TransformBroadcaster(node)
+    found: list[float] = []
+
+    def look_up() -> None:
+        found.append(
+            buffer.lookup_transform(
+                "map", "base", Time(seconds=5), Duration(seconds=30)
+            ).transform.translation.x
+        )
+
+    node.create_timer(0.001, look_up)
+    executor = SingleThreadedExecutor(context=node.context)
+    executor.add_node(node)
+    sender = threading.Timer(
+        0.1, lambda: broadcaster.sendTransform(transform_stamped("map", "base", 5 * SECOND))
+    )
+    sender.start()
+    start = time.monotonic()
+    executor.spin_once(timeout_sec=30)
+    assert found == [1.0]
+    assert time.monotonic() - start < 20
+    sender.join()
+    executor.shutdown()
+
+
+def test_a_timeout_ends_with_the_cores_own_error() -> None:
+    start = time.monotonic()
+    with pytest.raises(
+        LookupException, match='"map" passed to lookupTransform argument target_frame does not exist'
+    ):
+        Buffer().lookup_transform("map", "base", NOW, Duration(seconds=0.1))
+    assert 0.1 <= time.monotonic() - start < 10
+    assert Buffer().can_transform(
+        "map", "base", NOW, timeout=Duration(seconds=0.01), return_debug_tuple=True
+    ) == (
+        False,
+        'Invalid frame ID "map" passed to canTransform argument target_frame - frame does not exist',
+    )
+
+
+def test_waiting_ends_when_the_context_is_shut_down(node: Node) -> None:
+    buffer = Buffer(node=node)
+    threading.Timer(0.05, node.context.try_shutdown).start()
+    start = time.monotonic()
+    assert not buffer.can_transform("map", "base", NOW, Duration(seconds=60))
+    assert time.monotonic() - start < 30
+
+
+def test_another_buffer_may_take_over(node: Node) -> None:
+    first, second = Buffer(), Buffer()
+    listener = TransformListener(first, node)
+    broadcaster = TransformBroadcaster(node)
+    broadcaster.sendTransform(transform_stamped("map", "a", SECOND))
+    listener.buffer = second
+    broadcaster.sendTransform(transform_stamped("map", "b", SECOND))
+    assert listener.buffer is second
+    assert (first.frame_names(), second.frame_names()) == (["a", "map"], ["b", "map"])
+
+
+def test_an_overridden_setter_is_called_for_each_transform(node: Node) -> None:
+    seen: list[str] = []
+
+    class Filtering(Buffer):
+        def set_transform(self, transform: object, authority: str) -> None:
+            seen.append(transform.child_frame_id)
+            super().set_transform(transform, authority)
+
+    buffer = Filtering()
+    TransformListener(buffer, node)
+    TransformBroadcaster(node).sendTransform(transform_stamped("map", "base", SECOND))
+    executor = SingleThreadedExecutor(context=node.context)
+    executor.add_node(node)
+    executor.spin_once(timeout_sec=30)
+    assert seen == ["base"]
+    assert buffer.can_transform("map", "base", NOW)
+    executor.shutdown()
+
+
+def test_spin_thread_spins_the_node_until_the_listener_is_gone(node: Node) -> None:
+    ticked = threading.Event()
+    node.create_timer(0.001, ticked.set)
+    listener = TransformListener(Buffer(), node, spin_thread=True)
+    assert ticked.wait(30)
+    thread = listener.dedicated_listener_thread
+    assert thread.is_alive()
+    listener.unregister()
+    del listener
+    gc.collect()
+    thread.join(30)
+    assert not thread.is_alive()
+
+
+def test_topics_of_ones_own_and_static_only(node: Node) -> None:
+    buffer = Buffer()
+    listener = TransformListener(buffer, node, tf_topic="/robot/tf", tf_static_topic="/robot/tf_static")
+    assert (listener.tf_sub.topic_name, listener.tf_static_sub.topic_name) == (
+        "/robot/tf",
+        "/robot/tf_static",
+    )
+    static = StaticTransformListener(buffer, node)
+    assert static.tf_sub is None
+    TransformBroadcaster(node).sendTransform(transform_stamped("map", "base", SECOND))
+    StaticTransformBroadcaster(node).sendTransform(transform_stamped("base", "laser", 0))
+    assert buffer.frame_names() == ["laser", "base"]
+
+
+def test_a_listener_frees_its_buffer(node: Node) -> None:
+    buffer = Buffer(node=node)
+    listener = TransformListener(buffer, node)
+    listener.unregister()
+    alive = weakref.ref(buffer)
+    del buffer, listener
+    gc.collect()
+    assert alive() is None
+
+
+def test_unreadable_messages_are_dropped_with_one_warning(
+    node: Node, capfd: pytest.CaptureFixture[str], wait_until: Callable[..., None]
+) -> None:
+    buffer = Buffer()
+    TransformListener(buffer, node)
+    publisher = node.create_publisher(TFMessage, "/tf", 100)
+    for _ in range(200):
+        publisher.publish(b"\0\1\0\0\xff\xff\xff\xff")
+    TransformBroadcaster(node).sendTransform(transform_stamped("map", "base", SECOND))
+    wait_until(lambda: buffer.can_transform("map", "base", NOW))
+    warnings = [line for line in capfd.readouterr().err.splitlines() if "dropped a message" in line]
+    assert 1 <= len(warnings) <= 3
+
+
+def test_a_future_is_completed_by_the_transform(node: Node) -> None:
+    buffer = Buffer()
+    TransformListener(buffer, node)
+    future = buffer.wait_for_transform_async("map", "base", Time(seconds=2))
+    cancelled = buffer.wait_for_transform_async("map", "base", Time(seconds=2))
+    cancelled.cancel()
+    assert not future.done()
+    broadcaster = TransformBroadcaster(node)
+    broadcaster.sendTransform(transform_stamped("map", "base", SECOND))
+    assert not future.done()
+    broadcaster.sendTransform(transform_stamped("map", "base", 3 * SECOND))
+    assert future.result().header.stamp.sec == 2
+    assert not cancelled.done()
+    done = buffer.wait_for_transform_full_async("map", NOW, "base", NOW, "map")
+    assert done.result().child_frame_id == "base"
+
+
+def test_a_coroutine_suspends_once_where_it_must() -> None:
+    buffer = Buffer()
+    waiting = buffer.lookup_transform_async("map", "base", NOW)
+    waiting.send(None)
+    buffer.set_transform(transform_stamped("map", "base", SECOND), "me")
+    for coroutine in (waiting, buffer.lookup_transform_full_async("base", NOW, "map", NOW, "map")):
+        with pytest.raises(StopIteration) as ended:
+            coroutine.send(None)
+        assert ended.value.value.header.stamp.sec == 1
+
+
+def test_a_future_of_what_can_never_be_has_the_error() -> None:
+    buffer = Buffer()
+    buffer.set_transform(transform_stamped("map", "base", 100 * SECOND), "me")
+    future = buffer.wait_for_transform_async("map", "base", Time(seconds=1))
+    with pytest.raises(Exception, match="extrapolation"):
+        future.result()
+
+
+def test_a_jump_back_in_time_clears_the_buffer(node: Node) -> None:
+    clock = node.get_clock()
+    buffer = Buffer()
+    TransformListener(buffer, node)
+    clock.set_ros_time_is_active(True)
+    clock.set_ros_time_override(Time(seconds=100, clock_type=clock.clock_type))
+    buffer.set_transform(transform_stamped("map", "base", 100 * SECOND), "me")
+    clock.set_ros_time_override(Time(seconds=99.5, clock_type=clock.clock_type))
+    assert buffer.can_transform("map", "base", NOW)
+    clock.set_ros_time_override(Time(seconds=10, clock_type=clock.clock_type))
+    assert not buffer.can_transform("map", "base", NOW)
+
+
+def test_a_listener_makes_a_node_of_its_own(local_context: object, monkeypatch: pytest.MonkeyPatch) -> None:
+    from tfloom import node as rclpy
+
+    monkeypatch.setenv("ROS_DOMAIN_ID", "77")
+    rclpy.init(args=["program", "--ros-args", "-r", "__node:=renamed"])
+    try:
+        listener = TransformListener(Buffer())
+        assert listener.node.get_name().startswith("transform_listener_impl_")
+        del listener
+        gc.collect()
+    finally:
+        rclpy.try_shutdown()
+
+
+def test_messages_are_of_tf2s_type(node: Node) -> None:
+    assert Topic("/tf", TFMessage._TYPE_NAME, TFMessage._TYPE_HASH).type_name == "tf2_msgs/msg/TFMessage"
+    assert isinstance(TransformBroadcaster(node, QoSProfile(depth=3)).pub_tf.qos_profile, QoSProfile)
