@@ -138,8 +138,7 @@ def spin(node: Node, executor: Executor | None = None) -> None:
     executor = executor or get_global_executor()
     try:
         executor.add_node(node)
-        while executor.context.ok():
-            executor.spin_once()
+        executor.spin()
     finally:
         executor.remove_node(node)
 

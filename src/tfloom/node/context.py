@@ -43,6 +43,7 @@ class Context:
         self._lock = threading.RLock()
         self._initialized = False
         self._valid = False
+        self._interrupted = False
         self._hooks: list[Callable[[], Any]] = []
         self._queues: list[ReadyQueue] = []
         self._participant: Participant | None = None
@@ -105,6 +106,10 @@ class Context:
         """Return whether it is initialised and not shut down."""
         return self._valid
 
+    def is_interrupted(self) -> bool:
+        """Return whether it was a signal that shut it down."""
+        return self._interrupted
+
     def shutdown(self) -> None:
         """End: whatever spins stops, and the callbacks of `on_shutdown` are called, here.
 
@@ -134,6 +139,7 @@ class Context:
         The callbacks of `on_shutdown` are called on a thread of their own.
         """
         if self._valid:
+            self._interrupted = True
             self._valid = False
             self._wake_all()
             _thread.start_new_thread(self._run_hooks, ())

@@ -302,12 +302,14 @@ class Executor:
         """Run callbacks until the context, or the executor, is shut down.
 
         Raises:
-            ExternalShutdownException: the context was shut down while this waited.
+            ExternalShutdownException: the context was shut down by a signal, or while this waited.
             KeyboardInterrupt: Ctrl-C, on the main thread.
             Exception: whatever a callback raises.
         """
         while self._context.ok() and not self._is_shutdown:
             self.spin_once()
+        if self._context.is_interrupted():  # by a signal that came while a callback ran
+            raise ExternalShutdownException
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
         """Wait for one callback and run it; return without one after `timeout_sec` [s] (None, negative: never)."""
