@@ -183,7 +183,8 @@ class _Parser:
                 line, column, f"'{name}' is no field name: lower case letters, digits and single underscores"
             )
         default = self._value(line, type_, rest, match.end()) if rest else None
-        return spec.Field(name, type_, default, line.comment), column
+        position = (line.number, match.start("type") + 1)
+        return spec.Field(name, type_, default, line.comment, position), column
 
     def _constant(
         self, line: _Line, type_: spec.Type, name: str, column: int, rest: str, at: int

@@ -21,12 +21,14 @@ _ZEROS: dict[str, Any] = {
     "wstring": "",
 }
 
+_compiling: list[type[Message]] = []
+
 
 def compile_plan(cls: type[Message]) -> Plan:
     """Compile the plan of a message class, and of the messages in it, and leave it on the class.
 
     Raises:
-        TypeError: the class is no message class.
+        TypeError: the class is no message class, or it contains itself.
         LookupError: it refers to a message that is not known.
     """
     owner = next(
@@ -36,11 +38,21 @@ def compile_plan(cls: type[Message]) -> Plan:
         raise TypeError(f"{cls.__qualname__} is no message class")
     if owner._PLAN is not None:
         return owner._PLAN
+    if owner in _compiling:
+        raise TypeError(f"{owner._TYPE_NAME} contains itself")
     plan = Plan(owner, owner._TYPE_NAME)
-    for name, text in owner._FIELDS.items():
-        _add_field(plan, name, text, owner._DEFAULTS.get(name))
+    _compiling.append(owner)
+    try:
+        _add_fields(plan, owner)
+    finally:
+        _compiling.remove(owner)
     owner._PLAN = plan
     return plan
+
+
+def _add_fields(plan: Plan, owner: type[Message]) -> None:
+    for name, text in owner._FIELDS.items():
+        _add_field(plan, name, text, owner._DEFAULTS.get(name))
 
 
 def _add_field(plan: Plan, name: str, type_text: str, default: Any) -> None:

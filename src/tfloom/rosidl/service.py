@@ -4,7 +4,7 @@ from __future__ import annotations
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from typing import Any, ClassVar, NoReturn
+    from typing import Any, ClassVar
 
     from tfloom.rosidl.message import Message
 
@@ -18,7 +18,7 @@ class Service:
     Response: ClassVar[type[Any]]
     Event: ClassVar[type[Message]]
 
-    def __init__(self) -> NoReturn:
+    def __init__(self) -> None:
         raise NotImplementedError("Service classes can not be instantiated")
 
 
@@ -32,5 +32,5 @@ class Action:
     Feedback: ClassVar[type[Any]]
     Impl: ClassVar[type[Any]]
 
-    def __init__(self) -> NoReturn:
+    def __init__(self) -> None:
         raise NotImplementedError("Action classes can not be instantiated")

@@ -65,6 +65,8 @@ class Field(NamedTuple):
     default: Value = None
     """None if the definition gives none."""
     comment: str = ""
+    position: tuple[int, int] = (0, 0)
+    """Line and column of the field's type, for errors."""
 
 
 class Constant(NamedTuple):
