@@ -1,0 +1,33 @@
+"""Messages as text, and types by name."""
+
+from tfloom.rosidl.runtime import (
+    get_action_interfaces,
+    get_interface_packages,
+    get_interface_path,
+    get_interfaces,
+    get_message_interfaces,
+    get_message_slot_types,
+    get_service_interfaces,
+    import_message_from_namespaced_type,
+)
+from tfloom.rosidl.yaml_text import (
+    message_to_csv,
+    message_to_ordereddict,
+    message_to_yaml,
+    set_message_fields,
+)
+
+__all__ = [
+    "get_action_interfaces",
+    "get_interface_packages",
+    "get_interface_path",
+    "get_interfaces",
+    "get_message_interfaces",
+    "get_message_slot_types",
+    "get_service_interfaces",
+    "import_message_from_namespaced_type",
+    "message_to_csv",
+    "message_to_ordereddict",
+    "message_to_yaml",
+    "set_message_fields",
+]

@@ -1,0 +1,7 @@
+"""Message classes by name."""
+
+from tfloom.rosidl.runtime import import_message_from_namespaced_type
+
+__all__ = [
+    "import_message_from_namespaced_type",
+]

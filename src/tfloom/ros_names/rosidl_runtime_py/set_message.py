@@ -1,0 +1,7 @@
+"""Messages from plain values."""
+
+from tfloom.rosidl.yaml_text import set_message_fields
+
+__all__ = [
+    "set_message_fields",
+]

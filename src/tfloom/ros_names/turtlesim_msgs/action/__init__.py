@@ -1,0 +1,4 @@
+"""The actions of turtlesim_msgs."""
+
+from tfloom.interfaces.turtlesim_msgs.action import *
+from tfloom.interfaces.turtlesim_msgs.action import __all__

@@ -1,0 +1,114 @@
+"""`rosidl_runtime_py` and `rosidl_parser` by their own names."""
+
+from __future__ import annotations
+
+import importlib
+import subprocess
+import sys
+
+import pytest
+
+import tfloom
+from tfloom.interfaces.geometry_msgs.msg import Twist
+from tfloom.interfaces.sensor_msgs.msg import CameraInfo
+from tfloom.interfaces.turtlesim.action import RotateAbsolute
+from tfloom.interfaces.turtlesim.srv import Spawn
+from tfloom.rosidl import definition, runtime, sources
+from tfloom.rosidl.registry import interface_names
+
+
+def test_types_by_name() -> None:
+    assert runtime.get_message("geometry_msgs/Twist") is Twist
+    assert runtime.get_service("turtlesim/srv/Spawn") is Spawn
+    assert runtime.get_action("turtlesim/action/RotateAbsolute") is RotateAbsolute
+    assert runtime.get_interface("turtlesim/srv/Spawn") is Spawn
+    named = runtime.get_message_namespaced_type("geometry_msgs/Twist")
+    assert named.namespaced_name() == ("geometry_msgs", "msg", "Twist")
+    assert runtime.import_message_from_namespaced_type(named) is Twist
+
+
+@pytest.mark.parametrize(
+    "name", ["Twist", "geometry_msgs//Twist", "geometry_msgs/msg/Nope", "turtlesim/srv/Spawn"]
+)
+def test_names_of_no_message(name: str) -> None:
+    with pytest.raises(ValueError):
+        runtime.get_message(name)
+
+
+def test_kinds() -> None:
+    assert [runtime.is_message(each) for each in (Twist, Twist(), Spawn, RotateAbsolute, int)] == [
+        *(True, True, False, False, False)
+    ]
+    assert runtime.is_service(Spawn)
+    assert runtime.is_action(RotateAbsolute)
+
+
+def test_which_there_are() -> None:
+    assert runtime.get_message_interfaces(["turtlesim"]) == {"turtlesim": ["msg/Color", "msg/Pose"]}
+    assert "std_srvs" not in runtime.get_message_interfaces()
+    assert runtime.get_action_interfaces(["turtlesim"]) == {"turtlesim": ["action/RotateAbsolute"]}
+    assert "srv/Spawn" in runtime.get_service_interfaces()["turtlesim"]
+    with pytest.raises(LookupError, match="Unknown package 'nope'"):
+        runtime.get_interfaces(["nope"])
+    with pytest.raises(LookupError, match="Could not find the interface 'turtlesim/msg/Nope'"):
+        runtime.get_interface_path("turtlesim/msg/Nope")
+    assert runtime.get_interface_path("turtlesim/msg/Pose").endswith("turtlesim/msg/Pose.msg")
+
+
+def test_slot_types() -> None:
+    types = runtime.get_message_slot_types(CameraInfo())
+    assert types["k"] == definition.Array(definition.BasicType("double"), 9)
+    assert types["d"] == definition.UnboundedSequence(definition.BasicType("double"))
+    assert types["roi"] == definition.NamespacedType(["sensor_msgs", "msg"], "RegionOfInterest")
+    assert types["roi"] != types["header"]
+    assert types["distortion_model"].has_maximum_size() is False
+    assert repr(types["k"]) == "Array(BasicType('double'), 9)"
+
+
+def test_definitions_as_objects() -> None:
+    message = definition.to_definition(sources.find_interface("geometry_msgs/msg/Quaternion"))
+    members = message.structure.members
+    assert [member.name for member in members] == ["x", "y", "z", "w"]
+    assert members[3].get_annotation_value("default") == {"value": 1.0}
+    service = definition.to_definition(sources.find_interface("std_srvs/srv/Empty"))
+    assert [member.name for member in service.request_message.structure.members] == [
+        definition.EMPTY_STRUCTURE_REQUIRED_MEMBER_NAME
+    ]
+    assert [member.name for member in service.event_message.structure.members] == [
+        "info",
+        "request",
+        "response",
+    ]
+    action = definition.to_definition(sources.find_interface("example_interfaces/action/Fibonacci"))
+    assert action.send_goal_service.namespaced_type.name == "Fibonacci_SendGoal"
+    assert action.feedback_message.structure.members[1].type.name == "Fibonacci_Feedback"
+
+
+def test_facades() -> None:
+    code = (
+        "import tfloom; tfloom.use_ros_names()\n"
+        "from geometry_msgs.msg import Twist\n"
+        "from rosidl_parser.definition import BasicType, NamespacedType\n"
+        "from rosidl_runtime_py import message_to_yaml, set_message_fields\n"
+        "from rosidl_runtime_py.utilities import get_message, get_service\n"
+        "from turtlesim.srv import Spawn\n"
+        "twist = get_message('geometry_msgs/msg/Twist')()\n"
+        "assert set_message_fields(twist, {'linear': {'x': 2.0}}) == []\n"
+        "assert isinstance(twist, Twist) and isinstance(Twist.SLOT_TYPES[0], NamespacedType)\n"
+        "assert get_service('turtlesim/srv/Spawn') is Spawn\n"
+        "print(message_to_yaml(twist.linear), end='')"
+    )
+    run = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False
+    )
+    assert (run.stdout, run.stderr) == ("x: 2.0\ny: 0.0\nz: 0.0\n", "")
+
+
+@pytest.mark.parametrize("kind", ["msg", "srv", "action"])
+def test_every_interface_has_a_facade(kind: str) -> None:
+    tfloom.use_ros_names()
+    for package in {name.split("/")[0] for name in interface_names(kind)}:
+        facade = importlib.import_module(f"{package}.{kind}")
+        room = importlib.import_module(f"tfloom.interfaces.{package}.{kind}")
+        assert facade.__all__ == room.__all__
+        assert all(getattr(facade, name) is getattr(room, name) for name in room.__all__)

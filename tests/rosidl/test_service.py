@@ -1,0 +1,55 @@
+"""Services and actions: hashes, class paths, parts."""
+
+from __future__ import annotations
+
+import json
+import pickle
+from pathlib import Path
+
+import pytest
+
+from tfloom.interfaces.action_msgs.msg import GoalStatusArray
+from tfloom.interfaces.action_msgs.srv import CancelGoal
+from tfloom.interfaces.example_interfaces import action as example_actions
+from tfloom.interfaces.example_interfaces.action import Fibonacci
+from tfloom.interfaces.turtlesim import srv as turtlesim_srv
+from tfloom.interfaces.turtlesim.srv import Spawn
+from tfloom.interfaces.turtlesim_msgs.srv import Spawn as KiltedSpawn
+from tfloom.rosidl.registry import find_class
+
+GOLDEN = Path(__file__).parents[1] / "golden" / "jazzy_types.jsonl"
+HASHES = {each["type"]: each["type_hash"] for each in map(json.loads, GOLDEN.read_text("utf-8").splitlines())}
+
+
+@pytest.mark.parametrize("name", HASHES)
+def test_every_hash(name: str) -> None:
+    assert HASHES[name] == find_class(name)._TYPE_HASH
+    assert name == find_class(name)._TYPE_NAME
+
+
+def test_parts_of_a_service() -> None:
+    assert Spawn.Request is turtlesim_srv.Spawn_Request
+    assert Spawn.Response is turtlesim_srv.Spawn_Response
+    assert Spawn.Event is turtlesim_srv.Spawn_Event
+    request = Spawn.Request(x=1.0, name="bob")
+    assert pickle.loads(pickle.dumps(request)) == request
+    assert KiltedSpawn._TYPE_NAME == "turtlesim_msgs/srv/Spawn"
+    assert KiltedSpawn._TYPE_HASH != Spawn._TYPE_HASH
+
+
+def test_parts_of_an_action() -> None:
+    assert Fibonacci.Goal is example_actions.Fibonacci_Goal
+    assert Fibonacci.Result is example_actions.Fibonacci_Result
+    assert Fibonacci.Feedback is example_actions.Fibonacci_Feedback
+    assert Fibonacci.Impl.SendGoalService.Request is example_actions.Fibonacci_SendGoal_Request
+    assert Fibonacci.Impl.GetResultService.Response is example_actions.Fibonacci_GetResult_Response
+    assert Fibonacci.Impl.FeedbackMessage is example_actions.Fibonacci_FeedbackMessage
+    assert Fibonacci.Impl.CancelGoalService is CancelGoal
+    assert Fibonacci.Impl.GoalStatusMessage is GoalStatusArray
+
+
+def test_they_have_no_instances() -> None:
+    with pytest.raises(NotImplementedError, match="Service classes can not be instantiated"):
+        Spawn()
+    with pytest.raises(NotImplementedError, match="Action classes can not be instantiated"):
+        Fibonacci()
