@@ -14,6 +14,7 @@ from tfloom.cli.errors import CommandError
 from tfloom.cli.parser import Group, build_parser
 
 COMMANDS: dict[str, str | Group] = {
+    "demo": "Show a turtle, its frames and tf2 at work",
     "interface": Group(
         "Look up definitions of messages, services and actions",
         {

@@ -1,0 +1,199 @@
+"""The demonstration: turtlesim, a broadcaster, a sensor on the turtle, a driver, and what tf2 makes of it.
+
+Each is a process of its own and they talk over DDS, as a user's would; all of them end with this one.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import os
+import queue
+import random
+import signal
+import socket
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+PROGRAMS: dict[str, list[str]] = {
+    "turtlesim": ["tfloom.turtlesim.node:main"],
+    "broadcaster": ["tfloom.demos.turtle_tf2_py.turtle_tf2_broadcaster:main"],
+    "laser": [
+        "tfloom.tf2_tools.static_publisher:main",
+        *("--x", "0.3", "--z", "0.1", "--frame-id", "turtle1", "--child-frame-id", "laser"),
+    ],
+    "driver": ["tfloom.demos.turtle_tf2_py.curve_driver:main"],
+}
+"""What runs all the time: `module:function` and arguments."""
+ECHO = ["tfloom.tf2_tools.echo:main", "world", "laser"]
+VIEW_FRAMES = ["tfloom.tf2_tools.view_frames:main", "-o", "frames", "-t", "3"]
+PATIENCE_S = 40.0
+"""How long it may take until the tree is drawn [s]."""
+END_GRACE_S = 3.0
+DOMAINS = range(1, 101)
+"""Domains whose ports, by DDS's formula, stay clear of those that the system gives out."""
+
+
+class ShowError(Exception):
+    """The demonstration can't go on; its text says why."""
+
+
+@contextlib.contextmanager
+def own_domain() -> Iterator[int]:
+    """Give a DDS domain that no other demonstration on this machine uses: a TCP port is the lock."""
+    for domain in random.sample(DOMAINS, len(DOMAINS)):
+        lock = socket.socket()
+        try:
+            lock.bind(("127.0.0.1", 7400 + 250 * domain))
+        except OSError:
+            lock.close()
+            continue
+        with lock:
+            yield domain
+        return
+    raise ShowError("all DDS domains from 1 to 100 are in use")
+
+
+class Program:
+    """A process under our care.
+
+    Args:
+        command: `module:function` and arguments.
+        environment: Its environment variables.
+        folder: Where it runs.
+        on_line: Takes each line that it prints, on a thread of its own; None keeps them in `log`.
+    """
+
+    def __init__(
+        self,
+        command: list[str],
+        environment: Mapping[str, str],
+        folder: Path,
+        on_line: Callable[[str], object] | None = None,
+    ) -> None:
+        self.log: list[str] = []
+        self._process = subprocess.Popen(
+            [sys.executable, "-m", "tfloom.demos.child", *command],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            cwd=folder,
+            env=environment,
+            start_new_session=True,  # a Ctrl-C is for us, who then end the others
+        )
+        self._reader = threading.Thread(target=self._read, args=(on_line or self.log.append,), daemon=True)
+        self._reader.start()
+
+    def _read(self, on_line: Callable[[str], object]) -> None:
+        for line in self._process.stdout or ():
+            on_line(line.rstrip("\n"))
+
+    def exit_code(self) -> int | None:
+        """Return its exit code, None while it runs."""
+        code = self._process.poll()
+        if code is not None:
+            self._reader.join(END_GRACE_S)
+        return code
+
+    def ask_to_end(self) -> None:
+        """Send it what Ctrl-C would."""
+        if self._process.poll() is None:
+            self._process.send_signal(signal.SIGINT if os.name == "posix" else signal.SIGTERM)
+
+    def end(self, grace_s: float) -> None:
+        """Wait for its end, and kill it when that takes too long."""
+        try:
+            self._process.wait(grace_s)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+        self._reader.join(END_GRACE_S)
+        for pipe in (self._process.stdin, self._process.stdout):
+            if pipe is not None:
+                pipe.close()
+
+
+class Show:
+    """Runs the programs and prints what tf2_echo sees; a context that leaves no process behind.
+
+    Args:
+        domain_id: DDS domain of all programs; they use the loopback interface alone.
+        folder: Where the drawing goes.
+    """
+
+    def __init__(self, domain_id: int, folder: Path) -> None:
+        self._folder = folder
+        self._lines: queue.SimpleQueue[str] = queue.SimpleQueue()
+        self._programs: dict[str, Program] = {}
+        self._has_drawn = False
+        self._environment = os.environ | {
+            "ROS_DOMAIN_ID": str(domain_id),
+            "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
+            "RMW_IMPLEMENTATION": "rmw_cyclonedds_cpp",
+        }
+        self._environment.pop("CYCLONEDDS_URI", None)
+
+    def __enter__(self) -> Self:
+        try:
+            for name, command in PROGRAMS.items():
+                self._start(name, command)
+            self._start("tf2_echo", ECHO, self._lines.put)
+        except BaseException:
+            self._end()
+            raise
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._end()
+
+    def _start(self, name: str, command: list[str], on_line: Callable[[str], object] | None = None) -> None:
+        self._programs[name] = Program(command, self._environment, self._folder, on_line)
+
+    def _end(self) -> None:
+        for program in self._programs.values():
+            program.ask_to_end()
+        end = time.monotonic() + END_GRACE_S
+        for program in self._programs.values():
+            program.end(max(0.0, end - time.monotonic()))
+
+    def run(self, seconds: float | None) -> None:
+        """Print what tf2_echo sees, and draw the tree as soon as it is complete.
+
+        Args:
+            seconds: How long, but until the tree is drawn at least; None goes on until interrupted.
+
+        Raises:
+            ShowError: a program ended by itself, or there was nothing to draw for too long.
+        """
+        started = time.monotonic()
+        end = math.inf if seconds is None else started + seconds
+        while not self._has_drawn or time.monotonic() < end:
+            self._check()
+            with contextlib.suppress(queue.Empty):
+                line = self._lines.get(timeout=0.1)
+                print(line)
+                if line.startswith("At time") and "view_frames" not in self._programs:
+                    self._start("view_frames", VIEW_FRAMES)
+            if not self._has_drawn and time.monotonic() > started + PATIENCE_S:
+                raise ShowError(f"the turtle's frames could not be drawn in {PATIENCE_S:.0f} s")
+
+    def _check(self) -> None:
+        """Tell of the drawing once it is there; raise for a program that failed or shouldn't have ended."""
+        for name, program in self._programs.items():
+            code = program.exit_code()
+            if code is None or (name == "view_frames" and self._has_drawn):
+                continue
+            if code or name != "view_frames":
+                log = "\n".join(program.log)
+                raise ShowError(f"{name} ended by itself with exit code {code}\n{log}".rstrip())
+            self._has_drawn = True
+            print(f"The tree of frames is drawn in {self._folder / 'frames.pdf'}")

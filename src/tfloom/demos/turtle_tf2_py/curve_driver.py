@@ -1,0 +1,64 @@
+"""curve_driver: let a turtle draw a Lissajous figure, three waves across and two up."""
+
+from __future__ import annotations
+
+import math
+
+from tfloom.interfaces.geometry_msgs.msg import Twist
+from tfloom.interfaces.turtlesim.msg import Pose
+from tfloom.node import init, spin
+from tfloom.node.executor import ExternalShutdownException
+from tfloom.node.node import Node
+from tfloom.node.utilities import try_shutdown
+
+CENTRE_M = 5.544445
+RADIUS_M = 4.2
+PERIOD_S = 45.0
+"""Time for the whole figure."""
+LEAD_S = 0.35
+"""How far ahead on the figure the turtle aims."""
+MAX_SPEED = 4.0
+TURN_GAIN = 5.0
+"""Turning rate for each radian that the turtle heads past its aim [1/s]."""
+
+
+def figure(time_s: float) -> tuple[float, float]:
+    """Return the point of the figure at a time [m]."""
+    phase = 2 * math.pi * time_s / PERIOD_S
+    return CENTRE_M + RADIUS_M * math.sin(3 * phase), CENTRE_M + RADIUS_M * math.sin(2 * phase)
+
+
+def steer(x: float, y: float, theta: float, aim: tuple[float, float]) -> tuple[float, float]:
+    """Return the speed [m/s] and turning rate [rad/s] that take a turtle to `aim` in LEAD_S, if it can."""
+    across, up = aim[0] - x, aim[1] - y
+    error = math.remainder(math.atan2(up, across) - theta, 2 * math.pi)
+    speed = min(math.hypot(across, up) / LEAD_S, MAX_SPEED) * max(0.0, math.cos(error))
+    return speed, TURN_GAIN * error
+
+
+class CurveDriver(Node):
+    """Answers each pose of turtle1 with the velocity that keeps it on the figure."""
+
+    def __init__(self) -> None:
+        super().__init__("curve_driver")
+        self.started_ns = self.get_clock().now().nanoseconds
+        self.publisher = self.create_publisher(Twist, "turtle1/cmd_vel", 7)
+        self.create_subscription(Pose, "turtle1/pose", self.on_pose, 1)
+
+    def on_pose(self, pose: Pose) -> None:
+        """Steer towards where the figure will be."""
+        time_s = (self.get_clock().now().nanoseconds - self.started_ns) / 1e9
+        twist = Twist()
+        twist.linear.x, twist.angular.z = steer(pose.x, pose.y, pose.theta, figure(time_s + LEAD_S))
+        self.publisher.publish(twist)
+
+
+def main(args: list[str] | None = None) -> None:
+    """Drive until stopped."""
+    init(args=args)
+    try:
+        spin(CurveDriver())
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        try_shutdown()

@@ -1,0 +1,46 @@
+"""turtle_tf2_broadcaster: tell tf where a turtle is, each time that it tells its pose."""
+
+from __future__ import annotations
+
+import math
+
+from tfloom.interfaces.geometry_msgs.msg import TransformStamped
+from tfloom.interfaces.turtlesim.msg import Pose
+from tfloom.node import init, spin
+from tfloom.node.executor import ExternalShutdownException
+from tfloom.node.node import Node
+from tfloom.node.utilities import try_shutdown
+from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
+
+
+class FramePublisher(Node):
+    """Broadcasts world_from_turtle for the turtle that the parameter `turtlename` names."""
+
+    def __init__(self) -> None:
+        super().__init__("turtle_tf2_frame_publisher")
+        self.turtlename = str(self.declare_parameter("turtlename", "turtle1").value)
+        self.broadcaster = TransformBroadcaster(self)
+        self.create_subscription(Pose, f"/{self.turtlename}/pose", self.on_pose, 1)
+
+    def on_pose(self, pose: Pose) -> None:
+        """Broadcast the pose [m, rad] with the time of now."""
+        world_from_turtle = TransformStamped(child_frame_id=self.turtlename)
+        world_from_turtle.header.stamp = self.get_clock().now().to_msg()
+        world_from_turtle.header.frame_id = "world"
+        world_from_turtle.transform.translation.x = pose.x
+        world_from_turtle.transform.translation.y = pose.y
+        # A turn by theta about z is the quaternion (0, 0, sin(theta/2), cos(theta/2)).
+        world_from_turtle.transform.rotation.z = math.sin(pose.theta / 2)
+        world_from_turtle.transform.rotation.w = math.cos(pose.theta / 2)
+        self.broadcaster.sendTransform(world_from_turtle)
+
+
+def main(args: list[str] | None = None) -> None:
+    """Broadcast until stopped."""
+    init(args=args)
+    try:
+        spin(FramePublisher())
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        try_shutdown()

@@ -1,0 +1,140 @@
+"""tf2_echo: print the transform between two frames, again and again."""
+
+from __future__ import annotations
+
+import math
+import re
+import sys
+import time
+from typing import cast
+
+from tfloom.node import init, ok
+from tfloom.node.duration import Duration
+from tfloom.node.executor import ExternalShutdownException
+from tfloom.node.node import Node
+from tfloom.node.time import Time
+from tfloom.node.utilities import remove_ros_args, try_shutdown
+from tfloom.tf2.errors import TransformException
+from tfloom.tf2_ros.buffer import Buffer
+from tfloom.tf2_ros.transform_listener import TransformListener
+from tfloom.tf2_tools.transform_text import transform_text
+
+USAGE = """\
+Usage: tf2_echo source_frame target_frame [echo_rate]
+
+This will echo the transform from the coordinate frame of the source_frame
+to the coordinate frame of the target_frame. 
+Note: This is the transform to get data from target_frame into the source_frame.
+Default echo rate is 1 if echo_rate is not given."""  # noqa: W291  # as the reference prints it
+
+NO_NUMBER = 2
+TRAILING_TEXT = 3
+"""Exit codes for a rate that is no number, and for one with something after the number."""
+POLL_S = 0.05
+"""How long a wait may last before it looks whether the program is to end."""
+
+_NUMBER = re.compile(
+    r"\s*[-+]?(?:\d+\.?\d*(?:e[-+]?\d+)?|\.\d+(?:e[-+]?\d+)?|inf(?:inity)?|nan)", re.IGNORECASE
+)
+
+
+class RateError(ValueError):
+    """The echo rate makes no sense."""
+
+    def __init__(self, text: str, exit_code: int) -> None:
+        super().__init__(text)
+        self.exit_code = exit_code
+
+
+def parse_rate(text: str) -> float:
+    """Return an echo rate [Hz].
+
+    Raises:
+        RateError: `text` is no number, has something after the number, or the number is not above zero.
+    """
+    match = _NUMBER.match(text)
+    if match is None or match.end() < len(text):
+        message = f"Failed to convert rate argument '{text}' to a floating-point number"
+        raise RateError(message, TRAILING_TEXT if match else NO_NUMBER)
+    rate = float(text)
+    if not (math.isfinite(rate) and rate > 0.0):
+        raise RateError(f"The echo rate has to be above zero, and '{text}' isn't", NO_NUMBER)
+    return rate
+
+
+class Echo:
+    """Prints source_from_target from what a node hears on /tf and /tf_static.
+
+    Args:
+        node: Listens, and logs while there is nothing to print.
+        source_frame: Frame to express the transform in.
+        target_frame: Frame whose place is printed.
+    """
+
+    def __init__(self, node: Node, source_frame: str, target_frame: str) -> None:
+        self._node = node
+        self._frames = source_frame, target_frame
+        self._buffer = Buffer()
+        self._listener = TransformListener(self._buffer, node, spin_thread=True)
+
+    def run(self, rate_hz: float) -> None:
+        """Wait until the transform is known, then print it at this rate until shutdown."""
+        self._wait()
+        due = time.monotonic()
+        while ok():
+            print(self._text(), flush=True)
+            due = max(due + 1.0 / rate_hz, time.monotonic())
+            while ok() and (left := due - time.monotonic()) > 0.0:
+                time.sleep(min(left, POLL_S))
+
+    def _wait(self) -> None:
+        source, target = self._frames
+        latest = Time()
+        while ok():
+            answer = self._buffer.can_transform(source, target, latest, return_debug_tuple=True)
+            found, reason = cast("tuple[bool, str]", answer)
+            if found:
+                return
+            self._node.get_logger().info(
+                f"Waiting for transform {source} ->  {target}: {reason}", throttle_duration_sec=1.0
+            )
+            self._buffer.can_transform(source, target, latest, timeout=Duration(seconds=POLL_S))
+
+    def _text(self) -> str:
+        try:
+            found = self._buffer.lookup_transform(*self._frames, Time())
+        except TransformException as error:
+            now_s = self._node.get_clock().now().nanoseconds / 1e9
+            frames = self._buffer.all_frames_as_string()
+            return (
+                f"Failure at {now_s:.3f}\nException thrown:{error}\nThe current list of frames is:\n{frames}"
+            )
+        stamp, transform = found.header.stamp, found.transform
+        where, turn = transform.translation, transform.rotation
+        return transform_text(
+            stamp.sec * 1_000_000_000 + stamp.nanosec,
+            (where.x, where.y, where.z),
+            (turn.x, turn.y, turn.z, turn.w),
+        )
+
+
+def main(args: list[str] | None = None) -> int:
+    """Echo the transform that the command line asks for until stopped; return the exit code."""
+    args = sys.argv[1:] if args is None else args
+    words = remove_ros_args(args)
+    if len(words) not in {2, 3}:
+        print(USAGE)
+        return 1
+    try:
+        rate_hz = parse_rate(words[2]) if words[2:] else 1.0
+    except RateError as error:
+        print(error, file=sys.stderr)
+        return error.exit_code
+    init(args=args)
+    try:
+        Echo(Node("tf2_echo"), words[0], words[1]).run(rate_hz)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        try_shutdown()
+    return 0

@@ -1,0 +1,109 @@
+"""view_frames: listen to all transforms for a while, then write the tree as a Graphviz file and as a PDF."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from pathlib import Path
+
+from tfloom.node import init, spin_once
+from tfloom.node.executor import ExternalShutdownException
+from tfloom.node.node import Node
+from tfloom.node.utilities import ok, remove_ros_args, try_shutdown
+from tfloom.tf2_ros.buffer import Buffer
+from tfloom.tf2_ros.transform_listener import TransformListener
+from tfloom.tf2_tools.frame_records import parse_frames_yaml, write_gv
+
+COPY_NAME = "frames.pdf"
+"""The name that tutorials tell people to open."""
+
+
+def parse_arguments(words: list[str]) -> argparse.Namespace:
+    """Read a command line without its ROS arguments; exits with a usage text if it makes no sense."""
+    parser = argparse.ArgumentParser(
+        prog="view_frames",
+        description="Listen to /tf and /tf_static, then draw the tree of frames that were heard of: NAME.gv is its "
+        f"text for Graphviz, NAME.pdf and {COPY_NAME} are its picture, all in the current folder.",
+    )
+    parser.add_argument(
+        "-t", "--wait-time", type=float, default=5.0, metavar="S", help="how long to listen [s] (default: 5)"
+    )
+    parser.add_argument(
+        "-o", "--output", metavar="NAME", help="name of the files (default: frames_ and the date and time)"
+    )
+    options = parser.parse_args(words)
+    if not options.wait_time >= 0.0:
+        parser.error("argument -t/--wait-time: must not be negative")
+    return options
+
+
+def write_files(frames_yaml: str, name: str, recorded_at: float, folder: Path) -> list[Path]:
+    """Write a tree's text and picture.
+
+    Args:
+        frames_yaml: The frames, as a buffer's `all_frames_as_yaml` gives them.
+        name: What the files are called, without an ending.
+        recorded_at: When the frames were gathered [s since epoch].
+        folder: Where the files go.
+
+    Returns:
+        The files: NAME.gv, NAME.pdf, and the picture's copy unless NAME is its name already.
+
+    Raises:
+        OSError: a file can't be written.
+    """
+    from tfloom.tf2_tools.frame_drawing import draw_frames
+
+    records = parse_frames_yaml(frames_yaml)
+    text, picture, copy = folder / f"{name}.gv", folder / f"{name}.pdf", folder / COPY_NAME
+    text.write_text(write_gv(records, recorded_at), "utf-8")
+    draw_frames(records, recorded_at, picture)
+    if picture == copy:
+        return [text, picture]
+    copy.write_bytes(picture.read_bytes())
+    return [text, picture, copy]
+
+
+def spin_for(node: Node, duration_s: float) -> None:
+    """Spin `node` for `duration_s`."""
+    end = time.monotonic() + duration_s
+    while ok() and (left := end - time.monotonic()) > 0.0:
+        spin_once(node, timeout_sec=left)
+
+
+def run(node: Node, options: argparse.Namespace) -> int:
+    """Listen and write the files; return the exit code."""
+    buffer = Buffer(node=node)
+    listener = TransformListener(buffer, node)
+    node.get_logger().info(f"Listening to tf data for {options.wait_time} seconds...")
+    spin_for(node, options.wait_time)
+    node.get_logger().info("Generating graph...")
+    frames_yaml = buffer.all_frames_as_yaml()
+    node.get_logger().info(f"Result:tf2_msgs.srv.FrameGraph_Response(frame_yaml={frames_yaml!r})")
+    listener.unregister()
+    name = options.output or f"frames_{time.strftime('%Y-%m-%d_%H.%M.%S')}"
+    if not parse_frames_yaml(frames_yaml):
+        node.get_logger().warning(
+            "No tf data received: is anything publishing /tf or /tf_static in this ROS_DOMAIN_ID?"
+        )
+    node.get_logger().info(f"Exporting graph in {name}.pdf file...")
+    try:
+        write_files(frames_yaml, name, time.time(), Path.cwd())
+    except OSError as error:
+        node.get_logger().error(f"can't write {error.filename}: {error.strerror}")
+        return 1
+    return 0
+
+
+def main(args: list[str] | None = None) -> int:
+    """Draw the tree of frames; return the exit code."""
+    args = sys.argv[1:] if args is None else args
+    options = parse_arguments(remove_ros_args(args))
+    init(args=args)
+    try:
+        return run(Node("view_frames"), options)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        return 1
+    finally:
+        try_shutdown()

@@ -1,0 +1,80 @@
+"""`tfloom demo`: it shows, draws, and leaves nothing behind however it ends."""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+import uuid
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+pytestmark = pytest.mark.wire
+DRAWN = "The tree of frames is drawn in "
+
+
+@pytest.fixture
+def mark(monkeypatch: pytest.MonkeyPatch) -> str:
+    """A variable by which all processes of the demonstration can be found."""
+    if sys.platform != "linux":
+        pytest.skip("processes are found in /proc, which Linux has")
+    value = str(uuid.uuid4())
+    monkeypatch.setenv("TFLOOM_TEST_MARK", value)
+    return f"TFLOOM_TEST_MARK={value}"
+
+
+def read(path: Path) -> bytes:
+    """What a file under /proc holds; nothing once its process has ended."""
+    try:
+        return path.read_bytes()
+    except OSError:
+        return b""
+
+
+def alive(mark: str) -> dict[int, str]:
+    """Commands of the processes that have the mark, by process id."""
+    return {
+        int(folder.name): read(folder / "cmdline").replace(b"\0", b" ").decode()
+        for folder in Path("/proc").glob("[0-9]*")
+        if mark.encode() in read(folder / "environ")
+    }
+
+
+def test_it_shows_draws_and_ends(start_program: Callable[..., Any], tmp_path: Path, mark: str) -> None:
+    demo = start_program("tfloom", "demo", "--seconds", "1", cwd=tmp_path)
+    assert demo.wait(60.0) == 0
+    assert f"{DRAWN}{tmp_path / 'frames.pdf'}" in demo.lines
+    assert demo.output.count("- Matrix:") >= 3
+    assert '"turtle1" -> "laser"' in (tmp_path / "frames.gv").read_text()
+    assert (tmp_path / "frames.pdf").read_bytes().startswith(b"%PDF-")
+    assert alive(mark) == {}
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
+def test_no_process_is_left(
+    start_program: Callable[..., Any],
+    wait_until: Callable[..., None],
+    tmp_path: Path,
+    mark: str,
+    number: signal.Signals,
+) -> None:
+    demo = start_program("tfloom", "demo", cwd=tmp_path)
+    demo.wait_for("At time")
+    assert len(alive(mark)) >= 6
+    demo.signal(number)
+    assert demo.wait() == (-signal.SIGKILL if number == signal.SIGKILL else 0)
+    wait_until(lambda: alive(mark) == {}, what="the end of all processes")
+    assert "Traceback" not in demo.output
+
+
+def test_a_program_that_ends_is_told(start_program: Callable[..., Any], tmp_path: Path, mark: str) -> None:
+    demo = start_program("tfloom", "demo", cwd=tmp_path)
+    demo.wait_for("At time")
+    (driver,) = (process for process, command in alive(mark).items() if "curve_driver" in command)
+    os.kill(driver, signal.SIGKILL)
+    assert demo.wait() == 1
+    assert "driver ended by itself with exit code -9" in demo.output
+    assert alive(mark) == {}

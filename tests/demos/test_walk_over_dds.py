@@ -1,0 +1,107 @@
+"""The tutorial's walk with our own programs: keys, turtlesim, broadcaster, tf2_echo, each a process, over DDS."""
+
+from __future__ import annotations
+
+import os
+import pty
+import re
+import signal
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import pytest
+
+pytestmark = pytest.mark.wire
+PROGRAMS = {
+    "turtlesim": ("tfloom", "run", "turtlesim", "turtlesim_node", "--headless"),
+    "broadcaster": (
+        "python",
+        "-m",
+        "tfloom.demos.child",
+        "tfloom.demos.turtle_tf2_py.turtle_tf2_broadcaster:main",
+    ),
+    "echo": ("tfloom", "run", "tf2_ros", "tf2_echo", "world", "turtle1", "20"),
+}
+BLOCK = re.compile(
+    r"At time (?P<stamp>\d+\.\d{9})\n- Translation: \[(?P<x>-?[\d.]+), (?P<y>-?[\d.]+), 0\.000\]\n"
+    r"(?:- Rotation.*\n){3}- Matrix:\n(?P<matrix>(?: .*\n){3})  0\.000  0\.000  0\.000  1\.000"
+)
+
+
+class Echo:
+    """What tf2_echo has printed last."""
+
+    def __init__(self, program: Any) -> None:
+        self.program = program
+
+    def last(self) -> re.Match[str] | None:
+        matches = list(BLOCK.finditer("\n".join(list(self.program.lines)[-40:])))
+        return matches[-1] if matches else None
+
+    def stamp(self) -> float:
+        last = self.last()
+        return float(last["stamp"]) if last else 0.0
+
+    def x(self) -> float:
+        last = self.last()
+        return float(last["x"]) if last else 0.0
+
+
+@pytest.fixture
+def start(domain_id: int, start_program: Callable[..., Any]) -> Iterator[Callable[[str], Any]]:
+    """Start one of the programs by name."""
+    read, write = os.pipe()
+    yield lambda name: start_program(*PROGRAMS[name], stdin=read)
+    os.close(read)
+    os.close(write)
+
+
+@pytest.fixture
+def press(domain_id: int, start_program: Callable[..., Any]) -> Iterator[Callable[[bytes], int]]:
+    """Press a key of a teleop on a terminal of its own."""
+    ours, theirs = pty.openpty()
+    program = start_program("tfloom", "run", "turtlesim", "turtle_teleop_key", stdin=theirs)
+    program.wait_for("'Q' to quit.")
+    yield lambda key: os.write(ours, key)
+    os.close(ours)
+    os.close(theirs)
+
+
+def test_the_frame_follows_the_keys(
+    start: Callable[[str], Any], wait_until: Callable[..., None], press: Callable[[bytes], int]
+) -> None:
+    start("turtlesim")
+    start("broadcaster")
+    echo = Echo(start("echo"))
+    wait_until(lambda: echo.x() == 5.544)
+
+    def pressed_forward() -> bool:
+        press(b"\x1b[A")
+        return echo.x() > 6.0
+
+    wait_until(pressed_forward)
+    last = echo.last()
+    assert last is not None
+    rows = [[float(cell) for cell in row.split()] for row in last["matrix"].splitlines()]
+    assert [row[:3] for row in rows] == [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+    assert [row[3] for row in rows] == [float(last["x"]), float(last["y"]), 0.0]
+
+
+@pytest.mark.parametrize("victim", PROGRAMS)
+def test_each_may_be_killed_and_started_again(
+    start: Callable[[str], Any], wait_until: Callable[..., None], victim: str
+) -> None:
+    programs = {name: start(name) for name in PROGRAMS}
+    echo = Echo(programs["echo"])
+    wait_until(lambda: echo.stamp() > 0.0)
+    programs[victim].signal(signal.SIGKILL)
+    assert programs[victim].wait() == -signal.SIGKILL
+    before = echo.stamp()
+    programs[victim] = start(victim)
+    echo = Echo(programs["echo"])
+    wait_until(lambda: echo.stamp() > before + 0.5, what="newer transforms")
+    for name, program in programs.items():
+        assert program.process.poll() is None, name
+        program.signal(signal.SIGINT)
+        assert program.wait() == 0
+        assert "Traceback" not in program.output

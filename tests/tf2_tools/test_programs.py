@@ -1,0 +1,142 @@
+"""The tf2 programs as processes over DDS, against what the reference printed."""
+
+from __future__ import annotations
+
+import re
+import signal
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+pytestmark = pytest.mark.wire
+GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
+STATIC = ("tfloom", "run", "tf2_ros", "static_transform_publisher")
+ECHO = ("tfloom", "run", "tf2_ros", "tf2_echo")
+VIEW_FRAMES = ("tfloom", "run", "tf2_tools", "view_frames")
+CAMERA = (
+    *("--x", "1", "--y", "2", "--z", "3", "--yaw", "1.5707963267948966"),
+    *("--frame-id", "world", "--child-frame-id", "camera"),
+)
+SPINNING = "Spinning until stopped"
+
+
+def golden(name: str) -> list[str]:
+    """What the reference printed, without the command, the shell's last line and the signal's."""
+    lines = (GOLDEN / f"{name}.txt").read_text().splitlines()[1:-1]
+    return [line for line in lines if "signal_handler" not in line]
+
+
+def masked(lines: list[str]) -> list[str]:
+    """Stamps, random names and the time that is written with more digits, made the same."""
+    text = "\n".join(lines)
+    text = re.sub(r"\[\d+\.\d+\]", "[stamp]", text)
+    text = re.sub(r"static_transform_publisher_\w{16}", "static_transform_publisher_X", text)
+    text = re.sub(r"Recorded at time: [\d.]+", "Recorded at time: T", text)
+    return re.sub(r"^At time 0\.0+$", "At time 0", text, flags=re.MULTILINE).split("\n")
+
+
+def test_a_static_transform_is_echoed_as_by_the_reference(
+    domain_id: int, start_program: Callable[..., Any], wait_until: Callable[..., None]
+) -> None:
+    expected = masked(golden("tf2_echo"))
+    echo = start_program(*ECHO, "world", "camera")
+    echo.wait_for("Waiting for transform")
+    static = start_program(*STATIC, *CAMERA)
+    static.wait_for("from 'world' to 'camera'")
+    assert masked(static.lines) == masked(golden("static_log"))
+    wait_until(lambda: echo.output.count("At time") >= 3)
+    echo.signal(signal.SIGINT)
+    assert echo.wait() == 0
+    lines = [line for line in masked(echo.lines) if "Waiting" not in line]
+    assert masked(echo.lines)[0] == expected[0]
+    assert lines[: len(expected) - 1] == expected[1:]
+    static.signal(signal.SIGINT)
+    assert static.wait() == 0
+
+
+def test_echo_waits_and_says_why(domain_id: int, start_program: Callable[..., Any]) -> None:
+    echo = start_program(*ECHO, "world", "nowhere")
+    echo.wait_for('"world" passed to canTransform argument target_frame')
+    start_program(*STATIC, *CAMERA)
+    echo.wait_for('"nowhere" passed to canTransform argument source_frame')
+    expected = set(masked(golden("tf2_echo_wait")))
+    assert set(masked(echo.lines)) == expected
+    echo.signal(signal.SIGTERM)
+    assert echo.wait() == 0
+
+
+def test_echo_usage(start_program: Callable[..., Any]) -> None:
+    echo = start_program(*ECHO)
+    assert echo.wait() == 1
+    assert echo.lines == golden("tf2_echo_usage")
+
+
+@pytest.mark.parametrize(
+    ("rate", "code"), [("fast", 2), ("1Hz", 3), ("", 2), ("0", 2), ("-1", 2), ("nan", 2)]
+)
+def test_echo_rates(start_program: Callable[..., Any], rate: str, code: int) -> None:
+    echo = start_program(*ECHO, "a", "b", rate)
+    assert echo.wait() == code
+    if rate in {"fast", "1Hz"}:
+        text = f"Failed to convert rate argument '{rate}' to a floating-point number"
+        assert text in echo.lines
+
+
+def test_a_frame_in_itself_is_an_error(domain_id: int, start_program: Callable[..., Any]) -> None:
+    static = start_program(*STATIC, "--frame-id", "a", "--child-frame-id", "a")
+    assert static.wait() == 1
+    assert masked(static.lines[:1]) == masked(golden("static_bad")[:1])
+    assert static.lines[1] == "child_frame_id cannot equal frame_id"
+
+
+def test_static_usage(start_program: Callable[..., Any]) -> None:
+    static = start_program(*STATIC, "--x", "one")
+    assert static.wait() == 1
+    assert static.lines[0] == "error parsing command line arguments: Failed to parse --x argument as float"
+    helped = start_program(*STATIC, "--help")
+    assert helped.wait() == 0
+    assert "--child-frame-id" in helped.output
+
+
+def test_the_older_form_is_deprecated(domain_id: int, start_program: Callable[..., Any]) -> None:
+    static = start_program(*STATIC, "1", "2", "3", "0", "0", "0", "world", "camera")
+    static.wait_for("Old-style arguments are deprecated; see --help for new-style arguments")
+    static.wait_for("from 'world' to 'camera'")
+
+
+def test_view_frames_as_the_reference(
+    domain_id: int, start_program: Callable[..., Any], tmp_path: Path
+) -> None:
+    start_program(*STATIC, *CAMERA).wait_for(SPINNING)
+    view = start_program(*VIEW_FRAMES, "-o", "out", cwd=tmp_path)
+    assert view.wait() == 0
+    assert masked(view.lines) == masked(golden("view_frames"))
+    text = (tmp_path / "out.gv").read_text()
+    assert masked([text]) == masked([(GOLDEN / "view_frames_out.gv.txt").read_text()])
+    assert (tmp_path / "out.pdf").read_bytes() == (tmp_path / "frames.pdf").read_bytes()
+    assert (tmp_path / "out.pdf").read_bytes().startswith(b"%PDF-")
+
+
+def test_view_frames_names_its_files_by_the_time(
+    domain_id: int, start_program: Callable[..., Any], tmp_path: Path
+) -> None:
+    view = start_program(*VIEW_FRAMES, "-t", "0.1", cwd=tmp_path)
+    assert view.wait() == 0
+    assert "No tf data received" in view.output
+    names = sorted(path.name for path in tmp_path.iterdir())
+    stamped = re.compile(r"frames_\d{4}-\d\d-\d\d_\d\d\.\d\d\.\d\d\.(gv|pdf)")
+    assert names[0] == "frames.pdf"
+    assert len(names) == 3
+    assert all(stamped.fullmatch(name) for name in names[1:])
+    assert (tmp_path / names[1]).read_text() == 'digraph G { "No tf data received" }'
+
+
+def test_view_frames_in_a_folder_it_cannot_write_to(
+    domain_id: int, start_program: Callable[..., Any], tmp_path: Path
+) -> None:
+    view = start_program(*VIEW_FRAMES, "-t", "0", "-o", "missing/out", cwd=tmp_path)
+    assert view.wait() == 1
+    assert "can't write" in view.output
+    assert "Traceback" not in view.output
