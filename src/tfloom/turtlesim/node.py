@@ -15,9 +15,10 @@ from tfloom.node.clock import Clock, ClockType
 from tfloom.node.executor import ExternalShutdownException
 from tfloom.node.node import Node
 from tfloom.node.utilities import remove_ros_args, try_shutdown
-from tfloom.turtlesim.canvas import DEFAULT_BACKGROUND, Canvas
+from tfloom.turtlesim.canvas import DEFAULT_BACKGROUND
 from tfloom.turtlesim.record import FRAME_MS, SIDE_PX, Recorder, RecordingError, open_recorder
-from tfloom.turtlesim.world import STEP_S, Event, Moved, Stroke, Turtle, WallHit, World, is_usable
+from tfloom.turtlesim.simulation import TurtleSim
+from tfloom.turtlesim.world import STEP_S, Event, Moved, Turtle, WallHit, is_usable
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -51,7 +52,7 @@ class TurtleTopics:
                 angular_velocity=turtle.angular_velocity,
             )
         )
-        red, green, blue = self._node.canvas.color_at(turtle.x, turtle.y)
+        red, green, blue = self._node.sim.canvas.color_at(turtle.x, turtle.y)
         self._color.publish(Color(r=red, g=green, b=blue))
 
     def _on_cmd_vel(self, twist: Twist) -> None:
@@ -63,7 +64,8 @@ class TurtleTopics:
                 throttle_duration_sec=1.0,
             )
             return
-        self._node.world.command(self._turtle, ahead, left if self._node.is_holonomic else None, turn)
+        sideways = left if self._node.is_holonomic else None
+        self._node.sim.world.command(self._turtle, ahead, sideways, turn)
 
 
 class TurtlesimNode(Node):
@@ -73,10 +75,9 @@ class TurtlesimNode(Node):
         super().__init__("turtlesim")
         self._declare_parameters()
         self.get_logger().info(f"Starting turtlesim with node name {self.get_fully_qualified_name()}")
-        self.canvas = Canvas()
-        self.world = World(lambda: self.get_clock().now().nanoseconds)
+        self.sim = TurtleSim(lambda: self.get_clock().now().nanoseconds)
         self._topics: dict[str, TurtleTopics] = {}
-        for turtle in self.world.turtles.values():
+        for turtle in self.sim.world.turtles.values():
             self._show(turtle)
         # Simulated time may be made by what these turtles do: so they themselves go by real time.
         self._timer = self.create_timer(STEP_S, self._step, clock=Clock(clock_type=ClockType.STEADY_TIME))
@@ -99,8 +100,8 @@ class TurtlesimNode(Node):
     def render(self, size_px: int) -> Image:
         """Return the picture of the world, `size_px` by `size_px`."""
         red, green, blue = (int(self.get_parameter(f"background_{channel}").value) for channel in "rgb")
-        self.canvas.background = red, green, blue
-        return self.canvas.render(self.world.turtles.values(), size_px)
+        self.sim.canvas.background = red, green, blue
+        return self.sim.render(size_px)
 
     def show_in(self, window: Window) -> None:
         """Keep the picture in `window` up to date; once the user closes it, shut down."""
@@ -128,14 +129,11 @@ class TurtlesimNode(Node):
         self._topics[turtle.name] = TurtleTopics(self, turtle)
 
     def _step(self) -> None:
-        for event in self.world.step():
-            self._take(event)
+        self.sim.step(self._take)
 
     def _take(self, event: Event) -> None:
         if isinstance(event, Moved):
             self._topics[event.turtle.name].publish()
-        elif isinstance(event, Stroke):
-            self.canvas.paint(event)
         elif isinstance(event, WallHit):
             self.get_logger().warning(str(event))
 

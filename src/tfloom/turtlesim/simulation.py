@@ -1,0 +1,57 @@
+"""A world and its picture together: turtles for a notebook, a page or a test, with no ROS around them.
+
+sim = TurtleSim()
+turtle = sim.world.turtles["turtle1"]
+for _ in range(100):
+    sim.world.command(turtle, 2.0, None, 1.0)
+    sim.step()
+sim  # a notebook shows the picture
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from tfloom.turtlesim.canvas import Canvas
+from tfloom.turtlesim.world import STEP_S, WINDOW_PX, Event, Stroke, Turtle, World
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+
+class TurtleSim:
+    """Turtles that live and draw.
+
+    Args:
+        clock_ns: As for `World`.
+    """
+
+    def __init__(self, clock_ns: Callable[[], int] | None = None) -> None:
+        self.world = World(clock_ns)
+        self.canvas = Canvas()
+
+    def step(self, on_event: Callable[[Event], object] | None = None, dt_s: float = STEP_S) -> None:
+        """Let `dt_s` pass. `on_event` hears what happens in order, each time with the picture as it is then."""
+        for event in self.world.step(dt_s):
+            if on_event is not None:
+                on_event(event)
+            if isinstance(event, Stroke):
+                self.canvas.paint(event)
+
+    def clear(self) -> None:
+        """Wipe off all strokes."""
+        self.canvas.clear()
+
+    def reset(self) -> Turtle:
+        """Begin anew with turtle1 alone on a clean picture; return it."""
+        self.clear()
+        return self.world.reset()
+
+    def render(self, size_px: int = WINDOW_PX) -> Image:
+        """Return the picture, RGB, `size_px` by `size_px`."""
+        return self.canvas.render(self.world.turtles.values(), size_px)
+
+    def _repr_png_(self) -> bytes:
+        """Show the picture in a notebook."""
+        return self.canvas.png(self.world.turtles.values())

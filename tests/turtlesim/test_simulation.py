@@ -1,0 +1,48 @@
+"""A world with its picture, and no ROS."""
+
+from __future__ import annotations
+
+import io
+import subprocess
+import sys
+
+from PIL import Image
+
+from tfloom.turtlesim.simulation import TurtleSim
+from tfloom.turtlesim.world import Moved, Stroke
+
+
+def test_a_notebook_shows_it() -> None:
+    with Image.open(io.BytesIO(TurtleSim()._repr_png_())) as picture:
+        assert picture.size == (500, 500)
+
+
+def test_it_draws_what_happens_when_it_happens() -> None:
+    sim = TurtleSim()
+    turtle = sim.world.turtles["turtle1"]
+    sim.world.command(turtle, 20.0, None, 0.0)
+    seen = []
+    sim.step(lambda event: seen.append((type(event), sim.canvas.color_at(turtle.x, turtle.y))))
+    assert seen == [(Moved, (255, 255, 255)), (Stroke, (255, 255, 255))]
+    assert sim.canvas.color_at(turtle.x, turtle.y) == turtle.pen.color
+
+
+def test_reset_wipes_and_begins_anew() -> None:
+    sim = TurtleSim()
+    turtle = sim.world.turtles["turtle1"]
+    sim.world.spawn(1.0, 1.0, 0.0)
+    sim.world.command(turtle, 2.0, None, 0.0)
+    sim.step()
+    fresh = sim.reset()
+    assert list(sim.world.turtles.values()) == [fresh]
+    assert sim.canvas.color_at(turtle.x, turtle.y) == (255, 255, 255)
+
+
+def test_it_loads_no_ros() -> None:
+    code = "import sys, tfloom.turtlesim.simulation; print(*sys.modules)"
+    loaded = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True
+    ).stdout.split()
+    assert not [
+        name for name in loaded if name.startswith(("tfloom.node", "tfloom.rmw", "tfloom.rosidl", "pygame"))
+    ]
