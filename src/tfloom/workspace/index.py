@@ -23,7 +23,15 @@ PROGRAMS: dict[str, dict[str, str]] = {
     "tf2_tools": {
         "view_frames": "tfloom.tf2_tools.view_frames:main",
     },
+    "turtle_tf2_py": {
+        "dynamic_frame_tf2_broadcaster": "tfloom.demos.turtle_tf2_py.dynamic_frame_tf2_broadcaster:main",
+        "fixed_frame_tf2_broadcaster": "tfloom.demos.turtle_tf2_py.fixed_frame_tf2_broadcaster:main",
+        "static_turtle_tf2_broadcaster": "tfloom.demos.turtle_tf2_py.static_turtle_tf2_broadcaster:main",
+        "turtle_tf2_broadcaster": "tfloom.demos.turtle_tf2_py.turtle_tf2_broadcaster:main",
+        "turtle_tf2_message_broadcaster": "tfloom.demos.turtle_tf2_py.turtle_tf2_message_broadcaster:main",
+    },
     "turtlesim": {
+        "mimic": "tfloom.turtlesim.mimic:main",
         "turtle_teleop_key": "tfloom.turtlesim.teleop_key:main",
         "turtlesim_node": "tfloom.turtlesim.node:main",
     },
