@@ -1,0 +1,40 @@
+"""fixed_frame_tf2_broadcaster: a carrot two metres to the left of turtle1, wherever it goes."""
+
+from __future__ import annotations
+
+from tfloom.interfaces.geometry_msgs.msg import TransformStamped
+from tfloom.node import init, spin
+from tfloom.node.executor import ExternalShutdownException
+from tfloom.node.node import Node
+from tfloom.node.utilities import try_shutdown
+from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
+
+PERIOD_S = 0.1
+
+
+class FixedFrameBroadcaster(Node):
+    """Broadcasts turtle1_from_carrot1 ten times a second, always the same."""
+
+    def __init__(self) -> None:
+        super().__init__("fixed_frame_tf2_broadcaster")
+        self.broadcaster = TransformBroadcaster(self)
+        self.timer = self.create_timer(PERIOD_S, self.on_timer)
+
+    def on_timer(self) -> None:
+        """Broadcast the carrot's place, with the time of now."""
+        turtle_from_carrot = TransformStamped(child_frame_id="carrot1")
+        turtle_from_carrot.header.stamp = self.get_clock().now().to_msg()
+        turtle_from_carrot.header.frame_id = "turtle1"
+        turtle_from_carrot.transform.translation.y = 2.0
+        self.broadcaster.sendTransform(turtle_from_carrot)
+
+
+def main(args: list[str] | None = None) -> None:
+    """Broadcast until stopped."""
+    init(args=args)
+    try:
+        spin(FixedFrameBroadcaster())
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        try_shutdown()

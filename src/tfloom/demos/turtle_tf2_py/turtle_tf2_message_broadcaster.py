@@ -1,0 +1,38 @@
+"""turtle_tf2_message_broadcaster: tell where turtle3 is as points in the world, for a filter to wait for tf with."""
+
+from __future__ import annotations
+
+from tfloom.interfaces.geometry_msgs.msg import PointStamped
+from tfloom.interfaces.turtlesim.msg import Pose
+from tfloom.node import init, spin
+from tfloom.node.executor import ExternalShutdownException
+from tfloom.node.node import Node
+from tfloom.node.utilities import try_shutdown
+
+
+class PointPublisher(Node):
+    """Publishes turtle3's place on turtle3/turtle_point_stamped, each time that it tells its pose."""
+
+    def __init__(self) -> None:
+        super().__init__("turtle_tf2_message_broadcaster")
+        self.publisher = self.create_publisher(PointStamped, "turtle3/turtle_point_stamped", 1)
+        self.create_subscription(Pose, "turtle3/pose", self.on_pose, 10)
+
+    def on_pose(self, pose: Pose) -> None:
+        """Publish the point [m] with the time of now."""
+        point = PointStamped()
+        point.header.stamp = self.get_clock().now().to_msg()
+        point.header.frame_id = "world"
+        point.point.x, point.point.y = pose.x, pose.y
+        self.publisher.publish(point)
+
+
+def main(args: list[str] | None = None) -> None:
+    """Publish until stopped."""
+    init(args=args)
+    try:
+        spin(PointPublisher())
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        try_shutdown()
