@@ -30,7 +30,7 @@ std::vector<ReadyQueue::Token> wait_for_tokens(ReadyQueue& queue, std::int64_t t
   for (;;) {
     ReadyQueue::Outcome outcome;
     {
-      const ReleasedGil released;
+      const ReleasedGil release;
       const auto left = deadline.left();
       outcome = queue.wait(left ? left->count() : -1, tokens);
     }
@@ -51,6 +51,12 @@ nb::list take_samples(SampleQueue& queue) {
 }  // namespace
 
 void bind_core(nb::module_& m) {
+  m.def("keep_other_threads_out", &keep_other_threads_out,
+        "From now on let no other thread come back to Python from a call that let go of the GIL.\n\n"
+        "For the end of the program, where Python would end such threads, and with them the process. It is called "
+        "at exit by itself; again does nothing.");
+  nb::module_::import_("atexit").attr("register")(m.attr("keep_other_threads_out"));
+
   nb::class_<Sink>(m, "Sink", "Takes serialized samples without Python; see `Reader.feed`.")
       .def(
           "push",
@@ -58,7 +64,7 @@ void bind_core(nb::module_& m) {
              const nb::bytes& publisher_gid) {
             const SampleInfo info{source_stamp_ns, received_stamp_ns, to_gid(publisher_gid)};
             const std::span view(static_cast<const std::byte*>(data.data()), data.size());
-            const ReleasedGil released;
+            const ReleasedGil release;
             sink.push(view, info);
           },
           "data"_a, "source_stamp_ns"_a, "received_stamp_ns"_a, "publisher_gid"_a,

@@ -57,14 +57,49 @@ nb::object take(dds::Reader& reader) {
 
 void write(dds::Writer& writer, const nb::bytes& data) {
   const std::span view(static_cast<const std::byte*>(data.data()), data.size());
-  const ReleasedGil release;
+  const ReleasedGil released;
   writer.write(view);
+}
+
+template <typename Endpoint>
+nb::list matched(Endpoint& endpoint) {
+  nb::list peers;
+  for (const dds::Peer& peer : endpoint.matched()) {
+    peers.append(nb::make_tuple(to_bytes(peer.gid), to_bytes(peer.user_data)));
+  }
+  return peers;
+}
+
+template <typename Endpoint>
+nb::object take_event(Endpoint& endpoint, int event) {
+  const auto status = endpoint.take_event(static_cast<dds::Event>(event));
+  if (!status) return nb::none();
+  return nb::make_tuple((*status)[0], (*status)[1], (*status)[2], (*status)[3]);
+}
+
+template <typename Endpoint>
+void bind_endpoint(nb::class_<Endpoint>& endpoint) {
+  endpoint
+      .def_prop_ro("gid", [](const Endpoint& self) { return to_bytes(self.gid()); }, "16 octets.")
+      .def("matched_count", &Endpoint::matched_count, "Return how many peers are connected now.")
+      .def("matched", &matched<Endpoint>, nb::sig("def matched(self) -> list[tuple[bytes, bytes]]"),
+           "Return the gid and the user data of each peer that is connected now.")
+      .def(
+          "notify_event",
+          [](Endpoint& self, int event, ReadyQueue* queue, ReadyQueue::Token token) {
+            self.notify_event(static_cast<dds::Event>(event), queue, token);
+          },
+          "event"_a, "queue"_a.none(), "token"_a, nb::keep_alive<1, 3>(),
+          "Post `token` to `queue` when `event` (tfloom.rmw.events.Event) may have news; None ends it.")
+      .def("take_event", &take_event<Endpoint>, "event"_a,
+           nb::sig("def take_event(self, event: int) -> tuple[int, int, int, int] | None"),
+           "Return the fields of the event's status, padded with zeros, or None if nothing has changed.");
 }
 
 nb::tuple snapshot(dds::Graph& graph) {
   dds::Graph::Snapshot state;
   {
-    const ReleasedGil release;
+    const ReleasedGil released;
     state = graph.snapshot();
   }
   nb::list participants;
@@ -89,7 +124,7 @@ void bind_participant(nb::module_& m) {
           [](dds::Participant* self, const std::string& library_path, std::uint32_t domain_id,
              const std::string& config, const nb::bytes& user_data) {
             const std::string user_text = to_string(user_data);
-            const ReleasedGil release;
+            const ReleasedGil released;
             new (self) dds::Participant(dds::Library::open(library_path), domain_id, config, user_text);
           },
           "library_path"_a, "domain_id"_a, "config"_a, "user_data"_a,
@@ -100,43 +135,46 @@ void bind_participant(nb::module_& m) {
 }
 
 void bind_writer(nb::module_& m) {
-  nb::class_<dds::Writer>(m, "DdsWriter", "The sending end of a DDS topic.")
+  nb::class_<dds::Writer> writer(m, "DdsWriter", "The sending end of a DDS topic.");
+  bind_endpoint(writer);
+  writer
       .def(
           "__init__",
           [](dds::Writer* self, dds::Participant& participant, const std::string& topic_name,
              const std::string& type_name, const QosFields& qos, const nb::bytes& user_data) {
             const std::string user_text = to_string(user_data);
-            const ReleasedGil release;
+            const ReleasedGil released;
             new (self) dds::Writer(participant, {topic_name, type_name}, to_qos(qos), user_text);
           },
           "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a, "user_data"_a, nb::keep_alive<1, 2>(),
           "Offer a topic by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS.")
-      .def_prop_ro("gid", [](const dds::Writer& self) { return to_bytes(self.gid()); }, "16 octets.")
       .def("write", &write, "data"_a, "Send a sample: encapsulation header 00 01 xx xx and little-endian CDR.")
-      .def("matched_count", &dds::Writer::matched_count, "Return how many readers are connected now.")
+      .def("assert_liveliness", &dds::Writer::assert_liveliness, ReleaseGil(), "Say that this writer is alive.")
+      .def("wait_for_acks", &dds::Writer::wait_for_acks, "timeout_ns"_a, ReleaseGil(),
+           "Wait until all reliable readers have all that was written; False on a timeout.")
       .def("close", &dds::Writer::close, ReleaseGil(), "Leave the topic. Closing again does nothing.");
 }
 
 void bind_reader(nb::module_& m) {
-  nb::class_<dds::Reader>(m, "DdsReader", "The receiving end of a DDS topic.")
+  nb::class_<dds::Reader> reader(m, "DdsReader", "The receiving end of a DDS topic.");
+  bind_endpoint(reader);
+  reader
       .def(
           "__init__",
           [](dds::Reader* self, dds::Participant& participant, const std::string& topic_name,
              const std::string& type_name, const QosFields& qos, const nb::bytes& user_data) {
             const std::string user_text = to_string(user_data);
-            const ReleasedGil release;
+            const ReleasedGil released;
             new (self) dds::Reader(participant, {topic_name, type_name}, to_qos(qos), user_text);
           },
           "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a, "user_data"_a, nb::keep_alive<1, 2>(),
           "Ask for a topic by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS.")
-      .def_prop_ro("gid", [](const dds::Reader& self) { return to_bytes(self.gid()); }, "16 octets.")
       .def("notify", &dds::Reader::notify, "queue"_a.none(), "token"_a, nb::keep_alive<1, 2>(),
            "Post `token` to `queue` when there is something to take; None ends it.")
       .def("take", &take, nb::sig("def take(self) -> tuple[bytes, int, int, bytes] | None"),
            "Remove the oldest sample: (data, source stamp, received stamp, gid), or None.")
       .def("feed", &dds::Reader::feed, "sink"_a, nb::keep_alive<1, 2>(), ReleaseGil(),
            "Push every sample into `sink` from now on, on a thread without Python.")
-      .def("matched_count", &dds::Reader::matched_count, "Return how many writers are connected now.")
       .def("close", &dds::Reader::close, ReleaseGil(),
            "Leave the topic; neither queue nor sink are touched afterwards. Closing again does nothing.");
 }
@@ -148,7 +186,7 @@ void bind_graph(nb::module_& m) {
           [](dds::Graph* self, dds::Participant& participant, const std::string& topic_name,
              const std::string& type_name, const QosFields& qos, const nb::bytes& user_data) {
             const std::string user_text = to_string(user_data);
-            const ReleasedGil release;
+            const ReleasedGil released;
             new (self) dds::Graph(participant, {topic_name, type_name}, to_qos(qos), user_text);
           },
           "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a, "user_data"_a, nb::keep_alive<1, 2>(),

@@ -19,6 +19,7 @@ struct Sertype_;
 struct Serdata_;
 
 constexpr Result precondition_not_met = -4;
+constexpr Result timeout = -10;
 
 // Handles of the topics that describe what has been discovered.
 constexpr Entity discovered_participants = 0x7fff0001;
@@ -59,6 +60,39 @@ struct SampleState {
   std::uint32_t sample_rank;
   std::uint32_t generation_rank;
   std::uint32_t absolute_generation_rank;
+};
+
+struct DeadlineStatus {
+  std::uint32_t total_count;
+  std::int32_t total_count_change;
+  InstanceHandle last_instance;
+};
+
+struct IncompatibleStatus {
+  std::uint32_t total_count;
+  std::int32_t total_count_change;
+  std::uint32_t last_policy_id;
+};
+
+struct MatchedStatus {
+  std::uint32_t total_count;
+  std::int32_t total_count_change;
+  std::uint32_t current_count;
+  std::int32_t current_count_change;
+  InstanceHandle last_peer;
+};
+
+struct LostStatus {  // of liveliness, and of samples
+  std::uint32_t total_count;
+  std::int32_t total_count_change;
+};
+
+struct LivelinessStatus {
+  std::uint32_t alive_count;
+  std::uint32_t not_alive_count;
+  std::int32_t alive_count_change;
+  std::int32_t not_alive_count_change;
+  InstanceHandle last_publication;
 };
 
 struct DiscoveredParticipant {

@@ -69,6 +69,7 @@ void resolve_entities(Library& l, const Resolver& resolve) {
   resolve(l.get_matched_publications, "dds_get_matched_publications");
   resolve(l.get_matched_subscriptions, "dds_get_matched_subscriptions");
   resolve(l.get_matched_publication_data, "dds_get_matched_publication_data");
+  resolve(l.get_matched_subscription_data, "dds_get_matched_subscription_data");
   resolve(l.builtintopic_free_endpoint, "dds_builtintopic_free_endpoint");
   resolve(l.create_listener, "dds_create_listener");
   resolve(l.delete_listener, "dds_delete_listener");
@@ -85,6 +86,29 @@ void resolve_data(Library& l, const Resolver& resolve) {
   resolve(l.serdata_to_ser_ref, "ddsi_serdata_to_ser_ref");
   resolve(l.serdata_to_ser_unref, "ddsi_serdata_to_ser_unref");
   resolve(l.serdata_unref, "ddsi_serdata_unref");
+}
+
+void resolve_events(Library& l, const Resolver& resolve) {
+  resolve(l.lset_publication_matched_arg, "dds_lset_publication_matched_arg");
+  resolve(l.lset_subscription_matched_arg, "dds_lset_subscription_matched_arg");
+  resolve(l.lset_offered_incompatible_qos_arg, "dds_lset_offered_incompatible_qos_arg");
+  resolve(l.lset_requested_incompatible_qos_arg, "dds_lset_requested_incompatible_qos_arg");
+  resolve(l.lset_offered_deadline_missed_arg, "dds_lset_offered_deadline_missed_arg");
+  resolve(l.lset_requested_deadline_missed_arg, "dds_lset_requested_deadline_missed_arg");
+  resolve(l.lset_liveliness_lost_arg, "dds_lset_liveliness_lost_arg");
+  resolve(l.lset_liveliness_changed_arg, "dds_lset_liveliness_changed_arg");
+  resolve(l.lset_sample_lost_arg, "dds_lset_sample_lost_arg");
+  resolve(l.get_publication_matched_status, "dds_get_publication_matched_status");
+  resolve(l.get_subscription_matched_status, "dds_get_subscription_matched_status");
+  resolve(l.get_offered_incompatible_qos_status, "dds_get_offered_incompatible_qos_status");
+  resolve(l.get_requested_incompatible_qos_status, "dds_get_requested_incompatible_qos_status");
+  resolve(l.get_offered_deadline_missed_status, "dds_get_offered_deadline_missed_status");
+  resolve(l.get_requested_deadline_missed_status, "dds_get_requested_deadline_missed_status");
+  resolve(l.get_liveliness_lost_status, "dds_get_liveliness_lost_status");
+  resolve(l.get_liveliness_changed_status, "dds_get_liveliness_changed_status");
+  resolve(l.get_sample_lost_status, "dds_get_sample_lost_status");
+  resolve(l.assert_liveliness, "dds_assert_liveliness");
+  resolve(l.wait_for_acks, "dds_wait_for_acks");
 }
 
 void resolve_qos(Library& l, const Resolver& resolve) {
@@ -121,6 +145,7 @@ const Library& Library::open(const std::string& path) {
     const Resolver resolve(path);
     resolve_entities(*opened, resolve);
     resolve_data(*opened, resolve);
+    resolve_events(*opened, resolve);
     resolve_qos(*opened, resolve);
     library = std::move(opened);
   }

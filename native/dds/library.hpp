@@ -43,11 +43,33 @@ struct Library {
   Result (*get_matched_publications)(Entity reader, InstanceHandle*, std::size_t count);
   Result (*get_matched_subscriptions)(Entity writer, InstanceHandle*, std::size_t count);
   DiscoveredEndpoint* (*get_matched_publication_data)(Entity reader, InstanceHandle);
+  DiscoveredEndpoint* (*get_matched_subscription_data)(Entity writer, InstanceHandle);
   void (*builtintopic_free_endpoint)(DiscoveredEndpoint*);
 
   Listener_* (*create_listener)(void* argument);
   void (*delete_listener)(Listener_*);
   Result (*lset_data_available_arg)(Listener_*, void (*)(Entity, void*), void* argument, bool reset_on_invoke);
+
+  Result (*lset_publication_matched_arg)(Listener_*, void (*)(Entity, MatchedStatus, void*), void*, bool);
+  Result (*lset_subscription_matched_arg)(Listener_*, void (*)(Entity, MatchedStatus, void*), void*, bool);
+  Result (*lset_offered_incompatible_qos_arg)(Listener_*, void (*)(Entity, IncompatibleStatus, void*), void*, bool);
+  Result (*lset_requested_incompatible_qos_arg)(Listener_*, void (*)(Entity, IncompatibleStatus, void*), void*, bool);
+  Result (*lset_offered_deadline_missed_arg)(Listener_*, void (*)(Entity, DeadlineStatus, void*), void*, bool);
+  Result (*lset_requested_deadline_missed_arg)(Listener_*, void (*)(Entity, DeadlineStatus, void*), void*, bool);
+  Result (*lset_liveliness_lost_arg)(Listener_*, void (*)(Entity, LostStatus, void*), void*, bool);
+  Result (*lset_liveliness_changed_arg)(Listener_*, void (*)(Entity, LivelinessStatus, void*), void*, bool);
+  Result (*lset_sample_lost_arg)(Listener_*, void (*)(Entity, LostStatus, void*), void*, bool);
+  Result (*get_publication_matched_status)(Entity writer, MatchedStatus*);
+  Result (*get_subscription_matched_status)(Entity reader, MatchedStatus*);
+  Result (*get_offered_incompatible_qos_status)(Entity writer, IncompatibleStatus*);
+  Result (*get_requested_incompatible_qos_status)(Entity reader, IncompatibleStatus*);
+  Result (*get_offered_deadline_missed_status)(Entity writer, DeadlineStatus*);
+  Result (*get_requested_deadline_missed_status)(Entity reader, DeadlineStatus*);
+  Result (*get_liveliness_lost_status)(Entity writer, LostStatus*);
+  Result (*get_liveliness_changed_status)(Entity reader, LivelinessStatus*);
+  Result (*get_sample_lost_status)(Entity reader, LostStatus*);
+  Result (*assert_liveliness)(Entity writer);
+  Result (*wait_for_acks)(Entity writer, std::int64_t timeout_ns);
 
   Qos_* (*create_qos)();
   void (*delete_qos)(Qos_*);

@@ -1,15 +1,13 @@
 #include "dds/reader.hpp"
 
 #include <chrono>
-#include <cstring>
 
 #include "dds/serdata.hpp"
 
 namespace tfloom::dds {
 namespace {
 
-constexpr int samples_a_turn = 64;        // then the feeder's next source gets its turn
-constexpr std::size_t cached_gids = 1024;  // of writers that may be gone
+constexpr int samples_a_turn = 64;  // then the feeder's next source gets its turn
 
 std::int64_t now_ns() {
   using namespace std::chrono;
@@ -19,10 +17,15 @@ std::int64_t now_ns() {
 }  // namespace
 
 Reader::Reader(Participant& participant, const TopicName& topic, const Qos& qos, const std::string& user_data)
-    : participant_(participant), library_(participant.library()), topic_(create_topic(participant, topic)) {
+    : participant_(participant),
+      library_(participant.library()),
+      topic_(create_topic(participant, topic)),
+      events_(library_, false),
+      peers_(library_, false) {
   const QosHandle handle = make_reader_qos(library_, qos, user_data);
   Listener_* listener = library_.create_listener(nullptr);
   library_.lset_data_available_arg(listener, &Reader::on_data_available, this, true);
+  events_.listen(listener);
   entity_ = library_.create_reader(participant.subscriber(), topic_, handle.get(), listener);
   library_.delete_listener(listener);
   if (entity_ < 0) library_.delete_entity(topic_);
@@ -71,7 +74,7 @@ bool Reader::take_one(const Receive& receive) {
     if (library_.takecdr(entity_, &serdata, 1, &state, 0) <= 0) return false;
     const TakenSample sample(library_, serdata);
     if (!state.valid_data) continue;
-    receive(sample.data(), {state.source_stamp_ns, now_ns(), publisher_gid(state.publication)});
+    receive(sample.data(), {state.source_stamp_ns, now_ns(), peers_.gid(entity_, state.publication)});
     return true;
   }
 }
@@ -85,23 +88,16 @@ bool Reader::drain() {
   return true;
 }
 
-Gid Reader::publisher_gid(InstanceHandle publication) {
-  const std::lock_guard lock(gids_mutex_);
-  if (const auto found = gids_.find(publication); found != gids_.end()) return found->second;
-  Gid gid{};
-  DiscoveredEndpoint* endpoint = library_.get_matched_publication_data(entity_, publication);
-  if (endpoint == nullptr) return gid;  // it has left since
-  std::memcpy(gid.data(), endpoint->key.octets, gid.size());
-  library_.builtintopic_free_endpoint(endpoint);
-  if (gids_.size() >= cached_gids) gids_.clear();
-  gids_.emplace(publication, gid);
-  return gid;
+std::size_t Reader::matched_count() const { return closed_ ? 0 : peers_.matched_count(entity_); }
+
+std::vector<Peer> Reader::matched() { return closed_ ? std::vector<Peer>() : peers_.matched(entity_); }
+
+void Reader::notify_event(Event event, ReadyQueue* queue, ReadyQueue::Token token) {
+  if (!closed_) events_.notify(event, queue, token);
 }
 
-std::size_t Reader::matched_count() const {
-  if (closed_) return 0;
-  const Result count = library_.get_matched_publications(entity_, nullptr, 0);
-  return count < 0 ? 0 : static_cast<std::size_t>(count);
+std::optional<Events::Status> Reader::take_event(Event event) {
+  return closed_ ? std::nullopt : events_.take(event, entity_);
 }
 
 void Reader::close() {
@@ -112,6 +108,7 @@ void Reader::close() {
     const std::lock_guard lock(listener_mutex_);
     queue_ = nullptr;
   }
+  events_.close();
   library_.delete_entity(entity_);
   library_.delete_entity(topic_);
 }

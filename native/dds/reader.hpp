@@ -5,13 +5,16 @@
 #include <cstddef>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <span>
-#include <unordered_map>
+#include <vector>
 
 #include "core/ready_queue.hpp"
 #include "core/sink.hpp"
 #include "dds/endpoint.hpp"
+#include "dds/events.hpp"
 #include "dds/feeder.hpp"
+#include "dds/peers.hpp"
 #include "dds/qos.hpp"
 
 namespace tfloom::dds {
@@ -33,7 +36,11 @@ class Reader : private Feeder::Source {
   void feed(Sink* sink);
 
   [[nodiscard]] std::size_t matched_count() const;
+  [[nodiscard]] std::vector<Peer> matched();
   [[nodiscard]] const Gid& gid() const { return gid_; }
+
+  void notify_event(Event event, ReadyQueue* queue, ReadyQueue::Token token);
+  [[nodiscard]] std::optional<Events::Status> take_event(Event event);
 
   // Leaves the topic; when it returns, neither queue nor sink will be touched again.
   void close();
@@ -43,20 +50,19 @@ class Reader : private Feeder::Source {
   void data_available();
   bool drain() override;
   bool take_one(const Receive& receive);
-  Gid publisher_gid(InstanceHandle publication);
 
   Participant& participant_;
   const Library& library_;
   Entity topic_;
   Entity entity_ = 0;
   Gid gid_{};
+  Events events_;
+  Peers peers_;
   std::atomic<bool> closed_ = false;
   std::atomic<Sink*> sink_ = nullptr;
   std::mutex listener_mutex_;  // guards the two below; the listener takes it, so it's held for moments only
   ReadyQueue* queue_ = nullptr;
   ReadyQueue::Token token_ = 0;
-  std::mutex gids_mutex_;
-  std::unordered_map<InstanceHandle, Gid> gids_;
 };
 
 }  // namespace tfloom::dds

@@ -22,9 +22,16 @@ void check_encapsulation(std::span<const std::byte> data) {
 }  // namespace
 
 Writer::Writer(Participant& participant, const TopicName& topic, const Qos& qos, const std::string& user_data)
-    : participant_(participant), library_(participant.library()), topic_(create_topic(participant, topic)) {
+    : participant_(participant),
+      library_(participant.library()),
+      topic_(create_topic(participant, topic)),
+      events_(library_, true),
+      peers_(library_, true) {
   const QosHandle handle = make_writer_qos(library_, qos, user_data);
-  entity_ = library_.create_writer(participant.publisher(), topic_, handle.get(), nullptr);
+  Listener_* listener = library_.create_listener(nullptr);
+  events_.listen(listener);
+  entity_ = library_.create_writer(participant.publisher(), topic_, handle.get(), listener);
+  library_.delete_listener(listener);
   if (entity_ < 0) library_.delete_entity(topic_);
   library_.check(entity_, "cannot write " + topic.name);
   library_.check(library_.get_entity_sertype(entity_, &type_), "cannot get the type of " + topic.name);
@@ -52,14 +59,36 @@ void Writer::write(std::span<const std::byte> data) {
   library_.check(library_.writecdr(entity_, sample), "cannot write");
 }
 
-std::size_t Writer::matched_count() const {
-  if (closed_) return 0;
-  const Result count = library_.get_matched_subscriptions(entity_, nullptr, 0);
-  return count < 0 ? 0 : static_cast<std::size_t>(count);
+std::size_t Writer::matched_count() const { return closed_ ? 0 : peers_.matched_count(entity_); }
+
+std::vector<Peer> Writer::matched() { return closed_ ? std::vector<Peer>() : peers_.matched(entity_); }
+
+void Writer::notify_event(Event event, ReadyQueue* queue, ReadyQueue::Token token) {
+  if (!closed_) events_.notify(event, queue, token);
+}
+
+std::optional<Events::Status> Writer::take_event(Event event) {
+  return closed_ ? std::nullopt : events_.take(event, entity_);
+}
+
+void Writer::assert_liveliness() {
+  const std::shared_lock lock(in_use_);
+  if (closed_) throw Error("the writer is closed");
+  library_.check(library_.assert_liveliness(entity_), "cannot assert liveliness");
+}
+
+bool Writer::wait_for_acks(std::int64_t timeout_ns) {
+  if (closed_) throw Error("the writer is closed");
+  const Result result = library_.wait_for_acks(entity_, timeout_ns);
+  if (result == timeout) return false;
+  library_.check(result, "cannot wait for readers");
+  return true;
 }
 
 void Writer::close() {
   if (closed_.exchange(true) || participant_.is_forked()) return;
+  library_.set_listener(entity_, nullptr);  // returns when no listener runs
+  events_.close();
   library_.delete_entity(entity_);
   const std::unique_lock lock(in_use_);
   library_.delete_entity(topic_);

@@ -3,10 +3,14 @@
 
 #include <atomic>
 #include <cstddef>
+#include <optional>
 #include <shared_mutex>
 #include <span>
+#include <vector>
 
 #include "dds/endpoint.hpp"
+#include "dds/events.hpp"
+#include "dds/peers.hpp"
 #include "dds/qos.hpp"
 
 namespace tfloom::dds {
@@ -23,7 +27,17 @@ class Writer {
   void write(std::span<const std::byte> data);
 
   [[nodiscard]] std::size_t matched_count() const;
+  [[nodiscard]] std::vector<Peer> matched();
   [[nodiscard]] const Gid& gid() const { return gid_; }
+
+  void notify_event(Event event, ReadyQueue* queue, ReadyQueue::Token token);
+  [[nodiscard]] std::optional<Events::Status> take_event(Event event);
+
+  // Tells readers that this writer is alive, as a write does.
+  void assert_liveliness();
+
+  // Waits until all matched reliable readers have all that was written; false on a timeout.
+  [[nodiscard]] bool wait_for_acks(std::int64_t timeout_ns);
 
   // Leaves the topic, when the writes under way have ended; a write that waits for readers ends at once.
   void close();
@@ -35,6 +49,8 @@ class Writer {
   Entity entity_ = 0;
   const Sertype_* type_ = nullptr;
   Gid gid_{};
+  Events events_;
+  Peers peers_;
   std::atomic<bool> closed_ = false;
   std::shared_mutex in_use_;  // shared by writes, which need the type
 };

@@ -78,11 +78,32 @@ class DdsWriter:
     def gid(self) -> bytes:
         """16 octets."""
 
+    def matched_count(self) -> int:
+        """Return how many peers are connected now."""
+
+    def matched(self) -> list[tuple[bytes, bytes]]:
+        """Return the gid and the user data of each peer that is connected now."""
+
+    def notify_event(self, event: int, queue: ReadyQueue | None, token: int) -> None:
+        """
+        Post `token` to `queue` when `event` (tfloom.rmw.events.Event) may have news; None ends it.
+        """
+
+    def take_event(self, event: int) -> tuple[int, int, int, int] | None:
+        """
+        Return the fields of the event's status, padded with zeros, or None if nothing has changed.
+        """
+
     def write(self, data: bytes) -> None:
         """Send a sample: encapsulation header 00 01 xx xx and little-endian CDR."""
 
-    def matched_count(self) -> int:
-        """Return how many readers are connected now."""
+    def assert_liveliness(self) -> None:
+        """Say that this writer is alive."""
+
+    def wait_for_acks(self, timeout_ns: int) -> bool:
+        """
+        Wait until all reliable readers have all that was written; False on a timeout.
+        """
 
     def close(self) -> None:
         """Leave the topic. Closing again does nothing."""
@@ -99,6 +120,22 @@ class DdsReader:
     def gid(self) -> bytes:
         """16 octets."""
 
+    def matched_count(self) -> int:
+        """Return how many peers are connected now."""
+
+    def matched(self) -> list[tuple[bytes, bytes]]:
+        """Return the gid and the user data of each peer that is connected now."""
+
+    def notify_event(self, event: int, queue: ReadyQueue | None, token: int) -> None:
+        """
+        Post `token` to `queue` when `event` (tfloom.rmw.events.Event) may have news; None ends it.
+        """
+
+    def take_event(self, event: int) -> tuple[int, int, int, int] | None:
+        """
+        Return the fields of the event's status, padded with zeros, or None if nothing has changed.
+        """
+
     def notify(self, queue: ReadyQueue | None, token: int) -> None:
         """Post `token` to `queue` when there is something to take; None ends it."""
 
@@ -109,9 +146,6 @@ class DdsReader:
 
     def feed(self, sink: Sink) -> None:
         """Push every sample into `sink` from now on, on a thread without Python."""
-
-    def matched_count(self) -> int:
-        """Return how many writers are connected now."""
 
     def close(self) -> None:
         """

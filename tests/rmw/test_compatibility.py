@@ -6,8 +6,14 @@ from itertools import product
 
 import pytest
 
-from tfloom.rmw.compatibility import PolicyKind, incompatible_policies
+from tfloom.rmw.compatibility import (
+    PolicyKind,
+    best_available,
+    incompatible_policies,
+    is_best_available,
+)
 from tfloom.rmw.qos import (
+    BEST_AVAILABLE_NS,
     INFINITE_NS,
     DurabilityPolicy,
     HistoryPolicy,
@@ -45,7 +51,12 @@ def test_one_weaker_offer_keeps_the_ends_apart(kind: PolicyKind, field: str) -> 
 
 
 def test_all_that_differ_are_named() -> None:
-    assert incompatible_policies(WEAK, STRONG) == list(PolicyKind)
+    assert incompatible_policies(WEAK, STRONG) == [
+        PolicyKind.DURABILITY,
+        PolicyKind.DEADLINE,
+        PolicyKind.LIVELINESS,
+        PolicyKind.RELIABILITY,
+    ]
 
 
 def test_history_depth_and_lifespan_do_not_matter() -> None:
@@ -58,3 +69,36 @@ def test_system_defaults_resolve_to_those_of_ros() -> None:
     unset = QoS(*[type(value)(0) for value in QoS()])
     assert unset.resolved() == QoS(depth=1)
     assert STRONG.resolved() == STRONG
+
+
+BEST = QoS(
+    ReliabilityPolicy.BEST_AVAILABLE,
+    DurabilityPolicy.BEST_AVAILABLE,
+    deadline_ns=BEST_AVAILABLE_NS,
+    liveliness=LivelinessPolicy.BEST_AVAILABLE,
+    liveliness_lease_ns=BEST_AVAILABLE_NS,
+)
+
+
+@pytest.mark.parametrize("theirs", [[], [STRONG], [WEAK], [STRONG, WEAK], [WEAK, STRONG, STRONG]])
+def test_best_available_meets_everybody(theirs: list[QoS]) -> None:
+    writer = best_available(BEST, theirs, is_writer=True)
+    reader = best_available(BEST, theirs, is_writer=False)
+    assert not is_best_available(writer)
+    assert not is_best_available(reader)
+    for other in theirs:
+        assert incompatible_policies(writer, other) == []
+        assert incompatible_policies(other, reader) == []
+
+
+def test_best_available_is_the_most_there_is() -> None:
+    assert best_available(BEST, [STRONG], is_writer=False) == STRONG._replace(depth=BEST.depth)
+    assert best_available(BEST, [STRONG], is_writer=True) == STRONG._replace(depth=BEST.depth)
+    alone = best_available(BEST, [], is_writer=True)
+    assert alone == QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL)
+
+
+def test_what_is_not_best_available_stays() -> None:
+    for qos in (STRONG, WEAK):
+        assert not is_best_available(qos)
+        assert best_available(qos, [WEAK, STRONG], is_writer=False) == qos

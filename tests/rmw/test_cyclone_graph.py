@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -11,7 +12,7 @@ import pytest
 
 from tfloom._native import DdsParticipant, DdsWriter, ReadyQueue
 from tfloom.rmw import node_lists
-from tfloom.rmw.base import NodeName, Topic
+from tfloom.rmw.base import NodeName, Service, Topic
 from tfloom.rmw.cyclone_config import configuration
 from tfloom.rmw.cyclone_library import find_library
 from tfloom.rmw.cyclonedds import open_participant
@@ -69,6 +70,36 @@ def test_endpoints_look_as_those_of_a_real_ros(
         expected, got = recorded_endpoint(kind, name), seen[kind, name]
         assert got["type_name"] == expected["type_name"]
         assert set(expected["qos"]) <= set(got["qos"]), (kind, name)
+
+
+def test_service_ends_look_as_those_of_a_real_ros(
+    participant, node, domain_id, monkeypatch, start_program
+) -> None:
+    recorded = {
+        ("subscription", "rq/killRequest"): recorded_endpoint("subscription", "rq/killRequest"),
+        ("publication", "rr/killReply"): recorded_endpoint("publication", "rr/killReply"),
+    }
+    hashes = [re.search("RIHS01_[0-9a-f]+", str(end["qos"]))[0] for end in recorded.values()]
+    participant.create_responder(node, Service("/kill", "turtlesim/srv/Kill", *hashes), QoS())
+    participant.create_writer(node, Topic("/last", "std_msgs/msg/String", ""), QoS())
+    monkeypatch.setenv("CYCLONEDDS_URI", configuration())
+    program = start_program("python", OBSERVE, str(domain_id), "1")
+    assert program.wait() == 0, program.output
+    seen = {(entry["kind"], entry.get("topic_name")): entry for entry in map(json.loads, program.lines)}
+    server_ids = set()
+    for key, expected in recorded.items():
+        got = seen[key]
+        assert got["type_name"] == expected["type_name"]
+        *policies, user_data = expected["qos"]
+        assert set(policies) <= set(got["qos"])
+        (told,) = (policy for policy in got["qos"] if policy.startswith("Policy.Userdata"))
+        prefix, server_id, rest = re.fullmatch(r"(.*serviceid=)([ 0-9a-f.]+)(;.*)", told).groups()
+        assert user_data.startswith(prefix)
+        assert user_data.endswith(rest)
+        assert server_id.count(".") == 15
+        assert server_id.startswith(" 1.10.")
+        server_ids.add(server_id)
+    assert len(server_ids) == 1
 
 
 def test_the_participant_announces_its_enclave(participant, domain_id, monkeypatch, start_program) -> None:

@@ -57,7 +57,7 @@ def test_samples_tell_who_wrote_them_and_when(participant, start_peer, node, top
     reader = participant.create_reader(node, topic, KEEP_ALL)
     peer = start_peer()
     ends = [peer("writer", topic, KEEP_ALL) for _ in range(2)]
-    wait_until(lambda: reader.matched_count() == 2)
+    wait_until(lambda: reader.matched_count() == 2 and all(peer("matched", end) for end, _ in ends))
     samples = []
     for end, _ in ends:
         peer("write_random", end, 0, 8)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from typing import NamedTuple, Protocol
 
 from tfloom._native import ReadyQueue, Sink
+from tfloom.rmw.events import Event, Status
 from tfloom.rmw.qos import QoS
 
 
@@ -61,6 +62,61 @@ class EndpointInfo(NamedTuple):
     qos: QoS
 
 
+class Service(NamedTuple):
+    """What is called or served."""
+
+    name: str
+    """Fully qualified: `/spawn`."""
+    type_name: str
+    """`turtlesim/srv/Spawn`."""
+    request_hash: str = ""
+    """`RIHS01_` and 64 hex digits of the request's part; empty if not known."""
+    response_hash: str = ""
+    """The same of the response's part."""
+
+
+class ServiceEndInfo(NamedTuple):
+    """A server or a client on the graph, anybody's."""
+
+    name: str
+    type_name: str
+    node: NodeName | None
+    """None where an `EndpointInfo` has None."""
+    is_server: bool
+    gid: bytes
+    """16 octets: of a server's reader of requests, of a client's writer of requests."""
+    qos: QoS
+
+
+class RequestId(NamedTuple):
+    """What a server sends back with its response, for the client to know which request it answers."""
+
+    client_gid: bytes
+    """16 octets."""
+    sequence_number: int
+    """From 1, counted by each client."""
+
+
+class Request(NamedTuple):
+    """One request off the wire, without any header of the wire's own."""
+
+    data: bytes
+    """Encapsulation header (4 octets) and CDR."""
+    id: RequestId
+    source_stamp_ns: int
+    received_stamp_ns: int
+
+
+class Response(NamedTuple):
+    """One response to a request of ours."""
+
+    data: bytes
+    """Encapsulation header (4 octets) and CDR."""
+    id: RequestId
+    source_stamp_ns: int
+    received_stamp_ns: int
+
+
 class Graph(Protocol):
     """Everything a participant has heard of, its own included. Each answer is a snapshot."""
 
@@ -69,6 +125,9 @@ class Graph(Protocol):
 
     def endpoints(self) -> list[EndpointInfo]:
         """Return writers and readers of ROS topics (`rt/…` on DDS), in order of topic name."""
+
+    def service_ends(self) -> list[ServiceEndInfo]:
+        """Return servers and clients, in order of service name."""
 
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` whenever the graph has changed; None ends it."""
@@ -87,6 +146,29 @@ class Writer(Protocol):
 
     def matched_count(self) -> int:
         """Return how many readers are connected now."""
+
+    def notify_event(self, event: Event, queue: ReadyQueue | None, token: int = 0) -> None:
+        """Post `token` to `queue` when `take_event(event)` may have news, once at the start too; None ends it.
+
+        Raises:
+            UnsupportedEventError: this wire, or a writer, has no such event.
+        """
+
+    def take_event(self, event: Event) -> Status | None:
+        """Return what has become of `event` since it was taken last, or None if nothing has happened.
+
+        Raises:
+            UnsupportedEventError: this wire, or a writer, has no such event.
+        """
+
+    def assert_liveliness(self) -> None:
+        """Say that this writer is alive, as `LivelinessPolicy.MANUAL_BY_TOPIC` wants it; a write says so too."""
+
+    def wait_for_acks(self, timeout_ns: int) -> bool:
+        """Wait until all connected reliable readers have all that was written; False on a timeout.
+
+        Does not wait with a timeout of 0, waits for ever with a negative one.
+        """
 
     def close(self) -> None:
         """Leave the topic. Closing again does nothing; writing afterwards raises RuntimeError."""
@@ -116,8 +198,83 @@ class Reader(Protocol):
     def matched_count(self) -> int:
         """Return how many writers are connected now."""
 
+    def notify_event(self, event: Event, queue: ReadyQueue | None, token: int = 0) -> None:
+        """Post `token` to `queue` when `take_event(event)` may have news, once at the start too; None ends it.
+
+        Raises:
+            UnsupportedEventError: this wire, or a reader, has no such event.
+        """
+
+    def take_event(self, event: Event) -> Status | None:
+        """Return what has become of `event` since it was taken last, or None if nothing has happened.
+
+        Raises:
+            UnsupportedEventError: this wire, or a reader, has no such event.
+        """
+
     def close(self) -> None:
         """Leave the topic. Closing again does nothing."""
+
+
+class Requester(Protocol):
+    """A client of a service."""
+
+    gid: bytes
+
+    def send(self, data: bytes) -> int:
+        """Send a request, encapsulation header and CDR, and return its sequence number.
+
+        Who isn't ready to take it never sees it.
+
+        Raises:
+            ForeignPeerError: a server of this service speaks another vendor's form and would misread the request.
+            ClosedError: the requester is closed.
+        """
+
+    def take(self) -> Response | None:
+        """Remove and return the oldest waiting response to a request of this client, or None. Never blocks."""
+
+    def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
+        """Post `token` to `queue` when there may be something to take; see `Reader.notify`."""
+
+    def notify_ready(self, queue: ReadyQueue | None, token: int = 0) -> None:
+        """Post `token` to `queue` when `is_ready` may have changed, once at the start too; None ends it."""
+
+    def is_ready(self) -> bool:
+        """Tell whether a server is connected both ways, so that a request sent now will be answered."""
+
+    def obstacle(self) -> str:
+        """Return why this client will never be ready as things stand, for the user to read; empty if it may be."""
+
+    def close(self) -> None:
+        """Leave the service. Closing again does nothing."""
+
+
+class Responder(Protocol):
+    """A server of a service."""
+
+    gid: bytes
+
+    def take(self) -> Request | None:
+        """Remove and return the oldest waiting request, or None. Never blocks."""
+
+    def send(self, request_id: RequestId, data: bytes) -> None:
+        """Answer a request: encapsulation header and CDR. A client that has left is not an error.
+
+        May wait, for 0.1 s at most, for a client that can't hear the answer yet.
+
+        Raises:
+            ClosedError: the responder is closed.
+        """
+
+    def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
+        """Post `token` to `queue` when there may be something to take; see `Reader.notify`."""
+
+    def obstacle(self) -> str:
+        """Return why some client can't be served as things stand, for the user to read; empty if all can be."""
+
+    def close(self) -> None:
+        """Leave the service. Closing again does nothing."""
 
 
 class Participant(Protocol):
@@ -137,6 +294,12 @@ class Participant(Protocol):
 
     def create_reader(self, node: NodeName, topic: Topic, qos: QoS) -> Reader:
         """Ask for a topic on behalf of `node`."""
+
+    def create_requester(self, node: NodeName, service: Service, qos: QoS) -> Requester:
+        """Become a client of a service on behalf of `node`."""
+
+    def create_responder(self, node: NodeName, service: Service, qos: QoS) -> Responder:
+        """Serve a service on behalf of `node`."""
 
     def close(self) -> None:
         """Close all writers and readers and leave the domain. Closing again does nothing."""

@@ -4,12 +4,21 @@ from __future__ import annotations
 
 from enum import IntEnum
 
-from tfloom.rmw.qos import QoS
+from tfloom.rmw.qos import (
+    BEST_AVAILABLE_NS,
+    INFINITE_NS,
+    DurabilityPolicy,
+    LivelinessPolicy,
+    QoS,
+    ReliabilityPolicy,
+)
 
 
 class PolicyKind(IntEnum):
     """The policies that can keep two ends apart, by ROS's numbers."""
 
+    INVALID = 1
+    """None that ROS knows."""
     DURABILITY = 2
     DEADLINE = 4
     LIVELINESS = 8
@@ -30,3 +39,58 @@ def incompatible_policies(offered: QoS, requested: QoS) -> list[PolicyKind]:
         PolicyKind.RELIABILITY: offered.reliability > requested.reliability,
     }
     return [kind for kind, is_apart in apart.items() if is_apart]
+
+
+def is_best_available(qos: QoS) -> bool:
+    """Tell whether a policy of `qos` is up to what others on the topic have."""
+    return (
+        qos.reliability == ReliabilityPolicy.BEST_AVAILABLE
+        or qos.durability == DurabilityPolicy.BEST_AVAILABLE
+        or qos.liveliness == LivelinessPolicy.BEST_AVAILABLE
+        or BEST_AVAILABLE_NS in {qos.deadline_ns, qos.liveliness_lease_ns}
+    )
+
+
+def best_available(qos: QoS, theirs: list[QoS], *, is_writer: bool) -> QoS:
+    """Return `qos` with each policy that is BEST_AVAILABLE made the strongest by which it meets all of `theirs`.
+
+    A writer offers the most there is; a reader asks for what every writer on the topic offers.
+
+    Args:
+        qos: What a new writer or reader wants.
+        theirs: What the readers, or the writers, that are on the topic now have.
+        is_writer: Whether `qos` is offered, not asked for.
+    """
+    reliability, durability, liveliness = qos.reliability, qos.durability, qos.liveliness
+    if reliability == ReliabilityPolicy.BEST_AVAILABLE:
+        all_reliable = all(other.reliability == ReliabilityPolicy.RELIABLE for other in theirs)
+        strong = is_writer or all_reliable
+        reliability = ReliabilityPolicy.RELIABLE if strong else ReliabilityPolicy.BEST_EFFORT
+    if durability == DurabilityPolicy.BEST_AVAILABLE:
+        all_kept = all(other.durability == DurabilityPolicy.TRANSIENT_LOCAL for other in theirs)
+        strong = is_writer or all_kept
+        durability = DurabilityPolicy.TRANSIENT_LOCAL if strong else DurabilityPolicy.VOLATILE
+    if liveliness == LivelinessPolicy.BEST_AVAILABLE:
+        manual = [other.liveliness == LivelinessPolicy.MANUAL_BY_TOPIC for other in theirs]
+        strong = any(manual) if is_writer else bool(manual) and all(manual)
+        liveliness = LivelinessPolicy.MANUAL_BY_TOPIC if strong else LivelinessPolicy.AUTOMATIC
+    return qos._replace(
+        reliability=reliability,
+        durability=durability,
+        liveliness=liveliness,
+        deadline_ns=_best_duration(
+            qos.deadline_ns, [other.deadline_ns for other in theirs], is_writer=is_writer
+        ),
+        liveliness_lease_ns=_best_duration(
+            qos.liveliness_lease_ns, [other.liveliness_lease_ns for other in theirs], is_writer=is_writer
+        ),
+    )
+
+
+def _best_duration(duration_ns: int, theirs_ns: list[int], *, is_writer: bool) -> int:
+    """Offer the shortest that anybody asks for; ask for the longest that anybody offers."""
+    if duration_ns != BEST_AVAILABLE_NS:
+        return duration_ns
+    if not theirs_ns:
+        return INFINITE_NS
+    return min(theirs_ns) if is_writer else max(theirs_ns)

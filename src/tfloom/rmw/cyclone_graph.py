@@ -7,9 +7,15 @@ from typing import NamedTuple
 
 from tfloom._native import DdsGraph, DdsParticipant, ReadyQueue
 from tfloom.rmw import node_lists
-from tfloom.rmw.base import EndpointInfo, NodeName, Topic
+from tfloom.rmw.base import EndpointInfo, NodeName, ServiceEndInfo, Topic
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoS, ReliabilityPolicy
-from tfloom.rmw.topic_names import key_values, topic_from_dds, type_from_dds, type_to_dds
+from tfloom.rmw.topic_names import (
+    key_values,
+    service_from_request_topic,
+    topic_from_dds,
+    type_from_dds,
+    type_to_dds,
+)
 
 NODE_LIST_USER_DATA = f"typehash={node_lists.TYPE_HASH};".encode()
 
@@ -22,6 +28,7 @@ class _View(NamedTuple):
     changes: int
     nodes: list[NodeName]
     endpoints: list[EndpointInfo]
+    service_ends: list[ServiceEndInfo]
 
 
 class CycloneGraph:
@@ -36,7 +43,7 @@ class CycloneGraph:
             NODE_LIST_USER_DATA,
         )
         self._lock = threading.Lock()
-        self._view = _View(-1, [], [])
+        self._view = _View(-1, [], [], [])
 
     def nodes(self) -> list[NodeName]:
         """Return the nodes, one entry for each, in order of their full names."""
@@ -45,6 +52,10 @@ class CycloneGraph:
     def endpoints(self) -> list[EndpointInfo]:
         """Return writers and readers of ROS topics, in order of topic name."""
         return list(self._current().endpoints)
+
+    def service_ends(self) -> list[ServiceEndInfo]:
+        """Return servers and clients, in order of service name."""
+        return list(self._current().service_ends)
 
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` whenever the graph has changed; None ends it."""
@@ -73,17 +84,24 @@ class CycloneGraph:
             for ends in _decoded(node_list):
                 nodes.append(ends.name)
                 node_of.update(dict.fromkeys((*ends.reader_gids, *ends.writer_gids), ends.name))
-        infos = []
+        infos: list[EndpointInfo] = []
+        service_ends: list[ServiceEndInfo] = []
         for gid, _, is_writer, dds_topic, dds_type, user_data, qos in endpoints:
-            name = topic_from_dds(dds_topic.decode("utf-8", "replace"))
-            if name is None:
-                continue
+            dds_name = dds_topic.decode("utf-8", "replace")
             type_name = type_from_dds(dds_type.decode("utf-8", "replace"))
-            topic = Topic(name, type_name, key_values(user_data).get("typehash", ""))
-            infos.append(EndpointInfo(topic, node_of.get(gid), is_writer, gid, _qos(*qos)))
+            if name := topic_from_dds(dds_name):
+                topic = Topic(name, type_name, key_values(user_data).get("typehash", ""))
+                infos.append(EndpointInfo(topic, node_of.get(gid), is_writer, gid, _qos(*qos)))
+            elif service := service_from_request_topic(dds_name, type_name):
+                service_ends.append(
+                    ServiceEndInfo(
+                        *service, node_of.get(gid), is_server=not is_writer, gid=gid, qos=_qos(*qos)
+                    )
+                )
         nodes.sort(key=lambda node: node.full)
         infos.sort(key=lambda info: info.topic.name)
-        return _View(changes, nodes, infos)
+        service_ends.sort(key=lambda end: end.name)
+        return _View(changes, nodes, infos, service_ends)
 
 
 def _decoded(node_list: bytes) -> list[node_lists.NodeEnds]:

@@ -9,18 +9,30 @@ from __future__ import annotations
 import atexit
 import os
 import threading
+from itertools import count
 from typing import TypeVar
 from weakref import WeakSet
 
-from tfloom._native import DdsParticipant, DdsReader, DdsWriter, ReadyQueue, Sink
+from tfloom._native import DdsParticipant, DdsReader, DdsWriter
 from tfloom.rmw import node_lists
-from tfloom.rmw.base import NodeName, Sample, Topic
+from tfloom.rmw.base import NodeName, Service, Topic
+from tfloom.rmw.compatibility import best_available, is_best_available
 from tfloom.rmw.cyclone_config import configuration
+from tfloom.rmw.cyclone_endpoints import CycloneEndpoint, CycloneReader, CycloneWriter
 from tfloom.rmw.cyclone_graph import NODE_LIST_USER_DATA, CycloneGraph
 from tfloom.rmw.cyclone_library import find_library
+from tfloom.rmw.cyclone_services import (
+    CLIENT_KEY,
+    SERVER_KEY,
+    CycloneClients,
+    CycloneServers,
+    end_id,
+    end_user_data,
+)
 from tfloom.rmw.errors import ClosedError, WireError
 from tfloom.rmw.qos import DurabilityPolicy, QoS
-from tfloom.rmw.topic_names import topic_to_dds, type_to_dds
+from tfloom.rmw.services import HeaderRequester, HeaderResponder
+from tfloom.rmw.topic_names import request_topic, response_topic, topic_to_dds, type_to_dds
 
 _WRITE_LAST = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, depth=1)
 
@@ -51,74 +63,8 @@ def _close_all() -> None:
         participant.close()
 
 
-class CycloneWriter:
-    """The sending end; see `base.Writer`."""
-
-    def __init__(self, participant: CycloneParticipant, native: DdsWriter, topic: Topic) -> None:
-        self.gid: bytes = native.gid
-        self.topic = topic
-        self._participant = participant
-        self._native = native
-        self._closed = False
-
-    def write(self, data: bytes) -> None:
-        """Send one sample; waits where readers of a reliable topic don't keep up.
-
-        Raises:
-            ClosedError: the writer has left its topic.
-            ValueError: the sample doesn't start with the header of little-endian CDR, or ends there.
-        """
-        try:
-            self._native.write(data)
-        except RuntimeError as error:
-            what = ClosedError if self._closed else WireError
-            raise what(f"cannot write to {self.topic.name}: {error}") from None
-
-    def matched_count(self) -> int:
-        """Return how many readers are connected now."""
-        return self._native.matched_count()
-
-    def close(self) -> None:
-        """Leave the topic. Closing again does nothing."""
-        if not self._closed:
-            self._closed = True
-            self._participant.forget(self)
-            self._native.close()
-
-
-class CycloneReader:
-    """The receiving end; see `base.Reader`."""
-
-    def __init__(self, participant: CycloneParticipant, native: DdsReader, topic: Topic) -> None:
-        self.gid: bytes = native.gid
-        self.topic = topic
-        self._participant = participant
-        self._native = native
-        self._closed = False
-
-    def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
-        """Post `token` to `queue` when there is something to take, at once if there may be; None ends it."""
-        self._native.notify(queue, token)
-
-    def take(self) -> Sample | None:
-        """Remove and return the oldest waiting sample, or None. Its time of receipt is that of its being taken."""
-        taken = self._native.take()
-        return None if taken is None else Sample(*taken)
-
-    def feed(self, sink: Sink) -> None:
-        """Push every sample into `sink` from now on, those already waiting first."""
-        self._native.feed(sink)
-
-    def matched_count(self) -> int:
-        """Return how many writers are connected now."""
-        return self._native.matched_count()
-
-    def close(self) -> None:
-        """Leave the topic. Closing again does nothing."""
-        if not self._closed:
-            self._closed = True
-            self._participant.forget(self)
-            self._native.close()
+def _user_data(topic: Topic) -> bytes:
+    return f"typehash={topic.type_hash};".encode() if topic.type_hash else b""
 
 
 class CycloneParticipant:
@@ -130,7 +76,8 @@ class CycloneParticipant:
         self._process = os.getpid()
         self._lock = threading.Lock()
         self._nodes: list[NodeName] = []
-        self._ends: dict[CycloneWriter | CycloneReader, NodeName] = {}
+        self._ends: dict[CycloneEndpoint, NodeName] = {}
+        self._service_end_numbers = count(1)
         self._closed = False
         try:
             self._native = DdsParticipant(
@@ -171,9 +118,9 @@ class CycloneParticipant:
         Raises:
             WireError: the library refuses it; its text says why.
         """
-        native = self._open(DdsWriter, topic, qos)
-        writer = CycloneWriter(self, native, topic)
-        self._remember(writer, node)
+        best = self._best_available(topic.name, qos, is_writer=True)
+        writer = self._open_writer(topic_to_dds(topic.name), topic, best, _user_data(topic))
+        self._remember(node, writer)
         return writer
 
     def create_reader(self, node: NodeName, topic: Topic, qos: QoS) -> CycloneReader:
@@ -182,32 +129,72 @@ class CycloneParticipant:
         Raises:
             WireError: the library refuses it; its text says why.
         """
-        native = self._open(DdsReader, topic, qos)
-        reader = CycloneReader(self, native, topic)
-        self._remember(reader, node)
+        best = self._best_available(topic.name, qos, is_writer=False)
+        reader = self._open_reader(topic_to_dds(topic.name), topic, best, _user_data(topic))
+        self._remember(node, reader)
         return reader
 
-    def _open(self, kind: type[_Native], topic: Topic, qos: QoS) -> _Native:
+    def create_requester(self, node: NodeName, service: Service, qos: QoS) -> HeaderRequester:
+        """Become a client of a service on behalf of `node`.
+
+        Raises:
+            WireError: the library refuses it; its text says why.
+        """
+        asking, answering = request_topic(service), response_topic(service)
+        identifier = end_id(self._native.gid, next(self._service_end_numbers))
+        user_data = end_user_data(CLIENT_KEY, identifier, service.response_hash)
+        responses = self._open_reader(answering.name, answering, qos, user_data)
+        user_data = end_user_data(CLIENT_KEY, identifier, service.request_hash)
+        requests = self._open_writer(asking.name, asking, qos, user_data)
+        self._remember(node, requests, responses)
+        return HeaderRequester(
+            requests, responses, CycloneServers(requests, responses, service.name), os.urandom(8)
+        )
+
+    def create_responder(self, node: NodeName, service: Service, qos: QoS) -> HeaderResponder:
+        """Serve a service on behalf of `node`.
+
+        Raises:
+            WireError: the library refuses it; its text says why.
+        """
+        asking, answering = request_topic(service), response_topic(service)
+        identifier = end_id(self._native.gid, next(self._service_end_numbers))
+        user_data = end_user_data(SERVER_KEY, identifier, service.response_hash)
+        responses = self._open_writer(answering.name, answering, qos, user_data)
+        user_data = end_user_data(SERVER_KEY, identifier, service.request_hash)
+        requests = self._open_reader(asking.name, asking, qos, user_data)
+        self._remember(node, requests, responses)
+        return HeaderResponder(requests, responses, CycloneClients(requests, responses, service.name))
+
+    def _best_available(self, topic_name: str, qos: QoS, *, is_writer: bool) -> QoS:
+        if not is_best_available(qos):
+            return qos
+        ends = self.graph.endpoints()
+        theirs = [end.qos for end in ends if end.topic.name == topic_name and end.is_writer != is_writer]
+        return best_available(qos, theirs, is_writer=is_writer)
+
+    def _open_writer(self, dds_name: str, topic: Topic, qos: QoS, user_data: bytes) -> CycloneWriter:
+        native = self._open(DdsWriter, dds_name, topic, qos, user_data)
+        return CycloneWriter(native, topic.name, self._forget)
+
+    def _open_reader(self, dds_name: str, topic: Topic, qos: QoS, user_data: bytes) -> CycloneReader:
+        native = self._open(DdsReader, dds_name, topic, qos, user_data)
+        return CycloneReader(native, topic.name, self._forget)
+
+    def _open(self, kind: type[_Native], dds_name: str, topic: Topic, qos: QoS, user_data: bytes) -> _Native:
         if self._closed:
             raise ClosedError(f"cannot open {topic.name}: its participant is closed")
-        user_data = f"typehash={topic.type_hash};".encode() if topic.type_hash else b""
         try:
-            return kind(
-                self._native,
-                topic_to_dds(topic.name),
-                type_to_dds(topic.type_name),
-                qos.resolved(),
-                user_data,
-            )
+            return kind(self._native, dds_name, type_to_dds(topic.type_name), qos.resolved(), user_data)
         except RuntimeError as error:
             raise WireError(str(error)) from None
 
-    def _remember(self, end: CycloneWriter | CycloneReader, node: NodeName) -> None:
+    def _remember(self, node: NodeName, *ends: CycloneEndpoint) -> None:
         with self._lock:
-            self._ends[end] = node
+            self._ends.update(dict.fromkeys(ends, node))
             self._tell()
 
-    def forget(self, end: CycloneWriter | CycloneReader) -> None:
+    def _forget(self, end: CycloneEndpoint) -> None:
         """Drop an endpoint that closes from the list of what its node has."""
         if self._is_forked():
             return

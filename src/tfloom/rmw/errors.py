@@ -1,9 +1,11 @@
 """What can go wrong with a wire.
 
 WireError (RuntimeError)
-├── NoBackendError       the wire asked for, or any wire, isn't installed or isn't known
-├── ConfigurationError   an environment variable or an argument holds what the wire can't take
-└── ClosedError          an endpoint was used after it had left its topic
+├── NoBackendError         the wire asked for, or any wire, isn't installed or isn't known
+├── ConfigurationError     an environment variable or an argument holds what the wire can't take
+├── ClosedError            an endpoint was used after it had left its topic
+├── ForeignPeerError       a service's other end speaks another vendor's form
+└── UnsupportedEventError  this wire, or this kind of endpoint, has no such event
 """
 
 from __future__ import annotations
@@ -23,3 +25,11 @@ class ConfigurationError(WireError):
 
 class ClosedError(WireError):
     """A writer was used after it had been closed."""
+
+
+class ForeignPeerError(WireError):
+    """A request would reach a server of another vendor, which would misread it; so it wasn't sent."""
+
+
+class UnsupportedEventError(WireError):
+    """An event that this wire doesn't know, or that the other kind of endpoint has."""

@@ -7,16 +7,17 @@ of service. Nothing leaves the process, no thread runs, and the order of samples
 from __future__ import annotations
 
 import threading
-import time
-from collections import deque
 from itertools import count
-from typing import NamedTuple
 
-from tfloom._native import ReadyQueue, Sink
-from tfloom.rmw.base import EndpointInfo, NodeName, Sample, Topic
-from tfloom.rmw.compatibility import incompatible_policies
+from tfloom._native import ReadyQueue
+from tfloom.rmw.base import EndpointInfo, NodeName, Service, ServiceEndInfo, Topic
+from tfloom.rmw.compatibility import best_available, is_best_available
 from tfloom.rmw.errors import ClosedError
-from tfloom.rmw.qos import INFINITE_NS, DurabilityPolicy, HistoryPolicy, QoS
+from tfloom.rmw.local_endpoints import LocalReader, LocalWriter
+from tfloom.rmw.local_services import LocalClients, LocalServers
+from tfloom.rmw.qos import QoS
+from tfloom.rmw.services import HeaderRequester, HeaderResponder
+from tfloom.rmw.topic_names import request_topic, response_topic, service_from_request_topic
 
 _domains: dict[int, _Domain] = {}
 _domains_lock = threading.Lock()
@@ -32,21 +33,8 @@ def open_participant(domain_id: int, enclave: str = "/") -> LocalParticipant:
     return participant
 
 
-class _Stored(NamedTuple):
-    sample: Sample
-    expires_ns: int
-
-
-def _keep(qos: QoS) -> deque[_Stored]:
-    """Return an empty store that holds what `qos` keeps."""
-    return deque(maxlen=None if qos.history == HistoryPolicy.KEEP_ALL else qos.depth)
-
-
 class _Domain:
-    """Everybody on one domain of this process.
-
-    Locks are taken in this order: a domain's, a writer's, a reader's.
-    """
+    """Everybody on one domain of this process."""
 
     def __init__(self) -> None:
         self.lock = threading.Lock()
@@ -126,10 +114,25 @@ class LocalGraph:
             return sorted(self._domain.nodes, key=lambda node: node.full)
 
     def endpoints(self) -> list[EndpointInfo]:
-        """Return writers and readers, in order of topic name."""
+        """Return writers and readers of topics, in order of topic name."""
+        infos = [info for info in self._infos() if info.topic.name.startswith("/")]
+        return sorted(infos, key=lambda info: info.topic.name)
+
+    def service_ends(self) -> list[ServiceEndInfo]:
+        """Return servers and clients, in order of service name."""
+        ends = []
+        for info in self._infos():
+            if service := service_from_request_topic(info.topic.name, info.topic.type_name):
+                is_server = not info.is_writer
+                ends.append(
+                    ServiceEndInfo(*service, info.node, is_server=is_server, gid=info.gid, qos=info.qos)
+                )
+        return sorted(ends, key=lambda end: end.name)
+
+    def _infos(self) -> list[EndpointInfo]:
         with self._domain.lock:
             ends: list[LocalWriter | LocalReader] = [*self._domain.writers, *self._domain.readers]
-        return sorted((end.info for end in ends), key=lambda info: info.topic.name)
+        return [end.info for end in ends]
 
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` whenever the graph has changed; None ends it."""
@@ -145,153 +148,6 @@ class LocalGraph:
             listener[0].post(listener[1])
 
 
-class LocalWriter:
-    """The sending end; see `base.Writer`."""
-
-    def __init__(self, domain: _Domain, info: EndpointInfo) -> None:
-        self.info = info
-        self.gid = info.gid
-        self._domain = domain
-        self._lock = threading.Lock()
-        self._readers: list[LocalReader] = []
-        self._late = _keep(info.qos)
-        self._closed = False
-
-    def write(self, data: bytes) -> None:
-        """Put a sample into every matched reader.
-
-        Raises:
-            ClosedError: the writer has left its topic.
-        """
-        with self._lock:
-            if self._closed:
-                raise ClosedError(f"cannot write to {self.info.topic.name}: its writer is closed")
-            now_ns = time.time_ns()
-            stored = _Stored(Sample(bytes(data), now_ns, now_ns, self.gid), self._expiry_ns(now_ns))
-            if self.info.qos.durability == DurabilityPolicy.TRANSIENT_LOCAL:
-                self._late.append(stored)
-            for reader in self._readers:
-                reader.deliver(stored)
-
-    def _expiry_ns(self, now_ns: int) -> int:
-        lifespan_ns = self.info.qos.lifespan_ns
-        return INFINITE_NS if lifespan_ns == INFINITE_NS else now_ns + lifespan_ns
-
-    def match(self, reader: LocalReader) -> None:
-        """Connect a reader if it is of the same topic, type and compatible qualities; send it what it missed."""
-        mine, theirs = self.info, reader.info
-        if (mine.topic.name, mine.topic.type_name) != (theirs.topic.name, theirs.topic.type_name):
-            return
-        if incompatible_policies(mine.qos, theirs.qos):
-            return
-        with self._lock:
-            if self._closed:
-                return
-            self._readers.append(reader)
-            reader.count_writer(1)
-            if theirs.qos.durability == DurabilityPolicy.TRANSIENT_LOCAL:
-                for stored in self._late:
-                    reader.deliver(stored)
-
-    def unmatch(self, reader: LocalReader) -> None:
-        """Disconnect a reader that leaves."""
-        with self._lock:
-            if reader in self._readers:
-                self._readers.remove(reader)
-
-    def matched_count(self) -> int:
-        """Return how many readers are connected now."""
-        with self._lock:
-            return len(self._readers)
-
-    def close(self) -> None:
-        """Leave the topic; what readers have not taken yet stays with them."""
-        with self._lock:
-            if self._closed:
-                return
-            self._closed = True
-            readers, self._readers = self._readers, []
-        for reader in readers:
-            reader.count_writer(-1)
-        self._domain.remove_writer(self)
-
-
-class LocalReader:
-    """The receiving end; see `base.Reader`."""
-
-    def __init__(self, domain: _Domain, info: EndpointInfo) -> None:
-        self.info = info
-        self.gid = info.gid
-        self._domain = domain
-        self._lock = threading.Lock()
-        self._waiting = _keep(info.qos)
-        self._listener: tuple[ReadyQueue, int] | None = None
-        self._sink: Sink | None = None
-        self._writers = 0
-        self._closed = False
-
-    def deliver(self, stored: _Stored) -> None:
-        """Take in one sample, on the writer's thread."""
-        with self._lock:
-            if self._closed:
-                return
-            if self._sink is not None:
-                _push(self._sink, stored)
-                return
-            self._waiting.append(stored)
-            if self._listener is not None:
-                self._listener[0].post(self._listener[1])
-
-    def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
-        """Post `token` to `queue` when there is something to take, at once if there already is; None ends it."""
-        with self._lock:
-            self._listener = None if queue is None else (queue, token)
-            if queue is not None and self._waiting:
-                queue.post(token)
-
-    def take(self) -> Sample | None:
-        """Remove and return the oldest waiting sample whose lifespan hasn't ended, or None."""
-        with self._lock:
-            while self._waiting:
-                stored = self._waiting.popleft()
-                if stored.expires_ns > time.time_ns():
-                    return stored.sample
-        return None
-
-    def feed(self, sink: Sink) -> None:
-        """Push every sample into `sink` from now on, those already waiting first."""
-        with self._lock:
-            self._sink = sink
-            while self._waiting:
-                _push(sink, self._waiting.popleft())
-
-    def count_writer(self, change: int) -> None:
-        """Note that a writer has come (1) or gone (-1)."""
-        with self._lock:
-            self._writers += change
-
-    def matched_count(self) -> int:
-        """Return how many writers are connected now."""
-        return self._writers
-
-    def close(self) -> None:
-        """Leave the topic; what waits is dropped."""
-        with self._lock:
-            if self._closed:
-                return
-            self._closed = True
-            self._sink = None
-            self._listener = None
-            self._waiting.clear()
-            self._writers = 0
-        self._domain.remove_reader(self)
-
-
-def _push(sink: Sink, stored: _Stored) -> None:
-    if stored.expires_ns > time.time_ns():
-        sink.push(*stored.sample)
-
-
 class LocalParticipant:
     """This process on one domain; see `base.Participant`."""
 
@@ -300,7 +156,7 @@ class LocalParticipant:
         self.enclave = enclave
         self.graph = LocalGraph(domain)
         self._domain = domain
-        self._gid_prefix = b"local" + next(_participant_numbers).to_bytes(5, "big")
+        self._gid_prefix = b"tfloom::" + next(_participant_numbers).to_bytes(4, "big")
         self._entity_numbers = count(1)
         self._nodes: list[NodeName] = []
         self._closed = False
@@ -321,20 +177,36 @@ class LocalParticipant:
 
     def create_writer(self, node: NodeName, topic: Topic, qos: QoS) -> LocalWriter:
         """Offer a topic on behalf of `node`."""
-        writer = LocalWriter(self._domain, self._describe(node, topic, qos, is_writer=True))
+        writer = LocalWriter(self._describe(node, topic, qos, is_writer=True), self._domain.remove_writer)
         self._domain.add_writer(writer)
         return writer
 
     def create_reader(self, node: NodeName, topic: Topic, qos: QoS) -> LocalReader:
         """Ask for a topic on behalf of `node`."""
-        reader = LocalReader(self._domain, self._describe(node, topic, qos, is_writer=False))
+        reader = LocalReader(self._describe(node, topic, qos, is_writer=False), self._domain.remove_reader)
         self._domain.add_reader(reader)
         return reader
+
+    def create_requester(self, node: NodeName, service: Service, qos: QoS) -> HeaderRequester:
+        """Become a client of a service on behalf of `node`."""
+        responses = self.create_reader(node, response_topic(service), qos)
+        requests = self.create_writer(node, request_topic(service), qos)
+        return HeaderRequester(requests, responses, LocalServers(requests, responses), requests.gid[-8:])
+
+    def create_responder(self, node: NodeName, service: Service, qos: QoS) -> HeaderResponder:
+        """Serve a service on behalf of `node`."""
+        responses = self.create_writer(node, response_topic(service), qos)
+        requests = self.create_reader(node, request_topic(service), qos)
+        return HeaderResponder(requests, responses, LocalClients())
 
     def _describe(self, node: NodeName, topic: Topic, qos: QoS, *, is_writer: bool) -> EndpointInfo:
         if self._closed:
             raise ClosedError(f"cannot open {topic.name}: its participant is closed")
-        gid = self._gid_prefix + next(self._entity_numbers).to_bytes(6, "big")
+        if is_best_available(qos):
+            others = [end for end in self.graph.endpoints() if end.topic.name == topic.name]
+            theirs = [end.qos for end in others if end.is_writer != is_writer]
+            qos = best_available(qos, theirs, is_writer=is_writer)
+        gid = self._gid_prefix + next(self._entity_numbers).to_bytes(4, "big")
         return EndpointInfo(topic, node, is_writer, gid, qos.resolved())
 
     def close(self) -> None:

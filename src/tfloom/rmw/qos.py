@@ -8,6 +8,9 @@ from typing import NamedTuple
 INFINITE_NS = 0x7FFF_FFFF_FFFF_FFFF
 """A duration [ns] that never ends: no deadline, no lifespan, no lease."""
 
+BEST_AVAILABLE_NS = INFINITE_NS - 1
+"""The duration [ns] by which ROS says "whatever meets the others on the topic"."""
+
 
 class ReliabilityPolicy(IntEnum):
     """Whether a writer sends again what a reader missed."""

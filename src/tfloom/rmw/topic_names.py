@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
+from tfloom.rmw.base import Service, Topic
+
 TOPIC_PREFIX = "rt"
+_REQUEST = ("rq", "Request")
+_RESPONSE = ("rr", "Reply")
+_REQUEST_TYPE = "_Request"
+_RESPONSE_TYPE = "_Response"
 
 
 def topic_to_dds(name: str) -> str:
@@ -14,6 +20,26 @@ def topic_from_dds(name: str) -> str | None:
     """Return the fully qualified name of a ROS topic, or None if the DDS topic is none."""
     prefix, slash, rest = name.partition("/")
     return slash + rest if prefix == TOPIC_PREFIX and rest else None
+
+
+def request_topic(service: Service) -> Topic:
+    """Return the topic of a service's requests; its name is DDS's own, `rq/spawnRequest`."""
+    prefix, suffix = _REQUEST
+    return Topic(prefix + service.name + suffix, service.type_name + _REQUEST_TYPE, service.request_hash)
+
+
+def response_topic(service: Service) -> Topic:
+    """Return the topic of a service's responses; its name is DDS's own, `rr/spawnReply`."""
+    prefix, suffix = _RESPONSE
+    return Topic(prefix + service.name + suffix, service.type_name + _RESPONSE_TYPE, service.response_hash)
+
+
+def service_from_request_topic(name: str, type_name: str) -> tuple[str, str] | None:
+    """Return the name and type of the service that takes requests on a topic, or None if it is none's."""
+    prefix, suffix = _REQUEST
+    if not (name.startswith(prefix + "/") and name.endswith(suffix) and type_name.endswith(_REQUEST_TYPE)):
+        return None
+    return name[len(prefix) : -len(suffix)], type_name[: -len(_REQUEST_TYPE)]
 
 
 def type_to_dds(name: str) -> str:

@@ -39,6 +39,12 @@ class Peer:
     def write_random(self, end: int, seed: int, size: int) -> None:
         self.ends[end].write(b"\0\1\0\0" + random.Random(seed).randbytes(size))
 
+    def assert_liveliness(self, end: int, for_s: float, every_s: float) -> None:
+        until = time.monotonic() + for_s
+        while time.monotonic() < until:
+            self.ends[end].assert_liveliness()
+            time.sleep(every_s)
+
     def matched(self, end: int) -> int:
         return self.ends[end].matched_count()
 

@@ -1,0 +1,114 @@
+#include "dds/events.hpp"
+
+#include <stdexcept>
+
+namespace tfloom::dds {
+namespace {
+
+std::size_t index_of(Event event) { return static_cast<std::size_t>(event); }
+
+bool is_of_writers(Event event) {
+  return event != Event::liveliness_changed && event != Event::message_lost;
+}
+
+bool is_of_readers(Event event) { return event != Event::liveliness_lost; }
+
+template <typename StatusOf>
+StatusOf get(Result (*function)(Entity, StatusOf*), Entity entity) {
+  StatusOf status{};
+  function(entity, &status);
+  return status;
+}
+
+}  // namespace
+
+template <Event event, typename StatusOf>
+void Events::on_event(Entity, StatusOf, void* self) {
+  static_cast<Events*>(self)->post(event);
+}
+
+void Events::listen(Listener_* listener) {
+  const Library& l = library_;
+  if (of_writer_) {
+    l.lset_publication_matched_arg(listener, &on_event<Event::matched, MatchedStatus>, this, false);
+    l.lset_offered_incompatible_qos_arg(listener, &on_event<Event::incompatible_qos, IncompatibleStatus>, this, false);
+    l.lset_offered_deadline_missed_arg(listener, &on_event<Event::deadline_missed, DeadlineStatus>, this, false);
+    l.lset_liveliness_lost_arg(listener, &on_event<Event::liveliness_lost, LostStatus>, this, false);
+    return;
+  }
+  l.lset_subscription_matched_arg(listener, &on_event<Event::matched, MatchedStatus>, this, false);
+  l.lset_requested_incompatible_qos_arg(listener, &on_event<Event::incompatible_qos, IncompatibleStatus>, this, false);
+  l.lset_requested_deadline_missed_arg(listener, &on_event<Event::deadline_missed, DeadlineStatus>, this, false);
+  l.lset_liveliness_changed_arg(listener, &on_event<Event::liveliness_changed, LivelinessStatus>, this, false);
+  l.lset_sample_lost_arg(listener, &on_event<Event::message_lost, LostStatus>, this, false);
+}
+
+void Events::post(Event event) {
+  const std::lock_guard lock(mutex_);
+  const Watcher& watcher = watchers_[index_of(event)];
+  if (watcher.queue != nullptr) watcher.queue->post(watcher.token);
+}
+
+void Events::notify(Event event, ReadyQueue* queue, ReadyQueue::Token token) {
+  check(event);
+  const std::lock_guard lock(mutex_);
+  watchers_[index_of(event)] = {queue, token};
+  if (queue != nullptr) queue->post(token);
+}
+
+void Events::check(Event event) const {
+  const bool is_known = index_of(event) < event_count;
+  if (is_known && (of_writer_ ? is_of_writers(event) : is_of_readers(event))) return;
+  throw std::invalid_argument(of_writer_ ? "writers have no such event" : "readers have no such event");
+}
+
+// The changes that the library counts end with each call of a listener, so ours are differences of its totals.
+std::optional<Events::Status> Events::take(Event event, Entity entity) {
+  check(event);
+  const std::lock_guard lock(taken_mutex_);
+  const Status now = read(event, entity);
+  Status& before = taken_[index_of(event)];
+  if (now == before) return std::nullopt;
+  const Status change{now[0] - before[0], now[1] - before[1], 0, 0};
+  before = now;
+  switch (event) {
+    case Event::matched: return Status{now[0], change[0], now[1], change[1]};
+    case Event::liveliness_changed: return Status{now[0], now[1], change[0], change[1]};
+    case Event::incompatible_qos: return Status{now[0], change[0], now[2], 0};
+    default: return Status{now[0], change[0], 0, 0};
+  }
+}
+
+Events::Status Events::read(Event event, Entity entity) const {
+  const Library& l = library_;
+  switch (event) {
+    case Event::matched: {
+      const auto s = get(of_writer_ ? l.get_publication_matched_status : l.get_subscription_matched_status, entity);
+      return {s.total_count, s.current_count, 0, 0};
+    }
+    case Event::incompatible_qos: {
+      const auto s =
+          get(of_writer_ ? l.get_offered_incompatible_qos_status : l.get_requested_incompatible_qos_status, entity);
+      return {s.total_count, 0, s.last_policy_id, 0};
+    }
+    case Event::deadline_missed: {
+      const auto s =
+          get(of_writer_ ? l.get_offered_deadline_missed_status : l.get_requested_deadline_missed_status, entity);
+      return {s.total_count, 0, 0, 0};
+    }
+    case Event::liveliness_lost: return {get(l.get_liveliness_lost_status, entity).total_count, 0, 0, 0};
+    case Event::liveliness_changed: {
+      const auto s = get(l.get_liveliness_changed_status, entity);
+      return {s.alive_count, s.not_alive_count, 0, 0};
+    }
+    case Event::message_lost: return {get(l.get_sample_lost_status, entity).total_count, 0, 0, 0};
+  }
+  return {};
+}
+
+void Events::close() {
+  const std::lock_guard lock(mutex_);
+  watchers_.fill({});
+}
+
+}  // namespace tfloom::dds

@@ -1,0 +1,54 @@
+#include "dds/peers.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "dds/qos.hpp"
+
+namespace tfloom::dds {
+namespace {
+
+constexpr std::size_t most_known = 1024;  // some of them gone
+
+}  // namespace
+
+std::size_t Peers::matched_count(Entity entity) const {
+  const Result count = (of_writer_ ? library_.get_matched_subscriptions : library_.get_matched_publications)(
+      entity, nullptr, 0);
+  return static_cast<std::size_t>(std::max(count, 0));
+}
+
+std::vector<Peer> Peers::matched(Entity entity) {
+  std::vector<InstanceHandle> handles(matched_count(entity));
+  const Result count = (of_writer_ ? library_.get_matched_subscriptions : library_.get_matched_publications)(
+      entity, handles.data(), handles.size());
+  handles.resize(std::min(handles.size(), static_cast<std::size_t>(std::max(count, 0))));
+  const std::lock_guard lock(mutex_);
+  std::vector<Peer> peers;
+  for (const InstanceHandle handle : handles) {
+    if (auto peer = find(entity, handle)) peers.push_back(*std::move(peer));
+  }
+  return peers;
+}
+
+Gid Peers::gid(Entity entity, InstanceHandle handle) {
+  const std::lock_guard lock(mutex_);
+  const auto peer = find(entity, handle);
+  return peer ? peer->gid : Gid{};
+}
+
+std::optional<Peer> Peers::find(Entity entity, InstanceHandle handle) {
+  if (const auto known = known_.find(handle); known != known_.end()) return known->second;
+  DiscoveredEndpoint* endpoint = (of_writer_ ? library_.get_matched_subscription_data
+                                             : library_.get_matched_publication_data)(entity, handle);
+  if (endpoint == nullptr) return std::nullopt;
+  Peer peer;
+  std::memcpy(peer.gid.data(), endpoint->key.octets, peer.gid.size());
+  peer.user_data = read_user_data(library_, endpoint->qos);
+  library_.builtintopic_free_endpoint(endpoint);
+  if (known_.size() >= most_known) known_.clear();
+  known_.emplace(handle, peer);
+  return peer;
+}
+
+}  // namespace tfloom::dds

@@ -1,0 +1,157 @@
+"""Writers and readers on Cyclone: a thin face on the native ones, which do all the work."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from tfloom._native import DdsReader, DdsWriter, ReadyQueue, Sink
+from tfloom.rmw.base import Sample
+from tfloom.rmw.compatibility import PolicyKind
+from tfloom.rmw.errors import ClosedError, UnsupportedEventError, WireError
+from tfloom.rmw.events import Count, Event, IncompatibleQoS, LivelinessChanged, Matched, Status
+
+_POLICY_KINDS = {
+    2: PolicyKind.DURABILITY,
+    4: PolicyKind.DEADLINE,
+    8: PolicyKind.LIVELINESS,
+    11: PolicyKind.RELIABILITY,
+}
+"""ROS's numbers of policies, by those of DDS (1.4, 2.2.3)."""
+
+_ACKS_SLICE_NS = 100_000_000
+"""How long to wait between two looks at signals."""
+
+
+class CycloneEndpoint:
+    """What a writer and a reader have in common."""
+
+    def __init__(
+        self, native: DdsWriter | DdsReader, topic_name: str, forget: Callable[[CycloneEndpoint], None]
+    ) -> None:
+        self.gid: bytes = native.gid
+        self.topic_name = topic_name
+        self._endpoint = native
+        self._forget = forget
+        self._closed = False
+
+    def matched_count(self) -> int:
+        """Return how many peers are connected now."""
+        return self._endpoint.matched_count()
+
+    def matched(self) -> list[tuple[bytes, bytes]]:
+        """Return the gid and the USER_DATA of each peer that is connected now."""
+        return self._endpoint.matched()
+
+    def notify_event(self, event: Event, queue: ReadyQueue | None, token: int = 0) -> None:
+        """Post `token` to `queue` when `take_event(event)` may have news, once at the start too; None ends it.
+
+        Raises:
+            UnsupportedEventError: the event is one of the other kind of endpoint.
+        """
+        try:
+            self._endpoint.notify_event(event, queue, token)
+        except ValueError as error:
+            raise UnsupportedEventError(f"{event.name}: {error}") from None
+
+    def take_event(self, event: Event) -> Status | None:
+        """Return what has become of `event` since it was taken last, or None if nothing has happened.
+
+        Raises:
+            UnsupportedEventError: the event is one of the other kind of endpoint.
+        """
+        try:
+            fields = self._endpoint.take_event(event)
+        except ValueError as error:
+            raise UnsupportedEventError(f"{event.name}: {error}") from None
+        return None if fields is None else _status(event, fields)
+
+    def close(self) -> None:
+        """Leave the topic. Closing again does nothing."""
+        if not self._closed:
+            self._closed = True
+            self._forget(self)
+            self._endpoint.close()
+
+
+def _status(event: Event, fields: tuple[int, int, int, int]) -> Status:
+    if event == Event.MATCHED:
+        return Matched(*fields)
+    if event == Event.LIVELINESS_CHANGED:
+        return LivelinessChanged(*fields)
+    if event == Event.INCOMPATIBLE_QOS:
+        return IncompatibleQoS(fields[0], fields[1], _POLICY_KINDS.get(fields[2], PolicyKind.INVALID))
+    return Count(fields[0], fields[1])
+
+
+class CycloneWriter(CycloneEndpoint):
+    """The sending end; see `base.Writer`."""
+
+    def __init__(self, native: DdsWriter, topic_name: str, forget: Callable[[CycloneEndpoint], None]) -> None:
+        super().__init__(native, topic_name, forget)
+        self._native = native
+
+    def write(self, data: bytes) -> None:
+        """Send one sample; waits where readers of a reliable topic don't keep up.
+
+        Raises:
+            ClosedError: the writer has left its topic.
+            ValueError: the sample doesn't start with the header of little-endian CDR, or ends there.
+        """
+        try:
+            self._native.write(data)
+        except RuntimeError as error:
+            raise self._error("write to", error) from None
+
+    def assert_liveliness(self) -> None:
+        """Say that this writer is alive.
+
+        Raises:
+            ClosedError: the writer has left its topic.
+        """
+        try:
+            self._native.assert_liveliness()
+        except RuntimeError as error:
+            raise self._error("assert liveliness on", error) from None
+
+    def wait_for_acks(self, timeout_ns: int) -> bool:
+        """Wait until all connected reliable readers have all that was written; False on a timeout.
+
+        Does not wait with a timeout of 0, waits for ever with a negative one; Ctrl-C ends it.
+
+        Raises:
+            ClosedError: the writer has left its topic.
+        """
+        left_ns = timeout_ns
+        try:
+            while left_ns < 0 or left_ns > _ACKS_SLICE_NS:
+                if self._native.wait_for_acks(_ACKS_SLICE_NS):
+                    return True
+                left_ns -= _ACKS_SLICE_NS if left_ns > 0 else 0
+            return self._native.wait_for_acks(left_ns)
+        except RuntimeError as error:
+            raise self._error("wait for readers of", error) from None
+
+    def _error(self, what: str, error: RuntimeError) -> WireError:
+        kind = ClosedError if self._closed else WireError
+        return kind(f"cannot {what} {self.topic_name}: {error}")
+
+
+class CycloneReader(CycloneEndpoint):
+    """The receiving end; see `base.Reader`."""
+
+    def __init__(self, native: DdsReader, topic_name: str, forget: Callable[[CycloneEndpoint], None]) -> None:
+        super().__init__(native, topic_name, forget)
+        self._native = native
+
+    def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
+        """Post `token` to `queue` when there is something to take, at once if there may be; None ends it."""
+        self._native.notify(queue, token)
+
+    def take(self) -> Sample | None:
+        """Remove and return the oldest waiting sample, or None. Its time of receipt is that of its being taken."""
+        taken = self._native.take()
+        return None if taken is None else Sample(*taken)
+
+    def feed(self, sink: Sink) -> None:
+        """Push every sample into `sink` from now on, those already waiting first."""
+        self._native.feed(sink)

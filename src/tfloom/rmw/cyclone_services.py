@@ -1,0 +1,91 @@
+"""How the ends of a service find each other on DDS, and who isn't to be talked to.
+
+rmw_cyclonedds writes `serviceid=` into the USER_DATA of both endpoints of a server and `clientid=` into a client's, so
+that a peer can tell whether it sees both. Other vendors put no header into the CDR and would misread ours.
+"""
+
+from __future__ import annotations
+
+from tfloom.rmw.cyclone_endpoints import CycloneReader, CycloneWriter
+from tfloom.rmw.topic_names import key_values
+
+CYCLONE_VENDOR = b"\x01\x10"
+"""What a GUID of Cyclone's starts with (RTPS 2.5, 8.3.3.1.3)."""
+
+SERVER_KEY = "serviceid"
+CLIENT_KEY = "clientid"
+
+_GUID_PREFIX_SIZE = 12
+
+
+def end_id(participant_gid: bytes, number: int) -> str:
+    """Return the id of the `number`th service end of a participant, as rmw_cyclonedds writes it.
+
+    Its 16 octets in hex: the first padded with a space, dots between, no zeros in front.
+    """
+    octets = participant_gid[:_GUID_PREFIX_SIZE] + number.to_bytes(4, "big")
+    return f"{octets[0]:2x}." + ".".join(f"{octet:x}" for octet in octets[1:])
+
+
+def end_user_data(key: str, identifier: str, type_hash: str) -> bytes:
+    """Return the USER_DATA of an endpoint of a service."""
+    told = f"{key}={identifier};"
+    return (told + f"typehash={type_hash};" if type_hash else told).encode()
+
+
+def _ids(peers: list[tuple[bytes, bytes]], key: str) -> set[str]:
+    """Return the ids that these peers tell; an empty text stands for those that tell none."""
+    return {key_values(user_data).get(key, "") for _, user_data in peers}
+
+
+class _Peers:
+    """What client and server have in common."""
+
+    def __init__(self, requests: CycloneWriter | CycloneReader, name: str, others: str) -> None:
+        self._requests_end = requests
+        self._name = name
+        self._others = others
+
+    def accepts(self, publisher_gid: bytes) -> bool:
+        """Tell whether this peer is Cyclone's."""
+        return publisher_gid.startswith(CYCLONE_VENDOR)
+
+    def obstacle(self) -> str:
+        """Return what to do about a peer of another vendor, or an empty text."""
+        if all(self.accepts(gid) for gid, _ in self._requests_end.matched()):
+            return ""
+        return (
+            f"{self._others} of {self._name} runs on another DDS vendor, whose form of services isn't ours "
+            "(topics pass, services don't): start it with RMW_IMPLEMENTATION=rmw_cyclonedds_cpp"
+        )
+
+
+class CycloneServers(_Peers):
+    """What a client knows of its servers; see `services.Servers`."""
+
+    def __init__(self, requests: CycloneWriter, responses: CycloneReader, name: str) -> None:
+        super().__init__(requests, name, "a server")
+        self._requests = requests
+        self._responses = responses
+
+    def is_ready(self) -> bool:
+        """Tell whether both endpoints of a server are connected, and none is of another vendor."""
+        hearing = _ids(self._requests.matched(), SERVER_KEY)
+        return bool(hearing & _ids(self._responses.matched(), SERVER_KEY)) and not self.obstacle()
+
+
+class CycloneClients(_Peers):
+    """What a server knows of its clients; see `services.Clients`."""
+
+    def __init__(self, requests: CycloneReader, responses: CycloneWriter, name: str) -> None:
+        super().__init__(requests, name, "a client")
+        self._requests = requests
+        self._responses = responses
+
+    def hears(self, publisher_gid: bytes) -> bool | None:
+        """Tell whether the client that wrote from here is connected both ways; None if it has left."""
+        clients = dict(self._requests.matched())
+        if publisher_gid not in clients:
+            return None
+        identifier = key_values(clients[publisher_gid]).get(CLIENT_KEY, "")
+        return identifier in _ids(self._responses.matched(), CLIENT_KEY)

@@ -1,0 +1,61 @@
+"""What happens to a writer or a reader besides data: peers come and go, promises are broken, samples are lost.
+
+A status counts from the endpoint's opening; its changes count since it was taken last.
+"""
+
+from __future__ import annotations
+
+from enum import IntEnum
+from typing import NamedTuple, TypeAlias, Union
+
+from tfloom.rmw.compatibility import PolicyKind
+
+
+class Event(IntEnum):
+    """What can be watched. Writers and readers know all but those said to be of the other."""
+
+    MATCHED = 0
+    INCOMPATIBLE_QOS = 1
+    DEADLINE_MISSED = 2
+    LIVELINESS_LOST = 3
+    """Of writers: this one didn't say in time that it is alive."""
+    LIVELINESS_CHANGED = 4
+    """Of readers: a writer didn't, or does again."""
+    MESSAGE_LOST = 5
+    """Of readers: samples that will never come."""
+
+
+class Matched(NamedTuple):
+    """How many peers have ever connected, and how many are connected now."""
+
+    total_count: int
+    total_count_change: int
+    current_count: int
+    current_count_change: int
+
+
+class IncompatibleQoS(NamedTuple):
+    """How many peers were turned away, and a policy by which the last one was."""
+
+    total_count: int
+    total_count_change: int
+    last_policy_kind: PolicyKind
+
+
+class LivelinessChanged(NamedTuple):
+    """How many connected writers are alive, and how many aren't."""
+
+    alive_count: int
+    not_alive_count: int
+    alive_count_change: int
+    not_alive_count_change: int
+
+
+class Count(NamedTuple):
+    """How often it has happened: deadlines missed, liveliness lost, messages lost."""
+
+    total_count: int
+    total_count_change: int
+
+
+Status: TypeAlias = Union[Matched, IncompatibleQoS, LivelinessChanged, Count]  # noqa: UP007 - evaluated on 3.10

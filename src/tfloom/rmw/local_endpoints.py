@@ -1,0 +1,210 @@
+"""Writers and readers of the in-process wire: a write puts a sample into every matched reader before it returns.
+
+Locks are taken in this order: a domain's, a writer's, a reader's.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections import deque
+from collections.abc import Callable
+from typing import NamedTuple
+
+from tfloom._native import ReadyQueue, Sink
+from tfloom.rmw.base import EndpointInfo, Sample
+from tfloom.rmw.compatibility import incompatible_policies
+from tfloom.rmw.errors import ClosedError
+from tfloom.rmw.events import Event, Status
+from tfloom.rmw.local_events import LocalEvents
+from tfloom.rmw.qos import INFINITE_NS, DurabilityPolicy, HistoryPolicy, QoS
+
+
+class _Stored(NamedTuple):
+    sample: Sample
+    expires_ns: int
+
+
+def _keep(qos: QoS) -> deque[_Stored]:
+    """Return an empty store that holds what `qos` keeps."""
+    return deque(maxlen=None if qos.history == HistoryPolicy.KEEP_ALL else qos.depth)
+
+
+class LocalEndpoint:
+    """What a writer and a reader have in common."""
+
+    def __init__(self, info: EndpointInfo) -> None:
+        self.info = info
+        self.gid = info.gid
+        self.events = LocalEvents()
+        self._lock = threading.Lock()
+        self._closed = False
+
+    def notify_event(self, event: Event, queue: ReadyQueue | None, token: int = 0) -> None:
+        """Post `token` to `queue` when `take_event(event)` may have news; MATCHED and INCOMPATIBLE_QOS alone are known.
+
+        Raises:
+            UnsupportedEventError: the event is another one.
+        """
+        self.events.notify(event, queue, token)
+
+    def take_event(self, event: Event) -> Status | None:
+        """Return what has become of `event` since it was taken last, or None if nothing has happened.
+
+        Raises:
+            UnsupportedEventError: the event is neither MATCHED nor INCOMPATIBLE_QOS.
+        """
+        return self.events.take(event)
+
+
+class LocalWriter(LocalEndpoint):
+    """The sending end; see `base.Writer`."""
+
+    def __init__(self, info: EndpointInfo, leave: Callable[[LocalWriter], None]) -> None:
+        super().__init__(info)
+        self._leave = leave
+        self._readers: list[LocalReader] = []
+        self._late = _keep(info.qos)
+
+    def write(self, data: bytes) -> None:
+        """Put a sample into every matched reader.
+
+        Raises:
+            ClosedError: the writer has left its topic.
+        """
+        with self._lock:
+            if self._closed:
+                raise ClosedError(f"cannot write to {self.info.topic.name}: its writer is closed")
+            now_ns = time.time_ns()
+            stored = _Stored(Sample(bytes(data), now_ns, now_ns, self.gid), self._expiry_ns(now_ns))
+            if self.info.qos.durability == DurabilityPolicy.TRANSIENT_LOCAL:
+                self._late.append(stored)
+            for reader in self._readers:
+                reader.deliver(stored)
+
+    def _expiry_ns(self, now_ns: int) -> int:
+        lifespan_ns = self.info.qos.lifespan_ns
+        return INFINITE_NS if lifespan_ns == INFINITE_NS else now_ns + lifespan_ns
+
+    def match(self, reader: LocalReader) -> None:
+        """Connect a reader if it is of the same topic, type and compatible qualities; send it what it missed."""
+        mine, theirs = self.info, reader.info
+        if (mine.topic.name, mine.topic.type_name) != (theirs.topic.name, theirs.topic.type_name):
+            return
+        if apart := incompatible_policies(mine.qos, theirs.qos):
+            self.events.add_incompatible(apart[0])
+            reader.events.add_incompatible(apart[0])
+            return
+        with self._lock:
+            if self._closed:
+                return
+            self._readers.append(reader)
+            self.events.add_match(1)
+            reader.count_writer(1)
+            if theirs.qos.durability == DurabilityPolicy.TRANSIENT_LOCAL:
+                for stored in self._late:
+                    reader.deliver(stored)
+
+    def unmatch(self, reader: LocalReader) -> None:
+        """Disconnect a reader that leaves."""
+        with self._lock:
+            if reader in self._readers:
+                self._readers.remove(reader)
+                self.events.add_match(-1)
+
+    def matched_count(self) -> int:
+        """Return how many readers are connected now."""
+        with self._lock:
+            return len(self._readers)
+
+    def assert_liveliness(self) -> None:
+        """Do nothing: leases don't end on this wire."""
+
+    def wait_for_acks(self, timeout_ns: int) -> bool:  # noqa: ARG002 - there is nothing to wait for
+        """Return True: what is written has arrived."""
+        return True
+
+    def close(self) -> None:
+        """Leave the topic; what readers have not taken yet stays with them."""
+        with self._lock:
+            if self._closed:
+                return
+            self._closed = True
+            readers, self._readers = self._readers, []
+        for reader in readers:
+            reader.count_writer(-1)
+        self._leave(self)
+
+
+class LocalReader(LocalEndpoint):
+    """The receiving end; see `base.Reader`."""
+
+    def __init__(self, info: EndpointInfo, leave: Callable[[LocalReader], None]) -> None:
+        super().__init__(info)
+        self._leave = leave
+        self._waiting = _keep(info.qos)
+        self._listener: tuple[ReadyQueue, int] | None = None
+        self._sink: Sink | None = None
+        self._writers = 0
+
+    def deliver(self, stored: _Stored) -> None:
+        """Take in one sample, on the writer's thread."""
+        with self._lock:
+            if self._closed:
+                return
+            if self._sink is not None:
+                _push(self._sink, stored)
+                return
+            self._waiting.append(stored)
+            if self._listener is not None:
+                self._listener[0].post(self._listener[1])
+
+    def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
+        """Post `token` to `queue` when there is something to take, at once if there already is; None ends it."""
+        with self._lock:
+            self._listener = None if queue is None else (queue, token)
+            if queue is not None and self._waiting:
+                queue.post(token)
+
+    def take(self) -> Sample | None:
+        """Remove and return the oldest waiting sample whose lifespan hasn't ended, or None."""
+        with self._lock:
+            while self._waiting:
+                stored = self._waiting.popleft()
+                if stored.expires_ns > time.time_ns():
+                    return stored.sample
+        return None
+
+    def feed(self, sink: Sink) -> None:
+        """Push every sample into `sink` from now on, those already waiting first."""
+        with self._lock:
+            self._sink = sink
+            while self._waiting:
+                _push(sink, self._waiting.popleft())
+
+    def count_writer(self, change: int) -> None:
+        """Note that a writer has come (1) or gone (-1)."""
+        with self._lock:
+            self._writers += change
+            self.events.add_match(change)
+
+    def matched_count(self) -> int:
+        """Return how many writers are connected now."""
+        return self._writers
+
+    def close(self) -> None:
+        """Leave the topic; what waits is dropped."""
+        with self._lock:
+            if self._closed:
+                return
+            self._closed = True
+            self._sink = None
+            self._listener = None
+            self._waiting.clear()
+            self._writers = 0
+        self._leave(self)
+
+
+def _push(sink: Sink, stored: _Stored) -> None:
+    if stored.expires_ns > time.time_ns():
+        sink.push(*stored.sample)

@@ -1,0 +1,310 @@
+"""Services on both wires: requests find servers, responses find their client, bytes as rmw_cyclonedds has them."""
+
+from __future__ import annotations
+
+import struct
+import threading
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import pytest
+
+from tfloom._native import DdsParticipant, DdsReader, DdsWriter, ReadyQueue
+from tfloom.rmw import cyclonedds, local
+from tfloom.rmw.base import NodeName, Participant, Sample, Service
+from tfloom.rmw.cyclone_config import configuration
+from tfloom.rmw.cyclone_library import find_library
+from tfloom.rmw.cyclone_services import CycloneClients, CycloneServers, end_id
+from tfloom.rmw.errors import ClosedError, ForeignPeerError
+from tfloom.rmw.qos import QoS
+from tfloom.rmw.services import HeaderRequester, HeaderResponder
+
+KILL = Service("/kill", "turtlesim/srv/Kill", "RIHS01_" + "1" * 64, "RIHS01_" + "2" * 64)
+CLIENT = NodeName("/", "client")
+SERVER = NodeName("/a", "server")
+HEADER = b"\0\1\0\0"
+
+Wires = tuple[Participant, Participant]
+
+
+@pytest.fixture(params=["local", pytest.param("cyclonedds", marks=pytest.mark.wire)])
+def wires(request: pytest.FixtureRequest, domain_id: int) -> Iterator[Wires]:
+    """Give two participants that hear each other."""
+    module = {"local": local, "cyclonedds": cyclonedds}[request.param]
+    here, there = module.open_participant(domain_id), module.open_participant(domain_id)
+    here.add_node(CLIENT)
+    there.add_node(SERVER)
+    yield here, there
+    here.close()
+    there.close()
+
+
+@pytest.fixture
+def take(wait_until: Callable[..., None]) -> Callable[[Any], Any]:
+    """Wait for something to take, and take it."""
+
+    def take(end: Any) -> Any:
+        taken: list[Any] = []
+        wait_until(lambda: taken.append(end.take()) or taken[-1] is not None)
+        return taken[-1]
+
+    return take
+
+
+def test_a_request_is_answered(wires: Wires, take, wait_until) -> None:
+    client = wires[0].create_requester(CLIENT, KILL, QoS())
+    assert not client.is_ready()
+    server = wires[1].create_responder(SERVER, KILL, QoS())
+    wait_until(client.is_ready)
+    assert client.obstacle() == server.obstacle() == ""
+    assert client.send(HEADER + b"ask!") == 1
+    request = take(server)
+    assert request.data == HEADER + b"ask!"
+    assert request.id.sequence_number == 1
+    assert len(request.id.client_gid) == 16
+    server.send(request.id, HEADER + b"told")
+    response = take(client)
+    assert response.data == HEADER + b"told"
+    assert response.id == request.id
+    assert 0 < response.source_stamp_ns <= response.received_stamp_ns
+    assert client.take() is None
+    assert server.take() is None
+
+
+def test_each_client_gets_its_own_responses(wires: Wires, take, wait_until) -> None:
+    server = wires[1].create_responder(SERVER, KILL, QoS(depth=1000))
+    clients = [wires[i % 2].create_requester(CLIENT, KILL, QoS(depth=1000)) for i in range(5)]
+    for client in clients:
+        wait_until(client.is_ready)
+    sent = {
+        (i, client.send(HEADER + bytes([i, n, 0, 0]))): bytes([i, n, 0, 0])
+        for n in range(20)
+        for i, client in enumerate(clients)
+    }
+    requests = [take(server) for _ in sent]
+    for request in reversed(requests):
+        server.send(request.id, request.data)
+    got = {}
+    for i, client in enumerate(clients):
+        for _ in range(20):
+            response = take(client)
+            got[i, response.id.sequence_number] = response.data[4:]
+        assert client.take() is None
+    assert got == sent
+
+
+def test_tokens_are_posted_for_requests_responses_and_readiness(wires: Wires, take, wait_until) -> None:
+    asked, answered, ready = ReadyQueue(), ReadyQueue(), ReadyQueue()
+    client = wires[0].create_requester(CLIENT, KILL, QoS())
+    client.notify_ready(ready, 3)
+    assert ready.wait(0) == [3]
+    server = wires[1].create_responder(SERVER, KILL, QoS())
+    assert ready.wait(5_000_000_000) == [3]
+    wait_until(client.is_ready)
+    server.notify(asked, 1)
+    client.notify(answered, 2)
+    wait_until(lambda: asked.wait(0) == [] and answered.wait(0) == [])
+    client.send(HEADER + b"ask!")
+    assert asked.wait(5_000_000_000) == [1]
+    server.send(take(server).id, HEADER + b"told")
+    assert answered.wait(5_000_000_000) == [2]
+    ready.wait(0)
+    server.close()
+    assert ready.wait(5_000_000_000) == [3]
+    wait_until(lambda: not client.is_ready())
+
+
+def test_closed_ends_are_silent(wires: Wires, take, wait_until) -> None:
+    client = wires[0].create_requester(CLIENT, KILL, QoS())
+    server = wires[1].create_responder(SERVER, KILL, QoS())
+    wait_until(client.is_ready)
+    client.send(HEADER + b"ask!")
+    request = take(server)
+    client.close()
+    client.close()
+    server.send(request.id, HEADER + b"nobody hears it")
+    server.close()
+    server.close()
+    with pytest.raises(ClosedError):
+        client.send(HEADER + b"ask!")
+    with pytest.raises(ClosedError):
+        server.send(request.id, HEADER + b"told")
+
+
+def test_the_graph_shows_servers_and_clients_apart_from_topics(wires: Wires, wait_until) -> None:
+    client = wires[0].create_requester(CLIENT, KILL, QoS())
+    server = wires[1].create_responder(SERVER, KILL, QoS())
+    for wire in wires:
+        wait_until(lambda w=wire: sum(end.node is not None for end in w.graph.service_ends()) == 2)
+        ends = {end.is_server: end for end in wire.graph.service_ends()}
+        assert [(end.name, end.type_name) for end in ends.values()] == [("/kill", "turtlesim/srv/Kill")] * 2
+        assert (ends[True].node, ends[True].gid) == (SERVER, server.gid)
+        assert (ends[False].node, ends[False].gid) == (CLIENT, client.gid)
+        assert wire.graph.endpoints() == []
+
+
+def test_a_thousand_calls_from_two_threads(wires: Wires, wait_until) -> None:
+    server = wires[1].create_responder(SERVER, KILL, QoS(depth=1000))
+    asked = ReadyQueue()
+    server.notify(asked, 1)
+    stop = threading.Event()
+
+    def serve() -> None:
+        while not stop.is_set():
+            asked.wait(50_000_000)
+            while request := server.take():
+                server.send(request.id, request.data)
+
+    def call(results: list[int]) -> None:
+        client = wires[0].create_requester(CLIENT, KILL, QoS(depth=1000))
+        answered = ReadyQueue()
+        client.notify(answered, 1)
+        wait_until(client.is_ready)
+        for _ in range(500):
+            number = client.send(HEADER + b"ask!")
+            while (response := client.take()) is None:
+                assert answered.wait(5_000_000_000)
+            results.append(response.id.sequence_number == number)
+
+    results: list[int] = []
+    threads = [
+        threading.Thread(target=serve),
+        *(threading.Thread(target=call, args=[results]) for _ in range(2)),
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads[1:]:
+        thread.join(60)
+    stop.set()
+    threads[0].join(60)
+    assert results == [True] * 1000
+
+
+@pytest.fixture
+def bare(domain_id: int) -> Iterator[DdsParticipant]:
+    """Give a DDS participant that knows nothing of ROS."""
+    bare = DdsParticipant(find_library(), domain_id, configuration(), b"")
+    yield bare
+    bare.close()
+
+
+REQUESTS = ("rq/killRequest", "turtlesim::srv::dds_::Kill_Request_")
+RESPONSES = ("rr/killReply", "turtlesim::srv::dds_::Kill_Response_")
+
+
+@pytest.mark.wire
+def test_requests_on_the_wire_are_header_and_message(domain_id, bare, wait_until) -> None:
+    participant = cyclonedds.open_participant(domain_id)
+    requests = DdsReader(bare, *REQUESTS, QoS(), b"serviceid= 1.10.2;")
+    responses = DdsWriter(bare, *RESPONSES, QoS(), b"serviceid= 1.10.2;")
+    client = participant.create_requester(CLIENT, KILL, QoS())
+    wait_until(lambda: client.is_ready() and requests.matched_count() and responses.matched_count())
+    client.send(HEADER + b"ask!")
+    taken: list[Any] = []
+    wait_until(lambda: taken.append(requests.take()) or taken[-1])
+    data = taken[-1][0]
+    assert (data[:4], data[20:]) == (HEADER, b"ask!")
+    key, sequence_number = struct.unpack_from("<Qq", data, 4)
+    assert sequence_number == 1
+    for other_key, text in ((key ^ 1, b"not for you."), (key, b"for you.")):
+        responses.write(HEADER + struct.pack("<Qq", other_key, 1) + text)
+    got: list[Any] = []
+    wait_until(lambda: got.append(client.take()) or got[-1])
+    assert got[-1].data == HEADER + b"for you."
+    for end in (requests, responses):
+        end.close()
+    participant.close()
+
+
+@pytest.mark.wire
+def test_a_server_answers_what_rmw_cyclonedds_would_send(domain_id, bare, take, wait_until) -> None:
+    participant = cyclonedds.open_participant(domain_id)
+    server = participant.create_responder(SERVER, KILL, QoS())
+    requests = DdsWriter(bare, *REQUESTS, QoS(), b"clientid= 1.10.7;")
+    wait_until(requests.matched_count)
+    for junk in (b"\0", bytes(11), bytes(16)):
+        requests.write(HEADER + junk)
+    requests.write(HEADER + struct.pack("<Qq", 0x1122334455667788, 42) + b"ask!")
+    # The client's reader comes later; the answer waits for it.
+    request = take(server)
+    assert request.data == HEADER + b"ask!"
+    assert request.id.sequence_number == 42
+    assert request.id.client_gid == struct.pack("<Q", 0x1122334455667788) + bytes(8)
+    responses = DdsReader(bare, *RESPONSES, QoS(), b"clientid= 1.10.7;")
+    server.send(request.id, HEADER + b"told")
+    taken: list[Any] = []
+    wait_until(lambda: taken.append(responses.take()) or taken[-1])
+    assert taken[-1][0] == HEADER + struct.pack("<Qq", 0x1122334455667788, 42) + b"told"
+    for end in (requests, responses):
+        end.close()
+    participant.close()
+
+
+class FakeEnd:
+    """An endpoint with these peers connected."""
+
+    gid = bytes(16)
+
+    def __init__(self, *peers: tuple[str, bytes]) -> None:
+        self.peers = [(bytes.fromhex(vendor) + bytes(14), user_data) for vendor, user_data in peers]
+        self.written: list[bytes] = []
+
+    def matched(self) -> list[tuple[bytes, bytes]]:
+        return self.peers
+
+    def write(self, data: bytes) -> None:
+        self.written.append(data)
+
+
+FAST, CYCLONE = "010f", "0110"
+
+
+@pytest.mark.parametrize(
+    ("requests", "responses", "is_ready"),
+    [
+        ([], [], False),
+        ([(CYCLONE, b"serviceid=1;")], [(CYCLONE, b"serviceid=1;")], True),
+        ([(CYCLONE, b"serviceid=1;")], [(CYCLONE, b"serviceid=2;")], False),
+        ([(CYCLONE, b"serviceid=1;")], [], False),
+        ([(CYCLONE, b"")], [(CYCLONE, b"")], True),
+        ([(FAST, b"")], [(FAST, b"")], False),
+        ([(CYCLONE, b"serviceid=1;"), (FAST, b"")], [(CYCLONE, b"serviceid=1;")], False),
+    ],
+    ids=[
+        "nobody",
+        "both ends",
+        "of two servers",
+        "half",
+        "without ids",
+        "another vendor",
+        "one of another vendor",
+    ],
+)
+def test_when_a_client_is_ready(requests, responses, is_ready: bool) -> None:
+    assert CycloneServers(FakeEnd(*requests), FakeEnd(*responses), "/kill").is_ready() is is_ready
+
+
+def test_nothing_is_sent_to_another_vendor() -> None:
+    writer = FakeEnd((FAST, b""))
+    client = HeaderRequester(writer, FakeEnd(), CycloneServers(writer, FakeEnd(), "/kill"), b"12345678")
+    assert "/kill runs on another DDS vendor" in client.obstacle()
+    with pytest.raises(ForeignPeerError, match="start it with RMW_IMPLEMENTATION=rmw_cyclonedds_cpp"):
+        client.send(HEADER + b"ask!")
+    assert writer.written == []
+
+
+def test_requests_of_another_vendor_are_dropped() -> None:
+    reader = FakeEnd((FAST, b""), (CYCLONE, b"clientid=1;"))
+    ask = HEADER + struct.pack("<Qq", 1, 1) + b"ask!"
+    samples = [Sample(ask, 1, 1, bytes.fromhex(vendor) + bytes(14)) for vendor in (FAST, "0000", CYCLONE)]
+    reader.take = lambda: samples.pop(0) if samples else None
+    server = HeaderResponder(reader, FakeEnd(), CycloneClients(reader, FakeEnd(), "/kill"))
+    request = server.take()
+    assert request is not None
+    assert samples == []
+    assert "a client of /kill runs on another DDS vendor" in server.obstacle()
+
+
+def test_ids_are_written_as_rmw_cyclonedds_writes_them() -> None:
+    gid = bytes.fromhex("0110371387877a8a9d403a13000001c1")
+    assert end_id(gid, 8) == " 1.10.37.13.87.87.7a.8a.9d.40.3a.13.0.0.0.8"
