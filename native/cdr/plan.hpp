@@ -1,6 +1,7 @@
 // What the codec knows of a message type: its fields in order, each with what stands on the wire for it.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -34,6 +35,9 @@ enum class Shape : std::uint8_t { single, array, bounded, unbounded };
 
 struct Plan;
 
+// No sample is as large as this [octets]; the product of two sizes up to it does not overflow.
+constexpr std::size_t size_limit = 0xffffffff;
+
 struct Field {
   std::string name;
   Kind kind = Kind::boolean;
@@ -55,8 +59,9 @@ struct Plan {
   [[nodiscard]] bool is_empty() const noexcept { return fields.empty(); }
 
   void finish() {
-    least_size = is_empty() ? 1 : 0;
-    for (const Field& field : fields) least_size += field.least_size();
+    least_size = 0;
+    for (const Field& field : fields) least_size = std::min(least_size + field.least_size(), size_limit);
+    least_size = std::max<std::size_t>(least_size, 1);  // or a few bytes could claim any number of elements
   }
 
   // "TransformStamped" of "geometry_msgs/msg/TransformStamped"
@@ -93,7 +98,9 @@ inline std::size_t Field::least_element_size() const noexcept {
 
 inline std::size_t Field::least_size() const noexcept {
   if (shape == Shape::single) return least_element_size();
-  return shape == Shape::array ? count * least_element_size() : sizeof(std::uint32_t);
+  if (shape != Shape::array) return sizeof(std::uint32_t);
+  // Arrays of arrays can be larger than any memory: it's enough to know that they don't fit.
+  return static_cast<std::size_t>(std::min<std::uint64_t>(count * std::uint64_t{least_element_size()}, size_limit));
 }
 
 }  // namespace tfloom::cdr
