@@ -39,7 +39,6 @@ NOT_HERE = {
     "doctor": "comes when there is more to look at",
     "launch": "comes with launch files",
     "node info": WITH_SERVICES,
-    "pkg create": "comes with its templates",
 }
 """Verbs that ros2 has and we don't, each with its reason."""
 

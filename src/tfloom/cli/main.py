@@ -29,6 +29,7 @@ COMMANDS: dict[str, str | Group] = {
     "pkg": Group(
         "Ask about packages",
         {
+            "create": "Make a new package for a workspace",
             "executables": "List the programs that `run` finds",
             "list": "List the packages",
             "prefix": "Print where a package is installed",
