@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
 import json
 import re
 from pathlib import Path
@@ -43,18 +42,16 @@ NOT_HERE = {
 """Verbs that ros2 has and we don't, each with its reason."""
 
 
-def parsers(parser: argparse.ArgumentParser) -> dict[str, VerbParser]:
+def parsers(parser: VerbParser) -> dict[str, VerbParser]:
     """Return the parser of each verb by its words, each filled with its arguments."""
-    for action in parser._actions:
-        if isinstance(action, argparse._SubParsersAction):
-            found: dict[str, VerbParser] = {}
-            for word, child in action.choices.items():
-                below = parsers(child)
-                found |= {f"{word} {rest}".strip(): each for rest, each in below.items()}
-            return found
-    assert isinstance(parser, VerbParser)
     parser.fill()
-    return {"": parser}
+    if not parser.words:
+        return {"": parser}
+    return {
+        f"{word} {rest}".strip(): each
+        for word, child in parser.words.items()
+        for rest, each in parsers(child).items()
+    }
 
 
 VERBS = parsers(build_parser("ros2", COMMANDS))

@@ -1,3 +1,4 @@
+# PYTHON_ARGCOMPLETE_OK
 """The table of verbs, and the one way in: `main`.
 
 Each verb is a file with `add_arguments(parser)` and `main(args) -> int`, imported when it is called.
@@ -74,7 +75,14 @@ def main(argv: Sequence[str] | None = None, prog: str = "tfloom") -> int:
     if "_ARGCOMPLETE" in os.environ:
         import argcomplete
 
-        argcomplete.autocomplete(parser)
+        from tfloom.cli.completion import complete_argument, fill_typed_verb
+
+        fill_typed_verb(parser, os.environ.get("COMP_LINE", ""))
+        argcomplete.autocomplete(
+            parser,
+            always_complete_options=False,
+            default_completer=complete_argument,  # type: ignore[arg-type]  # any callable will do
+        )
     args = parser.parse_args(argv)
     args.prog = prog
     if not args.use_python_default_buffering:

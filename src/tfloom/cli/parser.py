@@ -25,6 +25,8 @@ class VerbParser(argparse.ArgumentParser):
     def __init__(self, *args: Any, module: str = "", **options: Any) -> None:
         super().__init__(*args, **options)
         self._module = module
+        self.words: dict[str, VerbParser] = {}
+        """The parsers of the words that may follow."""
 
     def fill(self) -> None:
         """Import the verb, once, and let it add its arguments."""
@@ -43,7 +45,7 @@ class VerbParser(argparse.ArgumentParser):
         return super().parse_known_args(args, namespace)
 
 
-def build_parser(prog: str, commands: Mapping[str, str | Group]) -> argparse.ArgumentParser:
+def build_parser(prog: str, commands: Mapping[str, str | Group]) -> VerbParser:
     """Return the parser of the whole command line; none of the verbs' modules is imported for it.
 
     Args:
@@ -73,11 +75,13 @@ def build_parser(prog: str, commands: Mapping[str, str | Group]) -> argparse.Arg
 def _add_words(parser: VerbParser, prog: str) -> Any:
     """Add the next word's slot; its placeholder is also what argparse's messages call it."""
     parser.set_defaults(run_verb=_print_help(parser))
-    return parser.add_subparsers(
+    words = parser.add_subparsers(
         title="Commands",
         metavar=f"Call `{prog} <command> -h` for more detailed usage.",
         parser_class=VerbParser,
     )
+    parser.words = words.choices
+    return words
 
 
 def _fill_group(parser: VerbParser, prog: str, word: str, group: Group) -> None:

@@ -1,3 +1,4 @@
+# PYTHON_ARGCOMPLETE_OK
 """The command `ros2`: tfloom's, unless a real ROS is there, whose name it is."""
 
 from __future__ import annotations

@@ -1,0 +1,103 @@
+"""What the Tab key offers for an argument: live topics and nodes, types, packages and programs."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable, Iterable
+
+from tfloom.cli.parser import VerbParser
+from tfloom.workspace import index, interfaces
+
+MOST_S = 1.0
+"""How long a Tab may look for others [s]."""
+
+
+def fill_typed_verb(parser: VerbParser, line: str) -> None:
+    """Let the verb of a command line add its arguments now: argcomplete looks at them before it parses."""
+    for word in line.split()[1:]:
+        parser = parser.words.get(word, parser)
+    parser.fill()
+
+
+def complete_argument(
+    prefix: str, action: argparse.Action, parser: argparse.ArgumentParser, parsed_args: argparse.Namespace
+) -> list[str]:
+    """Return the values that begin with what was typed of an argument; nothing where it is free text."""
+    if action.choices is not None:
+        values: Iterable[str] = [str(choice) for choice in action.choices]
+    else:
+        verb = parser.prog.split()[1:]
+        offer = _OFFERS.get((*verb[:1], action.dest)) or _OFFERS.get((action.dest,))
+        values = offer(parsed_args) if offer else ()
+    return [value for value in values if value.startswith(prefix)]
+
+
+def _topics(_: argparse.Namespace) -> list[str]:
+    from tfloom.cli import graph
+
+    with graph.joined_participant() as participant:
+        graph.wait_until_quiet(participant.graph, MOST_S)
+        names = graph.topic_types(participant.graph.endpoints())
+    # Without its slash a name is as good, so what is typed without one is completed, too.
+    return [*names, *(name[1:] for name in names)]
+
+
+def _types_of_topic(args: argparse.Namespace) -> list[str]:
+    """Return the type that the topic has; all messages where nobody has it."""
+    from tfloom.cli import graph
+
+    with graph.joined_participant() as participant:
+        graph.wait_until_quiet(participant.graph, MOST_S)
+        types = graph.topic_types(participant.graph.endpoints())
+    name = args.topic_name or ""
+    return types.get(name if name.startswith("/") else f"/{name}", []) or _interfaces("msg")
+
+
+def _nodes(_: argparse.Namespace) -> list[str]:
+    from tfloom.cli import graph
+
+    with graph.joined_participant() as participant:
+        graph.wait_until_quiet(participant.graph, MOST_S)
+        return [node.full for node in participant.graph.nodes() if not graph.is_hidden(node.full)]
+
+
+def _packages(_: argparse.Namespace) -> list[str]:
+    return sorted({*index.workspace_packages(), *index.own_packages()})
+
+
+def _packages_with_programs(_: argparse.Namespace) -> list[str]:
+    built = [
+        name for name, prefix in index.workspace_packages().items() if index.package_programs(name, prefix)
+    ]
+    return sorted({*built, *index.PROGRAMS})
+
+
+def _programs(args: argparse.Namespace) -> list[str]:
+    prefix = index.find_package(args.package_name)
+    if prefix is None:
+        return list(index.PROGRAMS.get(args.package_name, {}))
+    return [index.program_name(path) for path in index.package_programs(args.package_name, prefix)]
+
+
+def _interfaces(*kinds: str) -> list[str]:
+    return [
+        f"{package}/{kind}/{name}"
+        for package, folder in interfaces.interface_packages().items()
+        for kind in kinds or interfaces.KINDS
+        for name in interfaces.interfaces_of(folder, kind)
+    ]
+
+
+_OFFERS: dict[tuple[str, ...], Callable[[argparse.Namespace], Iterable[str]]] = {
+    ("topic_name",): _topics,
+    ("topic", "topic"): _topics,
+    ("message_type",): _types_of_topic,
+    ("topic_type",): lambda _: _interfaces("msg"),
+    ("node_name",): _nodes,
+    ("package_name",): _packages,
+    ("run", "package_name"): _packages_with_programs,
+    ("executable_name",): _programs,
+    ("interface", "package_name"): lambda _: list(interfaces.interface_packages()),
+    ("interface", "type"): lambda _: _interfaces(),
+}
+"""What to offer, by the first word of the verb and the argument's name, or by the name alone."""

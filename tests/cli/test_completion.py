@@ -1,0 +1,102 @@
+"""The Tab key: through argcomplete's protocol, and in a real bash in a pseudo-terminal."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+import transcript
+
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="completion is a shell's")
+
+
+def complete(line: str, tmp_path: Path) -> list[str]:
+    """Return what Tab offers at the end of a command line."""
+    answer = tmp_path / "answer"
+    environment = {
+        **os.environ,
+        "_ARGCOMPLETE": "1",
+        "_ARGCOMPLETE_STDOUT_FILENAME": str(answer),
+        "_ARGCOMPLETE_IFS": "\n",
+        "COMP_LINE": line,
+        "COMP_POINT": str(len(line)),
+        "COMP_TYPE": "9",
+    }
+    subprocess.run([transcript.PROGRAM], env=environment, timeout=60, check=False, stdin=subprocess.DEVNULL)
+    return [word.strip() for word in answer.read_text().split("\n") if word.strip()]
+
+
+@pytest.mark.parametrize(
+    ("line", "offers"),
+    [
+        ("tfloom to", {"topic"}),
+        ("tfloom topic i", {"info"}),
+        ("tfloom topic list --show", {"--show-types"}),
+        ("tfloom topic echo --qos-reliability bes", {"best_effort", "best_available"}),
+        ("tfloom run turtlesim turtlesim", {"turtlesim_node"}),
+        ("tfloom run turtles", {"turtlesim"}),
+        ("tfloom pkg prefix tf2_r", {"tf2_ros"}),
+        ("tfloom interface show geometry_msgs/msg/TwistW", None),
+        ("tfloom interface package turt", {"turtlesim"}),
+        ("tfloom topic pub /nobodys geometry_msgs/msg/Twist", None),
+    ],
+)
+def test_words_and_names(
+    line: str, offers: set[str] | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+    found = complete(line, tmp_path)
+    if offers is None:
+        last = line.rsplit(maxsplit=1)[-1]
+        assert len(found) > 1
+        assert all(word.startswith(last) for word in found)
+    else:
+        assert set(found) == offers
+
+
+def test_a_workspaces_programs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    program = tmp_path / "lib" / "my_pkg" / "my_program"
+    marker = tmp_path / "share" / "ament_index" / "resource_index" / "packages" / "my_pkg"
+    for path in (program, marker):
+        path.parent.mkdir(parents=True)
+        path.touch(mode=0o755)
+    monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path))
+    assert complete("tfloom run my_p", tmp_path) == ["my_pkg"]
+    assert complete("tfloom run my_pkg my", tmp_path) == ["my_program"]
+
+
+@pytest.mark.wire
+def test_live_topics_nodes_and_types(
+    domain_id: int, tmp_path: Path, start_program: Callable[..., object]
+) -> None:
+    start_program("tfloom", "topic", "pub", "-n", "my_node", "/my_topic", "geometry_msgs/msg/Twist").wait_for(
+        "#1"
+    )
+    assert complete("tfloom topic echo /my", tmp_path) == ["/my_topic"]
+    assert complete("tfloom topic echo my", tmp_path) == ["my_topic"]
+    assert complete("tfloom topic hz /my", tmp_path) == ["/my_topic"]
+    assert complete("tfloom topic pub /my_topic ", tmp_path) == ["geometry_msgs/msg/Twist"]
+
+
+@pytest.mark.skipif(not shutil.which("bash"), reason="needs bash")
+def test_in_a_real_bash(start_program: Callable[..., object]) -> None:
+    code = "import pty, sys; pty.spawn(['bash', '--norc', '--noprofile', '-i'])"
+    shell = start_program("python", "-c", code, stdin=subprocess.PIPE)
+    folder = transcript.PROGRAM.parent
+
+    def type_keys(keys: str) -> None:
+        shell.process.stdin.write(keys)
+        shell.process.stdin.flush()
+
+    type_keys(
+        f'PATH={folder}:$PATH; PS1=; eval "$(register-python-argcomplete tfloom ros2)"; echo is ready\n'
+    )
+    shell.wait_for("is ready")
+    # Control-A goes to the line's begin: the completed line is printed, not run.
+    type_keys("tfloom run turtlesim turtlesim_n\t\x01echo \x05\n")
+    shell.wait_for("tfloom run turtlesim turtlesim_node")
+    type_keys("exit\n")
