@@ -141,7 +141,8 @@ def test_the_tutorial(
     echo = start_program(*run_program("tf2_ros", "tf2_echo", "world", "turtle1"))
     echo.wait_for(f"- Translation: [{x:.3f}, {y:.3f}, 0.000]")
     echo.wait_for(f"[0.000, 0.000, {math.sin(theta / 2):.3f}, {math.cos(theta / 2):.3f}]")
-    echo.wait_for(f"  {math.cos(theta): .3f} {-math.sin(theta): .3f}  0.000  {x:.3f}")
+    row = (math.cos(theta), -math.sin(theta), 0.0, x)
+    echo.wait_for("".join(f"{value:7.3f}" for value in row))
 
     pictures = start_program(*run_program("tf2_tools", "view_frames"), cwd=tmp_path)
     assert pictures.wait() == 0

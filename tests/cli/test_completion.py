@@ -41,7 +41,7 @@ def complete(line: str, tmp_path: Path) -> list[str]:
         ("tfloom run turtles", {"turtlesim"}),
         ("tfloom pkg prefix tf2_r", {"tf2_ros"}),
         ("tfloom interface show geometry_msgs/msg/TwistW", None),
-        ("tfloom interface package turt", {"turtlesim"}),
+        ("tfloom interface package geo", {"geometry_msgs"}),
         ("tfloom topic pub /nobodys geometry_msgs/msg/Twist", None),
     ],
 )

@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 from collections.abc import Callable
+from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -182,3 +183,16 @@ def test_how_our_own_programs_end(
     assert cli.main(["run", "our_pkg", "our_program", "a", "--b"]) == exit_code
     assert sys.argv == ["our_program", "a", "--b"]
     assert capsys.readouterr() == ("['a', '--b']\n", printed)
+
+
+@pytest.mark.parametrize(
+    "target", sorted({target for programs in index.PROGRAMS.values() for target in programs.values()})
+)
+def test_each_of_our_programs_is_there(target: str) -> None:
+    module, _, function = target.partition(":")
+    assert callable(getattr(import_module(module), function))
+
+
+@pytest.mark.parametrize("package", index.PROGRAMS)
+def test_our_programs_are_in_order(package: str) -> None:
+    assert list(index.PROGRAMS[package]) == sorted(index.PROGRAMS[package])

@@ -1,0 +1,109 @@
+"""`pkg` and `interface` against the recorded answers."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+import transcript
+
+from tfloom.workspace import index
+
+
+@pytest.fixture(autouse=True)
+def no_workspace(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv(index.PREFIX_PATH_VARIABLE, raising=False)
+
+
+@pytest.mark.parametrize(
+    "name", ["pkg_prefix_bad", "interface_show_bad", "interface_show_action", "interface_proto"]
+)
+def test_answers_are_as_recorded(name: str) -> None:
+    recorded = transcript.golden(name)
+    answer = transcript.run(*recorded.command)
+    assert (answer.text, answer.exit_code) == (recorded.text, recorded.exit_code)
+
+
+@pytest.mark.parametrize("name", ["interface_show_msg", "interface_show_srv"])
+def test_no_comments_leaves_no_hash(name: str, deviations: dict[str, dict[str, str]]) -> None:
+    assert "cli-no-comments" in deviations
+    recorded = transcript.golden(name)
+    lines = [line.removesuffix(" #") for line in recorded.text.splitlines() if line != "#"]
+    assert transcript.run(*recorded.command).text.splitlines() == lines
+
+
+def test_a_packages_interfaces_are_in_order(deviations: dict[str, dict[str, str]]) -> None:
+    assert "cli-interface-order" in deviations
+    recorded = transcript.golden("interface_package")
+    answer = transcript.run(*recorded.command)
+    assert sorted(answer.text.splitlines()) == sorted(recorded.text.splitlines())
+
+
+@pytest.mark.parametrize("name", ["interface_list_head", "interface_packages_head"])
+def test_what_the_reference_lists_is_listed_where_we_have_it(name: str) -> None:
+    recorded = transcript.golden(name)
+    words = recorded.command[: recorded.command.index("|")]
+    ours = transcript.run(*words).text.splitlines()
+    for_tests = {"ros2cli_test_interfaces", "test_msgs"}
+    assert [line for line in recorded.text.splitlines() if line not in ours and line not in for_tests] == []
+    assert ours.index("std_msgs" if "packages" in name else "Messages:") >= 0
+
+
+def test_our_programs_are_listed() -> None:
+    listed = transcript.run("pkg", "executables").text.splitlines()
+    assert listed == [
+        f"{package} {program}" for package in sorted(index.PROGRAMS) for program in index.PROGRAMS[package]
+    ]
+    one = json.loads(transcript.run("pkg", "executables", "tf2_tools", "--json").text)
+    assert one == [
+        {"package": "tf2_tools", "executable": "view_frames", "target": "tfloom.tf2_tools.view_frames:main"}
+    ]
+
+
+def test_packages() -> None:
+    listed = transcript.run("pkg", "list").text.splitlines()
+    assert {"geometry_msgs", "rclpy", "tf2_ros", "turtlesim"} <= set(listed)
+    assert listed == sorted(listed)
+    assert transcript.run("pkg", "prefix", "turtlesim").text == str(index.OWN_PREFIX)
+    share = Path(transcript.run("pkg", "prefix", "--share", "turtlesim").text)
+    assert (share / "msg" / "Pose.msg").is_file()
+    assert transcript.run("pkg", "xml", "turtlesim").exit_code == 1
+
+
+def test_a_new_package_builds_and_runs(tmp_path: Path, start_program: Callable[..., object]) -> None:
+    words = (
+        "pkg",
+        "create",
+        "--destination-directory",
+        str(tmp_path / "src"),
+        "--node-name",
+        "my_node",
+        "my_pkg",
+    )
+    created = transcript.run(*words)
+    assert created.exit_code == 0, created.text
+    again = transcript.run(*words)
+    assert (again.exit_code, again.text.endswith("is there already; nothing was written")) == (1, True)
+    binaries = Path(sys.executable).parent
+    built = subprocess.run(
+        [binaries / "colcon", "build"], cwd=tmp_path, capture_output=True, text=True, timeout=120, check=False
+    )
+    assert built.returncode == 0, built.stderr
+    line = f"source {tmp_path}/install/setup.bash && exec {transcript.PROGRAM} run my_pkg my_node"
+    node = start_program("bash", "-c", line)
+    node.wait_for("[my_node]: Hi from my_pkg.")
+    node.wait_for("[my_node]: 2 s")
+    node.signal(2)
+    assert "Traceback" not in node.output
+
+
+def test_a_package_in_another_language_is_refused() -> None:
+    answer = transcript.run("pkg", "create", "--build-type", "ament_cmake", "my_pkg")
+    assert (answer.exit_code, answer.text) == (
+        1,
+        "a package of build type ament_cmake needs CMake and C++; ament_python doesn't",
+    )
