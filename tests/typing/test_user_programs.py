@@ -1,0 +1,69 @@
+"""User programs with ROS's names pass mypy --strict, against an editable install and against a wheel."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import sysconfig
+import venv
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+PROGRAMS = sorted((Path(__file__).parent / "programs").glob("*.py"))
+
+
+def mypy(python: Path, *programs: Path, cache: Path) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", "mypy", "--strict", "--config-file=", f"--cache-dir={cache}"]
+    command += [f"--python-executable={python}", *map(str, programs)]
+    return subprocess.run(command, capture_output=True, text=True, timeout=300, cwd=cache, check=False)
+
+
+@pytest.fixture(scope="session")
+def wheel_python(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Build a wheel, install it into a fresh environment, and return that environment's Python."""
+    folder = tmp_path_factory.mktemp("wheel")
+    pip = [sys.executable, "-m", "pip", "--disable-pip-version-check", "--quiet"]
+    build = [
+        "wheel",
+        "--no-deps",
+        "--no-build-isolation",
+        "-C",
+        f"build-dir={folder}/build",
+        "-w",
+        str(folder),
+    ]
+    subprocess.run([*pip, *build, str(ROOT)], check=True, timeout=600)
+    venv.create(folder / "venv", symlinks=True)
+    python = folder / "venv" / Path(sysconfig.get_path("scripts")).name / "python"
+    (wheel,) = folder.glob("*.whl")
+    install = ["--python", str(python), "install", "--no-deps", str(wheel)]
+    subprocess.run([*pip, *install], check=True, timeout=300)
+    return python
+
+
+def test_programs_pass_against_the_editable_install(tmp_path: Path) -> None:
+    result = mypy(Path(sys.executable), *PROGRAMS, cache=tmp_path)
+    assert result.returncode == 0, result.stdout
+
+
+def test_programs_pass_against_a_wheel(wheel_python: Path, tmp_path: Path) -> None:
+    result = mypy(wheel_python, *PROGRAMS, cache=tmp_path)
+    assert result.returncode == 0, result.stdout
+
+
+def test_a_wrong_program_is_refused(tmp_path: Path) -> None:
+    program = tmp_path / "wrong.py"
+    program.write_text("from geometry_msgs.msg import Vector3\n\nVector3(x='one')\nVector3().nope\n")
+    result = mypy(Path(sys.executable), program, cache=tmp_path)
+    assert "arg-type" in result.stdout
+    assert "attr-defined" in result.stdout
+
+
+def test_a_wheel_puts_the_ros_names_last_on_the_path(wheel_python: Path) -> None:
+    code = "import sys; print(sys.path[-1].replace('\\\\', '/').endswith('site-packages/tfloom/ros_names'))"
+    result = subprocess.run(
+        [wheel_python, "-c", code], capture_output=True, text=True, check=True, timeout=60
+    )
+    assert result.stdout == "True\n"
