@@ -109,6 +109,10 @@ bool wait(const tf2::Buffer& buffer, const Query& query, double timeout_s) {
   }
 }
 
+// For the stub: handle, is_available; severity, text.
+using RequestCallable = nb::typed<nb::callable, void(std::uint64_t, bool)>;
+using LogCallable = nb::typed<nb::callable, void(int, std::string)>;
+
 tf2::Requests::Callback request_callback(nb::callable callable) {
   return [callback = Callback(std::move(callable))](tf2::Requests::Handle handle, tf2::Requests::Outcome outcome) {
     callback(handle, outcome == tf2::Requests::Outcome::available);
@@ -234,7 +238,7 @@ void bind_waiting(nb::class_<BufferHandle>& type) {
       .def(
           "add_request",
           [](BufferHandle& self, const NameArgument& target, const NameArgument& source, StampArgument stamp,
-             nb::callable callback) {
+             const RequestCallable& callback) {
             return pending(self.buffer->add_request(simple(target, source, stamp), request_callback(callback)));
           },
           "target_frame"_a, "source_frame"_a, "stamp_ns"_a, "callback"_a,
@@ -246,7 +250,7 @@ void bind_waiting(nb::class_<BufferHandle>& type) {
       .def(
           "add_request_full",
           [](BufferHandle& self, const NameArgument& target, StampArgument target_stamp, const NameArgument& source,
-             StampArgument source_stamp, const NameArgument& fixed, nb::callable callback) {
+             StampArgument source_stamp, const NameArgument& fixed, const RequestCallable& callback) {
             const Query query = full(target, target_stamp, source, source_stamp, fixed);
             return pending(self.buffer->add_request(query, request_callback(callback)));
           },
@@ -296,7 +300,7 @@ void bind_contents(nb::class_<BufferHandle>& type) {
           "How far back each frame's history reaches from its newest sample [ns]; None: without limit.")
       .def(
           "set_log_callback",
-          [](BufferHandle& self, std::optional<nb::callable> callback) {
+          [](BufferHandle& self, std::optional<LogCallable> callback) {
             if (!callback) return self.buffer->set_log_callback({});
             self.buffer->set_log_callback([log = Callback(*callback)](tf2::Severity severity, const std::string& text) {
               log(static_cast<int>(severity), text);

@@ -309,7 +309,7 @@ class Buffer:
     def wait_full(self, target_frame: str, target_stamp_ns: int, source_frame: str, source_stamp_ns: int, fixed_frame: str, *, timeout_s: float) -> bool:
         """Wait until `lookup_full` has an answer; see `wait`."""
 
-    def add_request(self, target_frame: str, source_frame: str, stamp_ns: int, callback: Callable) -> int | None:
+    def add_request(self, target_frame: str, source_frame: str, stamp_ns: int, callback: Callable[[int, bool], None]) -> int | None:
         """
         Ask to be called when `lookup` has an answer.
 
@@ -318,7 +318,7 @@ class Buffer:
         Returns the request's handle; 0 if there is an answer now, and None if there can never be one: then nothing is called.
         """
 
-    def add_request_full(self, target_frame: str, target_stamp_ns: int, source_frame: str, source_stamp_ns: int, fixed_frame: str, callback: Callable) -> int | None:
+    def add_request_full(self, target_frame: str, target_stamp_ns: int, source_frame: str, source_stamp_ns: int, fixed_frame: str, callback: Callable[[int, bool], None]) -> int | None:
         """Ask to be called when `lookup_full` has an answer; see `add_request`."""
 
     def cancel_request(self, handle: int) -> bool:
@@ -352,7 +352,7 @@ class Buffer:
         How far back each frame's history reaches from its newest sample [ns]; None: without limit.
         """
 
-    def set_log_callback(self, callback: Callable | None) -> None:
+    def set_log_callback(self, callback: Callable[[int, str], None] | None) -> None:
         """
         Set who is told of rejected data: `callback(severity, text)`, severity as in Python's logging.
 

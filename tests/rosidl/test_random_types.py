@@ -103,7 +103,9 @@ def test_bytes_are_those_of_rosbags(data: st.DataObject) -> None:
     assert plain(theirs) == plain(message)
     assert bytes(store.serialize_cdr(theirs, OUTER)) == encoded
     assert cdr.decode(outer, store.serialize_cdr(theirs, OUTER, little_endian=False)) == message
-    if "char" not in inner_text + outer_text:  # rosbags hashes it as IDL's char; std_msgs/msg/Char shows a uint8
+    if (
+        "char" not in inner_text + outer_text
+    ):  # rosbags hashes it as IDL's char; std_msgs/msg/Char shows a uint8
         assert store.hash_rihs01(OUTER) == outer._TYPE_HASH
 
 

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
+BUILD = ROOT / "build" / "wheel-under-test"  # kept, so that the next run compiles what has changed
 PROGRAMS = sorted((Path(__file__).parent / "programs").glob("*.py"))
 
 

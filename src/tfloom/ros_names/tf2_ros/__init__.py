@@ -1,13 +1,17 @@
 """Frames over time, on /tf and /tf_static."""
 
-from geometry_msgs.msg import TransformStamped
-from rclpy.duration import Duration
-from rclpy.time import Time
-from std_msgs.msg import Header
-from tf2_py import *
+from tfloom.ros_guard import claim
 
-from tf2_ros.buffer import *
-from tf2_ros.buffer_interface import *
-from tf2_ros.static_transform_broadcaster import *
-from tf2_ros.transform_broadcaster import *
-from tf2_ros.transform_listener import *
+claim("tf2_ros")
+
+from tfloom.interfaces.geometry_msgs.msg import TransformStamped
+from tfloom.interfaces.std_msgs.msg import Header
+from tfloom.node.duration import Duration
+from tfloom.node.time import Time
+from tfloom.tf2.errors import *
+from tfloom.tf2_ros.buffer import *
+from tfloom.tf2_ros.buffer_core import BufferCore
+from tfloom.tf2_ros.buffer_interface import *
+from tfloom.tf2_ros.static_transform_broadcaster import *
+from tfloom.tf2_ros.transform_broadcaster import *
+from tfloom.tf2_ros.transform_listener import *
