@@ -22,8 +22,10 @@ class Entity:
     is_timed = False
     """Whether `deadline_ns` tells when to take, rather than a post."""
 
+    goes_by_group = True
+    """Whether `run` waits its turn in the callback group; else it is called at once, by the thread that spins."""
+
     callback_group: CallbackGroup | None
-    """None only for what runs nothing of the user's."""
 
     def attach(self, queue: ReadyQueue, token: int) -> None:
         """Post `token` to `queue` when there may be something to take, at once if there already is."""

@@ -38,6 +38,8 @@ __all__ = [
 ]
 
 T = TypeVar("T")
+MOST_AT_ONCE = 1000
+"""How much an entity may have run on the thread that spins before others have their turn."""
 
 # ruff: noqa: N818  # ROS's own names
 
@@ -176,8 +178,12 @@ class Executor:
 
     def can_execute(self, entity: Entity) -> bool:
         """Return whether the group of an entity lets its callback begin now."""
-        group = entity.callback_group
+        group = entity.callback_group if entity.goes_by_group else None
         return group is None or group.can_execute(entity)
+
+    def would_wait_for_itself(self) -> bool:
+        """Return whether this is called from a callback, while nothing else takes in what comes."""
+        return self._running.is_this_thread()
 
     def _next(self, timeout_sec: float | None, condition: Callable[[], bool] | None = None) -> Work:
         """Wait for a callback that may begin.
@@ -222,9 +228,23 @@ class Executor:
     def _collect(self, end_ns: int | None) -> None:
         """Wait for posts and timers, not beyond `end_ns`, and begin a new pass over all that is ready."""
         tokens = self._queue.wait(self._wait_ns(end_ns))
-        self._ready.extend(token for token in tokens if token != WAKE)
+        for token in tokens:
+            entity = self._entities.get(token)
+            if entity is not None and not entity.goes_by_group:
+                self._run_here(entity, token)
+            elif token != WAKE:
+                self._ready.append(token)
         self._ready.extend(self._timers.take_due(time.monotonic_ns()))
         self._pass_left = len(self._ready)
+
+    def _run_here(self, entity: Entity, token: int) -> None:
+        """Run what runs no callback of the program's at once, on the thread that spins."""
+        for _ in range(MOST_AT_ONCE):
+            taken = entity.take()
+            if taken is None:
+                return
+            entity.run(taken)
+        self._queue.post(token)
 
     def _wait_ns(self, end_ns: int | None) -> int:
         if self._ready and self._has_room():

@@ -89,6 +89,10 @@ class MultiThreadedExecutor(Executor):
                 self._busy -= 1
             self.wake()
 
+    def would_wait_for_itself(self) -> bool:
+        """Return False: the thread that spins takes in what comes, whatever its callbacks do."""
+        return False
+
     def shutdown(self, timeout_sec: float | None = None) -> bool:
         """End every spin and wait for running callbacks; see `Executor.shutdown`."""
         if not super().shutdown(timeout_sec):

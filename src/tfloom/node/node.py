@@ -3,28 +3,23 @@
 from __future__ import annotations
 
 import weakref
-from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
 from tfloom.node.arguments import Arguments, parse_arguments
-from tfloom.node.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
 from tfloom.node.clock import Clock, ROSClock
 from tfloom.node.constants import S_TO_NS
 from tfloom.node.entity import Entity
-from tfloom.node.guard_condition import GuardCondition
 from tfloom.node.names import validate_namespace, validate_node_name
+from tfloom.node.node_entities import NodeEntities
 from tfloom.node.node_graph import NodeGraph, resolve_name
 from tfloom.node.node_parameters import NodeParameters
 from tfloom.node.parameter import PARAMETER_SEPARATOR_STRING, Parameter
 from tfloom.node.publisher import Publisher
-from tfloom.node.qos import QoSProfile, qos_profile_parameter_events
+from tfloom.node.qos import qos_profile_parameter_events
 from tfloom.node.rcutils_logger import RcutilsLogger
 from tfloom.node.rosout import Rosout
-from tfloom.node.subscription import Subscription
 from tfloom.node.time_source import TimeSource
-from tfloom.node.timer import Rate, Timer
-from tfloom.node.type_support import check_is_valid_msg_type, topic_of
 from tfloom.node.utilities import get_default_context
 from tfloom.rmw.base import NodeName
 from tfloom.rosidl.message import Message
@@ -47,7 +42,7 @@ AnyEntity = TypeVar("AnyEntity", bound=Entity)
 
 
 # Private names are mangled: programs derive from Node, and must be free to call their own things what they like.
-class Node(NodeParameters, NodeGraph):
+class Node(NodeEntities, NodeParameters, NodeGraph):
     """A node: a name on the graph, under which it publishes, subscribes, and has parameters and timers.
 
     Its callbacks run while an executor that it is added to spins.
@@ -97,14 +92,10 @@ class Node(NodeParameters, NodeGraph):
             self.__context.arguments if use_global_arguments else Arguments()
         )
         self.__node_name = self.__settle_name(node_name, namespace or "/")
-        self.__entities: list[Entity] = []
-        self.__publishers: list[Publisher[Any]] = []
-        self.__rates: list[Rate] = []
         self.__executor: weakref.ref[Executor] | None = None
         self.__destroyed = False
         self.__parameter_event_publisher: Publisher[rcl_msg.ParameterEvent] | None = None
         self.__rosout: Rosout | None = None
-        self.__default_callback_group = MutuallyExclusiveCallbackGroup()
         self.__clock = ROSClock()
         self.__logger = RcutilsLogger(self.__node_name.full.strip("/").replace("/", "."))
         NodeParameters.__init__(
@@ -115,6 +106,7 @@ class Node(NodeParameters, NodeGraph):
         )
         self.__participant = self.__context.join(self.__node_name)
         NodeGraph.__init__(self, self.__participant.graph)
+        NodeEntities.__init__(self, self.__participant, self.__node_name, self.__context)
         if enable_rosout and self.__arguments.rosout_logs:
             self.__rosout = Rosout(self.__participant, self.__node_name, self.__logger.name)
         self.__parameter_event_publisher = self.create_publisher(
@@ -152,11 +144,6 @@ class Node(NodeParameters, NodeGraph):
     def handle(self) -> Self:
         """What stands for the library's own node: this object."""
         return self
-
-    @property
-    def default_callback_group(self) -> CallbackGroup:
-        """The group of whatever is created without one: one callback at a time."""
-        return self.__default_callback_group
 
     @property
     def executor(self) -> Executor | None:
@@ -217,223 +204,6 @@ class Node(NodeParameters, NodeGraph):
 
         return resolve_name(name, self.__node_name, None if only_expand else remap, is_service=is_service)
 
-    # What it has
-
-    def entities(self) -> list[Entity]:
-        """Return all that an executor is to run."""
-        return list(self.__entities)
-
-    @property
-    def publishers(self) -> Iterator[Publisher[Any]]:
-        """The publishers it created."""
-        return iter(list(self.__publishers))
-
-    @property
-    def subscriptions(self) -> Iterator[Subscription[Any]]:
-        """The subscriptions it created."""
-        return (each for each in self.entities() if isinstance(each, Subscription))
-
-    @property
-    def timers(self) -> Iterator[Timer]:
-        """The timers it created."""
-        return (each for each in self.entities() if isinstance(each, Timer))
-
-    @property
-    def guards(self) -> Iterator[GuardCondition]:
-        """The guard conditions it created."""
-        return (each for each in self.entities() if isinstance(each, GuardCondition))
-
-    def __add(self, entity: AnyEntity) -> AnyEntity:
-        if entity.callback_group is not None:
-            entity.callback_group.add_entity(entity)
-        self.__entities.append(entity)
-        executor = self.executor
-        if executor is not None:
-            executor.add_entity(entity)
-        return entity
-
-    def __remove(self, entity: Entity) -> bool:
-        if entity not in self.__entities:
-            return False
-        self.__entities.remove(entity)
-        executor = self.executor
-        if executor is not None:
-            executor.remove_entity(entity)
-        return True
-
-    def create_publisher(
-        self,
-        msg_type: type[MsgType],
-        topic: str,
-        qos_profile: QoSProfile | int,
-        *,
-        callback_group: CallbackGroup | None = None,
-        event_callbacks: Any = None,
-        qos_overriding_options: Any = None,
-        publisher_class: type[Publisher[MsgType]] = Publisher,
-    ) -> Publisher[MsgType]:
-        """Create a publisher.
-
-        Args:
-            msg_type: Class of the messages.
-            topic: Name of the topic; it is expanded and remapped.
-            qos_profile: What it offers; a number stands for a history of that depth.
-            callback_group: Group of its events' callbacks.
-            event_callbacks: Not there yet.
-            qos_overriding_options: Not there yet.
-            publisher_class: Class of the publisher.
-
-        Raises:
-            NoTypeSupportImportedException: `msg_type` is no message class.
-            InvalidTopicNameException: the name isn't valid.
-            TypeError, ValueError: `qos_profile` is neither a profile nor a depth.
-        """
-        check_is_valid_msg_type(msg_type)
-        _refuse("create_publisher", event_callbacks, qos_overriding_options)
-        profile = _profile(qos_profile)
-        name = self.resolve_topic_name(topic)
-        wire_topic = topic_of(msg_type, name)
-        writer = self.__participant.create_writer(self.__node_name, wire_topic, profile.to_wire())
-        group = callback_group or self.__default_callback_group
-        publisher = publisher_class(writer, msg_type, name, profile, None, group, context=self.__context)
-        self.__publishers.append(publisher)
-        return publisher
-
-    def create_subscription(
-        self,
-        msg_type: type[MsgType],
-        topic: str,
-        callback: Callable[..., Any],
-        qos_profile: QoSProfile | int,
-        *,
-        callback_group: CallbackGroup | None = None,
-        event_callbacks: Any = None,
-        qos_overriding_options: Any = None,
-        raw: bool = False,
-    ) -> Subscription[MsgType]:
-        """Create a subscription.
-
-        Args:
-            msg_type: Class of the messages.
-            topic: Name of the topic; it is expanded and remapped.
-            callback: Takes a message, or a message and a dict of its stamps [ns]. Runs on a thread of the executor.
-            qos_profile: What it asks for; a number stands for a history of that depth.
-            callback_group: Group of its callbacks; None: the node's own.
-            event_callbacks: Not there yet.
-            qos_overriding_options: Not there yet.
-            raw: Whether the callback takes bytes, encapsulation header and CDR, rather than messages.
-
-        Raises:
-            NoTypeSupportImportedException: `msg_type` is no message class.
-            InvalidTopicNameException: the name isn't valid.
-            TypeError, ValueError: `qos_profile` is neither a profile nor a depth.
-            RuntimeError: `callback` takes neither one argument nor two.
-        """
-        check_is_valid_msg_type(msg_type)
-        _refuse("create_subscription", event_callbacks, qos_overriding_options)
-        profile = _profile(qos_profile)
-        name = self.resolve_topic_name(topic)
-        wire_topic = topic_of(msg_type, name)
-        reader = self.__participant.create_reader(self.__node_name, wire_topic, profile.to_wire())
-        group = callback_group or self.__default_callback_group
-        try:
-            subscription = Subscription(
-                reader, msg_type, name, callback, group, profile, raw, None, logger=self.__logger
-            )
-        except BaseException:
-            reader.close()
-            raise
-        return self.__add(subscription)
-
-    def create_timer(
-        self,
-        timer_period_sec: float,
-        callback: Callable[[], Any] | None,
-        callback_group: CallbackGroup | None = None,
-        clock: Clock | None = None,
-        autostart: bool = True,
-    ) -> Timer:
-        """Create a timer.
-
-        Args:
-            timer_period_sec: The period [s].
-            callback: Takes nothing. Runs on a thread of the executor.
-            callback_group: Its group; None: the node's own.
-            clock: Counts the period; None: the node's.
-            autostart: Whether it runs from the start; else from its first `reset`.
-
-        Raises:
-            ValueError: the period is negative.
-        """
-        period_ns = int(float(timer_period_sec) * S_TO_NS)
-        group = callback_group or self.__default_callback_group
-        timer = Timer(
-            callback, group, period_ns, clock or self.__clock, context=self.__context, autostart=autostart
-        )
-        return self.__add(timer)
-
-    def create_guard_condition(
-        self, callback: Callable[[], Any], callback_group: CallbackGroup | None = None
-    ) -> GuardCondition:
-        """Create a guard condition, whose callback runs after it is triggered."""
-        group = callback_group or self.__default_callback_group
-        return self.__add(GuardCondition(callback, group, context=self.__context))
-
-    def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
-        """Create a rate for a loop on a thread that doesn't spin the node.
-
-        Args:
-            frequency: How often its `sleep` returns [Hz].
-            clock: Counts the period; None: the node's.
-
-        Raises:
-            ValueError: `frequency` isn't above 0.
-        """
-        if frequency <= 0:
-            raise ValueError("frequency must be > 0")
-        timer = self.create_timer(1.0 / frequency, None, MutuallyExclusiveCallbackGroup(), clock)
-        rate = Rate(timer, context=self.__context)
-        self.__rates.append(rate)
-        return rate
-
-    def destroy_publisher(self, publisher: Publisher[Any]) -> bool:
-        """Destroy a publisher; False if it isn't this node's."""
-        if publisher not in self.__publishers:
-            return False
-        self.__publishers.remove(publisher)
-        publisher.destroy()
-        return True
-
-    def destroy_subscription(self, subscription: Subscription[Any]) -> bool:
-        """Destroy a subscription; False if it isn't this node's."""
-        removed = self.__remove(subscription)
-        if removed:
-            subscription.destroy()
-        return removed
-
-    def destroy_timer(self, timer: Timer) -> bool:
-        """Destroy a timer; False if it isn't this node's."""
-        removed = self.__remove(timer)
-        if removed:
-            timer.destroy()
-        return removed
-
-    def destroy_guard_condition(self, guard: GuardCondition) -> bool:
-        """Destroy a guard condition; False if it isn't this node's."""
-        removed = self.__remove(guard)
-        if removed:
-            guard.destroy()
-        return removed
-
-    def destroy_rate(self, rate: Rate) -> bool:
-        """Destroy a rate; False if it isn't this node's."""
-        if rate not in self.__rates:
-            return False
-        self.__rates.remove(rate)
-        self.__remove(rate.timer)
-        rate.destroy()
-        return True
-
     def destroy_node(self) -> None:
         """Leave the executor and the graph, with all that was created. Destroying again does nothing."""
         if self.__destroyed:
@@ -441,14 +211,8 @@ class Node(NodeParameters, NodeGraph):
         self.__destroyed = True
         self.__time_source.detach_node()
         self.executor = None
-        for rate in list(self.__rates):
-            self.destroy_rate(rate)
-        for entity in self.entities():
-            self.__entities.remove(entity)
-            entity.destroy()
         self.__parameter_event_publisher = None
-        for publisher in list(self.__publishers):
-            self.destroy_publisher(publisher)
+        self.destroy_entities()
         if self.__rosout is not None:
             self.__rosout.close()
         self.__context.leave(self.__node_name)
@@ -464,22 +228,3 @@ class Node(NodeParameters, NodeGraph):
         self, t: type[BaseException] | None, v: BaseException | None, tb: TracebackType | None
     ) -> None:
         self.destroy_node()
-
-
-def _refuse(method: str, event_callbacks: Any, qos_overriding_options: Any) -> None:
-    for name, value in (
-        ("event_callbacks", event_callbacks),
-        ("qos_overriding_options", qos_overriding_options),
-    ):
-        if value is not None:
-            raise NotImplementedError(f"{method}({name}=...) isn't there yet")
-
-
-def _profile(qos_profile: QoSProfile | int) -> QoSProfile:
-    if isinstance(qos_profile, QoSProfile):
-        return qos_profile
-    if isinstance(qos_profile, bool) or not isinstance(qos_profile, int):
-        raise TypeError(f"Expected QoSProfile or int, but received {type(qos_profile)!r}")
-    if qos_profile < 0:
-        raise ValueError("History depth must be greater than or equal to 0")
-    return QoSProfile(depth=qos_profile)

@@ -23,6 +23,10 @@ class RunningWork:
             self._threads.remove(threading.get_ident())
             self._changed.notify_all()
 
+    def is_this_thread(self) -> bool:
+        """Return whether a callback runs on the thread that asks."""
+        return threading.get_ident() in self._threads
+
     def wait(self, timeout_s: float | None) -> bool:
         """Wait until no callback runs, but for the one this is called from; False after `timeout_s`."""
         me = threading.get_ident()

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-import time
 from collections.abc import Callable
 from enum import Enum
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
@@ -12,6 +10,7 @@ from tfloom.node.callback_arguments import takes
 from tfloom.node.entity import Entity
 from tfloom.node.exceptions import InvalidHandle
 from tfloom.node.qos import QoSProfile
+from tfloom.node.throttled_warning import ThrottledWarning
 from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
 
@@ -28,9 +27,6 @@ if TYPE_CHECKING:
 __all__ = ["MsgType", "Subscription"]
 
 MsgType = TypeVar("MsgType", bound=Message)
-WARNING_PERIOD_S = 1.0
-"""Of messages that can't be read, a subscription warns at most once in so long [s]."""
-
 _UNREADABLE = object()
 
 
@@ -57,9 +53,8 @@ class Subscription(Entity, Generic[MsgType]):
         logger: RcutilsLogger,
     ) -> None:
         self._reader = subscription_impl
-        self._logger = logger
         self._destroyed = False
-        self._last_warning_s = -math.inf
+        self._warning = ThrottledWarning(logger)
         self._decode = cdr.decode
         self.msg_type = msg_type
         self.topic = topic
@@ -153,15 +148,10 @@ class Subscription(Entity, Generic[MsgType]):
         return None if taken is _UNREADABLE else self._callback(*taken)
 
     def _warn(self, sample: Sample, error: cdr.DecodeError) -> None:
-        now_s = time.monotonic()
-        if now_s - self._last_warning_s < WARNING_PERIOD_S:
-            return
-        self._last_warning_s = now_s
         name = self.msg_type._TYPE_NAME  # ours
-        text = (
+        self._warning.log(
             f"Dropped a message of {len(sample.data)} bytes on {self.topic} that is no valid {name}: {error}"
         )
-        self._logger.warning(text)
 
     def __enter__(self) -> Self:
         return self

@@ -34,7 +34,7 @@ class Future(Generic[T]):
         self._resumers: list[Callable[[], None]] = []
         self._lock = threading.RLock()
         self._executor: weakref.ref[Executor] | None = None
-        self._set_executor(executor)
+        self.set_executor(executor)
 
     def __del__(self) -> None:
         if self._exception is not None and not self._exception_fetched:
@@ -120,7 +120,8 @@ class Future(Generic[T]):
                 return
         resume()
 
-    def _set_executor(self, executor: Executor | None) -> None:
+    def set_executor(self, executor: Executor | None) -> None:
+        """Have callbacks run as tasks of `executor`; None: at once, by whoever completes the future."""
         self._executor = None if executor is None else weakref.ref(executor)
 
     def _run_callbacks(self) -> None:

@@ -1,0 +1,253 @@
+"""Services and clients."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+
+import pytest
+
+from tfloom.interfaces.example_interfaces.srv import AddTwoInts
+from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
+from tfloom.interfaces.std_srvs.srv import SetBool
+from tfloom.node.callback_groups import ReentrantCallbackGroup
+from tfloom.node.client import Client
+from tfloom.node.context import Context
+from tfloom.node.exceptions import InvalidHandle, InvalidServiceNameException, NoTypeSupportImportedException
+from tfloom.node.executors import Executor, MultiThreadedExecutor, SingleThreadedExecutor
+from tfloom.node.node import Node
+from tfloom.node.qos import QoSProfile
+from tfloom.node.service_introspection import ServiceIntrospectionState
+from tfloom.node.task import Future
+
+MakeNode = Callable[..., Node]
+SpinUntil = Callable[..., None]
+
+
+def add(request: AddTwoInts.Request, response: AddTwoInts.Response) -> AddTwoInts.Response:
+    response.sum = request.a + request.b
+    return response
+
+
+@pytest.fixture
+def client(node: Node, executor: SingleThreadedExecutor) -> Client:
+    executor.add_node(node)
+    node.create_service(AddTwoInts, "add", add)
+    client = node.create_client(AddTwoInts, "add")
+    assert client.wait_for_service(timeout_sec=5)
+    return client
+
+
+def test_a_request_is_answered(client: Client, executor: SingleThreadedExecutor) -> None:
+    future = client.call_async(AddTwoInts.Request(a=2, b=3))
+    executor.spin_until_future_complete(future, timeout_sec=5)
+    assert future.result().sum == 5
+    assert client.service_name == "/add"
+
+
+def test_many_clients_get_their_own_answers(make_node: MakeNode, executor: SingleThreadedExecutor) -> None:
+    server = make_node("server")
+    server.create_service(AddTwoInts, "add", add)
+    executor.add_node(server)
+    clients: list[Client] = []
+    for index in range(8):  # as many as a service's default history holds
+        node = make_node(f"client_{index}")
+        executor.add_node(node)
+        clients.append(node.create_client(AddTwoInts, "add"))
+        assert clients[-1].wait_for_service(timeout_sec=5)
+    for number in range(10):
+        futures = [
+            client.call_async(AddTwoInts.Request(a=1000 * index, b=number))
+            for index, client in enumerate(clients)
+        ]
+        for index, future in enumerate(futures):
+            executor.spin_until_future_complete(future, timeout_sec=5)
+            assert future.result().sum == 1000 * index + number
+
+
+def test_a_coroutine_may_await_a_call(client: Client, node: Node, executor: SingleThreadedExecutor) -> None:
+    async def twice(request: AddTwoInts.Request, response: AddTwoInts.Response) -> AddTwoInts.Response:
+        inner = await client.call_async(request)
+        response.sum = 2 * inner.sum
+        return response
+
+    node.create_service(AddTwoInts, "twice", twice, callback_group=ReentrantCallbackGroup())
+    future = node.create_client(AddTwoInts, "twice").call_async(AddTwoInts.Request(a=2, b=3))
+    executor.spin_until_future_complete(future, timeout_sec=5)
+    assert future.result().sum == 10
+
+
+def test_call_waits_while_another_thread_spins(client: Client, context: Context) -> None:
+    executor: Executor = client._executor()
+    end: Future[None] = Future()
+    thread = threading.Thread(target=lambda: executor.spin_until_future_complete(end, timeout_sec=20))
+    thread.start()
+    try:
+        assert client.call(AddTwoInts.Request(a=1, b=1), timeout_sec=5).sum == 2
+    finally:
+        end.set_result(None)
+        thread.join(10)
+
+
+def test_call_from_a_callback_of_its_own_executor_is_an_error_and_no_deadlock(
+    client: Client, node: Node, executor: SingleThreadedExecutor
+) -> None:
+    node.create_timer(0.0, lambda: client.call(AddTwoInts.Request()))
+    with pytest.raises(RuntimeError, match="would wait for ever"):
+        executor.spin()
+
+
+def test_call_from_a_callback_works_with_threads(make_node: MakeNode, context: Context) -> None:
+    server, caller = make_node("server"), make_node("caller")
+    server.create_service(AddTwoInts, "add", add)
+    client = caller.create_client(AddTwoInts, "add")
+    done: Future[int] = Future()
+
+    def call() -> None:
+        if not done.done():
+            done.set_result(client.call(AddTwoInts.Request(a=20, b=22), timeout_sec=5).sum)
+
+    caller.create_timer(0.001, call)
+    with MultiThreadedExecutor(2, context=context) as executor:
+        executor.add_node(server)
+        executor.add_node(caller)
+        executor.spin_until_future_complete(done, timeout_sec=10)
+    assert done.result() == 42
+
+
+def test_a_call_that_nobody_answers_times_out(node: Node) -> None:
+    client = node.create_client(AddTwoInts, "nobody")
+    assert not client.service_is_ready()
+    assert not client.wait_for_service(timeout_sec=0.01)
+    with pytest.raises(TimeoutError, match=r"no response from /nobody in 0\.01 s"):
+        client.call(AddTwoInts.Request(), timeout_sec=0.01)
+    assert not client._pending
+
+
+def test_waiting_for_a_service_ends_when_it_comes(make_node: MakeNode) -> None:
+    client = make_node("client").create_client(SetBool, "late")
+    found: list[bool] = []
+    thread = threading.Thread(target=lambda: found.append(client.wait_for_service(timeout_sec=10)))
+    thread.start()
+    make_node("server").create_service(SetBool, "late", lambda request, response: response)
+    thread.join(10)
+    assert found == [True]
+
+
+def test_waiting_for_a_service_ends_at_shutdown(node: Node, context: Context) -> None:
+    client = node.create_client(SetBool, "never")
+    found: list[bool] = []
+    thread = threading.Thread(target=lambda: found.append(client.wait_for_service()))
+    thread.start()
+    context.shutdown()
+    thread.join(10)
+    assert found == [False]
+
+
+def test_a_server_that_raises_raises_from_spin_and_goes_on(
+    node: Node, executor: SingleThreadedExecutor
+) -> None:
+    def fails_once(request: SetBool.Request, response: SetBool.Response) -> SetBool.Response:
+        if request.data:
+            raise KeyError("mine")
+        return response
+
+    executor.add_node(node)
+    node.create_service(SetBool, "s", fails_once)
+    client = node.create_client(SetBool, "s")
+    lost, good = (client.call_async(SetBool.Request(data=data)) for data in (True, False))
+    with pytest.raises(KeyError):
+        executor.spin()
+    executor.spin_until_future_complete(good, timeout_sec=5)
+    assert good.done()
+    assert not lost.done()
+
+
+def test_bad_input(node: Node, client: Client, executor: SingleThreadedExecutor) -> None:
+    with pytest.raises(TypeError, match=r"Expected .*AddTwoInts_Request.*, got .*SetBool_Request"):
+        client.call_async(SetBool.Request())
+    with pytest.raises(NoTypeSupportImportedException):
+        node.create_client(AddTwoInts.Request, "x")  # type: ignore[arg-type]
+    with pytest.raises(InvalidServiceNameException):
+        node.create_service(AddTwoInts, "no service", add)
+    node.create_service(SetBool, "wrong", lambda request, response: None)
+    node.create_client(SetBool, "wrong").call_async(SetBool.Request())
+    with pytest.raises(TypeError, match="callback of /wrong must return a SetBool_Response, not NoneType"):
+        executor.spin()
+
+
+def test_a_request_that_cannot_be_read_is_dropped(
+    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil, capsys: pytest.CaptureFixture[str]
+) -> None:
+    executor.add_node(node)
+    node.create_service(AddTwoInts, "add", add)
+    client = node.create_client(AddTwoInts, "add")
+    assert client.wait_for_service(timeout_sec=5)
+    client._requester.send(b"\0\1\0\0\1")
+    good = client.call_async(AddTwoInts.Request(a=1))
+    executor.spin_until_future_complete(good, timeout_sec=5)
+    assert good.result().sum == 1
+    text = "Dropped a request of 5 bytes to /add that is no valid example_interfaces/srv/AddTwoInts_Request"
+    assert text in capsys.readouterr().err
+
+
+def test_the_end_of_a_client_and_a_service(node: Node, client: Client) -> None:
+    (service,) = node.services
+    assert list(node.clients) == [client]
+    assert node.destroy_service(service)
+    assert not client.service_is_ready()
+    assert node.destroy_client(client)
+    assert not node.destroy_client(client)
+    for gone in (client, service):
+        with pytest.raises(InvalidHandle):
+            _ = gone.handle
+
+
+def test_introspection_tells_all_four_steps(
+    client: Client, node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
+) -> None:
+    (service,) = node.services
+    clock, qos = node.get_clock(), QoSProfile(depth=10)
+    client.configure_introspection(clock, qos, ServiceIntrospectionState.METADATA)
+    service.configure_introspection(clock, qos, ServiceIntrospectionState.CONTENTS)
+    events: list[AddTwoInts.Event] = []
+    node.create_subscription(AddTwoInts.Event, "/add/_service_event", events.append, 10)
+    client.call_async(AddTwoInts.Request(a=2, b=3))
+    spin_until(lambda: len(events) == 4)
+    by_type = {event.info.event_type: event for event in events}
+    assert not by_type[ServiceEventInfo.REQUEST_SENT].request
+    assert by_type[ServiceEventInfo.REQUEST_RECEIVED].request[0].b == 3
+    assert by_type[ServiceEventInfo.RESPONSE_SENT].response[0].sum == 5
+    assert {event.info.sequence_number for event in events} == {1}
+    service.configure_introspection(clock, qos, ServiceIntrospectionState.OFF)
+    client.configure_introspection(clock, qos, ServiceIntrospectionState.OFF)
+    assert node.count_publishers("/add/_service_event") == 0
+
+
+def test_a_server_that_dies_in_mid_call_leaves_the_client_waiting_and_well(
+    make_node: MakeNode, executor: SingleThreadedExecutor
+) -> None:
+    server, caller = make_node("server"), make_node("caller")
+    gate: Future[None] = Future(executor=executor)
+
+    async def never(request: SetBool.Request, response: SetBool.Response) -> SetBool.Response:
+        await gate
+        return response
+
+    server.create_service(SetBool, "s", never)
+    client = caller.create_client(SetBool, "s")
+    executor.add_node(server)
+    executor.add_node(caller)
+    lost = client.call_async(SetBool.Request())
+    executor.spin_once(timeout_sec=1)
+    server.destroy_node()
+    assert not client.service_is_ready()
+    again = make_node("server")
+    again.create_service(SetBool, "s", lambda request, response: response)
+    executor.add_node(again)
+    assert client.wait_for_service(timeout_sec=5)
+    future = client.call_async(SetBool.Request())
+    executor.spin_until_future_complete(future, timeout_sec=5)
+    assert future.done()
+    assert not lost.done()
+    client.remove_pending_request(lost)
