@@ -52,3 +52,11 @@ def test_beside_a_real_ros_a_facade_refuses(tmp_path: Path) -> None:
 def test_the_guard_lets_our_own_pass() -> None:
     assert run("import rclpy; from tfloom.ros_guard import claim; claim('tf2_ros')").returncode == 0
     assert run("from tfloom.ros_guard import claim; claim('tf2_ros')").returncode == 0
+
+
+def test_modules_are_there_after_importing_rclpy_alone() -> None:
+    result = run(
+        "import rclpy; print(rclpy.time.Time(), rclpy.executors.ExternalShutdownException.__name__); rclpy.nope"
+    )
+    assert result.stdout == "Time(nanoseconds=0, clock_type=SYSTEM_TIME) ExternalShutdownException\n"
+    assert "AttributeError: module 'rclpy' has no attribute 'nope'" in result.stderr

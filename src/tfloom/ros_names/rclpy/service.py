@@ -1,0 +1,4 @@
+"""Servers of services."""
+
+from tfloom.node.service import *
+from tfloom.node.service import __all__
