@@ -210,7 +210,7 @@ def test_off_finds_nobody_and_nobody_finds_it(domain_id, monkeypatch, start_peer
     monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "OFF")
     hidden = open_participant(domain_id)
     hidden.add_node(NodeName("/", "hidden"))
-    wait_until(lambda: len(seeing("nodes")) == 2)
+    for peer in (seen, seeing):
+        wait_until(lambda p=peer: p("nodes") == ["/peers/peer_0", "/peers/peer_1"])
     assert hidden.graph.nodes() == [NodeName("/", "hidden")]
-    assert seen("nodes") == ["/peers/peer_0", "/peers/peer_1"]
     hidden.close()
