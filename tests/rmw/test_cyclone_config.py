@@ -7,7 +7,7 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
-from tfloom.rmw import cyclonedds
+from tfloom.rmw import cyclone_config, cyclonedds
 from tfloom.rmw.cyclone_config import RANGES, configuration, configuration_for
 from tfloom.rmw.errors import ConfigurationError, WireError
 
@@ -113,6 +113,15 @@ def test_a_peer_can_not_break_out_of_its_element() -> None:
 @pytest.mark.wire
 def test_a_uri_that_cyclone_refuses_is_an_error_that_names_it(domain_id, monkeypatch, capfd) -> None:
     monkeypatch.setenv("CYCLONEDDS_URI", "<CycloneDDS><Domain><Nonsense/></Domain></CycloneDDS>")
-    with pytest.raises(WireError, match="CYCLONEDDS_URI is set: see above"):
+    with pytest.raises(WireError, match="see above what Cyclone says of it, and check CYCLONEDDS_URI"):
         cyclonedds.open_participant(domain_id)
     assert "Nonsense" in capfd.readouterr().err
+
+
+@pytest.mark.wire
+def test_a_full_domain_says_so(domain_id, monkeypatch, start_peer, capfd) -> None:
+    start_peer()
+    monkeypatch.setattr(cyclone_config, "LOCAL_PARTICIPANTS", 1)
+    with pytest.raises(WireError, match="choose another ROS_DOMAIN_ID if 1 are on this domain"):
+        cyclonedds.open_participant(domain_id)
+    assert "free participant index" in capfd.readouterr().err

@@ -14,10 +14,9 @@ from typing import TypeVar
 from weakref import WeakSet
 
 from tfloom._native import DdsParticipant, DdsReader, DdsWriter
-from tfloom.rmw import node_lists
+from tfloom.rmw import cyclone_config, node_lists
 from tfloom.rmw.base import NodeName, Service, Topic
 from tfloom.rmw.compatibility import best_available, is_best_available
-from tfloom.rmw.cyclone_config import configuration
 from tfloom.rmw.cyclone_endpoints import CycloneEndpoint, CycloneReader, CycloneWriter
 from tfloom.rmw.cyclone_graph import NODE_LIST_USER_DATA, CycloneGraph
 from tfloom.rmw.cyclone_library import find_library
@@ -38,7 +37,6 @@ _WRITE_LAST = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, depth=1)
 
 _Native = TypeVar("_Native", DdsWriter, DdsReader)
 
-_CONFIG_HINT = "; CYCLONEDDS_URI is set: see above what Cyclone says of it"
 
 _open_participants: WeakSet[CycloneParticipant] = WeakSet()
 
@@ -63,6 +61,15 @@ def _close_all() -> None:
         participant.close()
 
 
+def _advice() -> str:
+    if "CYCLONEDDS_URI" in os.environ:
+        return "check CYCLONEDDS_URI"
+    return (
+        f"end some program or choose another ROS_DOMAIN_ID if {cyclone_config.LOCAL_PARTICIPANTS} are on this "
+        "domain: one machine has room for no more"
+    )
+
+
 def _user_data(topic: Topic) -> bytes:
     return f"typehash={topic.type_hash};".encode() if topic.type_hash else b""
 
@@ -81,7 +88,7 @@ class CycloneParticipant:
         self._closed = False
         try:
             self._native = DdsParticipant(
-                find_library(), domain_id, configuration(), f"enclave={enclave};".encode()
+                find_library(), domain_id, cyclone_config.configuration(), f"enclave={enclave};".encode()
             )
             self.graph = CycloneGraph(self._native)
             self._node_list_writer = DdsWriter(
@@ -94,7 +101,7 @@ class CycloneParticipant:
         except WireError:
             raise
         except RuntimeError as error:
-            raise WireError(f"{error}{_CONFIG_HINT if 'CYCLONEDDS_URI' in os.environ else ''}") from None
+            raise WireError(f"{error}; see above what Cyclone says of it, and {_advice()}") from None
 
     def add_node(self, node: NodeName) -> None:
         """Show a node on the graph."""
