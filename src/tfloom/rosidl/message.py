@@ -8,15 +8,18 @@ from __future__ import annotations
 
 import os
 
-from tfloom._native import MessageBase, check_fields_by_default, set_message_hooks
+from tfloom._native import check_fields_by_default, set_message_hooks
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    MessageBase = object  # its native __setattr__ would let type checkers accept any attribute
     from typing import Any, ClassVar
 
     from tfloom._native import Plan
     from tfloom.rosidl.definition import AbstractType
     from tfloom.rosidl.spec import Value
+else:
+    from tfloom._native import MessageBase
 
 ARRAY_CODES = {
     "int8": "b",
@@ -62,6 +65,7 @@ class Message(MessageBase):
     _DEFAULTS: ClassVar[dict[str, Value]] = {}
     """The fields whose definition gives a default."""
     _PLAN: ClassVar[Plan | None] = None
+    _check_fields: bool
     SLOT_TYPES = _SlotTypes()
 
     def __init_subclass__(cls, **kwargs: Any) -> None:
