@@ -93,24 +93,28 @@ class _Module:
         return names
 
     def _imports(self) -> Iterator[str]:
+        now = [("tfloom.rosidl.message", "Message as _Message")]
         if self.kind == "action":
-            yield "from tfloom.interfaces.action_msgs.msg import GoalStatusArray as _GoalStatusArray"
-            yield "from tfloom.interfaces.action_msgs.srv import CancelGoal as _CancelGoal"
-        yield "from tfloom.rosidl.message import Message as _Message"
+            now.append(("tfloom.interfaces.action_msgs.msg", "GoalStatusArray as _GoalStatusArray"))
+            now.append(("tfloom.interfaces.action_msgs.srv", "CancelGoal as _CancelGoal"))
+            now.append(("tfloom.rosidl.service", "Action as _Action"))
         if self.kind != "msg":
-            bases = (
-                ["Action as _Action", "Service as _Service"]
-                if self.kind == "action"
-                else ["Service as _Service"]
-            )
-            yield f"from tfloom.rosidl.service import {', '.join(bases)}"
-        yield from ("", "TYPE_CHECKING = False", "if TYPE_CHECKING:")
+            now.append(("tfloom.rosidl.service", "Service as _Service"))
+        yield from _import_lines(now, "")
+        yield from ("", "TYPE_CHECKING = False")
+        typed = [("tfloom.rosidl.field_types", name) for name in self._array_types()]
         for name, local in self.local_names.items():
             package, kind, base = name.split("/")
-            alias = "" if local == base else f" as {local}"
-            yield f"    from {self.home}{package}.{kind} import {base}{alias}"
-        yield "    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray"
+            typed.append((f"{self.home}{package}.{kind}", base if local == base else f"{base} as {local}"))
+        if typed:
+            yield "if TYPE_CHECKING:"
+            yield from _import_lines(typed, "    ")
         yield ""
+
+    def _array_types(self) -> set[str]:
+        types = [field.type for message in self.messages for field in message.fields]
+        numeric = [each for each in types if each.shape and each.base in ARRAY_CODES]
+        return {self._gives(each) for each in numeric} | {self._takes(each) for each in numeric}
 
     def _message(self, message: spec.Message) -> Iterator[str]:
         base = message.name.rpartition("/")[2]
@@ -143,7 +147,8 @@ class _Module:
                 yield from _comment(field.comment, "        ")
                 continue
             yield "        @property"
-            yield f"        def {field.name}(self) -> {gives}: ..."
+            yield f"        def {field.name}(self) -> {gives}:{'' if field.comment else ' ...'}"
+            yield from _comment(field.comment, "            ")
             yield f"        @{field.name}.setter"
             yield f"        def {field.name}(self, value: {takes}) -> None: ..."
 
@@ -195,6 +200,31 @@ class _Module:
         yield "        GoalStatusMessage = _GoalStatusArray"
 
 
+def _import_lines(imports: list[tuple[str, str]], indent: str) -> Iterator[str]:
+    """Write `from module import name` for each pair, one statement a module, in isort's order."""
+    for module in sorted({module for module, _ in imports}):
+        names = sorted((name for each, name in imports if each == module), key=_isort_key)
+        # A name with an alias stands in a statement of its own.
+        for group in [
+            *([name] for name in names if " as " in name),
+            [name for name in names if " as " not in name],
+        ]:
+            line = f"{indent}from {module} import {', '.join(group)}"
+            if group and len(line) <= 110:
+                yield line
+            elif group:
+                yield from (
+                    f"{indent}from {module} import (",
+                    *(f"{indent}    {name}," for name in group),
+                    f"{indent})",
+                )
+
+
+def _isort_key(name: str) -> tuple[bool, str]:
+    """Constants, names all in capitals, come first."""
+    return (not (name.isupper() and len(name) > 1), name)
+
+
 def _docstring(message: spec.Message) -> str:
     text = message.comment.replace("\\", "\\\\").replace('"""', "'''") or f"The message {message.name}."
     return text if text.endswith((".", "!", "?")) else f"{text}."
@@ -209,7 +239,9 @@ def _comment(text: str, indent: str) -> Iterator[str]:
 def _quoted(value: spec.Value) -> str:
     """Return the source of a value, strings in double quotes."""
     text = repr(value)
-    return f'"{text[1:-1]}"' if text.startswith("'") and '"' not in text else text
+    prefix = "b" if isinstance(value, bytes) else ""
+    plain = isinstance(value, (str, bytes)) and '"' not in text and "\\'" not in text
+    return f'{prefix}"{text[len(prefix) + 1 : -1]}"' if plain else text
 
 
 def generate_all(definitions: Path | None = None) -> dict[str, str]:

@@ -8,7 +8,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces.msg import Time
     from tfloom.interfaces.unique_identifier_msgs.msg import UUID
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
 
 __all__ = ["GoalInfo", "GoalStatus", "GoalStatusArray"]
 
@@ -29,7 +28,7 @@ class GoalInfo(_Message):
 
 
 class GoalStatus(_Message):
-    """The message action_msgs/msg/GoalStatus."""
+    """How far a goal has got."""
 
     _TYPE_NAME = "action_msgs/msg/GoalStatus"
     _TYPE_HASH = "RIHS01_32f4cfd717735d17657e1178f24431c1ce996c878c515230f6c5b3476819dbb9"

@@ -9,7 +9,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.action_msgs.msg import GoalInfo
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
 
 __all__ = ["CancelGoal", "CancelGoal_Event", "CancelGoal_Request", "CancelGoal_Response"]
 

@@ -5,14 +5,12 @@ from __future__ import annotations
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
 
 __all__ = ["Duration", "Time"]
 
 
 class Duration(_Message):
-    """The message builtin_interfaces/msg/Duration."""
+    """A span of time, which may be negative."""
 
     _TYPE_NAME = "builtin_interfaces/msg/Duration"
     _TYPE_HASH = "RIHS01_e8d009f659816f758b75334ee1a9ca5b5c0b859843261f14c7f937349599d93b"
@@ -21,13 +19,15 @@ class Duration(_Message):
     if TYPE_CHECKING:
         def __init__(self, *, sec: int = ..., nanosec: int = ..., check_fields: bool | None = None) -> None: ...
         sec: int
+        """[s]"""
         nanosec: int
+        """[ns], below 10^9, always added"""
     else:
         __slots__ = ("_sec", "_nanosec")
 
 
 class Time(_Message):
-    """The message builtin_interfaces/msg/Time."""
+    """A point in time: since the epoch of its clock."""
 
     _TYPE_NAME = "builtin_interfaces/msg/Time"
     _TYPE_HASH = "RIHS01_b106235e25a4c5ed35098aa0a61a3ee9c9b18d197f398b0e4206cea9acf9c197"
@@ -36,6 +36,8 @@ class Time(_Message):
     if TYPE_CHECKING:
         def __init__(self, *, sec: int = ..., nanosec: int = ..., check_fields: bool | None = None) -> None: ...
         sec: int
+        """[s]"""
         nanosec: int
+        """[ns], below 10^9"""
     else:
         __slots__ = ("_sec", "_nanosec")

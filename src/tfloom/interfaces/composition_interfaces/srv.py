@@ -9,7 +9,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.rcl_interfaces.msg import Parameter
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
+    from tfloom.rosidl.field_types import IntArray, Integers
 
 __all__ = ["ListNodes", "ListNodes_Event", "ListNodes_Request", "ListNodes_Response", "LoadNode", "LoadNode_Event", "LoadNode_Request", "LoadNode_Response", "UnloadNode", "UnloadNode_Event", "UnloadNode_Request", "UnloadNode_Response"]
 

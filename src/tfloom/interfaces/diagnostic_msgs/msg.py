@@ -7,7 +7,6 @@ from tfloom.rosidl.message import Message as _Message
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.std_msgs.msg import Header
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
 
 __all__ = ["DiagnosticArray", "DiagnosticStatus", "KeyValue"]
 
@@ -28,15 +27,15 @@ class DiagnosticArray(_Message):
 
 
 class DiagnosticStatus(_Message):
-    """The message diagnostic_msgs/msg/DiagnosticStatus."""
+    """The state of one component."""
 
     _TYPE_NAME = "diagnostic_msgs/msg/DiagnosticStatus"
     _TYPE_HASH = "RIHS01_b0e3e692ea2d54a8af2f4ef1930e81556a2db55216b771f8a7d2724ed47bf0e4"
     _FIELDS = {"level": "byte", "name": "string", "message": "string", "hardware_id": "string", "values": "diagnostic_msgs/msg/KeyValue[]"}
-    OK = b'\x00'
-    WARN = b'\x01'
-    ERROR = b'\x02'
-    STALE = b'\x03'
+    OK = b"\x00"
+    WARN = b"\x01"
+    ERROR = b"\x02"
+    STALE = b"\x03"
 
     if TYPE_CHECKING:
         def __init__(self, *, level: bytes = ..., name: str = ..., message: str = ..., hardware_id: str = ..., values: list[KeyValue] = ..., check_fields: bool | None = None) -> None: ...

@@ -9,7 +9,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.diagnostic_msgs.msg import DiagnosticStatus
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
 
 __all__ = ["AddDiagnostics", "AddDiagnostics_Event", "AddDiagnostics_Request", "AddDiagnostics_Response", "SelfTest", "SelfTest_Event", "SelfTest_Request", "SelfTest_Response"]
 

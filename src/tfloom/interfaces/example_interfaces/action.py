@@ -5,14 +5,15 @@ from __future__ import annotations
 from tfloom.interfaces.action_msgs.msg import GoalStatusArray as _GoalStatusArray
 from tfloom.interfaces.action_msgs.srv import CancelGoal as _CancelGoal
 from tfloom.rosidl.message import Message as _Message
-from tfloom.rosidl.service import Action as _Action, Service as _Service
+from tfloom.rosidl.service import Action as _Action
+from tfloom.rosidl.service import Service as _Service
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces.msg import Time
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
     from tfloom.interfaces.unique_identifier_msgs.msg import UUID
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
+    from tfloom.rosidl.field_types import IntArray, Integers
 
 __all__ = ["Fibonacci", "Fibonacci_Feedback", "Fibonacci_FeedbackMessage", "Fibonacci_GetResult", "Fibonacci_GetResult_Event", "Fibonacci_GetResult_Request", "Fibonacci_GetResult_Response", "Fibonacci_Goal", "Fibonacci_Result", "Fibonacci_SendGoal", "Fibonacci_SendGoal_Event", "Fibonacci_SendGoal_Request", "Fibonacci_SendGoal_Response"]
 

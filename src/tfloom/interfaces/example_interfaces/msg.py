@@ -6,7 +6,7 @@ from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
+    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers
 
 __all__ = ["Bool", "Byte", "ByteMultiArray", "Char", "Empty", "Float32", "Float32MultiArray", "Float64", "Float64MultiArray", "Int16", "Int16MultiArray", "Int32", "Int32MultiArray", "Int64", "Int64MultiArray", "Int8", "Int8MultiArray", "MultiArrayDimension", "MultiArrayLayout", "String", "UInt16", "UInt16MultiArray", "UInt32", "UInt32MultiArray", "UInt64", "UInt64MultiArray", "UInt8", "UInt8MultiArray", "WString"]
 

@@ -8,7 +8,6 @@ from tfloom.rosidl.service import Service as _Service
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
 
 __all__ = ["AddTwoInts", "AddTwoInts_Event", "AddTwoInts_Request", "AddTwoInts_Response", "SetBool", "SetBool_Event", "SetBool_Request", "SetBool_Response", "Trigger", "Trigger_Event", "Trigger_Request", "Trigger_Response"]
 

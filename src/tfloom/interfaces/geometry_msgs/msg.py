@@ -7,13 +7,13 @@ from tfloom.rosidl.message import Message as _Message
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.std_msgs.msg import Header
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
+    from tfloom.rosidl.field_types import Floats, NumpyArray
 
 __all__ = ["Accel", "AccelStamped", "AccelWithCovariance", "AccelWithCovarianceStamped", "Inertia", "InertiaStamped", "Point", "Point32", "PointStamped", "Polygon", "PolygonInstance", "PolygonInstanceStamped", "PolygonStamped", "Pose", "Pose2D", "PoseArray", "PoseStamped", "PoseWithCovariance", "PoseWithCovarianceStamped", "Quaternion", "QuaternionStamped", "Transform", "TransformStamped", "Twist", "TwistStamped", "TwistWithCovariance", "TwistWithCovarianceStamped", "Vector3", "Vector3Stamped", "VelocityStamped", "Wrench", "WrenchStamped"]
 
 
 class Accel(_Message):
-    """The message geometry_msgs/msg/Accel."""
+    """An acceleration."""
 
     _TYPE_NAME = "geometry_msgs/msg/Accel"
     _TYPE_HASH = "RIHS01_dc448243ded9b1fcbcca24aba0c22f013dae06c354ba2d849571c0a2a3f57ca0"
@@ -22,7 +22,9 @@ class Accel(_Message):
     if TYPE_CHECKING:
         def __init__(self, *, linear: Vector3 = ..., angular: Vector3 = ..., check_fields: bool | None = None) -> None: ...
         linear: Vector3
+        """[m/s^2]"""
         angular: Vector3
+        """[rad/s^2]"""
     else:
         __slots__ = ("_linear", "_angular")
 
@@ -53,7 +55,8 @@ class AccelWithCovariance(_Message):
         def __init__(self, *, accel: Accel = ..., covariance: Floats = ..., check_fields: bool | None = None) -> None: ...
         accel: Accel
         @property
-        def covariance(self) -> NumpyArray: ...
+        def covariance(self) -> NumpyArray:
+            """6 x 6, row by row: x, y, z [m/s^2], about x, y, z [rad/s^2]"""
         @covariance.setter
         def covariance(self, value: Floats) -> None: ...
     else:
@@ -76,7 +79,7 @@ class AccelWithCovarianceStamped(_Message):
 
 
 class Inertia(_Message):
-    """The message geometry_msgs/msg/Inertia."""
+    """The mass of a body and how it is spread."""
 
     _TYPE_NAME = "geometry_msgs/msg/Inertia"
     _TYPE_HASH = "RIHS01_2ddd5dab5c347825ba2e56c895ddccfd0b8efe53ae931bf67f905529930b4bd7"
@@ -85,8 +88,11 @@ class Inertia(_Message):
     if TYPE_CHECKING:
         def __init__(self, *, m: float = ..., com: Vector3 = ..., ixx: float = ..., ixy: float = ..., ixz: float = ..., iyy: float = ..., iyz: float = ..., izz: float = ..., check_fields: bool | None = None) -> None: ...
         m: float
+        """[kg]"""
         com: Vector3
+        """centre of mass [m]"""
         ixx: float
+        """[kg m^2]"""
         ixy: float
         ixz: float
         iyy: float
@@ -112,7 +118,7 @@ class InertiaStamped(_Message):
 
 
 class Point(_Message):
-    """The message geometry_msgs/msg/Point."""
+    """A place [m]."""
 
     _TYPE_NAME = "geometry_msgs/msg/Point"
     _TYPE_HASH = "RIHS01_6963084842a9b04494d6b2941d11444708d892da2f4b09843b9c43f42a7f6881"
@@ -128,7 +134,7 @@ class Point(_Message):
 
 
 class Point32(_Message):
-    """The message geometry_msgs/msg/Point32."""
+    """A place [m] in single precision, for large clouds."""
 
     _TYPE_NAME = "geometry_msgs/msg/Point32"
     _TYPE_HASH = "RIHS01_2fc4db7cae16a4582c79a56b66173a8d48d52c7dc520ddc55a0d4bcf2a4bfdbc"
@@ -159,7 +165,7 @@ class PointStamped(_Message):
 
 
 class Polygon(_Message):
-    """The message geometry_msgs/msg/Polygon."""
+    """The corners of a polygon; the last is joined to the first."""
 
     _TYPE_NAME = "geometry_msgs/msg/Polygon"
     _TYPE_HASH = "RIHS01_3782f9f0bf044964d692d6c017d705e37611afb1f0bf6a9dee248a7dda0f784a"
@@ -218,7 +224,7 @@ class PolygonStamped(_Message):
 
 
 class Pose(_Message):
-    """The message geometry_msgs/msg/Pose."""
+    """Where something is and how it is turned."""
 
     _TYPE_NAME = "geometry_msgs/msg/Pose"
     _TYPE_HASH = "RIHS01_d501954e9476cea2996984e812054b68026ae0bfae789d9a10b23daf35cc90fa"
@@ -233,7 +239,7 @@ class Pose(_Message):
 
 
 class Pose2D(_Message):
-    """The message geometry_msgs/msg/Pose2D."""
+    """A pose in the plane."""
 
     _TYPE_NAME = "geometry_msgs/msg/Pose2D"
     _TYPE_HASH = "RIHS01_d68efa5b46e70f7b16ca23085474fdac5a44b638783ec42f661da64da4724ccc"
@@ -242,8 +248,11 @@ class Pose2D(_Message):
     if TYPE_CHECKING:
         def __init__(self, *, x: float = ..., y: float = ..., theta: float = ..., check_fields: bool | None = None) -> None: ...
         x: float
+        """[m]"""
         y: float
+        """[m]"""
         theta: float
+        """[rad]"""
     else:
         __slots__ = ("_x", "_y", "_theta")
 
@@ -264,7 +273,7 @@ class PoseArray(_Message):
 
 
 class PoseStamped(_Message):
-    """The message geometry_msgs/msg/PoseStamped."""
+    """A pose with its time and frame."""
 
     _TYPE_NAME = "geometry_msgs/msg/PoseStamped"
     _TYPE_HASH = "RIHS01_10f3786d7d40fd2b54367835614bff85d4ad3b5dab62bf8bca0cc232d73b4cd8"
@@ -279,7 +288,7 @@ class PoseStamped(_Message):
 
 
 class PoseWithCovariance(_Message):
-    """The message geometry_msgs/msg/PoseWithCovariance."""
+    """A pose and how sure it is."""
 
     _TYPE_NAME = "geometry_msgs/msg/PoseWithCovariance"
     _TYPE_HASH = "RIHS01_9a7c0fd234b7f45c6098745ecccd773ca1085670e64107135397aee31c02e1bb"
@@ -289,7 +298,8 @@ class PoseWithCovariance(_Message):
         def __init__(self, *, pose: Pose = ..., covariance: Floats = ..., check_fields: bool | None = None) -> None: ...
         pose: Pose
         @property
-        def covariance(self) -> NumpyArray: ...
+        def covariance(self) -> NumpyArray:
+            """6 x 6, row by row: x, y, z [m], rotation about x, y, z [rad]"""
         @covariance.setter
         def covariance(self, value: Floats) -> None: ...
     else:
@@ -312,7 +322,7 @@ class PoseWithCovarianceStamped(_Message):
 
 
 class Quaternion(_Message):
-    """The message geometry_msgs/msg/Quaternion."""
+    """A rotation, of length 1."""
 
     _TYPE_NAME = "geometry_msgs/msg/Quaternion"
     _TYPE_HASH = "RIHS01_8a765f66778c8ff7c8ab94afcc590a2ed5325a1d9a076ffff38fbce36f458684"
@@ -345,7 +355,7 @@ class QuaternionStamped(_Message):
 
 
 class Transform(_Message):
-    """The message geometry_msgs/msg/Transform."""
+    """Takes points of the child frame into the parent frame: rotation first, then translation."""
 
     _TYPE_NAME = "geometry_msgs/msg/Transform"
     _TYPE_HASH = "RIHS01_beb83fbe698636351461f6f35d1abb20010c43d55374d81bd041f1ba2581fddc"
@@ -354,13 +364,14 @@ class Transform(_Message):
     if TYPE_CHECKING:
         def __init__(self, *, translation: Vector3 = ..., rotation: Quaternion = ..., check_fields: bool | None = None) -> None: ...
         translation: Vector3
+        """[m]"""
         rotation: Quaternion
     else:
         __slots__ = ("_translation", "_rotation")
 
 
 class TransformStamped(_Message):
-    """The message geometry_msgs/msg/TransformStamped."""
+    """The transform from `child_frame_id` to `header.frame_id` at the time of the header."""
 
     _TYPE_NAME = "geometry_msgs/msg/TransformStamped"
     _TYPE_HASH = "RIHS01_0a241f87d04668d94099cbb5ba11691d5ad32c2f29682e4eb5653424bd275206"
@@ -376,7 +387,7 @@ class TransformStamped(_Message):
 
 
 class Twist(_Message):
-    """The message geometry_msgs/msg/Twist."""
+    """A velocity."""
 
     _TYPE_NAME = "geometry_msgs/msg/Twist"
     _TYPE_HASH = "RIHS01_9c45bf16fe0983d80e3cfe750d6835843d265a9a6c46bd2e609fcddde6fb8d2a"
@@ -385,7 +396,9 @@ class Twist(_Message):
     if TYPE_CHECKING:
         def __init__(self, *, linear: Vector3 = ..., angular: Vector3 = ..., check_fields: bool | None = None) -> None: ...
         linear: Vector3
+        """[m/s]"""
         angular: Vector3
+        """[rad/s]"""
     else:
         __slots__ = ("_linear", "_angular")
 
@@ -406,7 +419,7 @@ class TwistStamped(_Message):
 
 
 class TwistWithCovariance(_Message):
-    """The message geometry_msgs/msg/TwistWithCovariance."""
+    """A velocity and how sure it is."""
 
     _TYPE_NAME = "geometry_msgs/msg/TwistWithCovariance"
     _TYPE_HASH = "RIHS01_49f574f033f095d8b6cd1beaca5ca7925e296e84af1716d16c89d38b059c8c18"
@@ -416,7 +429,8 @@ class TwistWithCovariance(_Message):
         def __init__(self, *, twist: Twist = ..., covariance: Floats = ..., check_fields: bool | None = None) -> None: ...
         twist: Twist
         @property
-        def covariance(self) -> NumpyArray: ...
+        def covariance(self) -> NumpyArray:
+            """6 x 6, row by row: x, y, z [m/s], about x, y, z [rad/s]"""
         @covariance.setter
         def covariance(self, value: Floats) -> None: ...
     else:
@@ -439,7 +453,7 @@ class TwistWithCovarianceStamped(_Message):
 
 
 class Vector3(_Message):
-    """The message geometry_msgs/msg/Vector3."""
+    """A direction or a displacement, without a place."""
 
     _TYPE_NAME = "geometry_msgs/msg/Vector3"
     _TYPE_HASH = "RIHS01_cc12fe83e4c02719f1ce8070bfd14aecd40f75a96696a67a2a1f37f7dbb0765d"
@@ -487,7 +501,7 @@ class VelocityStamped(_Message):
 
 
 class Wrench(_Message):
-    """The message geometry_msgs/msg/Wrench."""
+    """A force and a torque."""
 
     _TYPE_NAME = "geometry_msgs/msg/Wrench"
     _TYPE_HASH = "RIHS01_018e8519d57c16adbe97c9fe1460ef21fec7e31bc541de3d653a35895677ce52"
@@ -496,7 +510,9 @@ class Wrench(_Message):
     if TYPE_CHECKING:
         def __init__(self, *, force: Vector3 = ..., torque: Vector3 = ..., check_fields: bool | None = None) -> None: ...
         force: Vector3
+        """[N]"""
         torque: Vector3
+        """[N m]"""
     else:
         __slots__ = ("_force", "_torque")
 

@@ -5,8 +5,6 @@ from __future__ import annotations
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
 
 __all__ = ["State", "Transition", "TransitionDescription", "TransitionEvent"]
 

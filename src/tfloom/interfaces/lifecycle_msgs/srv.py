@@ -7,11 +7,8 @@ from tfloom.rosidl.service import Service as _Service
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from tfloom.interfaces.lifecycle_msgs.msg import State
-    from tfloom.interfaces.lifecycle_msgs.msg import Transition
-    from tfloom.interfaces.lifecycle_msgs.msg import TransitionDescription
+    from tfloom.interfaces.lifecycle_msgs.msg import State, Transition, TransitionDescription
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
 
 __all__ = ["ChangeState", "ChangeState_Event", "ChangeState_Request", "ChangeState_Response", "GetAvailableStates", "GetAvailableStates_Event", "GetAvailableStates_Request", "GetAvailableStates_Response", "GetAvailableTransitions", "GetAvailableTransitions_Event", "GetAvailableTransitions_Request", "GetAvailableTransitions_Response", "GetState", "GetState_Event", "GetState_Request", "GetState_Response"]
 

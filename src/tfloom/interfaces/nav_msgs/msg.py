@@ -7,13 +7,15 @@ from tfloom.rosidl.message import Message as _Message
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces.msg import Time
-    from tfloom.interfaces.geometry_msgs.msg import Point
-    from tfloom.interfaces.geometry_msgs.msg import Pose
-    from tfloom.interfaces.geometry_msgs.msg import PoseStamped
-    from tfloom.interfaces.geometry_msgs.msg import PoseWithCovariance
-    from tfloom.interfaces.geometry_msgs.msg import TwistWithCovariance
+    from tfloom.interfaces.geometry_msgs.msg import (
+        Point,
+        Pose,
+        PoseStamped,
+        PoseWithCovariance,
+        TwistWithCovariance,
+    )
     from tfloom.interfaces.std_msgs.msg import Header
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
+    from tfloom.rosidl.field_types import IntArray, Integers
 
 __all__ = ["GridCells", "MapMetaData", "OccupancyGrid", "Odometry", "Path"]
 
@@ -36,7 +38,7 @@ class GridCells(_Message):
 
 
 class MapMetaData(_Message):
-    """The message nav_msgs/msg/MapMetaData."""
+    """Size and place of a map."""
 
     _TYPE_NAME = "nav_msgs/msg/MapMetaData"
     _TYPE_HASH = "RIHS01_2772d4b2000ef2b35dbaeb80fd3946c1369f817fb4f75677d916d27c17d763c8"
@@ -46,15 +48,19 @@ class MapMetaData(_Message):
         def __init__(self, *, map_load_time: Time = ..., resolution: float = ..., width: int = ..., height: int = ..., origin: Pose = ..., check_fields: bool | None = None) -> None: ...
         map_load_time: Time
         resolution: float
+        """[m] a cell"""
         width: int
+        """[cells]"""
         height: int
+        """[cells]"""
         origin: Pose
+        """of cell (0, 0) in the map frame"""
     else:
         __slots__ = ("_map_load_time", "_resolution", "_width", "_height", "_origin")
 
 
 class OccupancyGrid(_Message):
-    """The message nav_msgs/msg/OccupancyGrid."""
+    """A map of cells, row by row from the origin."""
 
     _TYPE_NAME = "nav_msgs/msg/OccupancyGrid"
     _TYPE_HASH = "RIHS01_8d348150c12913a31ee0ec170fbf25089e4745d17035792a1ba94d6f0bc0cfc7"
@@ -65,7 +71,8 @@ class OccupancyGrid(_Message):
         header: Header
         info: MapMetaData
         @property
-        def data(self) -> IntArray: ...
+        def data(self) -> IntArray:
+            """0 free to 100 occupied, -1 unknown"""
         @data.setter
         def data(self, value: Integers) -> None: ...
     else:
@@ -73,7 +80,7 @@ class OccupancyGrid(_Message):
 
 
 class Odometry(_Message):
-    """The message nav_msgs/msg/Odometry."""
+    """Pose in the frame of the header, velocity in the child frame."""
 
     _TYPE_NAME = "nav_msgs/msg/Odometry"
     _TYPE_HASH = "RIHS01_3cc97dc7fb7502f8714462c526d369e35b603cfc34d946e3f2eda2766dfec6e0"
@@ -90,7 +97,7 @@ class Odometry(_Message):
 
 
 class Path(_Message):
-    """The message nav_msgs/msg/Path."""
+    """Poses to be passed in order."""
 
     _TYPE_NAME = "nav_msgs/msg/Path"
     _TYPE_HASH = "RIHS01_1957a5bb3cee5da65c4e52e52b65a93df227efce4c20f8458b36e73066ca334b"

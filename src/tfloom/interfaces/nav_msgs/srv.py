@@ -7,12 +7,9 @@ from tfloom.rosidl.service import Service as _Service
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from tfloom.interfaces.geometry_msgs.msg import PoseStamped
-    from tfloom.interfaces.geometry_msgs.msg import PoseWithCovarianceStamped
-    from tfloom.interfaces.nav_msgs.msg import OccupancyGrid
-    from tfloom.interfaces.nav_msgs.msg import Path
+    from tfloom.interfaces.geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
+    from tfloom.interfaces.nav_msgs.msg import OccupancyGrid, Path
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
 
 __all__ = ["GetMap", "GetMap_Event", "GetMap_Request", "GetMap_Response", "GetPlan", "GetPlan_Event", "GetPlan_Request", "GetPlan_Response", "LoadMap", "LoadMap_Event", "LoadMap_Request", "LoadMap_Response", "SetMap", "SetMap_Event", "SetMap_Request", "SetMap_Response"]
 

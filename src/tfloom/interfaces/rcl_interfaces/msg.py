@@ -7,7 +7,7 @@ from tfloom.rosidl.message import Message as _Message
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces.msg import Time
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
+    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers
 
 __all__ = ["FloatingPointRange", "IntegerRange", "ListParametersResult", "Log", "LoggerLevel", "Parameter", "ParameterDescriptor", "ParameterEvent", "ParameterEventDescriptors", "ParameterType", "ParameterValue", "SetLoggerLevelsResult", "SetParametersResult"]
 
@@ -60,7 +60,7 @@ class ListParametersResult(_Message):
 
 
 class Log(_Message):
-    """The message rcl_interfaces/msg/Log."""
+    """A line of a log."""
 
     _TYPE_NAME = "rcl_interfaces/msg/Log"
     _TYPE_HASH = "RIHS01_e28ce254ca8abc06abf92773b74602cdbf116ed34fbaf294fb9f81da9f318eac"
@@ -75,11 +75,13 @@ class Log(_Message):
         def __init__(self, *, stamp: Time = ..., level: int = ..., name: str = ..., msg: str = ..., file: str = ..., function: str = ..., line: int = ..., check_fields: bool | None = None) -> None: ...
         stamp: Time
         level: int
+        """one of the constants"""
         name: str
         msg: str
         file: str
         function: str
         line: int
+        """in the source file"""
     else:
         __slots__ = ("_stamp", "_level", "_name", "_msg", "_file", "_function", "_line")
 
@@ -143,7 +145,7 @@ class ParameterDescriptor(_Message):
 
 
 class ParameterEvent(_Message):
-    """The message rcl_interfaces/msg/ParameterEvent."""
+    """What has changed among a node's parameters."""
 
     _TYPE_NAME = "rcl_interfaces/msg/ParameterEvent"
     _TYPE_HASH = "RIHS01_043e627780fcad87a22d225bc2a037361dba713fca6a6b9f4b869a5aa0393204"
@@ -200,7 +202,7 @@ class ParameterType(_Message):
 
 
 class ParameterValue(_Message):
-    """The message rcl_interfaces/msg/ParameterValue."""
+    """A value of one of many types: `type` says which field counts."""
 
     _TYPE_NAME = "rcl_interfaces/msg/ParameterValue"
     _TYPE_HASH = "RIHS01_115fc089a387e23c7ecd3525c9189c379109119d6ab82e8dfbde0fdf6a7f9b68"

@@ -7,15 +7,17 @@ from tfloom.rosidl.service import Service as _Service
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from tfloom.interfaces.rcl_interfaces.msg import ListParametersResult
-    from tfloom.interfaces.rcl_interfaces.msg import LoggerLevel
-    from tfloom.interfaces.rcl_interfaces.msg import Parameter
-    from tfloom.interfaces.rcl_interfaces.msg import ParameterDescriptor
-    from tfloom.interfaces.rcl_interfaces.msg import ParameterValue
-    from tfloom.interfaces.rcl_interfaces.msg import SetLoggerLevelsResult
-    from tfloom.interfaces.rcl_interfaces.msg import SetParametersResult
+    from tfloom.interfaces.rcl_interfaces.msg import (
+        ListParametersResult,
+        LoggerLevel,
+        Parameter,
+        ParameterDescriptor,
+        ParameterValue,
+        SetLoggerLevelsResult,
+        SetParametersResult,
+    )
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
+    from tfloom.rosidl.field_types import IntArray, Integers
 
 __all__ = ["DescribeParameters", "DescribeParameters_Event", "DescribeParameters_Request", "DescribeParameters_Response", "GetLoggerLevels", "GetLoggerLevels_Event", "GetLoggerLevels_Request", "GetLoggerLevels_Response", "GetParameterTypes", "GetParameterTypes_Event", "GetParameterTypes_Request", "GetParameterTypes_Response", "GetParameters", "GetParameters_Event", "GetParameters_Request", "GetParameters_Response", "ListParameters", "ListParameters_Event", "ListParameters_Request", "ListParameters_Response", "SetLoggerLevels", "SetLoggerLevels_Event", "SetLoggerLevels_Request", "SetLoggerLevels_Response", "SetParameters", "SetParametersAtomically", "SetParametersAtomically_Event", "SetParametersAtomically_Request", "SetParametersAtomically_Response", "SetParameters_Event", "SetParameters_Request", "SetParameters_Response"]
 

@@ -6,13 +6,13 @@ from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
+    from tfloom.rosidl.field_types import Integers, NumpyArray
 
 __all__ = ["Gid", "NodeEntitiesInfo", "ParticipantEntitiesInfo"]
 
 
 class Gid(_Message):
-    """The message rmw_dds_common/msg/Gid."""
+    """The id of a participant, a writer or a reader."""
 
     _TYPE_NAME = "rmw_dds_common/msg/Gid"
     _TYPE_HASH = "RIHS01_ab6f21cfbb0a6dbb837161e1110c2051a2850ed9f9c53944d7115d9bcebedf71"
@@ -29,7 +29,7 @@ class Gid(_Message):
 
 
 class NodeEntitiesInfo(_Message):
-    """The message rmw_dds_common/msg/NodeEntitiesInfo."""
+    """The writers and readers of a node."""
 
     _TYPE_NAME = "rmw_dds_common/msg/NodeEntitiesInfo"
     _TYPE_HASH = "RIHS01_8ffef65ee2d088c63b1e8fcd31e800ba9fc8dbe0ee15ca60d1676de5218087a7"
@@ -46,7 +46,7 @@ class NodeEntitiesInfo(_Message):
 
 
 class ParticipantEntitiesInfo(_Message):
-    """The message rmw_dds_common/msg/ParticipantEntitiesInfo."""
+    """The nodes of a participant."""
 
     _TYPE_NAME = "rmw_dds_common/msg/ParticipantEntitiesInfo"
     _TYPE_HASH = "RIHS01_91a0593bacdcc50ea9bdcf849a938b128412cc1ea821245c663bcd26f83c295e"

@@ -7,13 +7,12 @@ from tfloom.rosidl.message import Message as _Message
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces.msg import Time
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
 
 __all__ = ["Clock"]
 
 
 class Clock(_Message):
-    """The message rosgraph_msgs/msg/Clock."""
+    """The time of a simulation."""
 
     _TYPE_NAME = "rosgraph_msgs/msg/Clock"
     _TYPE_HASH = "RIHS01_692f7a66e93a3c83e71765d033b60349ba68023a8c689a79e48078bcb5c58564"

@@ -7,12 +7,7 @@ from tfloom.rosidl.message import Message as _Message
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces.msg import Time
-    from tfloom.interfaces.geometry_msgs.msg import Point32
-    from tfloom.interfaces.geometry_msgs.msg import Quaternion
-    from tfloom.interfaces.geometry_msgs.msg import Transform
-    from tfloom.interfaces.geometry_msgs.msg import Twist
-    from tfloom.interfaces.geometry_msgs.msg import Vector3
-    from tfloom.interfaces.geometry_msgs.msg import Wrench
+    from tfloom.interfaces.geometry_msgs.msg import Point32, Quaternion, Transform, Twist, Vector3, Wrench
     from tfloom.interfaces.std_msgs.msg import Header
     from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
 
@@ -20,7 +15,7 @@ __all__ = ["BatteryState", "CameraInfo", "ChannelFloat32", "CompressedImage", "F
 
 
 class BatteryState(_Message):
-    """The message sensor_msgs/msg/BatteryState."""
+    """The state of a battery; NaN where something is not measured."""
 
     _TYPE_NAME = "sensor_msgs/msg/BatteryState"
     _TYPE_HASH = "RIHS01_4bee5dfce981c98faa6828b868307a0a73f992ed0789f374ee96c8f840e69741"
@@ -53,12 +48,19 @@ class BatteryState(_Message):
         def __init__(self, *, header: Header = ..., voltage: float = ..., temperature: float = ..., current: float = ..., charge: float = ..., capacity: float = ..., design_capacity: float = ..., percentage: float = ..., power_supply_status: int = ..., power_supply_health: int = ..., power_supply_technology: int = ..., present: bool = ..., cell_voltage: Floats = ..., cell_temperature: Floats = ..., location: str = ..., serial_number: str = ..., check_fields: bool | None = None) -> None: ...
         header: Header
         voltage: float
+        """[V]"""
         temperature: float
+        """[deg C]"""
         current: float
+        """[A], negative while it discharges"""
         charge: float
+        """[Ah]"""
         capacity: float
+        """[Ah]"""
         design_capacity: float
+        """[Ah]"""
         percentage: float
+        """0 to 1"""
         power_supply_status: int
         power_supply_health: int
         power_supply_technology: int
@@ -78,7 +80,7 @@ class BatteryState(_Message):
 
 
 class CameraInfo(_Message):
-    """The message sensor_msgs/msg/CameraInfo."""
+    """A camera's calibration."""
 
     _TYPE_NAME = "sensor_msgs/msg/CameraInfo"
     _TYPE_HASH = "RIHS01_b3dfd68ff46c9d56c80fd3bd4ed22c7a4ddce8c8348f2f59c299e73118e7e275"
@@ -91,19 +93,23 @@ class CameraInfo(_Message):
         width: int
         distortion_model: str
         @property
-        def d(self) -> FloatArray: ...
+        def d(self) -> FloatArray:
+            """distortion"""
         @d.setter
         def d(self, value: Floats) -> None: ...
         @property
-        def k(self) -> NumpyArray: ...
+        def k(self) -> NumpyArray:
+            """intrinsic matrix, 3 x 3, row by row"""
         @k.setter
         def k(self, value: Floats) -> None: ...
         @property
-        def r(self) -> NumpyArray: ...
+        def r(self) -> NumpyArray:
+            """rectification, 3 x 3, row by row"""
         @r.setter
         def r(self, value: Floats) -> None: ...
         @property
-        def p(self) -> NumpyArray: ...
+        def p(self) -> NumpyArray:
+            """projection, 3 x 4, row by row"""
         @p.setter
         def p(self, value: Floats) -> None: ...
         binning_x: int
@@ -132,7 +138,7 @@ class ChannelFloat32(_Message):
 
 
 class CompressedImage(_Message):
-    """The message sensor_msgs/msg/CompressedImage."""
+    """An image as a file of the format holds it."""
 
     _TYPE_NAME = "sensor_msgs/msg/CompressedImage"
     _TYPE_HASH = "RIHS01_15640771531571185e2efc8a100baf923961a4d15d5569652e6cb6691e8e371a"
@@ -151,7 +157,7 @@ class CompressedImage(_Message):
 
 
 class FluidPressure(_Message):
-    """The message sensor_msgs/msg/FluidPressure."""
+    """An absolute pressure."""
 
     _TYPE_NAME = "sensor_msgs/msg/FluidPressure"
     _TYPE_HASH = "RIHS01_22dfb2b145a0bd5a31a1ac3882a1b32148b51d9b2f3bab250290d66f3595bc32"
@@ -161,6 +167,7 @@ class FluidPressure(_Message):
         def __init__(self, *, header: Header = ..., fluid_pressure: float = ..., variance: float = ..., check_fields: bool | None = None) -> None: ...
         header: Header
         fluid_pressure: float
+        """[Pa]"""
         variance: float
     else:
         __slots__ = ("_header", "_fluid_pressure", "_variance")
@@ -183,7 +190,7 @@ class Illuminance(_Message):
 
 
 class Image(_Message):
-    """The message sensor_msgs/msg/Image."""
+    """Pixels, row by row."""
 
     _TYPE_NAME = "sensor_msgs/msg/Image"
     _TYPE_HASH = "RIHS01_d31d41a9a4c4bc8eae9be757b0beed306564f7526c88ea6a4588fb9582527d47"
@@ -195,10 +202,13 @@ class Image(_Message):
         height: int
         width: int
         encoding: str
+        """"rgb8", "mono16", ..."""
         is_bigendian: int
         step: int
+        """bytes a row"""
         @property
-        def data(self) -> IntArray: ...
+        def data(self) -> IntArray:
+            """step * height bytes"""
         @data.setter
         def data(self, value: Integers) -> None: ...
     else:
@@ -206,7 +216,7 @@ class Image(_Message):
 
 
 class Imu(_Message):
-    """The message sensor_msgs/msg/Imu."""
+    """What an inertial measurement unit says; a covariance whose first element is -1: no such measurement."""
 
     _TYPE_NAME = "sensor_msgs/msg/Imu"
     _TYPE_HASH = "RIHS01_7d9a00ff131080897a5ec7e26e315954b8eae3353c3f995c55faf71574000b5b"
@@ -217,17 +227,22 @@ class Imu(_Message):
         header: Header
         orientation: Quaternion
         @property
-        def orientation_covariance(self) -> NumpyArray: ...
+        def orientation_covariance(self) -> NumpyArray:
+            """3 x 3, row by row"""
         @orientation_covariance.setter
         def orientation_covariance(self, value: Floats) -> None: ...
         angular_velocity: Vector3
+        """[rad/s]"""
         @property
-        def angular_velocity_covariance(self) -> NumpyArray: ...
+        def angular_velocity_covariance(self) -> NumpyArray:
+            """3 x 3, row by row"""
         @angular_velocity_covariance.setter
         def angular_velocity_covariance(self, value: Floats) -> None: ...
         linear_acceleration: Vector3
+        """[m/s^2]"""
         @property
-        def linear_acceleration_covariance(self) -> NumpyArray: ...
+        def linear_acceleration_covariance(self) -> NumpyArray:
+            """3 x 3, row by row"""
         @linear_acceleration_covariance.setter
         def linear_acceleration_covariance(self, value: Floats) -> None: ...
     else:
@@ -235,7 +250,7 @@ class Imu(_Message):
 
 
 class JointState(_Message):
-    """The message sensor_msgs/msg/JointState."""
+    """Positions, velocities and efforts of joints; each array is empty or as long as `name`."""
 
     _TYPE_NAME = "sensor_msgs/msg/JointState"
     _TYPE_HASH = "RIHS01_a13ee3a330e346c9d87b5aa18d24e11690752bd33a0350f11c5882bc9179260e"
@@ -246,15 +261,18 @@ class JointState(_Message):
         header: Header
         name: list[str]
         @property
-        def position(self) -> FloatArray: ...
+        def position(self) -> FloatArray:
+            """[rad] or [m]"""
         @position.setter
         def position(self, value: Floats) -> None: ...
         @property
-        def velocity(self) -> FloatArray: ...
+        def velocity(self) -> FloatArray:
+            """[rad/s] or [m/s]"""
         @velocity.setter
         def velocity(self, value: Floats) -> None: ...
         @property
-        def effort(self) -> FloatArray: ...
+        def effort(self) -> FloatArray:
+            """[N m] or [N]"""
         @effort.setter
         def effort(self, value: Floats) -> None: ...
     else:
@@ -262,7 +280,7 @@ class JointState(_Message):
 
 
 class Joy(_Message):
-    """The message sensor_msgs/msg/Joy."""
+    """Axes from -1 to 1 and buttons of 0 or 1."""
 
     _TYPE_NAME = "sensor_msgs/msg/Joy"
     _TYPE_HASH = "RIHS01_0d356c79cad3401e35ffeb75a96a96e08be3ef896b8b83841d73e890989372c5"
@@ -334,7 +352,7 @@ class LaserEcho(_Message):
 
 
 class LaserScan(_Message):
-    """The message sensor_msgs/msg/LaserScan."""
+    """One sweep of a planar laser."""
 
     _TYPE_NAME = "sensor_msgs/msg/LaserScan"
     _TYPE_HASH = "RIHS01_64c191398013af96509d518dac71d5164f9382553fce5c1f8cca5be7924bd828"
@@ -344,14 +362,22 @@ class LaserScan(_Message):
         def __init__(self, *, header: Header = ..., angle_min: float = ..., angle_max: float = ..., angle_increment: float = ..., time_increment: float = ..., scan_time: float = ..., range_min: float = ..., range_max: float = ..., ranges: Floats = ..., intensities: Floats = ..., check_fields: bool | None = None) -> None: ...
         header: Header
         angle_min: float
+        """[rad]"""
         angle_max: float
+        """[rad]"""
         angle_increment: float
+        """[rad]"""
         time_increment: float
+        """between measurements [s]"""
         scan_time: float
+        """between scans [s]"""
         range_min: float
+        """[m]"""
         range_max: float
+        """[m]"""
         @property
-        def ranges(self) -> FloatArray: ...
+        def ranges(self) -> FloatArray:
+            """[m]; what lies outside range_min to range_max is no measurement"""
         @ranges.setter
         def ranges(self, value: Floats) -> None: ...
         @property
@@ -363,7 +389,7 @@ class LaserScan(_Message):
 
 
 class MagneticField(_Message):
-    """The message sensor_msgs/msg/MagneticField."""
+    """A magnetic field."""
 
     _TYPE_NAME = "sensor_msgs/msg/MagneticField"
     _TYPE_HASH = "RIHS01_e80f32f56a20486c9923008fc1a1db07bbb273cbbf6a5b3bfa00835ee00e4dff"
@@ -373,6 +399,7 @@ class MagneticField(_Message):
         def __init__(self, *, header: Header = ..., magnetic_field: Vector3 = ..., magnetic_field_covariance: Floats = ..., check_fields: bool | None = None) -> None: ...
         header: Header
         magnetic_field: Vector3
+        """[T]"""
         @property
         def magnetic_field_covariance(self) -> NumpyArray: ...
         @magnetic_field_covariance.setter
@@ -423,7 +450,7 @@ class MultiEchoLaserScan(_Message):
 
 
 class NavSatFix(_Message):
-    """The message sensor_msgs/msg/NavSatFix."""
+    """A position from satellites (WGS 84)."""
 
     _TYPE_NAME = "sensor_msgs/msg/NavSatFix"
     _TYPE_HASH = "RIHS01_62223ab3fe210a15976021da7afddc9e200dc9ec75231c1b6a557fc598a65404"
@@ -438,10 +465,14 @@ class NavSatFix(_Message):
         header: Header
         status: NavSatStatus
         latitude: float
+        """[deg], north positive"""
         longitude: float
+        """[deg], east positive"""
         altitude: float
+        """[m] above the ellipsoid"""
         @property
-        def position_covariance(self) -> NumpyArray: ...
+        def position_covariance(self) -> NumpyArray:
+            """east, north, up [m^2], 3 x 3, row by row"""
         @position_covariance.setter
         def position_covariance(self, value: Floats) -> None: ...
         position_covariance_type: int
@@ -492,7 +523,7 @@ class PointCloud(_Message):
 
 
 class PointCloud2(_Message):
-    """The message sensor_msgs/msg/PointCloud2."""
+    """Points of any layout, in rows."""
 
     _TYPE_NAME = "sensor_msgs/msg/PointCloud2"
     _TYPE_HASH = "RIHS01_9198cabf7da3796ae6fe19c4cb3bdd3525492988c70522628af5daa124bae2b5"
@@ -502,22 +533,27 @@ class PointCloud2(_Message):
         def __init__(self, *, header: Header = ..., height: int = ..., width: int = ..., fields: list[PointField] = ..., is_bigendian: bool = ..., point_step: int = ..., row_step: int = ..., data: Integers = ..., is_dense: bool = ..., check_fields: bool | None = None) -> None: ...
         header: Header
         height: int
+        """rows; 1 if the cloud is not organised"""
         width: int
+        """points a row"""
         fields: list[PointField]
         is_bigendian: bool
         point_step: int
+        """bytes a point"""
         row_step: int
+        """bytes a row"""
         @property
         def data(self) -> IntArray: ...
         @data.setter
         def data(self, value: Integers) -> None: ...
         is_dense: bool
+        """no point has a NaN"""
     else:
         __slots__ = ("_header", "_height", "_width", "_fields", "_is_bigendian", "_point_step", "_row_step", "_data", "_is_dense")
 
 
 class PointField(_Message):
-    """The message sensor_msgs/msg/PointField."""
+    """Where one number of a point stands in its bytes."""
 
     _TYPE_NAME = "sensor_msgs/msg/PointField"
     _TYPE_HASH = "RIHS01_5c6a4750728c2bcfbbf7037225b20b02d4429634732146b742dee1726637ef01"
@@ -535,14 +571,16 @@ class PointField(_Message):
         def __init__(self, *, name: str = ..., offset: int = ..., datatype: int = ..., count: int = ..., check_fields: bool | None = None) -> None: ...
         name: str
         offset: int
+        """bytes from the point's start"""
         datatype: int
+        """one of the constants"""
         count: int
     else:
         __slots__ = ("_name", "_offset", "_datatype", "_count")
 
 
 class Range(_Message):
-    """The message sensor_msgs/msg/Range."""
+    """One distance inside a cone."""
 
     _TYPE_NAME = "sensor_msgs/msg/Range"
     _TYPE_HASH = "RIHS01_b42b62562e93cbfe9d42b82fe5994dfa3d63d7d5c90a317981703f7388adff3a"
@@ -555,9 +593,13 @@ class Range(_Message):
         header: Header
         radiation_type: int
         field_of_view: float
+        """[rad]"""
         min_range: float
+        """[m]"""
         max_range: float
+        """[m]"""
         range: float
+        """[m]"""
         variance: float
     else:
         __slots__ = ("_header", "_radiation_type", "_field_of_view", "_min_range", "_max_range", "_range", "_variance")
@@ -598,7 +640,7 @@ class RelativeHumidity(_Message):
 
 
 class Temperature(_Message):
-    """The message sensor_msgs/msg/Temperature."""
+    """A temperature."""
 
     _TYPE_NAME = "sensor_msgs/msg/Temperature"
     _TYPE_HASH = "RIHS01_72514a14126ab9f8a9abec974c78e5610a367b59db5da355ff1fb982d5bad4b8"
@@ -608,6 +650,7 @@ class Temperature(_Message):
         def __init__(self, *, header: Header = ..., temperature: float = ..., variance: float = ..., check_fields: bool | None = None) -> None: ...
         header: Header
         temperature: float
+        """[deg C]"""
         variance: float
     else:
         __slots__ = ("_header", "_temperature", "_variance")

@@ -9,7 +9,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.sensor_msgs.msg import CameraInfo
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
 
 __all__ = ["SetCameraInfo", "SetCameraInfo_Event", "SetCameraInfo_Request", "SetCameraInfo_Response"]
 

@@ -7,13 +7,13 @@ from tfloom.rosidl.message import Message as _Message
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces.msg import Time
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
+    from tfloom.rosidl.field_types import Integers, NumpyArray
 
 __all__ = ["ServiceEventInfo"]
 
 
 class ServiceEventInfo(_Message):
-    """The message service_msgs/msg/ServiceEventInfo."""
+    """Who called a service, and which step of the call this is."""
 
     _TYPE_NAME = "service_msgs/msg/ServiceEventInfo"
     _TYPE_HASH = "RIHS01_41bcbbe07a75c9b52bc96bfd5c24d7f0fc0a08c0cb7921b3373c5732345a6f45"

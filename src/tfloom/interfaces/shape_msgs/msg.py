@@ -6,9 +6,8 @@ from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from tfloom.interfaces.geometry_msgs.msg import Point
-    from tfloom.interfaces.geometry_msgs.msg import Polygon
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
+    from tfloom.interfaces.geometry_msgs.msg import Point, Polygon
+    from tfloom.rosidl.field_types import FloatArray, Floats, Integers, NumpyArray
 
 __all__ = ["Mesh", "MeshTriangle", "Plane", "SolidPrimitive"]
 
@@ -46,7 +45,7 @@ class MeshTriangle(_Message):
 
 
 class Plane(_Message):
-    """The message shape_msgs/msg/Plane."""
+    """The plane a x + b y + c z + d = 0."""
 
     _TYPE_NAME = "shape_msgs/msg/Plane"
     _TYPE_HASH = "RIHS01_dfbfe8314689c850615d4a727af017e9aa86c10e369a606c8c851ef8f16c58c8"
@@ -63,7 +62,7 @@ class Plane(_Message):
 
 
 class SolidPrimitive(_Message):
-    """The message shape_msgs/msg/SolidPrimitive."""
+    """A simple body; the constants tell which dimension is which."""
 
     _TYPE_NAME = "shape_msgs/msg/SolidPrimitive"
     _TYPE_HASH = "RIHS01_2802a15190aadc3f496584df4b0b4c5824d8a0b31aaef839faa75bc34dda38ac"

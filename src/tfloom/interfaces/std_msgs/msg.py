@@ -7,7 +7,7 @@ from tfloom.rosidl.message import Message as _Message
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces.msg import Time
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
+    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers
 
 __all__ = ["Bool", "Byte", "ByteMultiArray", "Char", "ColorRGBA", "Empty", "Float32", "Float32MultiArray", "Float64", "Float64MultiArray", "Header", "Int16", "Int16MultiArray", "Int32", "Int32MultiArray", "Int64", "Int64MultiArray", "Int8", "Int8MultiArray", "MultiArrayDimension", "MultiArrayLayout", "String", "UInt16", "UInt16MultiArray", "UInt32", "UInt32MultiArray", "UInt64", "UInt64MultiArray", "UInt8", "UInt8MultiArray"]
 
@@ -70,7 +70,7 @@ class Char(_Message):
 
 
 class ColorRGBA(_Message):
-    """The message std_msgs/msg/ColorRGBA."""
+    """A colour, each part from 0 to 1."""
 
     _TYPE_NAME = "std_msgs/msg/ColorRGBA"
     _TYPE_HASH = "RIHS01_77a7a5b9ae477306097665106e0413ba74440245b1f3d0c6d6405fe5c7813fe8"
@@ -164,7 +164,7 @@ class Float64MultiArray(_Message):
 
 
 class Header(_Message):
-    """The message std_msgs/msg/Header."""
+    """When something was measured, and in which frame its numbers stand."""
 
     _TYPE_NAME = "std_msgs/msg/Header"
     _TYPE_HASH = "RIHS01_f49fb3ae2cf070f793645ff749683ac6b06203e41c891e17701b1cb597ce6a01"

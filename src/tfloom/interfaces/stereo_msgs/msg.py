@@ -6,10 +6,8 @@ from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from tfloom.interfaces.sensor_msgs.msg import Image
-    from tfloom.interfaces.sensor_msgs.msg import RegionOfInterest
+    from tfloom.interfaces.sensor_msgs.msg import Image, RegionOfInterest
     from tfloom.interfaces.std_msgs.msg import Header
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
 
 __all__ = ["DisparityImage"]
 

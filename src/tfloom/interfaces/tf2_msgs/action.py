@@ -5,17 +5,16 @@ from __future__ import annotations
 from tfloom.interfaces.action_msgs.msg import GoalStatusArray as _GoalStatusArray
 from tfloom.interfaces.action_msgs.srv import CancelGoal as _CancelGoal
 from tfloom.rosidl.message import Message as _Message
-from tfloom.rosidl.service import Action as _Action, Service as _Service
+from tfloom.rosidl.service import Action as _Action
+from tfloom.rosidl.service import Service as _Service
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from tfloom.interfaces.builtin_interfaces.msg import Duration
-    from tfloom.interfaces.builtin_interfaces.msg import Time
+    from tfloom.interfaces.builtin_interfaces.msg import Duration, Time
     from tfloom.interfaces.geometry_msgs.msg import TransformStamped
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
     from tfloom.interfaces.tf2_msgs.msg import TF2Error
     from tfloom.interfaces.unique_identifier_msgs.msg import UUID
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
 
 __all__ = ["LookupTransform", "LookupTransform_Feedback", "LookupTransform_FeedbackMessage", "LookupTransform_GetResult", "LookupTransform_GetResult_Event", "LookupTransform_GetResult_Request", "LookupTransform_GetResult_Response", "LookupTransform_Goal", "LookupTransform_Result", "LookupTransform_SendGoal", "LookupTransform_SendGoal_Event", "LookupTransform_SendGoal_Request", "LookupTransform_SendGoal_Response"]
 

@@ -7,7 +7,6 @@ from tfloom.rosidl.message import Message as _Message
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.geometry_msgs.msg import TransformStamped
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
 
 __all__ = ["TF2Error", "TFMessage"]
 
@@ -35,7 +34,7 @@ class TF2Error(_Message):
 
 
 class TFMessage(_Message):
-    """The message tf2_msgs/msg/TFMessage."""
+    """Transforms between frames, in no order."""
 
     _TYPE_NAME = "tf2_msgs/msg/TFMessage"
     _TYPE_HASH = "RIHS01_e369d0f05a23ae52508854b66f6aa0437f3449d652e8cbf22d5abe85d020f087"

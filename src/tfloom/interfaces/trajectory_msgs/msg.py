@@ -7,10 +7,9 @@ from tfloom.rosidl.message import Message as _Message
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces.msg import Duration
-    from tfloom.interfaces.geometry_msgs.msg import Transform
-    from tfloom.interfaces.geometry_msgs.msg import Twist
+    from tfloom.interfaces.geometry_msgs.msg import Transform, Twist
     from tfloom.interfaces.std_msgs.msg import Header
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
+    from tfloom.rosidl.field_types import FloatArray, Floats
 
 __all__ = ["JointTrajectory", "JointTrajectoryPoint", "MultiDOFJointTrajectory", "MultiDOFJointTrajectoryPoint"]
 

@@ -5,14 +5,12 @@ from __future__ import annotations
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
 
 __all__ = ["Color", "Pose"]
 
 
 class Color(_Message):
-    """The message turtlesim/msg/Color."""
+    """The colour under a turtle."""
 
     _TYPE_NAME = "turtlesim/msg/Color"
     _TYPE_HASH = "RIHS01_74492579ec0d734707aede0e742ab76c55ac50d3ff917381e5163624cb657fe5"
@@ -28,7 +26,7 @@ class Color(_Message):
 
 
 class Pose(_Message):
-    """The message turtlesim/msg/Pose."""
+    """Where a turtle is and how it moves."""
 
     _TYPE_NAME = "turtlesim/msg/Pose"
     _TYPE_HASH = "RIHS01_739beba26bcba6920404ba722b7b8321348512f92ea5be235c47251940dd8aa9"
@@ -37,9 +35,14 @@ class Pose(_Message):
     if TYPE_CHECKING:
         def __init__(self, *, x: float = ..., y: float = ..., theta: float = ..., linear_velocity: float = ..., angular_velocity: float = ..., check_fields: bool | None = None) -> None: ...
         x: float
+        """[m]"""
         y: float
+        """[m]"""
         theta: float
+        """[rad]"""
         linear_velocity: float
+        """[m/s]"""
         angular_velocity: float
+        """[rad/s]"""
     else:
         __slots__ = ("_x", "_y", "_theta", "_linear_velocity", "_angular_velocity")

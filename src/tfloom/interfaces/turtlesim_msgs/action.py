@@ -5,14 +5,14 @@ from __future__ import annotations
 from tfloom.interfaces.action_msgs.msg import GoalStatusArray as _GoalStatusArray
 from tfloom.interfaces.action_msgs.srv import CancelGoal as _CancelGoal
 from tfloom.rosidl.message import Message as _Message
-from tfloom.rosidl.service import Action as _Action, Service as _Service
+from tfloom.rosidl.service import Action as _Action
+from tfloom.rosidl.service import Service as _Service
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces.msg import Time
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
     from tfloom.interfaces.unique_identifier_msgs.msg import UUID
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
 
 __all__ = ["RotateAbsolute", "RotateAbsolute_Feedback", "RotateAbsolute_FeedbackMessage", "RotateAbsolute_GetResult", "RotateAbsolute_GetResult_Event", "RotateAbsolute_GetResult_Request", "RotateAbsolute_GetResult_Response", "RotateAbsolute_Goal", "RotateAbsolute_Result", "RotateAbsolute_SendGoal", "RotateAbsolute_SendGoal_Event", "RotateAbsolute_SendGoal_Request", "RotateAbsolute_SendGoal_Response"]
 
@@ -27,6 +27,7 @@ class RotateAbsolute_Goal(_Message):
     if TYPE_CHECKING:
         def __init__(self, *, theta: float = ..., check_fields: bool | None = None) -> None: ...
         theta: float
+        """[rad]"""
     else:
         __slots__ = ("_theta",)
 
@@ -41,6 +42,7 @@ class RotateAbsolute_Result(_Message):
     if TYPE_CHECKING:
         def __init__(self, *, delta: float = ..., check_fields: bool | None = None) -> None: ...
         delta: float
+        """turned, with its sign [rad]"""
     else:
         __slots__ = ("_delta",)
 
@@ -55,6 +57,7 @@ class RotateAbsolute_Feedback(_Message):
     if TYPE_CHECKING:
         def __init__(self, *, remaining: float = ..., check_fields: bool | None = None) -> None: ...
         remaining: float
+        """[rad]"""
     else:
         __slots__ = ("_remaining",)
 

@@ -5,14 +5,12 @@ from __future__ import annotations
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
 
 __all__ = ["Color", "Pose"]
 
 
 class Color(_Message):
-    """The message turtlesim_msgs/msg/Color."""
+    """The colour under a turtle."""
 
     _TYPE_NAME = "turtlesim_msgs/msg/Color"
     _TYPE_HASH = "RIHS01_f5b5666da8f19d47420026187389c750b66998436878dd631ae83498059a59e2"
@@ -28,7 +26,7 @@ class Color(_Message):
 
 
 class Pose(_Message):
-    """The message turtlesim_msgs/msg/Pose."""
+    """Where a turtle is and how it moves."""
 
     _TYPE_NAME = "turtlesim_msgs/msg/Pose"
     _TYPE_HASH = "RIHS01_37b07ace09a0ed2c5b774b1410dec972dfd1d292de5656ebc2b075ac646e09c8"
@@ -37,9 +35,14 @@ class Pose(_Message):
     if TYPE_CHECKING:
         def __init__(self, *, x: float = ..., y: float = ..., theta: float = ..., linear_velocity: float = ..., angular_velocity: float = ..., check_fields: bool | None = None) -> None: ...
         x: float
+        """[m]"""
         y: float
+        """[m]"""
         theta: float
+        """[rad]"""
         linear_velocity: float
+        """[m/s]"""
         angular_velocity: float
+        """[rad/s]"""
     else:
         __slots__ = ("_x", "_y", "_theta", "_linear_velocity", "_angular_velocity")

@@ -8,7 +8,6 @@ from tfloom.rosidl.service import Service as _Service
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
 
 __all__ = ["Kill", "Kill_Event", "Kill_Request", "Kill_Response", "SetPen", "SetPen_Event", "SetPen_Request", "SetPen_Response", "Spawn", "Spawn_Event", "Spawn_Request", "Spawn_Response", "TeleportAbsolute", "TeleportAbsolute_Event", "TeleportAbsolute_Request", "TeleportAbsolute_Response", "TeleportRelative", "TeleportRelative_Event", "TeleportRelative_Request", "TeleportRelative_Response"]
 
@@ -135,6 +134,7 @@ class Spawn_Request(_Message):
         x: float
         y: float
         theta: float
+        """[rad]"""
         name: str
     else:
         __slots__ = ("_x", "_y", "_theta", "_name")
@@ -192,6 +192,7 @@ class TeleportAbsolute_Request(_Message):
         x: float
         y: float
         theta: float
+        """[rad]"""
     else:
         __slots__ = ("_x", "_y", "_theta")
 
@@ -245,7 +246,9 @@ class TeleportRelative_Request(_Message):
     if TYPE_CHECKING:
         def __init__(self, *, linear: float = ..., angular: float = ..., check_fields: bool | None = None) -> None: ...
         linear: float
+        """[m]"""
         angular: float
+        """[rad]"""
     else:
         __slots__ = ("_linear", "_angular")
 

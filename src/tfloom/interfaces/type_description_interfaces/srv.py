@@ -8,10 +8,7 @@ from tfloom.rosidl.service import Service as _Service
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
-    from tfloom.interfaces.type_description_interfaces.msg import KeyValue
-    from tfloom.interfaces.type_description_interfaces.msg import TypeDescription
-    from tfloom.interfaces.type_description_interfaces.msg import TypeSource
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
+    from tfloom.interfaces.type_description_interfaces.msg import KeyValue, TypeDescription, TypeSource
 
 __all__ = ["GetTypeDescription", "GetTypeDescription_Event", "GetTypeDescription_Request", "GetTypeDescription_Response"]
 

@@ -6,13 +6,13 @@ from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
+    from tfloom.rosidl.field_types import Integers, NumpyArray
 
 __all__ = ["UUID"]
 
 
 class UUID(_Message):
-    """The message unique_identifier_msgs/msg/UUID."""
+    """A universally unique id (RFC 4122)."""
 
     _TYPE_NAME = "unique_identifier_msgs/msg/UUID"
     _TYPE_HASH = "RIHS01_1b8e8aca958cbea28fe6ef60bf6c19b683c97a9ef60bb34752067d0f2f7ab437"

@@ -7,14 +7,10 @@ from tfloom.rosidl.message import Message as _Message
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces.msg import Duration
-    from tfloom.interfaces.geometry_msgs.msg import Point
-    from tfloom.interfaces.geometry_msgs.msg import Pose
-    from tfloom.interfaces.geometry_msgs.msg import Quaternion
-    from tfloom.interfaces.geometry_msgs.msg import Vector3
+    from tfloom.interfaces.geometry_msgs.msg import Point, Pose, Quaternion, Vector3
     from tfloom.interfaces.sensor_msgs.msg import CompressedImage
-    from tfloom.interfaces.std_msgs.msg import ColorRGBA
-    from tfloom.interfaces.std_msgs.msg import Header
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
+    from tfloom.interfaces.std_msgs.msg import ColorRGBA, Header
+    from tfloom.rosidl.field_types import IntArray, Integers
 
 __all__ = ["ImageMarker", "InteractiveMarker", "InteractiveMarkerControl", "InteractiveMarkerFeedback", "InteractiveMarkerInit", "InteractiveMarkerPose", "InteractiveMarkerUpdate", "Marker", "MarkerArray", "MenuEntry", "MeshFile", "UVCoordinate"]
 
@@ -188,7 +184,7 @@ class InteractiveMarkerUpdate(_Message):
 
 
 class Marker(_Message):
-    """The message visualization_msgs/msg/Marker."""
+    """A shape to be shown."""
 
     _TYPE_NAME = "visualization_msgs/msg/Marker"
     _TYPE_HASH = "RIHS01_45b13ccf791f225962bf74e746f9644518855d783a6f42ba0cc14fde2b4f3ce0"
@@ -220,8 +216,10 @@ class Marker(_Message):
         action: int
         pose: Pose
         scale: Vector3
+        """[m]"""
         color: ColorRGBA
         lifetime: Duration
+        """0: for ever"""
         frame_locked: bool
         points: list[Point]
         colors: list[ColorRGBA]

@@ -9,7 +9,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
     from tfloom.interfaces.visualization_msgs.msg import InteractiveMarker
-    from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
 
 __all__ = ["GetInteractiveMarkers", "GetInteractiveMarkers_Event", "GetInteractiveMarkers_Request", "GetInteractiveMarkers_Response"]
 
