@@ -2,24 +2,63 @@
 
 from __future__ import annotations
 
-from typing import Any
+import time
+from collections.abc import Callable, Iterable, Iterator
+from itertools import chain
+from typing import Any, TypeVar
 
 from tfloom.cli.errors import CommandError
+from tfloom.rosidl import cdr, registry
 from tfloom.rosidl.fill import StampSetter, set_message_fields
 from tfloom.rosidl.message import Message
-from tfloom.rosidl.registry import get_message_class
+from tfloom.rosidl.parse import ParseError
+
+T = TypeVar("T")
 
 
 def message_class(name: str) -> type[Message]:
     """Return the class of a message type's name.
 
     Raises:
-        CommandError: there is none; it names the nearest.
+        CommandError: there is none, and which is the nearest, or its definition can't be read.
     """
+    return _class(registry.get_message_class, name, "message")
+
+
+def service_class(name: str) -> type[Any]:
+    """Return the class of a service type's name.
+
+    Raises:
+        CommandError: as `message_class`.
+    """
+    return _class(registry.get_service_class, name, "service")
+
+
+def action_class(name: str) -> type[Any]:
+    """Return the class of an action type's name.
+
+    Raises:
+        CommandError: as `message_class`.
+    """
+    return _class(registry.get_action_class, name, "action")
+
+
+def _class(find: Callable[[str], type[T]], name: str, what: str) -> type[T]:
     try:
-        return get_message_class(name)
-    except LookupError as error:
-        raise CommandError(f"The passed message type is invalid\n{error}") from None
+        return find(name)
+    except (LookupError, ParseError) as error:
+        raise CommandError(f"The passed {what} type is invalid\n{error}") from None
+
+
+def yaml_documents(lines: Iterable[str]) -> Iterator[str]:
+    """Yield the YAML documents of an input; a line `---` ends one."""
+    document: list[str] = []
+    for line in chain(lines, ["---"]):
+        if line.rstrip() != "---":
+            document.append(line)
+        elif "".join(document).strip():
+            yield "".join(document)
+            document = []
 
 
 def parse_yaml(text: str) -> dict[str, Any]:
@@ -61,9 +100,22 @@ def fill_message(message: Message, values: dict[str, Any]) -> list[StampSetter]:
         CommandError: a field doesn't exist, and which do, or a value doesn't fit.
     """
     try:
-        return set_message_fields(message, values, expand_header_auto=True, expand_time_now=True)
+        setters = set_message_fields(message, values, expand_header_auto=True, expand_time_now=True)
+        set_stamps(setters)
+        cdr.encode(message)
     except (AttributeError, TypeError, ValueError, AssertionError, OverflowError) as error:
         raise CommandError(f"Failed to populate field: {error}{_fields_there_are(error)}") from None
+    return setters
+
+
+def set_stamps(setters: list[StampSetter]) -> None:
+    """Set to now what `fill_message` found to be set at publishing."""
+    if setters:
+        from tfloom.interfaces.builtin_interfaces.msg import Time
+
+        sec, nanosec = divmod(time.time_ns(), 1_000_000_000)
+        for set_stamp in setters:
+            set_stamp(Time(sec=sec, nanosec=nanosec))
 
 
 def _fields_there_are(error: Exception) -> str:

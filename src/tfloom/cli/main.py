@@ -26,7 +26,13 @@ COMMANDS: dict[str, str | Group] = {
             "show": "Print an interface's definition",
         },
     ),
-    "node": Group("Ask about nodes", {"list": "List the nodes that are running"}),
+    "node": Group(
+        "Ask about nodes",
+        {
+            "info": "Tell what a node publishes, subscribes to, serves and calls",
+            "list": "List the nodes that are running",
+        },
+    ),
     "pkg": Group(
         "Ask about packages",
         {
@@ -38,6 +44,18 @@ COMMANDS: dict[str, str | Group] = {
         },
     ),
     "run": "Run a program of a package",
+    "service": Group(
+        "Ask about services, and call them",
+        {
+            "call": "Call a service and print what it answers",
+            "echo": "Print the requests and responses of a service that publishes its events",
+            "find": "List the services of a type",
+            "info": "Tell a service's type, and how many serve and call it",
+            "list": "List the services",
+            "type": "Print a service's type",
+        },
+        hidden="services",
+    ),
     "topic": Group(
         "Ask about topics, listen and publish",
         {

@@ -9,16 +9,16 @@ from collections.abc import Iterable
 from tfloom.cli.errors import CommandError
 
 
-def full_topic_name(name: str) -> str:
-    """Return a topic's name from the root: `turtle1/pose` becomes `/turtle1/pose`.
+def full_topic_name(name: str, what: str = "topic") -> str:
+    """Return a name from the root: `turtle1/pose` becomes `/turtle1/pose`. `what` it names is for the error.
 
     Raises:
-        CommandError: it can't be a topic's name.
+        CommandError: it can't be such a name.
     """
     full = name if name.startswith("/") else f"/{name}"
     if not re.fullmatch(r"(/[A-Za-z_][A-Za-z0-9_]*)+", full):
         raise CommandError(
-            f"'{name}' can't be a topic's name: each part between slashes has letters, digits and underscores, "
+            f"'{name}' can't be a {what}'s name: each part between slashes has letters, digits and underscores, "
             "and does not begin with a digit"
         )
     return full

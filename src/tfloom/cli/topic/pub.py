@@ -6,11 +6,11 @@ import argparse
 import sys
 import time
 from collections.abc import Iterator
-from itertools import chain, repeat
+from itertools import repeat
 
 from tfloom.cli import graph, qos
 from tfloom.cli.errors import CommandError
-from tfloom.cli.interfaces import fill_message, message_class, parse_yaml
+from tfloom.cli.interfaces import fill_message, message_class, parse_yaml, set_stamps, yaml_documents
 from tfloom.cli.listen import cli_node, shown_node
 from tfloom.cli.names import full_topic_name
 from tfloom.rmw.base import NodeName, Topic, Writer
@@ -66,7 +66,11 @@ def main(args: argparse.Namespace) -> int:
     cls = message_class(args.message_type)
     quality = qos.asked_qos(args, QoS()) or QoS()
     # The mistakes in values are told before anything is on the wire.
-    drafts = _from_input(cls) if args.stdin else repeat(_Draft(cls, args.values))
+    drafts = (
+        (_Draft(cls, text) for text in yaml_documents(sys.stdin))
+        if args.stdin
+        else repeat(_Draft(cls, args.values))
+    )
     node = NodeName("/", args.node_name) if args.node_name else cli_node()
     with graph.joined_participant() as participant, shown_node(participant, node):
         topic = Topic(name, cls._TYPE_NAME, cls._TYPE_HASH)
@@ -86,31 +90,10 @@ class _Draft:
     def __init__(self, cls: type[Message], values: str) -> None:
         self.message = cls()
         self._stamp_setters = fill_message(self.message, parse_yaml(values))
-        self.stamp()
-        try:
-            cdr.encode(self.message)
-        except cdr.EncodeError as error:
-            raise CommandError(f"Failed to populate field: {error}") from None
 
     def stamp(self) -> None:
         """Set the times that were given as `now` and the headers given as `auto`."""
-        if self._stamp_setters:
-            from tfloom.interfaces.builtin_interfaces.msg import Time
-
-            sec, nanosec = divmod(time.time_ns(), 1_000_000_000)
-            for set_stamp in self._stamp_setters:
-                set_stamp(Time(sec=sec, nanosec=nanosec))
-
-
-def _from_input(cls: type[Message]) -> Iterator[_Draft]:
-    """Yield a draft for each YAML document on standard input; a line `---` ends one."""
-    lines: list[str] = []
-    for line in chain(sys.stdin, ["---"]):
-        if line.rstrip() != "---":
-            lines.append(line)
-        elif "".join(lines).strip():
-            yield _Draft(cls, "".join(lines))
-            lines = []
+        set_stamps(self._stamp_setters)
 
 
 def _wait_for_subscriptions(writer: Writer, args: argparse.Namespace) -> None:

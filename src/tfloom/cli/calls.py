@@ -1,0 +1,104 @@
+"""Calling services without a node's machinery."""
+
+from __future__ import annotations
+
+import math
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from tfloom._native import ReadyQueue
+from tfloom.cli.errors import CommandError
+from tfloom.rmw.base import NodeName, Participant, Service
+from tfloom.rmw.qos import QoS
+from tfloom.rosidl import cdr
+
+LOOK_AGAIN_S = 0.05
+"""How often a waiting client looks whether there is still a server [s]."""
+
+
+class Client:
+    """One client of one service."""
+
+    def __init__(self, participant: Participant, node: NodeName, name: str, service_class: type[Any]) -> None:
+        self.name = name
+        self._class = service_class
+        hashes = (service_class.Request._TYPE_HASH, service_class.Response._TYPE_HASH)
+        self._requester = participant.create_requester(
+            node, Service(name, service_class._TYPE_NAME, *hashes), QoS()
+        )
+        self._queue = ReadyQueue()
+        self._requester.notify(self._queue)
+
+    def wait_for_server(
+        self, timeout_s: float = math.inf, while_waiting: Callable[[], None] | None = None
+    ) -> None:
+        """Wait until a server is there; `while_waiting` is called once if none is there at the start.
+
+        Raises:
+            CommandError: there is none within `timeout_s`, or only one that can't be called, and why.
+        """
+        end_s = time.monotonic() + timeout_s
+        while not self._requester.is_ready():
+            if obstacle := self._requester.obstacle():
+                raise CommandError(obstacle)
+            if time.monotonic() > end_s:
+                raise CommandError(f"nobody serves {self.name}: waited {timeout_s:g} s for it")
+            if while_waiting is not None:
+                while_waiting()
+                while_waiting = None
+            time.sleep(0.005)
+
+    def send(self, request: Any) -> int:
+        """Send a request and return its number, for `receive`."""
+        return self._requester.send(cdr.encode(request))
+
+    def receive(self, number: int, timeout_s: float = math.inf) -> Any:
+        """Wait for the response to a request.
+
+        Raises:
+            CommandError: there is none within `timeout_s`, or the server has gone, or its response is damaged.
+        """
+        end_s = time.monotonic() + timeout_s
+        while True:
+            while response := self._requester.take():
+                if response.id.sequence_number == number:
+                    return self._decoded(response.data)
+            if time.monotonic() > end_s:
+                raise CommandError(f"{self.name} didn't answer within {timeout_s:g} s")
+            if not self._requester.is_ready():
+                raise CommandError(f"the server of {self.name} has gone without an answer")
+            self._queue.wait(int(LOOK_AGAIN_S * 1e9))
+
+    def call(self, request: Any, timeout_s: float = math.inf) -> Any:
+        """Send a request and wait for its response; see `receive`."""
+        return self.receive(self.send(request), timeout_s)
+
+    def _decoded(self, data: bytes) -> Any:
+        try:
+            return cdr.decode(self._class.Response, data)
+        except cdr.DecodeError as error:
+            raise CommandError(f"the response of {self.name} can't be decoded: {error}") from None
+
+    def close(self) -> None:
+        """Leave the service."""
+        self._requester.close()
+
+
+@contextmanager
+def service_client(
+    participant: Participant, node: NodeName, name: str, service_class: type[Any]
+) -> Iterator[Client]:
+    """Be a client of a service until the end."""
+    client = Client(participant, node, name, service_class)
+    try:
+        yield client
+    finally:
+        client.close()
+
+
+def tell(text: str) -> Callable[[], None]:
+    """Return what prints a line on stderr."""
+    return lambda: print(text, file=sys.stderr)

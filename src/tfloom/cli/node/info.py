@@ -1,0 +1,99 @@
+"""Tell what a node publishes, subscribes to, serves and calls."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Iterable
+
+from tfloom.cli import graph
+from tfloom.cli.errors import CommandError
+from tfloom.cli.names import did_you_mean
+from tfloom.rmw.base import Graph, NodeName
+
+ACTION_SUFFIX = "/_action/send_goal"
+ACTION_TYPE_SUFFIX = "_SendGoal"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `node info` takes."""
+    graph.add_arguments(parser)
+    parser.add_argument("node_name", help="full name of the node, as /turtlesim")
+    parser.add_argument(
+        "--include-hidden",
+        action="store_true",
+        help="show names with a part that begins with an underscore, too",
+    )
+    parser.add_argument("--json", action="store_true", help="print JSON for programs")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print the node's topics, services and actions with their types."""
+    with graph.settled_graph(args) as found:
+        node = find_node(found, args.node_name)
+        sections = ends_of_node(found, node, hidden=args.include_hidden)
+        twins = sum(other == node for other in found.nodes())
+    if args.json:
+        import json
+
+        print(
+            json.dumps(
+                {
+                    "node": node.full,
+                    **{key.lower().replace(" ", "_"): value for key, value in sections.items()},
+                },
+                indent=2,
+            )
+        )
+        return 0
+    if twins > 1:
+        print(
+            f"WARNING: {twins} nodes are called {node.full}; their ends are shown together", file=sys.stderr
+        )
+    print(node.full)
+    for title, ends in sections.items():
+        print(f"  {title}:")
+        print("\n".join(f"    {name}: {', '.join(types)}" for name, types in ends.items()))
+    return 0
+
+
+def find_node(found: Graph, name: str) -> NodeName:
+    """Return the node of a full name; its first slash may be left out.
+
+    Raises:
+        CommandError: there is none; it names the nearest.
+    """
+    full = name if name.startswith("/") else f"/{name}"
+    nodes = {node.full: node for node in found.nodes()}
+    if full not in nodes:
+        raise CommandError(f"Unable to find node '{name}'{did_you_mean(full, nodes)}")
+    return nodes[full]
+
+
+def ends_of_node(found: Graph, node: NodeName, *, hidden: bool) -> dict[str, dict[str, list[str]]]:
+    """Return names and types of a node's ends, by the title of their kind."""
+    topics = [
+        (end.is_writer, end.topic.name, end.topic.type_name) for end in found.endpoints() if end.node == node
+    ]
+    services = [(end.is_server, end.name, end.type_name) for end in found.service_ends() if end.node == node]
+    actions = [
+        (is_server, name.removesuffix(ACTION_SUFFIX), type_name.removesuffix(ACTION_TYPE_SUFFIX))
+        for is_server, name, type_name in services
+        if name.endswith(ACTION_SUFFIX)
+    ]
+    return {
+        "Subscribers": _types(topics, False, hidden),
+        "Publishers": _types(topics, True, hidden),
+        "Service Servers": _types(services, True, hidden),
+        "Service Clients": _types(services, False, hidden),
+        "Action Servers": _types(actions, True, hidden),
+        "Action Clients": _types(actions, False, hidden),
+    }
+
+
+def _types(ends: Iterable[tuple[bool, str, str]], side: bool, hidden: bool) -> dict[str, list[str]]:
+    types: dict[str, set[str]] = {}
+    for of_side, name, type_name in ends:
+        if of_side == side and (hidden or not graph.is_hidden(name)):
+            types.setdefault(name, set()).add(type_name)
+    return {name: sorted(types[name]) for name in sorted(types)}

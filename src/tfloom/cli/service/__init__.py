@@ -1,0 +1,1 @@
+"""`service`: ask about services, and call them."""

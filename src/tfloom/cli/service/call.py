@@ -1,0 +1,65 @@
+"""Call a service and print what it answers."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from collections.abc import Iterable
+from itertools import repeat
+from typing import Any
+
+from tfloom.cli import graph
+from tfloom.cli.calls import service_client, tell
+from tfloom.cli.errors import CommandError
+from tfloom.cli.interfaces import fill_message, parse_yaml, service_class, yaml_documents
+from tfloom.cli.listen import cli_node, shown_node
+from tfloom.cli.names import full_topic_name
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `service call` takes."""
+    parser.add_argument("service_name", help="service to call")
+    parser.add_argument("service_type", help="its type, as turtlesim/srv/Spawn")
+    parser.add_argument("values", nargs="?", default="{}", help="the request's fields in YAML, as '{x: 2.0}'")
+    parser.add_argument("--stdin", action="store_true", help="read requests, YAML documents, from the input")
+    parser.add_argument(
+        "-r", "--rate", metavar="N", type=float, help="call again and again, so many times a second"
+    )
+    parser.add_argument(
+        "--timeout", metavar="N", type=float, default=float("inf"), help="wait no longer than so many seconds"
+    )
+
+
+def main(args: argparse.Namespace) -> int:
+    """Call once, for each request of the input, or again and again with --rate."""
+    name = full_topic_name(args.service_name, "service")
+    if args.rate is not None and not args.rate > 0:
+        raise CommandError("rate must be greater than zero")
+    cls = service_class(args.service_type)
+    period_s = 1 / args.rate if args.rate else 0.0
+    with (
+        graph.joined_participant() as participant,
+        shown_node(participant, cli_node()) as node,
+        service_client(participant, node, name, cls) as client,
+    ):
+        for request in _requests(cls, args):
+            start = time.monotonic()
+            client.wait_for_server(args.timeout, tell("waiting for service to become available..."))
+            print(f"requester: making request: {request!r}\n")
+            print(f"response:\n{client.call(request, args.timeout)!r}\n")
+            time.sleep(max(0.0, start + period_s - time.monotonic()))
+    return 0
+
+
+def _requests(cls: type[Any], args: argparse.Namespace) -> Iterable[Any]:
+    if args.stdin:
+        return (_request(cls, text) for text in yaml_documents(sys.stdin))
+    request = _request(cls, args.values)
+    return [request] if args.rate is None else repeat(request)
+
+
+def _request(cls: type[Any], values: str) -> Any:
+    request = cls.Request()
+    fill_message(request, parse_yaml(values))
+    return request

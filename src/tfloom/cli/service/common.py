@@ -1,0 +1,44 @@
+"""What the verbs about services share."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterable
+
+from tfloom.cli import graph
+from tfloom.cli.errors import CommandError
+from tfloom.cli.names import did_you_mean, full_topic_name
+from tfloom.rmw.base import ServiceEndInfo
+
+
+def add_hidden_flag(parser: argparse.ArgumentParser) -> None:
+    """Add the flag that shows hidden services."""
+    parser.add_argument(
+        "--include-hidden-services",
+        action="store_true",
+        default=argparse.SUPPRESS,
+        help="count in services with a part that begins with an underscore",
+    )
+
+
+def service_types(ends: Iterable[ServiceEndInfo]) -> dict[str, list[str]]:
+    """Return the types of each service by the service's name, both in order."""
+    types: dict[str, set[str]] = {}
+    for end in ends:
+        types.setdefault(end.name, set()).add(end.type_name)
+    return {name: sorted(types[name]) for name in sorted(types)}
+
+
+def ends_of_service(args: argparse.Namespace) -> tuple[str, list[ServiceEndInfo]]:
+    """Return the full name of the service that was asked for, and its servers and clients.
+
+    Raises:
+        CommandError: nobody has it; it names the nearest.
+    """
+    name = full_topic_name(args.service_name, "service")
+    with graph.settled_graph(args) as found:
+        everything = found.service_ends()
+    ends = [end for end in everything if end.name == name]
+    if not ends:
+        raise CommandError(f"Unknown service '{name}'{did_you_mean(name, service_types(everything))}")
+    return name, ends

@@ -1,0 +1,51 @@
+"""Print the requests and responses of a service that publishes its events."""
+
+from __future__ import annotations
+
+import argparse
+
+from tfloom.cli import graph, message_text
+from tfloom.cli.errors import CommandError
+from tfloom.cli.interfaces import service_class
+from tfloom.cli.listen import publishers_of, samples, wait_for_publishers
+from tfloom.cli.names import full_topic_name
+from tfloom.cli.qos import suiting_qos
+from tfloom.cli.service.common import service_types
+from tfloom.rmw.base import Graph
+from tfloom.rosidl import cdr
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `service echo` takes."""
+    parser.set_defaults(spin_time=graph.MOST_S)
+    parser.add_argument("service_name", help="service to listen to")
+    parser.add_argument("service_type", nargs="?", help="its type; found out where somebody has the service")
+    parser.add_argument("--csv", action="store_true", help="print the values alone, with commas between")
+    parser.add_argument(
+        "--json", action="store_true", help="print a line of JSON for each event, for programs"
+    )
+    parser.set_defaults(raw=False)
+    message_text.add_arguments(parser)
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print events until Ctrl-C."""
+    name = full_topic_name(args.service_name, "service")
+    events = f"{name}/_service_event"
+    text = message_text.message_text(args)
+    with graph.joined_participant() as participant:
+        graph.wait_until_quiet(participant.graph, args.spin_time)
+        cls = service_class(args.service_type or _type_of(participant.graph, name)).Event
+        if not publishers_of(participant.graph, events):
+            print(f"waiting: nobody publishes the events of {name} yet (see service introspection)")
+        publishers = wait_for_publishers(participant.graph, events, float("inf"))
+        for sample in samples(participant, events, cls, suiting_qos(publishers)):
+            print(text(cdr.decode(cls, sample.data)))
+    return 0
+
+
+def _type_of(found: Graph, name: str) -> str:
+    types = service_types(found.service_ends()).get(name)
+    if not types:
+        raise CommandError(f"Could not determine the type of service '{name}': nobody has it; name its type")
+    return types[0]

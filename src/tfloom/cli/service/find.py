@@ -1,0 +1,38 @@
+"""List the services of a type."""
+
+from __future__ import annotations
+
+import argparse
+
+from tfloom.cli import graph
+from tfloom.cli.service.common import add_hidden_flag, service_types
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `service find` takes."""
+    parser.set_defaults(spin_time=graph.MOST_S)
+    parser.add_argument("service_type", help="type of the services, as std_srvs/srv/Empty")
+    parser.add_argument("-c", "--count-services", action="store_true", help="print only how many there are")
+    add_hidden_flag(parser)
+    parser.add_argument("--json", action="store_true", help="print a JSON list for programs")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print the services in order of their names."""
+    with graph.settled_graph(args) as found:
+        services = service_types(found.service_ends())
+    names = [
+        name
+        for name, types in services.items()
+        if args.service_type in types and (args.include_hidden_services or not graph.is_hidden(name))
+    ]
+    if args.json:
+        import json
+
+        print(json.dumps(names, indent=2))
+    elif args.count_services:
+        print(len(names))
+    else:
+        for name in names:
+            print(name)
+    return 0

@@ -1,0 +1,36 @@
+"""Tell a service's type, and how many serve and call it."""
+
+from __future__ import annotations
+
+import argparse
+
+from tfloom.cli import graph
+from tfloom.cli.service.common import ends_of_service, service_types
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `service info` takes."""
+    graph.add_arguments(parser)
+    parser.add_argument("service_name", help="name of the service")
+    parser.add_argument("--json", action="store_true", help="print JSON for programs, with the nodes")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print type and numbers."""
+    name, ends = ends_of_service(args)
+    types = service_types(ends)[name]
+    servers = [end for end in ends if end.is_server]
+    clients = [end for end in ends if not end.is_server]
+    if args.json:
+        import json
+
+        sides = {
+            side: [end.node.full if end.node else None for end in these]
+            for side, these in (("servers", servers), ("clients", clients))
+        }
+        print(json.dumps({"name": name, "types": types, **sides}, indent=2))
+        return 0
+    print(f"Type: {types[0] if len(types) == 1 else types}")
+    print(f"Clients count: {len(clients)}")
+    print(f"Services count: {len(servers)}")
+    return 0

@@ -1,0 +1,35 @@
+"""List the services that somebody serves or calls."""
+
+from __future__ import annotations
+
+import argparse
+
+from tfloom.cli import graph
+from tfloom.cli.service.common import add_hidden_flag, service_types
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `service list` takes."""
+    graph.add_arguments(parser)
+    parser.add_argument("-t", "--show-types", action="store_true", help="show each service's types")
+    parser.add_argument("-c", "--count-services", action="store_true", help="show only how many there are")
+    add_hidden_flag(parser)
+    parser.add_argument("--json", action="store_true", help="print a JSON list for programs")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print the services in order of their names."""
+    with graph.settled_graph(args) as found:
+        ends = found.service_ends()
+    shown = [end for end in ends if args.include_hidden_services or not graph.is_hidden(end.name)]
+    services = service_types(shown)
+    if args.json:
+        import json
+
+        print(json.dumps([{"name": name, "types": types} for name, types in services.items()], indent=2))
+    elif args.count_services:
+        print(len(services))
+    else:
+        for name, types in services.items():
+            print(f"{name} [{', '.join(types)}]" if args.show_types else name)
+    return 0
