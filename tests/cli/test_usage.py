@@ -31,13 +31,8 @@ NOT_HERE = {
         (f"param {verb}" for verb in ("delete", "describe", "dump", "get", "list", "load", "set")),
         WITH_SERVICES,
     ),
-    **dict.fromkeys(
-        (f"service {verb}" for verb in ("call", "find", "info", "list", "type", "echo")),
-        WITH_SERVICES,
-    ),
     "doctor": "comes when there is more to look at",
     "launch": "comes with launch files",
-    "node info": WITH_SERVICES,
 }
 """Verbs that ros2 has and we don't, each with its reason."""
 

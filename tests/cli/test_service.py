@@ -1,0 +1,103 @@
+"""The verbs about services and nodes, asked of a real server over DDS."""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+import transcript
+
+pytestmark = pytest.mark.wire
+
+
+@pytest.fixture(autouse=True)
+def server(domain_id: int, start_program: Callable[..., object]) -> object:
+    program = start_program("python", Path(__file__).with_name("a_server.py"))
+    program.wait_for("ready")
+    return program
+
+
+def test_calls_print_as_recorded() -> None:
+    for name in ("service_call", "service_call_again", "service_call_empty"):
+        recorded = transcript.golden(name)
+        answer = transcript.run(*recorded.command)
+        assert answer == (recorded.command, recorded.text.rstrip("\n"), recorded.exit_code)
+
+
+@pytest.mark.parametrize("name", ["service_info", "service_find", "service_type"])
+def test_answers_are_as_recorded(name: str) -> None:
+    recorded = transcript.golden(name)
+    if recorded.exit_code == 2:  # Recorded with a flag that these verbs don't take.
+        with_flag = transcript.run(*recorded.command, "--no-daemon")
+        assert with_flag == ([*recorded.command, "--no-daemon"], recorded.text, 2)
+        answer = transcript.run(*recorded.command)
+        assert answer.text == {"service_find": "/spawn", "service_type": "turtlesim/srv/Spawn"}[name]
+    else:
+        assert transcript.run(*recorded.command) == recorded
+
+
+def test_the_list() -> None:
+    listed = transcript.run("service", "list", "-t").text.splitlines()
+    recorded = transcript.golden("service_list_t").text.splitlines()
+    ours = [line for line in listed if "/turtlesim/" not in line and "reset" not in line]
+    assert ours == [line for line in recorded if line.startswith(("/clear ", "/spawn "))]
+    assert "/reset [std_srvs/srv/Empty]" in listed
+    assert transcript.run("service", "list", "-c").text == str(len(listed))
+    names = [service["name"] for service in json.loads(transcript.run("service", "list", "--json").text)]
+    assert names == [line.split()[0] for line in listed]
+
+
+def test_a_node_in_detail() -> None:
+    answer = transcript.run("node", "info", "/turtlesim")
+    sections = re.split(r"^  (?=\w)", answer.text, flags=re.MULTILINE)
+    recorded = re.split(r"^  (?=\w)", transcript.golden("node_info").text, flags=re.MULTILINE)
+    assert [part.splitlines()[0] for part in sections] == [part.splitlines()[0] for part in recorded]
+    assert "    /spawn: turtlesim/srv/Spawn\n" in sections[3]
+    assert sections[4] == "Service Clients:\n    /reset: std_srvs/srv/Empty\n"
+    assert sections[5:] == ["Action Servers:\n\n", "Action Clients:"]
+    as_json = json.loads(transcript.run("node", "info", "turtlesim", "--json").text)
+    assert as_json["service_servers"]["/clear"] == ["std_srvs/srv/Empty"]
+
+
+def test_a_node_that_is_not_there() -> None:
+    recorded = transcript.golden("node_info_bad")
+    assert transcript.run(*recorded.command) == recorded
+    assert transcript.run("node", "info", "/turtlesin").text.endswith("\ndid you mean /turtlesim?")
+
+
+def test_mistakes_are_told() -> None:
+    assert transcript.run("service", "type", "/spwn").text == "Unknown service '/spwn'\ndid you mean /spawn?"
+    wrong_type = transcript.run("service", "call", "/spawn", "turtlesim/srv/Spwn")
+    assert wrong_type.text.startswith("The passed service type is invalid\n")
+    message_type = transcript.run("service", "call", "/spawn", "turtlesim/msg/Pose")
+    assert message_type.text.startswith("The passed service type is invalid\n")
+    wrong_field = transcript.run("service", "call", "/spawn", "turtlesim/srv/Spawn", "{z: 1}")
+    assert wrong_field.exit_code == 1
+    assert wrong_field.text.endswith("Spawn_Request has: x, y, theta, name")
+    nobody = transcript.run("service", "call", "--timeout", "0.5", "/reset", "std_srvs/srv/Empty")
+    assert nobody.exit_code == 1
+    assert (
+        nobody.text == "waiting for service to become available...\nnobody serves /reset: waited 0.5 s for it"
+    )
+
+
+def test_requests_come_from_the_input(start_program: Callable[..., object]) -> None:
+    program = start_program(
+        "tfloom", "service", "call", "--stdin", "/spawn", "turtlesim/srv/Spawn", stdin=subprocess.PIPE
+    )
+    program.process.stdin.write("name: a\n---\nname: b\n")
+    program.process.stdin.close()
+    assert program.wait() == 0
+    assert re.findall(r"Spawn_Response\(name='(\w+)'\)", program.output) == ["a", "b"]
+
+
+def test_a_rate_calls_again(start_program: Callable[..., object]) -> None:
+    program = start_program("tfloom", "service", "call", "-r", "20", "/clear", "std_srvs/srv/Empty")
+    program.wait_for("response:")
+    program.signal(2)
+    assert program.wait() == 2
+    assert "Traceback" not in program.output
