@@ -20,7 +20,7 @@ def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         "msg/Inner.msg": "# inner\nint32 x  # inner too\n",
         "msg/Outer.msg": (
             "# outer\n\nInner[<=3] inner # one\nstring NAME='a # b'\nint8 MODE=1\nstring<=4 text \"#\"\n"
-            "builtin_interfaces/Time when\n"
+            "my_msgs/Inner other\n"
         ),
         "msg/Loop.msg": "Loop[] loops\n",
     }.items():
@@ -43,9 +43,8 @@ Inner[<=3] inner
 string NAME='a # b'
 int8 MODE=1
 string<=4 text "#"
-builtin_interfaces/Time when
-\tint32 sec
-\tuint32 nanosec
+my_msgs/Inner other
+\tint32 x
 """
 OUTER_WITH_ITS_OWN = "# outer\n\n" + OUTER_WITH_NO_COMMENTS.replace("] inner\n", "] inner # one\n")
 OUTER_WITH_ALL = OUTER_WITH_ITS_OWN.replace("\tint32 x\n", "\t# inner\n\tint32 x  # inner too\n")
