@@ -1,0 +1,137 @@
+"""Broadcasters, listeners and a vandal, each in a process of its own, over DDS."""
+
+from __future__ import annotations
+
+import signal
+from collections.abc import Callable
+
+import pytest
+from tests.conftest import Program
+
+pytestmark = pytest.mark.wire
+
+BROADCASTER = """
+import rclpy
+from geometry_msgs.msg import TransformStamped
+from rclpy.node import Node
+from tf2_ros import StaticTransformBroadcaster, TransformBroadcaster
+
+
+def transform(node, parent, child):
+    t = TransformStamped()
+    t.header.stamp = node.get_clock().now().to_msg()
+    t.header.frame_id = parent
+    t.child_frame_id = child
+    t.transform.translation.x = 1.5
+    return t
+
+
+rclpy.init()
+node = Node("broadcaster")
+static = StaticTransformBroadcaster(node)
+static.sendTransform(transform(node, "base", "laser"))
+moving = TransformBroadcaster(node)
+node.create_timer(0.02, lambda: moving.sendTransform(transform(node, "map", "base")))
+print("broadcasting", flush=True)
+try:
+    rclpy.spin(node)
+except (KeyboardInterrupt, rclpy.executors.ExternalShutdownException):
+    pass
+"""
+
+LISTENER = """
+import rclpy
+from rclpy.duration import Duration
+from rclpy.node import Node
+from tf2_ros import Buffer, TransformException, TransformListener
+
+rclpy.init()
+node = Node("listener")
+buffer = Buffer(node=node)
+listener = TransformListener(buffer, node)
+while rclpy.ok():
+    try:
+        t = buffer.lookup_transform("map", "laser", node.get_clock().now(), Duration(seconds=0.5))
+        print("x", t.transform.translation.x, "at", t.header.stamp.sec, flush=True)
+    except TransformException as error:
+        print("none:", error, flush=True)
+"""
+
+VANDAL = """
+import random
+import time
+
+import rclpy
+from rclpy.node import Node
+from tf2_msgs.msg import TFMessage
+from geometry_msgs.msg import TransformStamped
+from rclpy.serialization import serialize_message
+
+rclpy.init()
+node = Node("vandal")
+publisher = node.create_publisher(TFMessage, "/tf", 100)
+while publisher.get_subscription_count() == 0:
+    time.sleep(0.01)
+sound = serialize_message(TFMessage(transforms=[TransformStamped(child_frame_id="x") for _ in range(3)]))
+source = random.Random(3)
+for n in range(3000):
+    kind = n % 4
+    if kind == 0:
+        data = sound[: source.randrange(5, len(sound))]
+    elif kind == 1:
+        data = b"\\0\\1\\0\\0" + source.randbytes(source.randrange(1, 200))
+    elif kind == 2:
+        data = sound[:4] + b"\\xff\\xff\\xff\\xff" + sound[8:]
+    else:
+        spoilt = bytearray(sound)
+        for _ in range(5):
+            spoilt[source.randrange(4, len(sound))] = source.randrange(256)
+        data = bytes(spoilt)
+    publisher.publish(data)
+    if n % 100 == 0:
+        time.sleep(0.002)
+print("vandalised", flush=True)
+time.sleep(0.5)
+"""
+
+
+@pytest.fixture
+def start(start_program: Callable[..., Program], domain_id: int) -> Callable[[str], Program]:
+    return lambda source: start_program("python", "-c", source)
+
+
+def count(program: Program, start_of_line: str) -> int:
+    return sum(line.startswith(start_of_line) for line in list(program.lines))
+
+
+def test_a_listener_survives_hostile_bytes_and_a_killed_broadcaster(
+    start: Callable[[str], Program], wait_until: Callable[..., None]
+) -> None:
+    listener = start(LISTENER)
+    broadcaster = start(BROADCASTER)
+    wait_until(lambda: count(listener, "x 3.0") > 5, what="transforms")
+
+    vandal = start(VANDAL)
+    vandal.wait_for("vandalised")
+    before = count(listener, "x 3.0")
+    wait_until(lambda: count(listener, "x 3.0") > before + 5, what="transforms after hostile bytes")
+    warnings = [line for line in listener.lines if "dropped a message" in line]
+    assert 1 <= len(warnings) < 30
+    assert "that is no tf2_msgs/msg/TFMessage" in warnings[0]
+
+    broadcaster.signal(signal.SIGKILL)
+    wait_until(lambda: count(listener, "none:") > 0, what="the lack of transforms")
+    before = count(listener, "x 3.0")
+    start(BROADCASTER)
+    wait_until(lambda: count(listener, "x 3.0") > before + 5, what="transforms of the new broadcaster")
+    assert listener.process.poll() is None
+
+
+def test_ctrl_c_ends_a_wait(start: Callable[[str], Program]) -> None:
+    listener = start(
+        LISTENER.replace("seconds=0.5", "seconds=60").replace("while", "print('up', flush=True)\nwhile", 1)
+    )
+    listener.wait_for("up")
+    listener.signal(signal.SIGINT)
+    listener.wait(timeout_s=20)
+    assert not any("Fatal" in line or "terminate" in line for line in listener.lines)
