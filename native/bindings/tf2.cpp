@@ -363,6 +363,7 @@ void bind_tf2(nb::module_& m) {
   bind_waiting(type);
   bind_contents(type);
   bind_listings(type);
+  bind_tf2_messages(type);
   bind_tf2_wire(m, type);
 }
 

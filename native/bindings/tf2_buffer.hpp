@@ -14,6 +14,7 @@ struct BufferHandle {
   std::shared_ptr<tf2::Buffer> buffer;
 };
 
+void bind_tf2_messages(nanobind::class_<BufferHandle>& type);
 void bind_tf2_wire(nanobind::module_& m, nanobind::class_<BufferHandle>& type);
 
 }  // namespace tfloom::bindings

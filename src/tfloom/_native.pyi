@@ -381,6 +381,25 @@ class Buffer:
     def all_frames_as_dot(self, now_s: float = 0.0) -> str:
         """Return the tree in graphviz's language."""
 
+    def set_message(self, transform: object, authority: str, static: bool = False) -> bool:
+        """
+        Store a `geometry_msgs/msg/TransformStamped` of any class that has its fields; False if it's rejected.
+
+        Raises TypeError where one of its parts lacks a member.
+        """
+
+    def lookup_message(self, target_frame: str, source_frame: str, time: object) -> Any:
+        """
+        Return what `lookup` does as a `geometry_msgs/msg/TransformStamped`.
+
+        `time` has `nanoseconds`, or `sec` and `nanosec`; TypeError if it has neither.
+        """
+
+    def lookup_message_full(self, target_frame: str, target_time: object, source_frame: str, source_time: object, fixed_frame: str) -> Any:
+        """
+        Return what `lookup_full` does as a `geometry_msgs/msg/TransformStamped`; times as in `lookup_message`.
+        """
+
     def tf_sink(self, authority: str, static: bool) -> TfSink:
         """
         Make a sink for `Reader.feed`: what it takes as `tf2_msgs/msg/TFMessage` is stored here.

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMessage
-from tfloom.interfaces.geometry_msgs.msg import Quaternion, Transform, TransformStamped, Vector3
-from tfloom.interfaces.std_msgs.msg import Header
+from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.node.clock_type import ClockType
 from tfloom.node.logging import get_logger
 from tfloom.node.time import Time
@@ -43,24 +41,11 @@ class BufferCore(tf2_buffer.Buffer):
         Raises:
             TypeError: the message or one of its parts lacks a field.
         """
-        self._set(transform, authority, is_static=False)
+        self.set_message(transform, authority)
 
     def set_transform_static(self, transform: Any, authority: str) -> None:
         """Store a TransformStamped that holds at all times; see `set_transform`."""
-        self._set(transform, authority, is_static=True)
-
-    def _set(self, transform: Any, authority: str, *, is_static: bool) -> None:
-        header = transform.header
-        values = transform.transform
-        self.set(
-            header.frame_id,
-            transform.child_frame_id,
-            time_ns(header.stamp),
-            _numbers(values.translation, "translation", "xyz"),
-            _numbers(values.rotation, "rotation", "xyzw"),
-            authority,
-            static=is_static,
-        )
+        self.set_message(transform, authority, static=True)
 
     def can_transform_core(self, target_frame: str, source_frame: str, time: Any) -> tuple[bool, str]:
         """Return whether `lookup_transform_core` would have an answer, and if not, why."""
@@ -90,7 +75,8 @@ class BufferCore(tf2_buffer.Buffer):
             ExtrapolationException: the time lies outside the stored history.
             InvalidArgumentException: a frame's name is empty or starts with a slash.
         """
-        return _message(self.lookup(target_frame, source_frame, time_ns(time)))
+        message: TransformStamped = self.lookup_message(target_frame, source_frame, time)
+        return message
 
     def lookup_transform_full_core(
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
@@ -99,11 +85,10 @@ class BufferCore(tf2_buffer.Buffer):
 
         The answer has the target's time. Raises as `lookup_transform_core` does.
         """
-        return _message(
-            self.lookup_full(
-                target_frame, time_ns(target_time), source_frame, time_ns(source_time), fixed_frame
-            )
+        message: TransformStamped = self.lookup_message_full(
+            target_frame, target_time, source_frame, source_time, fixed_frame
         )
+        return message
 
     def get_latest_common_time(self, target_frame: str, source_frame: str) -> Time:
         """Return the newest time at which the whole chain is known; zero if all of it is static.
@@ -174,27 +159,6 @@ def _ns(value: Any, what: str) -> int:
         return int(value.sec) * S_TO_NS + int(value.nanosec)
     except AttributeError:
         raise TypeError(f"{what} must have sec and nanosec, or nanoseconds.") from None
-
-
-def _numbers(part: Any, name: str, members: str) -> tuple[float, ...]:
-    try:
-        return tuple(float(getattr(part, member)) for member in members)
-    except AttributeError:
-        raise TypeError(f"transform.{name} must have members {', '.join(members)}") from None
-
-
-def _message(found: Any) -> TransformStamped:
-    sec, nanosec = divmod(found.stamp_ns, S_TO_NS)
-    x, y, z = found.translation
-    qx, qy, qz, qw = found.rotation_xyzw
-    return TransformStamped(
-        header=Header(stamp=TimeMessage(sec=sec, nanosec=nanosec), frame_id=found.frame_id),
-        child_frame_id=found.child_frame_id,
-        transform=Transform(
-            translation=Vector3(x=x, y=y, z=z),
-            rotation=Quaternion(x=qx, y=qy, z=qz, w=qw),
-        ),
-    )
 
 
 def _log(severity: int, text: str) -> None:
