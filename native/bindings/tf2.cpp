@@ -137,6 +137,7 @@ void bind_answer(nb::module_& m) {
       .def_prop_ro("rotation_xyzw", &rotation_of,
                    nb::sig("def rotation_xyzw(self) -> tuple[float, float, float, float]"),
                    "Unit quaternion x, y, z, w.")
+      .def_prop_ro("transform", [](const Answer& a) { return a.transform.value; }, "The same as a value to compute with.")
       .def("__repr__", [](const Answer& a) {
         return nb::str("StampedTransform({!r} from {!r}, stamp_ns={}, translation={}, rotation_xyzw={})")
             .format(a.frame_id, a.child_frame_id, a.transform.stamp, translation_of(a), rotation_of(a));
@@ -242,6 +243,8 @@ void bind_waiting(nb::class_<BufferHandle>& type) {
             return pending(self.buffer->add_request(simple(target, source, stamp), request_callback(callback)));
           },
           "target_frame"_a, "source_frame"_a, "stamp_ns"_a, "callback"_a,
+          nb::sig("def add_request(self, target_frame: str, source_frame: str, stamp_ns: int, callback: "
+                  "collections.abc.Callable[[int, bool], object]) -> int | None"),
           "Ask to be called when `lookup` has an answer.\n\n"
           "`callback(handle, is_available)` is called once, on the thread that stored the transform; with False when "
           "the stamp has become older than the cache keeps.\n\n"
@@ -255,7 +258,11 @@ void bind_waiting(nb::class_<BufferHandle>& type) {
             return pending(self.buffer->add_request(query, request_callback(callback)));
           },
           "target_frame"_a, "target_stamp_ns"_a, "source_frame"_a, "source_stamp_ns"_a, "fixed_frame"_a,
-          "callback"_a, "Ask to be called when `lookup_full` has an answer; see `add_request`.")
+          "callback"_a,
+          nb::sig("def add_request_full(self, target_frame: str, target_stamp_ns: int, source_frame: str, "
+                  "source_stamp_ns: int, fixed_frame: str, callback: collections.abc.Callable[[int, bool], object]) "
+                  "-> int | None"),
+          "Ask to be called when `lookup_full` has an answer; see `add_request`.")
       .def(
           "cancel_request",
           [](BufferHandle& self, tf2::Requests::Handle handle) { return self.buffer->cancel_request(handle); },
@@ -307,6 +314,7 @@ void bind_contents(nb::class_<BufferHandle>& type) {
             });
           },
           "callback"_a.none(),
+          nb::sig("def set_log_callback(self, callback: collections.abc.Callable[[int, str], object] | None) -> None"),
           "Set who is told of rejected data: `callback(severity, text)`, severity as in Python's logging.\n\n"
           "It's called on the thread that brought the data, at most once a second for each frame and kind of "
           "trouble; the line then says how many were held back. None: nobody.");
@@ -329,8 +337,8 @@ void bind_listings(nb::class_<BufferHandle>& type) {
           "target_frame"_a, "source_frame"_a, "stamp_ns"_a = 0,
           nb::sig("def branches(self, target_frame: str, source_frame: str, stamp_ns: int = 0) -> tuple[list[str], "
                   "list[str]]"),
-          "Return the frames that a lookup passes: the target's branch and the source's, each from the bottom up to "
-          "below where they meet. Raises as `lookup` does.")
+          "Return the frames whose data a lookup reads: the target's branch and the source's, each from the bottom up "
+          "to below the root, or below the other end. Raises as `lookup` does.")
       .def(
           "all_frames_as_string", [](const BufferHandle& self) { return self.buffer->all_frames_as_string(); },
           nb::call_guard<ReleasedGil>(), "Return a line for each frame with a parent.")
@@ -348,6 +356,7 @@ void bind_listings(nb::class_<BufferHandle>& type) {
 }  // namespace
 
 void bind_tf2(nb::module_& m) {
+  bind_tf2_transform(m);
   bind_answer(m);
   nb::class_<BufferHandle> type(m, "Buffer", "A tree of frames over time; see `tfloom.tf2.buffer.Buffer`.");
   type.def(
@@ -363,6 +372,7 @@ void bind_tf2(nb::module_& m) {
   bind_waiting(type);
   bind_contents(type);
   bind_listings(type);
+  bind_tf2_batch(m, type);
   bind_tf2_messages(type);
   bind_tf2_wire(m, type);
 }

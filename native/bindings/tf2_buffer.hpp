@@ -14,6 +14,8 @@ struct BufferHandle {
   std::shared_ptr<tf2::Buffer> buffer;
 };
 
+void bind_tf2_transform(nanobind::module_& m);
+void bind_tf2_batch(nanobind::module_& m, nanobind::class_<BufferHandle>& type);
 void bind_tf2_messages(nanobind::class_<BufferHandle>& type);
 void bind_tf2_wire(nanobind::module_& m, nanobind::class_<BufferHandle>& type);
 

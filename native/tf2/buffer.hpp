@@ -50,10 +50,17 @@ struct Query {
   }
 };
 
-// The frames that a query at one time passes: both ends' branches from the bottom up, and where they meet.
+// The frames whose data a query at one time reads: both ends' branches, from the bottom up to below the root.
 struct Branches {
   std::vector<std::string> target, source;
-  std::string top;
+};
+
+// A frame and what it knows of its parent.
+struct Edge {
+  std::string child_frame_id, frame_id, authority;  // frame_id: the newest parent
+  bool is_static = false;
+  Stamp oldest = 0, newest = 0;
+  std::size_t sample_count = 0;
 };
 
 // Thread-safe. Queries share one lock that inserts take alone; both hold it for about a microsecond, so that a lock
@@ -76,6 +83,11 @@ class Buffer {
   void clear();  // empties every history; static transforms, names and authorities stay
 
   [[nodiscard]] Result<StampedTransform> lookup(const Query& query) const;
+
+  // One chain at many stamps; see batch.hpp. Takes the lock once: for a few hundred stamps.
+  void lookup_chunk(std::string_view target, std::string_view source, std::span<const Stamp> stamps,
+                    std::span<Transform> out, std::span<std::uint8_t> known) const;
+
   [[nodiscard]] bool can(const Query& query) const;
   [[nodiscard]] Error why_not(const Query& query) const;  // Code::ok if it can
   [[nodiscard]] Result<Stamp> latest_common_time(std::string_view target, std::string_view source) const;
@@ -90,6 +102,14 @@ class Buffer {
   // names are copied. Returns 0 if it can be answered now, `Requests::never` if it's too old for the cache.
   Requests::Handle add_request(const Query& query, Requests::Callback callback);
   bool cancel_request(Requests::Handle handle) { return requests_.cancel(handle); }
+
+  // The tree as data.
+  [[nodiscard]] std::vector<Edge> edges() const;  // in order of the children's registration
+  // The samples of a frame whose parent is `frame_id`, oldest first; a static transform is one, at stamp 0.
+  [[nodiscard]] std::vector<Sample> samples(std::string_view frame_id, std::string_view child_frame_id) const;
+  // Forgets a frame: its name, its transforms and those of its children to it. False if it isn't known.
+  bool remove_frame(std::string_view name);
+  [[nodiscard]] std::size_t memory() const;  // of all histories [octets]
 
   // For people and tools.
   [[nodiscard]] std::vector<std::string> frame_names() const;

@@ -30,7 +30,9 @@ struct Summary {
 std::vector<std::string> Buffer::frame_names() const {
   const Reading lock(frames_mutex_);
   std::vector<std::string> names;
-  for (FrameId id = 1; id < frames_.size(); ++id) names.push_back(frames_[id].name);
+  for (FrameId id = 1; id < frames_.size(); ++id) {
+    if (!frames_[id].name.empty()) names.push_back(frames_[id].name);  // a removed frame has none
+  }
   return names;
 }
 

@@ -37,6 +37,24 @@ bool Frame::insert(const Sample& sample, bool is_static, Stamp max_age) {
   return history->insert(sample);
 }
 
+void Frame::forget() {
+  kind = Kind::root;
+  fixed_parent = no_parent;
+  history.reset();
+  authority.clear();
+}
+
+void Frame::forget_parent(FrameId parent, Stamp max_age) {
+  if (kind == Kind::fixed && fixed_parent == parent) return forget();
+  if (kind != Kind::moving) return;
+  auto kept = std::make_unique<TimeCache>(max_age);
+  history->for_each([&](Stamp stamp, FrameId other, const Transform& value) {
+    if (other != parent) kept->insert({stamp, other, value});
+  });
+  if (kept->empty() && !history->empty()) return forget();
+  history = std::move(kept);
+}
+
 FrameTable::FrameTable() { intern("NO_PARENT"); }
 
 std::optional<FrameId> FrameTable::find(std::string_view name) const {
@@ -52,6 +70,12 @@ FrameId FrameTable::intern(std::string_view name) {
   frames_.back()->name = name;
   ids_.emplace(frames_.back()->name, id);
   return id;
+}
+
+void FrameTable::remove(FrameId id) {
+  ids_.erase(frames_[id]->name);
+  frames_[id]->forget();
+  frames_[id]->name.clear();
 }
 
 }  // namespace tfloom::tf2

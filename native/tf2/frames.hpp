@@ -31,6 +31,9 @@ struct Frame {
 
   // What was stored under the other kind is forgotten. False: too old.
   bool insert(const Sample& sample, bool is_static, Stamp max_age);
+
+  void forget_parent(FrameId parent, Stamp max_age);
+  void forget();  // all but the name: it's a root again
 };
 
 // Ids are dense, in order of registration; id 0 stands for "no parent" and has a name that nobody is to use.
@@ -40,6 +43,8 @@ class FrameTable {
 
   [[nodiscard]] std::optional<FrameId> find(std::string_view name) const;
   FrameId intern(std::string_view name);
+  // The id is not used again, as stored samples may hold it. The frame is then nameless.
+  void remove(FrameId id);
 
   [[nodiscard]] std::size_t size() const { return frames_.size(); }
   Frame& operator[](FrameId id) { return *frames_[id]; }

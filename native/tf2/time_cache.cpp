@@ -91,20 +91,16 @@ Bracket TimeCache::find(Stamp stamp) const {
 }
 
 Bracket TimeCache::between(Stamp stamp) const {
-  Position newer = after(stamp);
+  const Position newer = after(stamp);
   const Block& later = blocks_[newer.block];
-  const bool same_block = newer.index > later.begin;
-  const Block& earlier = same_block ? later : blocks_[newer.block - 1];
-  const std::size_t older = same_block ? newer.index - 1 : earlier.stamps.size() - 1;
-  Bracket bracket{Bracket::Found::yes, earlier.parents[older], &earlier.values[older], nullptr, 0.0};
-  if (later.parents[newer.index] != bracket.parent) return bracket;  // the old parent holds until the new one starts
-  bracket.newer = &later.values[newer.index];
-  const Stamp start = earlier.stamps[older];
-  // In doubles, as the differences of extreme stamps overflow.
-  const auto span = static_cast<double>(static_cast<std::uint64_t>(later.stamps[newer.index]) -
-                                        static_cast<std::uint64_t>(start));
-  bracket.ratio =
-      static_cast<double>(static_cast<std::uint64_t>(stamp) - static_cast<std::uint64_t>(start)) / span;
+  if (newer.index > later.begin) return bracket(stamp, later, newer.index - 1, later, newer.index);
+  const Block& earlier = blocks_[newer.block - 1];
+  return bracket(stamp, earlier, earlier.stamps.size() - 1, later, newer.index);
+}
+
+Bracket TimeCache::search(Stamp stamp, Position& hint) const {
+  const Bracket bracket = find(stamp);
+  if (bracket.found == Bracket::Found::yes) hint = after(stamp);
   return bracket;
 }
 

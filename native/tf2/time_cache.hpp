@@ -1,6 +1,7 @@
 // The history of one frame: samples in order of time, in contiguous blocks.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -57,6 +58,25 @@ class TimeCache {
   // The answer's pointers live until the next change. `stamp` of `latest` is the newest sample.
   [[nodiscard]] Bracket find(Stamp stamp) const;
 
+  // The same for stamps that mostly ascend: `hint` is where the last one was found, and at first {}.
+  struct Position {
+    std::size_t block = 0, index = 0;
+  };
+  [[nodiscard]] Bracket find(Stamp stamp, Position& hint) const {
+    if (hint.block < blocks_.size()) {
+      const Block& block = blocks_[hint.block];
+      // The sample before must be in the block too, and no stamp of an end is between two samples.
+      const std::size_t end = std::min(hint.index + 3, block.stamps.size());
+      for (std::size_t index = std::max(hint.index, block.begin + 1); index < end; ++index) {
+        if (block.stamps[index] <= stamp) continue;
+        if (block.stamps[index - 1] > stamp || stamp == blocks_.front().first_stamp() || stamp == latest) break;
+        hint.index = index;
+        return bracket(stamp, block, index - 1, block, index);
+      }
+    }
+    return search(stamp, hint);
+  }
+
   void clear();
 
   [[nodiscard]] bool empty() const { return size_ == 0; }
@@ -91,13 +111,22 @@ class TimeCache {
     [[nodiscard]] Block split();
   };
 
-  struct Position {
-    std::size_t block = 0, index = 0;
-  };
-
   [[nodiscard]] Position after(Stamp stamp) const;  // of the first sample later than `stamp`
   [[nodiscard]] bool holds(const Sample& sample, Position end) const;
   [[nodiscard]] Bracket between(Stamp stamp) const;
+  [[nodiscard]] Bracket search(Stamp stamp, Position& hint) const;
+
+  [[nodiscard]] static Bracket bracket(Stamp stamp, const Block& earlier, std::size_t older, const Block& later,
+                                       std::size_t newer) {
+    Bracket found{Bracket::Found::yes, earlier.parents[older], &earlier.values[older], nullptr, 0.0};
+    if (later.parents[newer] != found.parent) return found;  // the old parent holds until the new one starts
+    found.newer = &later.values[newer];
+    // Unsigned, as the difference of extreme stamps overflows.
+    const auto start = static_cast<std::uint64_t>(earlier.stamps[older]);
+    const auto span = static_cast<double>(static_cast<std::uint64_t>(later.stamps[newer]) - start);
+    found.ratio = static_cast<double>(static_cast<std::uint64_t>(stamp) - start) / span;
+    return found;
+  }
   void prune();
 
   Stamp max_age_;

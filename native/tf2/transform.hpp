@@ -88,23 +88,36 @@ struct SlerpWeights {
 
 // For near ends the series of sin(rθ)/sin θ in c = cos θ - 1 (D. Eberly, "A Fast and Accurate Algorithm for
 // Computing SLERP", 2011): no trigonometry, and exact where acos loses half of the digits.
+struct SlerpSeries {
+  static constexpr int longest = 8;
+  std::array<double, longest + 1> u{}, v{};
+
+  constexpr SlerpSeries() {
+    for (int i = 1; i <= longest; ++i) {
+      u[static_cast<std::size_t>(i)] = 1.0 / (i * (2 * i + 1));
+      v[static_cast<std::size_t>(i)] = static_cast<double>(i) / (2 * i + 1);
+    }
+  }
+};
+inline constexpr SlerpSeries slerp_terms;
+
+template <int Terms>
 constexpr double slerp_series(double r, double c) {
-  constexpr int terms = 8;  // remainder below 1e-16 for c > -0.02
   const double rr = r * r;
   double sum = 1.0;
-  for (int i = terms; i > 0; --i) {
-    const double u = 1.0 / (i * (2 * i + 1)), v = static_cast<double>(i) / (2 * i + 1);
-    sum = 1.0 + (u * rr - v) * c * sum;
-  }
+  for (std::size_t i = Terms; i > 0; --i) sum = 1.0 + (slerp_terms.u[i] * rr - slerp_terms.v[i]) * c * sum;
   return r * sum;
 }
 
-constexpr double slerp_series_limit = 0.02;  // 1 - cos θ, θ = 11.5°
+template <int Terms>
+constexpr SlerpWeights slerp_by_series(double r, double one_minus_cos) {
+  return {slerp_series<Terms>(1.0 - r, -one_minus_cos), slerp_series<Terms>(r, -one_minus_cos)};
+}
 
 inline SlerpWeights slerp_weights(double r, double one_minus_cos) {
-  if (one_minus_cos < slerp_series_limit) {
-    return {slerp_series(1.0 - r, -one_minus_cos), slerp_series(r, -one_minus_cos)};
-  }
+  // With so many terms the remainder is below 1e-16.
+  if (one_minus_cos < 1e-4) return slerp_by_series<4>(r, one_minus_cos);  // θ < 0.8°
+  if (one_minus_cos < 0.02) return slerp_by_series<8>(r, one_minus_cos);  // θ < 11.5°
   const double c = 1.0 - one_minus_cos;
   const double sine = std::sqrt(one_minus_cos * (1.0 + c));
   const double angle = std::atan2(sine, c);

@@ -1,7 +1,11 @@
 """The compiled core of tfloom: numbers, ids and bytes."""
 
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import Annotated, Any
+
+import numpy
+import numpy.typing
+from numpy.typing import NDArray
 
 
 def keep_other_threads_out() -> None:
@@ -219,6 +223,91 @@ def set_message_hooks(compile: object, convert: object, check: object, check_nam
     Say how classes are compiled, arrays converted and fields checked, and which errors the codec raises.
     """
 
+class Transform:
+    """
+    A rigid transform, immutable: parent_from_child takes points of the child into the parent.
+
+    `a_from_c = a_from_b @ b_from_c`: neighbours cancel.
+    """
+
+    def __init__(self, translation: Sequence[float] = (0.0, 0.0, 0.0), rotation_xyzw: Sequence[float] = (0.0, 0.0, 0.0, 1.0)) -> None:
+        """
+        Make one of a position [m] and a quaternion of any length; ValueError if that is zero or not finite.
+        """
+
+    @staticmethod
+    def from_rpy(roll_rad: float, pitch_rad: float, yaw_rad: float, translation: Sequence[float] = (0.0, 0.0, 0.0)) -> Transform:
+        """Make one that turns about the fixed axes x, then y, then z [rad]."""
+
+    @staticmethod
+    def from_axis_angle(axis: Sequence[float], angle_rad: float, translation: Sequence[float] = (0.0, 0.0, 0.0)) -> Transform:
+        """
+        Make one that turns about `axis`, of any length, by `angle_rad`; ValueError if that is zero.
+        """
+
+    @staticmethod
+    def from_matrix(matrix: object) -> Transform:
+        """
+        Make one of a matrix (4, 4) or (3, 4); ValueError if it's no rigid transform.
+        """
+
+    @staticmethod
+    def from_scipy(rotation: object, translation: Sequence[float] = (0.0, 0.0, 0.0)) -> Transform:
+        """Make one of a `scipy.spatial.transform.Rotation` and a position [m]."""
+
+    @property
+    def translation(self) -> tuple[float, float, float]:
+        """Where the child's origin is in the parent [m]."""
+
+    @property
+    def rotation_xyzw(self) -> tuple[float, float, float, float]:
+        """Unit quaternion x, y, z, w."""
+
+    @property
+    def rpy_rad(self) -> tuple[float, float, float]:
+        """
+        Roll, pitch, yaw about the fixed axes x, y, z [rad]; yaw is 0 where pitch is ±π/2.
+        """
+
+    @property
+    def axis_angle(self) -> tuple[tuple[float, float, float], float]:
+        """Unit axis, and angle from 0 to π [rad]."""
+
+    def rows(self) -> list[tuple[float, float, float, float]]:
+        """Return the four rows of the matrix, without numpy."""
+
+    def matrix(self) -> numpy.typing.NDArray[numpy.float64]:
+        """Return the matrix (4, 4), float64."""
+
+    def to_scipy(self) -> Any:
+        """Return the rotation as a `scipy.spatial.transform.Rotation`."""
+
+    def inverse(self) -> Transform:
+        """Return child_from_parent."""
+
+    def interpolate(self, other: Transform, ratio: float) -> Transform:
+        """
+        Return what is between this (ratio 0) and `other` (1): position linearly, rotation by slerp.
+        """
+
+    def apply(self, point: Sequence[float]) -> tuple[float, float, float]:
+        """Return a point of the child in the parent."""
+
+    def __matmul__(self, other: Transform) -> Transform:
+        """Return the composition."""
+
+    def __eq__(self, other: object, /) -> bool:
+        """Return whether all numbers are equal."""
+
+    def __hash__(self) -> int:
+        """Return a hash of the numbers."""
+
+    def __reduce__(self) -> tuple[object, ...]:
+        """Return what pickle wants."""
+
+    def __repr__(self) -> str:
+        """Return a call that makes it."""
+
 class StampedTransform:
     """A lookup's answer: target_from_source at a time."""
 
@@ -241,6 +330,10 @@ class StampedTransform:
     @property
     def rotation_xyzw(self) -> tuple[float, float, float, float]:
         """Unit quaternion x, y, z, w."""
+
+    @property
+    def transform(self) -> Transform:
+        """The same as a value to compute with."""
 
     def __repr__(self) -> str: ...
 
@@ -309,7 +402,7 @@ class Buffer:
     def wait_full(self, target_frame: str, target_stamp_ns: int, source_frame: str, source_stamp_ns: int, fixed_frame: str, *, timeout_s: float) -> bool:
         """Wait until `lookup_full` has an answer; see `wait`."""
 
-    def add_request(self, target_frame: str, source_frame: str, stamp_ns: int, callback: Callable[[int, bool], None]) -> int | None:
+    def add_request(self, target_frame: str, source_frame: str, stamp_ns: int, callback: Callable[[int, bool], object]) -> int | None:
         """
         Ask to be called when `lookup` has an answer.
 
@@ -318,7 +411,7 @@ class Buffer:
         Returns the request's handle; 0 if there is an answer now, and None if there can never be one: then nothing is called.
         """
 
-    def add_request_full(self, target_frame: str, target_stamp_ns: int, source_frame: str, source_stamp_ns: int, fixed_frame: str, callback: Callable[[int, bool], None]) -> int | None:
+    def add_request_full(self, target_frame: str, target_stamp_ns: int, source_frame: str, source_stamp_ns: int, fixed_frame: str, callback: Callable[[int, bool], object]) -> int | None:
         """Ask to be called when `lookup_full` has an answer; see `add_request`."""
 
     def cancel_request(self, handle: int) -> bool:
@@ -352,7 +445,7 @@ class Buffer:
         How far back each frame's history reaches from its newest sample [ns]; None: without limit.
         """
 
-    def set_log_callback(self, callback: Callable[[int, str], None] | None) -> None:
+    def set_log_callback(self, callback: Callable[[int, str], object] | None) -> None:
         """
         Set who is told of rejected data: `callback(severity, text)`, severity as in Python's logging.
 
@@ -367,7 +460,7 @@ class Buffer:
 
     def branches(self, target_frame: str, source_frame: str, stamp_ns: int = 0) -> tuple[list[str], list[str]]:
         """
-        Return the frames that a lookup passes: the target's branch and the source's, each from the bottom up to below where they meet. Raises as `lookup` does.
+        Return the frames whose data a lookup reads: the target's branch and the source's, each from the bottom up to below the root, or below the other end. Raises as `lookup` does.
         """
 
     def all_frames_as_string(self) -> str:
@@ -380,6 +473,37 @@ class Buffer:
 
     def all_frames_as_dot(self, now_s: float = 0.0) -> str:
         """Return the tree in graphviz's language."""
+
+    def fill_many(self, target_frame: str, source_frame: str, stamps_ns: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float64], dict(shape=(None, 7), order='C', device='cpu')], known: Annotated[NDArray[numpy.uint8], dict(shape=(None,), order='C', device='cpu')], strict: bool, workers: int) -> None:
+        """
+        Fill `out` (N, 7) with the transforms at `stamps_ns` (N,), `known` (N,) with whether there is one.
+
+        `strict`: raises as `lookup` does for the first stamp without an answer, with its `index`.
+        """
+
+    def store_many(self, frame_id: str, child_frame_id: str, stamps_ns: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], rows: Annotated[NDArray[numpy.float64], dict(shape=(None, 7), order='C', device='cpu', writable=False)], authority: str) -> int:
+        """
+        Store `rows` (N, 7) at `stamps_ns` (N,); returns how many were not rejected.
+        """
+
+    def samples(self, frame_id: str, child_frame_id: str) -> tuple[bytearray, bytearray]:
+        """
+        Return the stamps (int64) and rows (7 float64 each) stored for an edge, as bytes.
+        """
+
+    def edges(self) -> list[Edge]:
+        """Return each frame that has a parent, in order of first mention."""
+
+    def remove_frame(self, frame_id: str) -> bool:
+        """
+        Forget a frame: its name, its transforms and those of its children to it.
+
+        Returns False if it has never been heard of.
+        """
+
+    @property
+    def memory(self) -> int:
+        """What all histories take [octets]."""
 
     def set_message(self, transform: object, authority: str, static: bool = False) -> bool:
         """
@@ -413,6 +537,60 @@ class Buffer:
 
         Returns how many were stored; the others were rejected, as by `set`. Raises ValueError, with nothing stored, where the bytes are no such message.
         """
+
+class Edge:
+    """A frame and what a buffer knows of its parent."""
+
+    @property
+    def child_frame_id(self) -> str:
+        """The frame."""
+
+    @property
+    def frame_id(self) -> str:
+        """Its parent, by the newest sample."""
+
+    @property
+    def authority(self) -> str:
+        """Who set it last."""
+
+    @property
+    def is_static(self) -> bool:
+        """Whether it holds at all times."""
+
+    @property
+    def oldest_ns(self) -> int:
+        """Stamp of the oldest sample [ns since epoch]; 0 if static."""
+
+    @property
+    def newest_ns(self) -> int:
+        """Stamp of the newest sample [ns since epoch]; 0 if static."""
+
+    @property
+    def sample_count(self) -> int:
+        """How many samples there are."""
+
+def move_points_float32(transform: Annotated[NDArray[numpy.float64], dict(shape=(7), order='C', device='cpu', writable=False)], points: Annotated[NDArray[numpy.float32], dict(shape=(None, 3), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float32], dict(shape=(None, 3), order='C', device='cpu')]) -> None:
+    """
+    Write `transform` (7,) of `points` (N, 3) into `out`, which may be `points`.
+    """
+
+def move_each_point_float32(first: Annotated[NDArray[numpy.float64], dict(shape=(7), order='C', device='cpu', writable=False)], each: Annotated[NDArray[numpy.float64], dict(shape=(None, 7), order='C', device='cpu', writable=False)], points: Annotated[NDArray[numpy.float32], dict(shape=(None, 3), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float32], dict(shape=(None, 3), order='C', device='cpu')]) -> None:
+    """
+    Write first · each[i] of points[i] into out[i]: (7,), (N, 7), (N, 3), (N, 3).
+    """
+
+def move_points_float64(transform: Annotated[NDArray[numpy.float64], dict(shape=(7), order='C', device='cpu', writable=False)], points: Annotated[NDArray[numpy.float64], dict(shape=(None, 3), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float64], dict(shape=(None, 3), order='C', device='cpu')]) -> None:
+    """
+    Write `transform` (7,) of `points` (N, 3) into `out`, which may be `points`.
+    """
+
+def move_each_point_float64(first: Annotated[NDArray[numpy.float64], dict(shape=(7), order='C', device='cpu', writable=False)], each: Annotated[NDArray[numpy.float64], dict(shape=(None, 7), order='C', device='cpu', writable=False)], points: Annotated[NDArray[numpy.float64], dict(shape=(None, 3), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float64], dict(shape=(None, 3), order='C', device='cpu')]) -> None:
+    """
+    Write first · each[i] of points[i] into out[i]: (7,), (N, 7), (N, 3), (N, 3).
+    """
+
+def matrices(rows: Annotated[NDArray[numpy.float64], dict(shape=(None, 7), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float64], dict(shape=(None, 4, 4), order='C', device='cpu')]) -> None:
+    """Write the matrices of `rows` (N, 7) into `out` (N, 4, 4)."""
 
 class TfSink(Sink):
     """Takes the samples of /tf or /tf_static into a buffer, without Python."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tfloom import _native
+from tfloom.tf2.arrays import Arrays
 
 __all__ = ["LATEST", "Buffer"]
 
@@ -12,7 +12,7 @@ LATEST = 0
 DEFAULT_CACHE_TIME_NS = 10_000_000_000
 
 
-class Buffer(_native.Buffer):
+class Buffer(Arrays):
     """A tree of frames over time. All methods may be called from any thread.
 
     Args:

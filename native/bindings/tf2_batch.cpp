@@ -1,0 +1,175 @@
+// Arrays in and out of a buffer. The Python face makes and checks the arrays; here they're of one kind only.
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "bindings/tf2_arguments.hpp"
+#include "bindings/tf2_buffer.hpp"
+#include "tf2/batch.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace tfloom::bindings {
+namespace {
+
+using tf2::Stamp;
+using tf2::Transform;
+
+template <class T, class... Shape>
+using Array = nb::ndarray<T, nb::c_contig, nb::device::cpu, Shape...>;
+using Stamps = Array<const std::int64_t, nb::ndim<1>>;
+using Rows = Array<const double, nb::shape<-1, 7>>;
+using OutRows = Array<double, nb::shape<-1, 7>>;
+using Mask = Array<std::uint8_t, nb::ndim<1>>;
+template <class T>
+using Points = Array<const T, nb::shape<-1, 3>>;
+template <class T>
+using OutPoints = Array<T, nb::shape<-1, 3>>;
+
+// A row is translation x, y, z and rotation x, y, z, w: just what a Transform holds.
+static_assert(sizeof(Transform) == 7 * sizeof(double));
+
+Transform transform_at(const double* row) {
+  return {{row[0], row[1], row[2]}, {row[3], row[4], row[5], row[6]}};
+}
+
+template <class... Sizes>
+void require_equal(std::size_t size, Sizes... sizes) {
+  if (((size != sizes) || ...)) throw nb::value_error("the arrays must be of one length");
+}
+
+void lookup_many(const BufferHandle& self, const NameArgument& target, const NameArgument& source,
+                 const Stamps& stamps, const OutRows& out, const Mask& known, bool is_strict, unsigned workers) {
+  require_equal(stamps.size(), out.shape(0), known.size());
+  std::optional<tf2::FailedStamp> failed;
+  {
+    const nb::gil_scoped_release release;
+    failed = tf2::lookup_many(*self.buffer, target.text, source.text, {stamps.data(), stamps.size()},
+                              {reinterpret_cast<Transform*>(out.data()), out.shape(0)},
+                              {known.data(), known.size()}, is_strict, workers);
+  }
+  if (!failed) return;
+  const nb::object exception = exception_of(failed->error);
+  exception.attr("index") = failed->index;
+  PyErr_SetObject(exception.type().ptr(), exception.ptr());
+  throw nb::python_error();
+}
+
+std::size_t set_many(BufferHandle& self, const NameArgument& frame_id, const NameArgument& child_frame_id,
+                     const Stamps& stamps, const Rows& rows, const NameArgument& authority) {
+  require_equal(stamps.size(), rows.shape(0));
+  const nb::gil_scoped_release release;
+  constexpr std::size_t chunk_size = 1024;  // inserted under one lock
+  std::vector<tf2::Entry> entries;
+  std::size_t stored = 0;
+  for (std::size_t start = 0; start < stamps.size(); start += chunk_size) {
+    entries.clear();
+    for (std::size_t i = start; i < std::min(start + chunk_size, stamps.size()); ++i) {
+      entries.push_back({frame_id.text, child_frame_id.text, stamps.data()[i], transform_at(rows.data() + 7 * i)});
+    }
+    stored += self.buffer->set(entries, authority.text, false);
+  }
+  return stored;
+}
+
+nb::tuple samples(const BufferHandle& self, const NameArgument& frame_id, const NameArgument& child_frame_id) {
+  const auto found = self.buffer->samples(frame_id.text, child_frame_id.text);
+  nb::bytearray stamps, rows;
+  stamps.resize(found.size() * sizeof(Stamp));
+  rows.resize(found.size() * sizeof(Transform));
+  auto* stamp = static_cast<char*>(stamps.data());
+  auto* row = static_cast<char*>(rows.data());
+  for (const tf2::Sample& sample : found) {
+    std::memcpy(stamp, &sample.stamp, sizeof(Stamp));
+    std::memcpy(row, &sample.value, sizeof(Transform));
+    stamp += sizeof(Stamp);
+    row += sizeof(Transform);
+  }
+  return nb::make_tuple(stamps, rows);
+}
+
+template <class T>
+void move_points(const Array<const double, nb::shape<7>>& transform, const Points<T>& points,
+                 const OutPoints<T>& out) {
+  require_equal(points.shape(0), out.shape(0));
+  const Transform value = transform_at(transform.data());
+  const nb::gil_scoped_release release;
+  tf2::move_points(value, points.data(), out.data(), points.shape(0));
+}
+
+template <class T>
+void move_each_point(const Array<const double, nb::shape<7>>& first, const Rows& each, const Points<T>& points,
+                     const OutPoints<T>& out) {
+  require_equal(points.shape(0), each.shape(0), out.shape(0));
+  const Transform value = transform_at(first.data());
+  const nb::gil_scoped_release release;
+  tf2::move_each_point(value, {reinterpret_cast<const Transform*>(each.data()), each.shape(0)}, points.data(),
+                       out.data());
+}
+
+template <class T>
+void bind_points(nb::module_& m, const std::string& type) {
+  m.def(("move_points_" + type).c_str(), &move_points<T>, "transform"_a, "points"_a, "out"_a,
+        "Write `transform` (7,) of `points` (N, 3) into `out`, which may be `points`.");
+  m.def(("move_each_point_" + type).c_str(), &move_each_point<T>, "first"_a, "each"_a, "points"_a, "out"_a,
+        "Write first · each[i] of points[i] into out[i]: (7,), (N, 7), (N, 3), (N, 3).");
+}
+
+void matrices(const Rows& rows, const Array<double, nb::shape<-1, 4, 4>>& out) {
+  require_equal(rows.shape(0), out.shape(0));
+  const nb::gil_scoped_release release;
+  const auto* transform = reinterpret_cast<const Transform*>(rows.data());
+  double* m = out.data();
+  for (std::size_t i = 0; i < rows.shape(0); ++i, ++transform, m += 16) {
+    const auto r = tf2::rotation_matrix(transform->rotation);
+    const auto& p = transform->translation;
+    const double values[16] = {r[0], r[1], r[2], p.x, r[3], r[4], r[5], p.y, r[6], r[7], r[8], p.z, 0, 0, 0, 1};
+    std::memcpy(m, values, sizeof values);
+  }
+}
+
+}  // namespace
+
+void bind_tf2_batch(nb::module_& m, nb::class_<BufferHandle>& type) {
+  nb::class_<tf2::Edge>(m, "Edge", "A frame and what a buffer knows of its parent.")
+      .def_ro("child_frame_id", &tf2::Edge::child_frame_id, "The frame.")
+      .def_ro("frame_id", &tf2::Edge::frame_id, "Its parent, by the newest sample.")
+      .def_ro("authority", &tf2::Edge::authority, "Who set it last.")
+      .def_ro("is_static", &tf2::Edge::is_static, "Whether it holds at all times.")
+      .def_ro("oldest_ns", &tf2::Edge::oldest, "Stamp of the oldest sample [ns since epoch]; 0 if static.")
+      .def_ro("newest_ns", &tf2::Edge::newest, "Stamp of the newest sample [ns since epoch]; 0 if static.")
+      .def_ro("sample_count", &tf2::Edge::sample_count, "How many samples there are.");
+  type.def("fill_many", &lookup_many, "target_frame"_a, "source_frame"_a, "stamps_ns"_a, "out"_a, "known"_a,
+           "strict"_a, "workers"_a,
+           "Fill `out` (N, 7) with the transforms at `stamps_ns` (N,), `known` (N,) with whether there is one.\n\n"
+           "`strict`: raises as `lookup` does for the first stamp without an answer, with its `index`.")
+      .def("store_many", &set_many, "frame_id"_a, "child_frame_id"_a, "stamps_ns"_a, "rows"_a, "authority"_a,
+           "Store `rows` (N, 7) at `stamps_ns` (N,); returns how many were not rejected.")
+      .def("samples", &samples, "frame_id"_a, "child_frame_id"_a,
+           nb::sig("def samples(self, frame_id: str, child_frame_id: str) -> tuple[bytearray, bytearray]"),
+           "Return the stamps (int64) and rows (7 float64 each) stored for an edge, as bytes.")
+      .def("edges", [](const BufferHandle& self) { return self.buffer->edges(); },
+           "Return each frame that has a parent, in order of first mention.")
+      .def("remove_frame",
+           [](BufferHandle& self, const NameArgument& name) {
+             const nb::gil_scoped_release release;
+             return self.buffer->remove_frame(name.text);
+           },
+           "frame_id"_a,
+           "Forget a frame: its name, its transforms and those of its children to it.\n\n"
+           "Returns False if it has never been heard of.")
+      .def_prop_ro("memory", [](const BufferHandle& self) { return self.buffer->memory(); },
+                   "What all histories take [octets].");
+  bind_points<float>(m, "float32");
+  bind_points<double>(m, "float64");
+  m.def("matrices", &matrices, "rows"_a, "out"_a, "Write the matrices of `rows` (N, 7) into `out` (N, 4, 4).");
+}
+
+}  // namespace tfloom::bindings

@@ -1,0 +1,58 @@
+// A buffer's tree as data, and frames taken out of it.
+#include "tf2/buffer.hpp"
+
+namespace tfloom::tf2 {
+
+std::vector<Edge> Buffer::edges() const {
+  const Reading lock(frames_mutex_);
+  std::vector<Edge> edges;
+  for (FrameId id = 1; id < frames_.size(); ++id) {
+    const Frame& frame = frames_[id];
+    if (frame.sample_count() == 0) continue;
+    edges.push_back({.child_frame_id = frame.name,
+                     .frame_id = frames_[frame.newest_parent()].name,
+                     .authority = frame.authority,
+                     .is_static = frame.kind == Frame::Kind::fixed,
+                     .oldest = frame.oldest_stamp(),
+                     .newest = frame.newest_stamp(),
+                     .sample_count = frame.sample_count()});
+  }
+  return edges;
+}
+
+std::vector<Sample> Buffer::samples(std::string_view frame_id, std::string_view child_frame_id) const {
+  const Reading lock(frames_mutex_);
+  std::vector<Sample> samples;
+  const auto parent = find_frame(frame_id), child = find_frame(child_frame_id);
+  if (!parent || !child) return samples;
+  const Frame& frame = frames_[*child];
+  if (frame.kind == Frame::Kind::fixed && frame.fixed_parent == *parent) {
+    samples.push_back({0, *parent, frame.fixed_value});
+  }
+  if (frame.kind != Frame::Kind::moving) return samples;
+  samples.reserve(frame.history->size());
+  frame.history->for_each([&](Stamp stamp, FrameId other, const Transform& value) {
+    if (other == *parent) samples.push_back({stamp, other, value});
+  });
+  return samples;
+}
+
+bool Buffer::remove_frame(std::string_view name) {
+  const std::unique_lock lock(frames_mutex_);
+  const auto removed = find_frame(name);
+  if (!removed) return false;
+  for (FrameId id = 1; id < frames_.size(); ++id) frames_[id].forget_parent(*removed, cache_time_);
+  frames_.remove(*removed);
+  return true;
+}
+
+std::size_t Buffer::memory() const {
+  const Reading lock(frames_mutex_);
+  std::size_t octets = 0;
+  for (FrameId id = 1; id < frames_.size(); ++id) {
+    if (frames_[id].history) octets += frames_[id].history->memory();
+  }
+  return octets;
+}
+
+}  // namespace tfloom::tf2

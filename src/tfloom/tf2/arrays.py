@@ -1,0 +1,272 @@
+"""The buffer's numpy face: many stamps and many points at once. numpy is loaded by the first call."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from tfloom import _native
+from tfloom.tf2.frames import Frames
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Arrays", "Poses", "Samples"]
+
+
+class Poses(NamedTuple):
+    """Transforms at many stamps."""
+
+    positions: NDArray[np.float64]
+    """(N, 3) [m]"""
+    rotations_xyzw: NDArray[np.float64]
+    """(N, 4) unit quaternions."""
+    known: NDArray[np.bool_]
+    """(N,) False where there is no answer; the row is then NaN."""
+
+    def matrices(self) -> NDArray[np.float64]:
+        """Return them as matrices (N, 4, 4)."""
+        import numpy as np
+
+        out = np.empty((len(self.positions), 4, 4))
+        _native.matrices(np.hstack((self.positions, self.rotations_xyzw)), out)
+        return out
+
+
+class Samples(NamedTuple):
+    """What is stored of one edge, oldest first."""
+
+    stamps_ns: NDArray[np.int64]
+    """(N,)"""
+    positions: NDArray[np.float64]
+    """(N, 3) [m]"""
+    rotations_xyzw: NDArray[np.float64]
+    """(N, 4)"""
+
+
+class Arrays(Frames):
+    """The part of a buffer that takes and gives arrays."""
+
+    def lookup_many(
+        self,
+        target_frame: str,
+        source_frame: str,
+        stamps_ns: ArrayLike,
+        *,
+        strict: bool = True,
+        workers: int = 1,
+    ) -> Poses:
+        """Return target_from_source at many stamps, each as `lookup` gives it.
+
+        Ascending stamps are fastest; any order is fine. The result may span inserts that happen meanwhile.
+
+        Args:
+            target_frame: Frame to express the data in.
+            source_frame: Frame the data is in now.
+            stamps_ns: (N,) integers or datetime64 [ns since epoch]; 0 is the latest time.
+            strict: Whether a stamp without an answer is an error.
+            workers: How many threads share the work.
+
+        Raises:
+            TransformException: as `lookup`, for the first stamp without an answer if `strict`; its `index` says which.
+            TypeError: the stamps are not integers.
+            ValueError: they are not one-dimensional, or beyond 64 bits.
+        """
+        import numpy as np
+
+        stamps = _stamps(stamps_ns)
+        rows = np.empty((len(stamps), 7))
+        known = np.zeros(len(stamps), np.uint8)
+        self.fill_many(target_frame, source_frame, stamps, rows, known, strict, max(1, workers))
+        is_known = known.view(np.bool_)
+        if not strict:
+            rows[~is_known] = np.nan
+        return Poses(rows[:, :3], rows[:, 3:], is_known)
+
+    def transform_points(
+        self,
+        points: ArrayLike,
+        target_frame: str,
+        source_frame: str,
+        stamp_ns: int = 0,
+        *,
+        out: NDArray[Any] | None = None,
+    ) -> NDArray[Any]:
+        """Return points of `source_frame` in `target_frame`.
+
+        Args:
+            points: (N, 3) float32 or float64 [m]; other numbers become float64.
+            target_frame: Frame to express them in.
+            source_frame: Frame they are in.
+            stamp_ns: Time of the transform [ns since epoch]; 0 is the latest.
+            out: Array to write into, of the points' shape and type, C-contiguous; it may be `points`.
+
+        Returns:
+            (N, 3) of the points' type: `out`, or a new array.
+
+        Raises:
+            TransformException: as `lookup`.
+            TypeError, ValueError: an array has the wrong type or shape.
+        """
+        checked = _points(points)
+        result = _out(checked, out)
+        found = self.lookup(target_frame, source_frame, stamp_ns)
+        move = _native.move_points_float32 if checked.dtype == "float32" else _native.move_points_float64
+        move(_row(found), checked, result)
+        return result
+
+    def deskew(
+        self,
+        points: ArrayLike,
+        stamps_ns: ArrayLike,
+        target_frame: str,
+        source_frame: str,
+        fixed_frame: str,
+        target_stamp_ns: int = 0,
+        *,
+        out: NDArray[Any] | None = None,
+        workers: int = 1,
+    ) -> NDArray[Any]:
+        """Return points that were taken one after the other by a moving sensor, as if at one time.
+
+        Point i goes from `source_frame` at `stamps_ns[i]` by way of `fixed_frame`, which does not move, to
+        `target_frame` at `target_stamp_ns`.
+
+        Args:
+            points: (N, 3) float32 or float64 [m]; other numbers become float64.
+            stamps_ns: (N,) when each point was taken [ns since epoch].
+            target_frame: Frame to express them in.
+            source_frame: The sensor's frame.
+            fixed_frame: A frame that did not move meanwhile: odom or map.
+            target_stamp_ns: The one time [ns since epoch]; 0 is the latest.
+            out: Array to write into, as in `transform_points`.
+            workers: How many threads share the lookups.
+
+        Returns:
+            (N, 3) of the points' type: `out`, or a new array.
+
+        Raises:
+            TransformException: as `lookup`; for a point's stamp, its `index` says which.
+            TypeError, ValueError: an array has the wrong type or shape.
+        """
+        import numpy as np
+
+        checked = _points(points)
+        stamps = _stamps(stamps_ns)
+        if len(stamps) != len(checked):
+            raise ValueError(
+                f"there must be a stamp for each point: {len(checked)} points, {len(stamps)} stamps"
+            )
+        result = _out(checked, out)
+        first = self.lookup(target_frame, fixed_frame, target_stamp_ns)
+        rows = np.empty((len(stamps), 7))
+        known = np.zeros(len(stamps), np.uint8)
+        self.fill_many(fixed_frame, source_frame, stamps, rows, known, True, max(1, workers))
+        is_short = checked.dtype == "float32"
+        move = _native.move_each_point_float32 if is_short else _native.move_each_point_float64
+        move(_row(first), rows, checked, result)
+        return result
+
+    def set_many(
+        self,
+        frame_id: str,
+        child_frame_id: str,
+        stamps_ns: ArrayLike,
+        positions: ArrayLike,
+        rotations_xyzw: ArrayLike,
+        authority: str = "",
+    ) -> int:
+        """Store parent_from_child at many times, as `set` does for each.
+
+        Args:
+            frame_id: The parent frame.
+            child_frame_id: The child frame.
+            stamps_ns: (N,) integers or datetime64 [ns since epoch], in any order.
+            positions: (N, 3) [m].
+            rotations_xyzw: (N, 4), of any length but zero.
+            authority: Who says so.
+
+        Returns:
+            How many were stored; the others were rejected, as by `set`.
+
+        Raises:
+            TypeError, ValueError: an array has the wrong type or shape.
+        """
+        import numpy as np
+
+        stamps = _stamps(stamps_ns)
+        rows = np.hstack(
+            (
+                _table(positions, 3, "positions", len(stamps)),
+                _table(rotations_xyzw, 4, "rotations_xyzw", len(stamps)),
+            )
+        )
+        return self.store_many(frame_id, child_frame_id, stamps, np.ascontiguousarray(rows), authority)
+
+    def to_arrays(self, frame_id: str, child_frame_id: str) -> Samples:
+        """Return what is stored of the edge from `frame_id` to `child_frame_id`; nothing if there is no such edge."""
+        import numpy as np
+
+        stamps, rows = self.samples(frame_id, child_frame_id)
+        table = np.frombuffer(rows).reshape(-1, 7)
+        return Samples(np.frombuffer(stamps, np.int64), table[:, :3], table[:, 3:])
+
+
+def _stamps(stamps_ns: ArrayLike) -> NDArray[np.int64]:
+    import numpy as np
+
+    stamps = np.asarray(stamps_ns)
+    if stamps.ndim != 1:
+        raise ValueError(f"stamps_ns must be of shape (N,), not {stamps.shape}")
+    if stamps.dtype.kind == "M":
+        return np.ascontiguousarray(stamps.astype("datetime64[ns]").view(np.int64))
+    if stamps.size == 0:
+        return np.empty(0, np.int64)
+    if stamps.dtype.kind == "O" or (stamps.dtype == np.uint64 and stamps.max() > np.iinfo(np.int64).max):
+        raise ValueError("stamps_ns must fit into 64 bits of nanoseconds: years 1677 to 2262")
+    if stamps.dtype.kind not in "iu":
+        raise TypeError(f"stamps_ns must be integers, nanoseconds since the epoch, not {stamps.dtype}")
+    return np.ascontiguousarray(stamps, np.int64)
+
+
+def _points(points: ArrayLike) -> NDArray[Any]:
+    import numpy as np
+
+    array = np.asarray(points)
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"points must be numbers, not {array.dtype}")
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise ValueError(f"points must be of shape (N, 3), not {array.shape}")
+    kind = np.float32 if array.dtype == np.float32 else np.float64
+    return np.ascontiguousarray(array, kind)
+
+
+def _out(points: NDArray[Any], out: NDArray[Any] | None) -> NDArray[Any]:
+    import numpy as np
+
+    if out is None:
+        return np.empty_like(points)
+    if out.shape != points.shape or out.dtype != points.dtype:
+        raise ValueError(
+            f"out must be {points.dtype} of shape {points.shape}, not {out.dtype} of {out.shape}"
+        )
+    if not out.flags.c_contiguous or not out.flags.writeable:
+        raise ValueError("out must be C-contiguous and writeable")
+    return out
+
+
+def _table(values: ArrayLike, columns: int, name: str, rows: int) -> NDArray[np.float64]:
+    import numpy as np
+
+    table = np.asarray(values)
+    if table.dtype.kind not in "fiu":
+        raise TypeError(f"{name} must be numbers, not {table.dtype}")
+    if table.shape != (rows, columns):
+        raise ValueError(f"{name} must be of shape ({rows}, {columns}), not {table.shape}")
+    return table.astype(np.float64, copy=False)
+
+
+def _row(found: _native.StampedTransform) -> NDArray[np.float64]:
+    import numpy as np
+
+    return np.array(found.translation + found.rotation_xyzw)

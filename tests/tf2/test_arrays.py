@@ -1,0 +1,209 @@
+"""The numpy face equals the scalar one; arrays of the wrong kind are errors that say so."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from tests.oracles.transforms import matrix
+
+from tfloom.tf2.buffer import Buffer
+from tfloom.tf2.errors import ExtrapolationException, LookupException
+
+SECOND = 1_000_000_000
+START = 100 * SECOND
+
+
+@pytest.fixture
+def random() -> np.random.Generator:
+    return np.random.default_rng(5)
+
+
+@pytest.fixture
+def buffer(random: np.random.Generator) -> Buffer:
+    """map - odom - base - laser, and base - wheel; odom changes its parent on the way, laser is static."""
+    buffer = Buffer(None)
+    for parent, child, count in (("map", "odom", 50), ("odom", "base", 2000), ("base", "wheel", 700)):
+        stamps = START + np.arange(count) * (10 * SECOND // (count - 1))
+        turns = random.normal(size=4) + 0.02 * np.cumsum(random.normal(size=(count, 4)), axis=0)
+        assert buffer.set_many(parent, child, stamps, random.normal(size=(count, 3)), turns, "me") == count
+    buffer.set("other", "odom", START + 5 * SECOND, (1, 2, 3), (0, 0, 0, 1))
+    buffer.set("map", "other", 0, (4, 5, 6), (0, 0, 1, 1), static=True)
+    buffer.set("base", "laser", 0, (0.1, 0.2, 0.3), (1, 0, 0, 1), static=True)
+    return buffer
+
+
+@pytest.mark.parametrize("order", ["ascending", "shuffled", "descending", "constant"])
+@pytest.mark.parametrize(
+    "pair",
+    [
+        ("map", "laser"),
+        ("laser", "map"),
+        ("wheel", "laser"),
+        ("base", "odom"),
+        ("map", "map"),
+        ("laser", "base"),
+    ],
+)
+def test_many_equal_single(
+    buffer: Buffer, random: np.random.Generator, pair: tuple[str, str], order: str
+) -> None:
+    stamps = np.sort(random.integers(START - SECOND // 5, START + 10 * SECOND + SECOND // 5, 1500))
+    stamps = {
+        "ascending": stamps, "descending": stamps[::-1], "constant": np.full(10, START + 3 * SECOND + 1),
+        "shuffled": np.concatenate((random.permutation(stamps), [0, START, START + 10 * SECOND, 0])),
+    }[order]  # fmt: skip
+    poses = buffer.lookup_many(*pair, stamps, strict=False, workers=2)
+    for index, stamp in enumerate(stamps):
+        assert poses.known[index] == buffer.can(*pair, int(stamp))
+        if poses.known[index]:
+            found = buffer.lookup(*pair, int(stamp))
+            assert poses.positions[index] == pytest.approx(found.translation, rel=1e-9, abs=1e-9)
+            assert poses.rotations_xyzw[index] == pytest.approx(found.rotation_xyzw, rel=1e-9, abs=1e-9)
+        else:
+            assert np.isnan(poses.positions[index]).all()
+            assert np.isnan(poses.rotations_xyzw[index]).all()
+
+
+def test_matrices(buffer: Buffer) -> None:
+    poses = buffer.lookup_many("map", "laser", START + np.arange(5) * SECOND)
+    for position, rotation, ours in zip(poses.positions, poses.rotations_xyzw, poses.matrices(), strict=True):
+        assert np.allclose(ours, matrix(position, rotation), atol=1e-12)
+
+
+def test_strict_raises_for_the_first_that_fails(buffer: Buffer) -> None:
+    stamps = START + np.arange(3000) * SECOND // 100
+    with pytest.raises(ExtrapolationException, match="extrapolation into the future") as raised:
+        buffer.lookup_many("map", "laser", stamps)
+    first = next(i for i, stamp in enumerate(stamps) if not buffer.can("map", "laser", int(stamp)))
+    assert raised.value.index == first
+    assert raised.value.requested_ns == stamps[first]
+    with pytest.raises(LookupException, match="does not exist"):
+        buffer.lookup_many("map", "nowhere", stamps)
+    assert not buffer.lookup_many("map", "nowhere", stamps, strict=False).known.any()
+
+
+def test_stamps_of_other_kinds(buffer: Buffer) -> None:
+    as_dates = np.array([START, START + SECOND]).astype("datetime64[ns]")
+    expected = buffer.lookup_many("map", "laser", [START, START + SECOND]).positions
+    assert (buffer.lookup_many("map", "laser", as_dates).positions == expected).all()
+    assert (buffer.lookup_many("map", "laser", as_dates.astype("datetime64[us]")).positions == expected).all()
+    every_other = np.array([START, 0, START + SECOND, 0])[::2]
+    assert (buffer.lookup_many("map", "laser", every_other).positions == expected).all()
+    assert buffer.lookup_many("map", "laser", []).positions.shape == (0, 3)
+
+
+@pytest.mark.parametrize(
+    ("stamps", "kind", "text"),
+    [
+        ([1.5], TypeError, "must be integers"),
+        (["a"], TypeError, "must be integers"),
+        ([[1]], ValueError, r"shape \(N,\), not \(1, 1\)"),
+        (5, ValueError, r"shape \(N,\)"),
+        ([2**70], ValueError, "64 bits"),
+        (np.array([2**63], np.uint64), ValueError, "64 bits"),
+    ],
+)
+def test_stamps_that_are_none(buffer: Buffer, stamps: object, kind: type[Exception], text: str) -> None:
+    with pytest.raises(kind, match=text):
+        buffer.lookup_many("map", "laser", stamps)
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64, np.int32])
+def test_points_at_one_time(buffer: Buffer, random: np.random.Generator, dtype: type) -> None:
+    points = (10 * random.normal(size=(1000, 3))).astype(dtype)
+    stamp = START + 3 * SECOND + 7
+    found = buffer.lookup("map", "laser", stamp)
+    expected = points @ matrix(found.translation, found.rotation_xyzw)[:3, :3].T + found.translation
+    moved = buffer.transform_points(points, "map", "laser", stamp)
+    assert moved.dtype == (np.float32 if dtype == np.float32 else np.float64)
+    assert np.allclose(moved, expected, rtol=1e-5, atol=1e-4 if dtype == np.float32 else 1e-9)
+    points.flags.writeable = False
+    fortran = np.asfortranarray(points)
+    assert (buffer.transform_points(fortran, "map", "laser", stamp) == moved).all()
+
+
+def test_points_in_place(buffer: Buffer, random: np.random.Generator) -> None:
+    points = random.normal(size=(100, 3))
+    expected = buffer.transform_points(points, "map", "laser", START)
+    assert buffer.transform_points(points, "map", "laser", START, out=points) is points
+    assert (points == expected).all()
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_deskew_equals_a_full_lookup_for_each_point(
+    buffer: Buffer, random: np.random.Generator, dtype: type
+) -> None:
+    points = random.normal(size=(2000, 3)).astype(dtype)
+    stamps = np.sort(random.integers(START + SECOND, START + 2 * SECOND, 2000))
+    target_stamp = START + 2 * SECOND
+    moved = buffer.deskew(points, stamps, "laser", "laser", "odom", target_stamp)
+    for index in range(0, 2000, 97):
+        full = buffer.lookup_full("laser", target_stamp, "laser", int(stamps[index]), "odom")
+        expected = matrix(full.translation, full.rotation_xyzw) @ [*points[index], 1]
+        assert moved[index] == pytest.approx(
+            expected[:3], rel=1e-5, abs=1e-5 if dtype == np.float32 else 1e-9
+        )
+
+
+@pytest.mark.parametrize(
+    ("call", "kind", "text"),
+    [
+        (
+            lambda b: b.transform_points(np.zeros((3, 4)), "map", "laser"),
+            ValueError,
+            r"\(N, 3\), not \(3, 4\)",
+        ),
+        (lambda b: b.transform_points(np.zeros(3), "map", "laser"), ValueError, r"\(N, 3\)"),
+        (lambda b: b.transform_points(np.zeros((3, 3), complex), "map", "laser"), TypeError, "complex"),
+        (
+            lambda b: b.transform_points(np.zeros((3, 3)), "map", "laser", out=np.zeros((3, 3), np.float32)),
+            ValueError,
+            "out must be float64",
+        ),
+        (
+            lambda b: b.transform_points(np.zeros((3, 3)), "map", "laser", out=np.zeros((3, 6))[:, ::2]),
+            ValueError,
+            "C-contiguous",
+        ),
+        (
+            lambda b: b.deskew(np.zeros((3, 3)), [1, 2], "map", "laser", "odom"),
+            ValueError,
+            "3 points, 2 stamps",
+        ),
+        (lambda b: b.set_many("a", "b", [1, 2], np.zeros((2, 2)), np.ones((2, 4))), ValueError, "positions"),
+        (
+            lambda b: b.set_many("a", "b", [1, 2], np.zeros((2, 3)), np.ones((4, 2))),
+            ValueError,
+            "rotations_xyzw",
+        ),
+    ],
+)
+def test_arrays_of_the_wrong_kind(
+    buffer: Buffer, call: Callable[[Buffer], object], kind: type[Exception], text: str
+) -> None:
+    with pytest.raises(kind, match=text):
+        call(buffer)
+
+
+def test_what_went_in_comes_out(random: np.random.Generator) -> None:
+    buffer = Buffer(None)
+    stamps = random.permutation(1000)
+    positions = random.normal(size=(1000, 3))
+    buffer.set_many("a", "b", stamps, positions, np.tile([0, 0, 0, 2.0], (1000, 1)))
+    buffer.set("c", "b", 2000, (0, 0, 0), (0, 0, 0, 1))
+    samples = buffer.to_arrays("a", "b")
+    order = np.argsort(stamps)
+    assert (samples.stamps_ns == stamps[order]).all()
+    assert (samples.positions == positions[order]).all()
+    assert (samples.rotations_xyzw == [0, 0, 0, 1]).all()
+    assert buffer.to_arrays("b", "a").stamps_ns.size == 0
+
+
+def test_a_stored_transform_takes_72_octets_or_less(random: np.random.Generator) -> None:
+    buffer = Buffer(None)
+    buffer.set_many(
+        "a", "b", np.arange(100_000), random.normal(size=(100_000, 3)), random.normal(size=(100_000, 4))
+    )
+    assert buffer.memory / 100_000 <= 72

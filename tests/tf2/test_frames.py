@@ -1,0 +1,107 @@
+"""The tree as data, explanations, and frames that are removed."""
+
+from __future__ import annotations
+
+import pytest
+
+from tfloom.tf2.buffer import Buffer
+from tfloom.tf2.errors import LookupException
+
+SECOND = 1_000_000_000
+HERE = (0.0, 0.0, 0.0)
+UPRIGHT = (0.0, 0.0, 0.0, 1.0)
+
+
+@pytest.fixture
+def buffer() -> Buffer:
+    buffer = Buffer()
+    for stamp in range(1, 5):
+        buffer.set("map", "odom", stamp * SECOND, HERE, UPRIGHT, "localisation")
+        buffer.set("odom", "base", (stamp + 1) * SECOND, HERE, UPRIGHT, "wheels")
+    buffer.set("base", "laser", 0, HERE, UPRIGHT, "calibration", static=True)
+    buffer.set("base", "arm", 5 * SECOND, HERE, UPRIGHT)
+    buffer.set("shop", "shelf", SECOND, HERE, UPRIGHT)
+    return buffer
+
+
+def test_parents_and_children(buffer: Buffer) -> None:
+    assert buffer.parents() == {
+        "odom": "map", "map": None, "base": "odom", "laser": "base", "arm": "base", "shelf": "shop", "shop": None
+    }  # fmt: skip
+    assert buffer.children()["base"] == ["laser", "arm"]
+    assert buffer.children()["laser"] == []
+
+
+def test_edges(buffer: Buffer) -> None:
+    odom, base, laser, *_ = buffer.edges()
+    assert (odom.frame_id, odom.child_frame_id, odom.authority) == ("map", "odom", "localisation")
+    assert (base.oldest_ns, base.newest_ns, base.sample_count) == (2 * SECOND, 5 * SECOND, 4)
+    assert laser.is_static
+
+
+@pytest.mark.parametrize(
+    ("target", "source", "chain"),
+    [
+        ("map", "laser", ["laser", "base", "odom", "map"]),
+        ("laser", "map", ["map", "odom", "base", "laser"]),
+        ("arm", "laser", ["laser", "base", "arm"]),
+        ("odom", "map", ["map", "odom"]),
+        ("map", "map", ["map"]),
+    ],
+)
+def test_chain(buffer: Buffer, target: str, source: str, chain: list[str]) -> None:
+    assert buffer.chain(target, source) == chain
+    assert buffer.explain(target, source).chain == chain
+
+
+def test_common_time(buffer: Buffer) -> None:
+    assert buffer.common_time("map", "laser", "odom") == 4 * SECOND
+    assert buffer.common_time("base", "laser") == 0
+
+
+def test_explains_which_link_fails_and_what_to_do(buffer: Buffer) -> None:
+    told = buffer.explain("map", "laser", 5 * SECOND)
+    assert told.failing_edge.child_frame_id == "odom"
+    assert [edge.child_frame_id for edge in told.edges] == ["laser", "base", "odom"]
+    assert "odom ends 1.000000 s before" in told.remedy
+    assert "map -> odom: 1.000000 to 4.000000, 4 samples, 1.3 Hz by localisation <-- here" in str(told)
+    early = buffer.explain("map", "laser", SECOND)
+    assert "base begins 1.000000 s after" in early.remedy
+
+
+def test_explains_what_is_unknown_or_apart(buffer: Buffer) -> None:
+    assert "Nobody has published lidar yet" in buffer.explain("map", "lidar").remedy
+    apart = buffer.explain("map", "shelf")
+    assert "connects map, the root above one end, with shop" in apart.remedy
+    assert apart.failing_edge is None
+    buffer.clear()
+    assert "Nothing is stored of laser" not in str(buffer.explain("base", "laser"))
+    fine = buffer.explain("base", "laser")
+    assert (fine.error, fine.remedy) == (None, "")
+    circle = Buffer()
+    for parent, child in (("a", "b"), ("b", "c"), ("c", "a")):
+        circle.set(parent, child, SECOND, HERE, UPRIGHT)
+    circle.set("x", "y", SECOND, HERE, UPRIGHT)
+    assert "circle" in circle.explain("a", "nowhere").remedy or circle.explain("a", "y").error is not None
+
+
+def test_a_removed_frame_is_gone_and_may_come_back(buffer: Buffer) -> None:
+    assert buffer.remove_frame("base")
+    assert not buffer.remove_frame("base")
+    assert "base" not in buffer.frame_names()
+    assert buffer.parents()["laser"] is None
+    with pytest.raises(LookupException):
+        buffer.lookup("map", "base")
+    assert not buffer.can("laser", "arm")
+    buffer.set("odom", "base", 4 * SECOND, HERE, UPRIGHT)
+    buffer.set("base", "laser", 0, HERE, UPRIGHT, static=True)
+    assert buffer.can("map", "laser", 4 * SECOND)
+    assert not buffer.can("map", "arm")
+
+
+def test_removing_a_parent_keeps_samples_of_other_parents() -> None:
+    buffer = Buffer()
+    buffer.set("a", "x", SECOND, HERE, UPRIGHT)
+    buffer.set("b", "x", 2 * SECOND, HERE, UPRIGHT)
+    buffer.remove_frame("b")
+    assert buffer.lookup("a", "x").stamp_ns == SECOND
