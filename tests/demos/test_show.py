@@ -48,7 +48,10 @@ def test_it_shows_draws_and_ends(start_program: Callable[..., Any], tmp_path: Pa
     assert demo.wait(60.0) == 0
     assert f"{DRAWN}{tmp_path / 'frames.pdf'}" in demo.lines
     assert demo.output.count("- Matrix:") >= 3
-    assert '"turtle1" -> "laser"' in (tmp_path / "frames.gv").read_text()
+    graph = (tmp_path / "frames.gv").read_text()
+    for ends in ('"world" -> "turtle1"', '"world" -> "turtle2"', '"turtle1" -> "laser"'):
+        assert ends in graph
+    assert (tmp_path / "turtles.png").read_bytes().startswith(b"\x89PNG")
     assert (tmp_path / "frames.pdf").read_bytes().startswith(b"%PDF-")
     assert alive(mark) == {}
 
@@ -63,7 +66,7 @@ def test_no_process_is_left(
 ) -> None:
     demo = start_program("tfloom", "demo", cwd=tmp_path)
     demo.wait_for("At time")
-    assert len(alive(mark)) >= 6
+    assert len(alive(mark)) >= 8
     demo.signal(number)
     assert demo.wait() == (-signal.SIGKILL if number == signal.SIGKILL else 0)
     wait_until(lambda: alive(mark) == {}, what="the end of all processes")

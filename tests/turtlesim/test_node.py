@@ -85,7 +85,7 @@ def test_commands_that_are_no_numbers_are_ignored(stage: Any, capfd: pytest.Capt
         commands.publish(twist(turn=number))
     stage.spin_until(lambda: len(poses) > 3)
     assert poses[-1] == poses[0]
-    warning = "Ignoring a velocity command for [turtle1] that is not a number or too large: linear [nan, 0.0]"
+    warning = "Ignoring a velocity command for [turtle1]: not numbers, or too large: nan, 0.0, 0.0"
     assert capfd.readouterr().err.count(warning) == 1
 
 

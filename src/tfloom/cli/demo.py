@@ -1,4 +1,4 @@
-"""Show turtlesim, a broadcaster and tf2 at work, in processes of their own on this machine."""
+"""Show turtlesim and tf2 at work, in processes of their own on this machine."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 
 INTRODUCTION = """\
-A turtle draws a figure; a broadcaster tells tf where it is, and a laser is mounted on it.
+One turtle draws a figure, with a laser mounted on it; another follows it by what tf tells of the two.
 Below is what `tf2_echo world laser` sees: the laser in the world. Ctrl-C ends it all.
 Join in from another terminal: export ROS_DOMAIN_ID={domain_id}"""
 

@@ -1,4 +1,4 @@
-"""The demonstration: turtlesim, a broadcaster, a sensor on the turtle, a driver, and what tf2 makes of it.
+"""The demonstration: a turtle that draws, one that follows it, a sensor, and what tf2 makes of them.
 
 Each is a process of its own and they talk over DDS, as a user's would; all of them end with this one.
 """
@@ -23,14 +23,27 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from typing_extensions import Self
 
+PICTURE = "turtles.png"
+DEMOS = "tfloom.demos.turtle_tf2_py"
 PROGRAMS: dict[str, list[str]] = {
-    "turtlesim": ["tfloom.turtlesim.node:main"],
-    "broadcaster": ["tfloom.demos.turtle_tf2_py.turtle_tf2_broadcaster:main"],
+    "turtlesim": ["tfloom.turtlesim.node:main", "--record", PICTURE],
+    "broadcaster1": [
+        f"{DEMOS}.turtle_tf2_broadcaster:main",
+        *("--ros-args", "-r", "__node:=broadcaster1", "-p", "turtlename:=turtle1"),
+    ],
+    "broadcaster2": [
+        f"{DEMOS}.turtle_tf2_broadcaster:main",
+        *("--ros-args", "-r", "__node:=broadcaster2", "-p", "turtlename:=turtle2"),
+    ],
+    "listener": [
+        f"{DEMOS}.turtle_tf2_listener:main",
+        *("--ros-args", "-r", "__node:=listener", "-p", "target_frame:=turtle1"),
+    ],
     "laser": [
         "tfloom.tf2_tools.static_publisher:main",
         *("--x", "0.3", "--z", "0.1", "--frame-id", "turtle1", "--child-frame-id", "laser"),
     ],
-    "driver": ["tfloom.demos.turtle_tf2_py.curve_driver:main"],
+    "driver": [f"{DEMOS}.curve_driver:main"],
 }
 """What runs all the time: `module:function` and arguments."""
 ECHO = ["tfloom.tf2_tools.echo:main", "world", "laser"]
@@ -164,6 +177,8 @@ class Show:
         end = time.monotonic() + END_GRACE_S
         for program in self._programs.values():
             program.end(max(0.0, end - time.monotonic()))
+        if (self._folder / PICTURE).exists():
+            print(f"What the turtles drew is in {self._folder / PICTURE}")
 
     def run(self, seconds: float | None) -> None:
         """Print what tf2_echo sees, and draw the tree as soon as it is complete.
@@ -181,10 +196,14 @@ class Show:
             with contextlib.suppress(queue.Empty):
                 line = self._lines.get(timeout=0.1)
                 print(line)
-                if line.startswith("At time") and "view_frames" not in self._programs:
+                if line.startswith("At time") and self._is_complete() and "view_frames" not in self._programs:
                     self._start("view_frames", VIEW_FRAMES)
             if not self._has_drawn and time.monotonic() > started + PATIENCE_S:
                 raise ShowError(f"the turtle's frames could not be drawn in {PATIENCE_S:.0f} s")
+
+    def _is_complete(self) -> bool:
+        """Whether the second turtle is there, too."""
+        return any("Successfully spawned" in line for line in self._programs["listener"].log)
 
     def _check(self) -> None:
         """Tell of the drawing once it is there; raise for a program that failed or shouldn't have ended."""

@@ -6,11 +6,11 @@ import argparse
 import sys
 
 from tfloom.interfaces.geometry_msgs.msg import Twist
-from tfloom.interfaces.turtlesim.msg import Pose
 from tfloom.node import init, spin
 from tfloom.node.executor import ExternalShutdownException
 from tfloom.node.node import Node
 from tfloom.node.utilities import remove_ros_args, try_shutdown
+from tfloom.turtlesim.messages import Pose
 
 
 class Mimic(Node):

@@ -5,17 +5,20 @@ from __future__ import annotations
 import argparse
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from tfloom.interfaces.geometry_msgs.msg import Twist
 from tfloom.interfaces.rcl_interfaces.msg import IntegerRange, ParameterDescriptor
-from tfloom.interfaces.turtlesim.msg import Color, Pose
+from tfloom.interfaces.std_srvs.srv import Empty
 from tfloom.node import init, spin
 from tfloom.node.clock import Clock, ClockType
+from tfloom.node.exceptions import NameValidationException
 from tfloom.node.executor import ExternalShutdownException
+from tfloom.node.names import validate_topic_name
 from tfloom.node.node import Node
 from tfloom.node.utilities import remove_ros_args, try_shutdown
 from tfloom.turtlesim.canvas import DEFAULT_BACKGROUND
+from tfloom.turtlesim.endpoints import TurtleEndpoints
+from tfloom.turtlesim.messages import Kill, Spawn
 from tfloom.turtlesim.record import FRAME_MS, SIDE_PX, Recorder, RecordingError, open_recorder
 from tfloom.turtlesim.simulation import TurtleSim
 from tfloom.turtlesim.world import STEP_S, Event, Moved, Turtle, WallHit, is_usable
@@ -25,47 +28,8 @@ if TYPE_CHECKING:
 
     from tfloom.turtlesim.window import Window
 
-QOS_DEPTH = 7
 FRAME_S = 1 / 60
 """Time between two pictures in the window [s]."""
-
-
-class TurtleTopics:
-    """What one turtle publishes and listens to, under its name."""
-
-    def __init__(self, node: TurtlesimNode, turtle: Turtle) -> None:
-        self._node = node
-        self._turtle = turtle
-        self._pose = node.create_publisher(Pose, f"{turtle.name}/pose", QOS_DEPTH)
-        self._color = node.create_publisher(Color, f"{turtle.name}/color_sensor", QOS_DEPTH)
-        self._cmd_vel = node.create_subscription(Twist, f"{turtle.name}/cmd_vel", self._on_cmd_vel, QOS_DEPTH)
-
-    def publish(self) -> None:
-        """Tell where the turtle is, what it was commanded [m, rad, m/s, rad/s], and what it sees under it."""
-        turtle = self._turtle
-        self._pose.publish(
-            Pose(
-                x=turtle.x,
-                y=turtle.y,
-                theta=turtle.theta,
-                linear_velocity=turtle.linear_velocity,
-                angular_velocity=turtle.angular_velocity,
-            )
-        )
-        red, green, blue = self._node.sim.canvas.color_at(turtle.x, turtle.y)
-        self._color.publish(Color(r=red, g=green, b=blue))
-
-    def _on_cmd_vel(self, twist: Twist) -> None:
-        ahead, left, turn = twist.linear.x, twist.linear.y, twist.angular.z
-        if not is_usable(ahead, left, turn):
-            self._node.get_logger().warning(
-                f"Ignoring a velocity command for [{self._turtle.name}] that is not a number or too large: "
-                f"linear [{ahead}, {left}], angular [{turn}]",
-                throttle_duration_sec=1.0,
-            )
-            return
-        sideways = left if self._node.is_holonomic else None
-        self._node.sim.world.command(self._turtle, ahead, sideways, turn)
 
 
 class TurtlesimNode(Node):
@@ -76,9 +40,13 @@ class TurtlesimNode(Node):
         self._declare_parameters()
         self.get_logger().info(f"Starting turtlesim with node name {self.get_fully_qualified_name()}")
         self.sim = TurtleSim(lambda: self.get_clock().now().nanoseconds)
-        self._topics: dict[str, TurtleTopics] = {}
+        self._endpoints: dict[str, TurtleEndpoints] = {}
         for turtle in self.sim.world.turtles.values():
             self._show(turtle)
+        self.create_service(Empty, "clear", self._on_clear)
+        self.create_service(Empty, "reset", self._on_reset)
+        self.create_service(Spawn, "spawn", self._on_spawn)
+        self.create_service(Kill, "kill", self._on_kill)
         # Simulated time may be made by what these turtles do: so they themselves go by real time.
         self._timer = self.create_timer(STEP_S, self._step, clock=Clock(clock_type=ClockType.STEADY_TIME))
 
@@ -126,14 +94,52 @@ class TurtlesimNode(Node):
         self.get_logger().info(
             f"Spawning turtle [{turtle.name}] at x=[{turtle.x:f}], y=[{turtle.y:f}], theta=[{turtle.theta:f}]"
         )
-        self._topics[turtle.name] = TurtleTopics(self, turtle)
+        self._endpoints[turtle.name] = TurtleEndpoints(self, turtle)
+
+    def _on_clear(self, _: Any, response: Any) -> Any:
+        self.get_logger().info("Clearing turtlesim.")
+        self.sim.clear()
+        return response
+
+    def _on_reset(self, _: Any, response: Any) -> Any:
+        self.get_logger().info("Resetting turtlesim.")
+        for name in list(self._endpoints):
+            self._endpoints.pop(name).destroy()
+        self._show(self.sim.reset())
+        return response
+
+    def _on_spawn(self, request: Any, response: Any) -> Any:
+        if not is_usable(request.x, request.y, request.theta):
+            where = f"x=[{request.x}], y=[{request.y}], theta=[{request.theta}]"
+            self.get_logger().error(f"A turtle can't be spawned at {where}: these are not all numbers")
+            return response
+        if request.name:
+            try:
+                validate_topic_name(request.name)
+            except NameValidationException as error:
+                self.get_logger().error(f"A turtle can't be named [{request.name}]: {error}")
+                return response
+        turtle = self.sim.world.spawn(request.x, request.y, request.theta, request.name)
+        if turtle is None:
+            self.get_logger().error(f"A turtle named [{request.name}] already exists")
+            return response
+        self._show(turtle)
+        response.name = turtle.name
+        return response
+
+    def _on_kill(self, request: Any, response: Any) -> Any:
+        if self.sim.world.kill(request.name) is None:
+            self.get_logger().error(f"Tried to kill turtle [{request.name}], which does not exist")
+        else:
+            self._endpoints.pop(request.name).destroy()
+        return response
 
     def _step(self) -> None:
         self.sim.step(self._take)
 
     def _take(self, event: Event) -> None:
         if isinstance(event, Moved):
-            self._topics[event.turtle.name].publish()
+            self._endpoints[event.turtle.name].publish()
         elif isinstance(event, WallHit):
             self.get_logger().warning(str(event))
 

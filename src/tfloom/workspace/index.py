@@ -28,9 +28,11 @@ PROGRAMS: dict[str, dict[str, str]] = {
         "fixed_frame_tf2_broadcaster": "tfloom.demos.turtle_tf2_py.fixed_frame_tf2_broadcaster:main",
         "static_turtle_tf2_broadcaster": "tfloom.demos.turtle_tf2_py.static_turtle_tf2_broadcaster:main",
         "turtle_tf2_broadcaster": "tfloom.demos.turtle_tf2_py.turtle_tf2_broadcaster:main",
+        "turtle_tf2_listener": "tfloom.demos.turtle_tf2_py.turtle_tf2_listener:main",
         "turtle_tf2_message_broadcaster": "tfloom.demos.turtle_tf2_py.turtle_tf2_message_broadcaster:main",
     },
     "turtlesim": {
+        "draw_square": "tfloom.turtlesim.draw_square:main",
         "mimic": "tfloom.turtlesim.mimic:main",
         "turtle_teleop_key": "tfloom.turtlesim.teleop_key:main",
         "turtlesim_node": "tfloom.turtlesim.node:main",

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from tfloom.demos.turtle_tf2_py.messages import Pose
 from tfloom.interfaces.geometry_msgs.msg import PointStamped
-from tfloom.interfaces.turtlesim.msg import Pose
 from tfloom.node import init, spin
 from tfloom.node.executor import ExternalShutdownException
 from tfloom.node.node import Node

@@ -1,0 +1,17 @@
+"""turtlesim's interfaces that the demos use, under the name that the distribution in ROS_DISTRO gives them.
+
+From Kilted on they are `turtlesim_msgs/…`; our turtlesim goes by the same rule.
+"""
+
+from __future__ import annotations
+
+import os
+
+if os.environ.get("ROS_DISTRO", "") < "kilted":
+    from tfloom.interfaces.turtlesim.msg import Pose
+    from tfloom.interfaces.turtlesim.srv import Spawn
+else:
+    from tfloom.interfaces.turtlesim_msgs.msg import Pose  # type: ignore[assignment]
+    from tfloom.interfaces.turtlesim_msgs.srv import Spawn  # type: ignore[assignment]
+
+__all__ = ["Pose", "Spawn"]

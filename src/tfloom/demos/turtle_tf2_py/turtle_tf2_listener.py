@@ -1,0 +1,82 @@
+"""turtle_tf2_listener: spawn turtle2 and let it follow another frame."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from tfloom.demos.turtle_tf2_py.messages import Spawn
+from tfloom.interfaces.geometry_msgs.msg import Twist
+from tfloom.node import init, spin
+from tfloom.node.executor import ExternalShutdownException
+from tfloom.node.node import Node
+from tfloom.node.time import Time
+from tfloom.node.utilities import try_shutdown
+from tfloom.tf2.errors import TransformException
+from tfloom.tf2_ros.buffer import Buffer
+from tfloom.tf2_ros.transform_listener import TransformListener
+
+FOLLOWER = "turtle2"
+PERIOD_S = 1.0
+TURN_GAIN = 1.0
+"""Turning rate for each radian that the target is off the heading [1/s]."""
+SPEED_GAIN = 0.5
+"""Speed for each metre to the target [1/s]."""
+
+
+class FrameListener(Node):
+    """Once a second, sends turtle2 towards the frame that the parameter `target_frame` names."""
+
+    def __init__(self) -> None:
+        super().__init__("turtle_tf2_frame_listener")
+        self.target_frame = str(self.declare_parameter("target_frame", "turtle1").value)
+        self.buffer = Buffer()
+        self.listener = TransformListener(self.buffer, self)
+        self.spawner = self.create_client(Spawn, "spawn")
+        self.answer: Any = None
+        self.is_spawned = False
+        self.publisher = self.create_publisher(Twist, f"{FOLLOWER}/cmd_vel", 1)
+        self.timer = self.create_timer(PERIOD_S, self.on_timer)
+
+    def on_timer(self) -> None:
+        """Spawn the follower; once it is there, drive it."""
+        if self.is_spawned:
+            self.follow()
+        elif self.answer is None:
+            self.spawn()
+        elif self.answer.done():
+            self.get_logger().info(f"Successfully spawned {self.answer.result().name}")
+            self.is_spawned = True
+        else:
+            self.get_logger().info("Spawn is not finished")
+
+    def spawn(self) -> None:
+        """Ask for the follower, if there is anybody to ask."""
+        if self.spawner.service_is_ready():
+            self.answer = self.spawner.call_async(Spawn.Request(x=4.0, y=2.0, theta=0.0, name=FOLLOWER))
+        else:
+            self.get_logger().info("Service is not ready")
+
+    def follow(self) -> None:
+        """Send the follower towards where the target is, as the follower sees it."""
+        try:
+            follower_from_target = self.buffer.lookup_transform(FOLLOWER, self.target_frame, Time())
+        except TransformException as error:
+            self.get_logger().info(f"Could not transform {FOLLOWER} to {self.target_frame}: {error}")
+            return
+        there = follower_from_target.transform.translation
+        twist = Twist()
+        twist.angular.z = TURN_GAIN * math.atan2(there.y, there.x)
+        twist.linear.x = SPEED_GAIN * math.hypot(there.x, there.y)
+        self.publisher.publish(twist)
+
+
+def main(args: list[str] | None = None) -> None:
+    """Follow until stopped."""
+    init(args=args)
+    try:
+        spin(FrameListener())
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        try_shutdown()

@@ -1,0 +1,126 @@
+"""draw_square: let turtle1 draw a square of two metres, again and again."""
+
+from __future__ import annotations
+
+import argparse
+import math
+import sys
+from typing import Any
+
+from tfloom.interfaces.geometry_msgs.msg import Twist
+from tfloom.interfaces.std_srvs.srv import Empty
+from tfloom.node import init, spin
+from tfloom.node.executor import ExternalShutdownException
+from tfloom.node.node import Node
+from tfloom.node.utilities import remove_ros_args, try_shutdown
+from tfloom.turtlesim.messages import Pose
+from tfloom.turtlesim.world import STEP_S, normalize_angle
+
+SIDE_M = 2.0
+SPEED = 1.0
+TURN_SPEED = 0.4
+NEAR_M = 0.1
+NEAR_RAD = 0.01
+STANDING = 0.0001
+"""A turtle slower than this stands still [m/s, rad/s]."""
+
+
+class Goal:
+    """Where the turtle is to be."""
+
+    def __init__(self, x: float, y: float, theta: float) -> None:
+        self.x = x
+        self.y = y
+        self.theta = normalize_angle(theta)
+
+    def is_reached(self, pose: Pose) -> bool:
+        """Whether `pose` is near enough."""
+        return (
+            abs(pose.x - self.x) < NEAR_M
+            and abs(pose.y - self.y) < NEAR_M
+            and abs(normalize_angle(pose.theta - self.theta)) < NEAR_RAD
+        )
+
+
+class DrawSquare(Node):
+    """Resets turtlesim, then goes ahead and turns left by turns, with a stop after each."""
+
+    def __init__(self) -> None:
+        super().__init__("draw_square")
+        self._pose: Pose | None = None
+        self._goal: Goal | None = None
+        self._is_reset = False
+        self._skip_pose = False
+        self._is_turning = False
+        self._is_stopping = False
+        self._publisher = self.create_publisher(Twist, "turtle1/cmd_vel", 1)
+        self.create_subscription(Pose, "turtle1/pose", self._on_pose, 1)
+        self._reset = self.create_client(Empty, "reset")
+        self._answer: Any = None
+        self.create_timer(STEP_S, self._on_timer)
+
+    def _on_pose(self, pose: Pose) -> None:
+        if self._skip_pose:  # it may have waited here from before the reset
+            self._skip_pose = False
+        else:
+            self._pose = pose
+
+    def _on_timer(self) -> None:
+        if self._answer is None:
+            if self._reset.service_is_ready():
+                self._answer = self._reset.call_async(Empty.Request())
+        elif self._answer.done() and not self._is_reset:
+            self._is_reset = self._skip_pose = True
+            self._pose = None
+        elif self._pose is not None and self._is_reset:
+            self._drive(self._pose)
+
+    def _drive(self, pose: Pose) -> None:
+        if self._goal is None:
+            self._set_goal(pose)
+        elif self._is_stopping:
+            self._command(0.0, 0.0)
+            if abs(pose.linear_velocity) < STANDING and abs(pose.angular_velocity) < STANDING:
+                self.get_logger().info("Reached goal")
+                self._is_turning = not self._is_turning
+                self._set_goal(pose)
+        elif self._goal.is_reached(pose):
+            self._is_stopping = True
+        elif self._is_turning:
+            self._command(0.0, TURN_SPEED)
+        else:
+            self._command(SPEED, 0.0)
+
+    def _set_goal(self, pose: Pose) -> None:
+        """Aim at a left turn, or at the side's other end."""
+        self._is_stopping = False
+        if self._is_turning:
+            goal = Goal(pose.x, pose.y, pose.theta + math.pi / 2)
+        else:
+            ahead = SIDE_M * math.cos(pose.theta), SIDE_M * math.sin(pose.theta)
+            goal = Goal(pose.x + ahead[0], pose.y + ahead[1], pose.theta)
+        self._goal = goal
+        self.get_logger().info(f"New goal [{goal.x:f} {goal.y:f}, {goal.theta:f}]")
+
+    def _command(self, ahead: float, turn: float) -> None:
+        twist = Twist()
+        twist.linear.x, twist.angular.z = ahead, turn
+        self._publisher.publish(twist)
+
+
+def main(args: list[str] | None = None) -> int:
+    """Draw until stopped; return the exit code."""
+    args = sys.argv[1:] if args is None else args
+    parser = argparse.ArgumentParser(
+        prog="draw_square",
+        description="Reset turtlesim, then let turtle1 draw a square, again and again.",
+    )
+    parser.parse_args(remove_ros_args(args))
+    init(args=args)
+    try:
+        spin(DrawSquare())
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        try_shutdown()
+    return 0

@@ -1,0 +1,90 @@
+"""What one turtle has on the wire, under its name: pose, colour sensor, velocity commands, pen and teleports."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from tfloom.interfaces.geometry_msgs.msg import Twist
+from tfloom.turtlesim.messages import Color, Pose, SetPen, TeleportAbsolute, TeleportRelative
+from tfloom.turtlesim.world import Turtle, is_usable
+
+if TYPE_CHECKING:
+    from tfloom.turtlesim.node import TurtlesimNode
+
+QOS_DEPTH = 7
+
+
+class TurtleEndpoints:
+    """The topics and services of one turtle.
+
+    Args:
+        node: The node that has them.
+        turtle: The turtle.
+    """
+
+    def __init__(self, node: TurtlesimNode, turtle: Turtle) -> None:
+        self._node = node
+        self._turtle = turtle
+        name = turtle.name
+        self._pose = node.create_publisher(Pose, f"{name}/pose", QOS_DEPTH)
+        self._color = node.create_publisher(Color, f"{name}/color_sensor", QOS_DEPTH)
+        self._cmd_vel = node.create_subscription(Twist, f"{name}/cmd_vel", self._on_cmd_vel, QOS_DEPTH)
+        self._services = [
+            node.create_service(SetPen, f"{name}/set_pen", self._on_set_pen),
+            node.create_service(TeleportRelative, f"{name}/teleport_relative", self._on_teleport_relative),
+            node.create_service(TeleportAbsolute, f"{name}/teleport_absolute", self._on_teleport_absolute),
+        ]
+
+    def destroy(self) -> None:
+        """Take all of it off the wire."""
+        for publisher in (self._pose, self._color):
+            self._node.destroy_publisher(publisher)
+        self._node.destroy_subscription(self._cmd_vel)
+        for service in self._services:
+            self._node.destroy_service(service)
+
+    def publish(self) -> None:
+        """Tell where the turtle is, what it was commanded [m, rad, m/s, rad/s], and what it sees under it."""
+        turtle = self._turtle
+        self._pose.publish(
+            Pose(
+                x=turtle.x,
+                y=turtle.y,
+                theta=turtle.theta,
+                linear_velocity=turtle.linear_velocity,
+                angular_velocity=turtle.angular_velocity,
+            )
+        )
+        red, green, blue = self._node.sim.canvas.color_at(turtle.x, turtle.y)
+        self._color.publish(Color(r=red, g=green, b=blue))
+
+    def _refuses(self, what: str, *numbers: float) -> bool:
+        """Whether a turtle can't act on these numbers; if so, warn."""
+        if is_usable(*numbers):
+            return False
+        listed = ", ".join(map(str, numbers))
+        self._node.get_logger().warning(
+            f"Ignoring {what} for [{self._turtle.name}]: not numbers, or too large: {listed}",
+            throttle_duration_sec=1.0,
+        )
+        return True
+
+    def _on_cmd_vel(self, twist: Twist) -> None:
+        ahead, left, turn = twist.linear.x, twist.linear.y, twist.angular.z
+        if not self._refuses("a velocity command", ahead, left, turn):
+            sideways = left if self._node.is_holonomic else None
+            self._node.sim.world.command(self._turtle, ahead, sideways, turn)
+
+    def _on_set_pen(self, request: Any, response: Any) -> Any:
+        self._turtle.set_pen((request.r, request.g, request.b), request.width, off=bool(request.off))
+        return response
+
+    def _on_teleport_relative(self, request: Any, response: Any) -> Any:
+        if not self._refuses("a teleport", request.linear, request.angular):
+            self._turtle.teleport_relative(request.linear, request.angular)
+        return response
+
+    def _on_teleport_absolute(self, request: Any, response: Any) -> Any:
+        if not self._refuses("a teleport", request.x, request.y, request.theta):
+            self._turtle.teleport(request.x, request.y, request.theta)
+        return response

@@ -1,0 +1,37 @@
+"""turtlesim's interfaces, under the name that the distribution in ROS_DISTRO gives them.
+
+From Kilted on they are `turtlesim_msgs/…`, with the same fields. Jazzy's name holds where ROS_DISTRO isn't set.
+"""
+
+from __future__ import annotations
+
+import os
+
+FIRST_WITH_OWN_PACKAGE = "kilted"
+"""Distributions' names are in the order of the alphabet; `rolling` is later than all of those so far."""
+
+if os.environ.get("ROS_DISTRO", "") < FIRST_WITH_OWN_PACKAGE:
+    from tfloom.interfaces.turtlesim.action import RotateAbsolute
+    from tfloom.interfaces.turtlesim.msg import Color, Pose
+    from tfloom.interfaces.turtlesim.srv import Kill, SetPen, Spawn, TeleportAbsolute, TeleportRelative
+else:
+    from tfloom.interfaces.turtlesim_msgs.action import RotateAbsolute  # type: ignore[assignment]
+    from tfloom.interfaces.turtlesim_msgs.msg import Color, Pose  # type: ignore[assignment]
+    from tfloom.interfaces.turtlesim_msgs.srv import (  # type: ignore[assignment]
+        Kill,
+        SetPen,
+        Spawn,
+        TeleportAbsolute,
+        TeleportRelative,
+    )
+
+__all__ = [
+    "Color",
+    "Kill",
+    "Pose",
+    "RotateAbsolute",
+    "SetPen",
+    "Spawn",
+    "TeleportAbsolute",
+    "TeleportRelative",
+]

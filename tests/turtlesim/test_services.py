@@ -1,0 +1,119 @@
+"""turtlesim's services: what they do, say and answer."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import pytest
+
+from tfloom.interfaces.geometry_msgs.msg import Twist
+from tfloom.interfaces.std_srvs.srv import Empty
+from tfloom.interfaces.turtlesim.msg import Pose
+from tfloom.interfaces.turtlesim.srv import Kill, SetPen, Spawn, TeleportAbsolute, TeleportRelative
+
+
+def call(stage: Any, service: Any, where: str, /, **fields: Any) -> Any:
+    client = stage.user.create_client(service, where)
+    stage.spin_until(client.service_is_ready)
+    answer = client.call_async(service.Request(**fields))
+    stage.spin_until(answer.done)
+    stage.user.destroy_client(client)
+    return answer.result()
+
+
+def logged(capfd: pytest.CaptureFixture[str]) -> list[str]:
+    """Level and text of what was logged."""
+    lines = capfd.readouterr().err.splitlines()
+    return [line.split(" ")[0] + line.partition("]:")[2] for line in lines]
+
+
+def turtles(stage: Any) -> dict:
+    return stage.turtlesim.sim.world.turtles
+
+
+def test_spawn(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
+    capfd.readouterr()
+    poses: list[Pose] = []
+    stage.user.create_subscription(Pose, "/bob/pose", poses.append, 7)
+    assert call(stage, Spawn, "/spawn", x=2.0, y=3.0, theta=0.5, name="bob").name == "bob"
+    assert logged(capfd) == ["[INFO] Spawning turtle [bob] at x=[2.000000], y=[3.000000], theta=[0.500000]"]
+    stage.spin_until(lambda: poses)
+    assert (poses[0].x, poses[0].y, poses[0].theta) == (2.0, 3.0, 0.5)
+    assert call(stage, Spawn, "/spawn", x=2.0, y=3.0, theta=0.5, name="bob").name == ""
+    assert logged(capfd) == ["[ERROR] A turtle named [bob] already exists"]
+    assert call(stage, Spawn, "/spawn").name == "turtle2"
+
+
+@pytest.mark.parametrize(
+    "fields", [{"x": math.nan}, {"theta": math.inf}, {"name": "no good"}, {"name": "1st"}]
+)
+def test_a_turtle_that_cannot_be(
+    stage: Any, capfd: pytest.CaptureFixture[str], fields: dict[str, Any]
+) -> None:
+    capfd.readouterr()
+    assert call(stage, Spawn, "/spawn", **fields).name == ""
+    assert logged(capfd)[0].startswith("[ERROR] ")
+    assert list(turtles(stage)) == ["turtle1"]
+
+
+def test_kill(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
+    call(stage, Kill, "/kill", name="turtle1")
+    assert turtles(stage) == {}
+    assert "/turtle1/pose" not in [one.topic_name for one in stage.turtlesim.publishers]
+    capfd.readouterr()
+    call(stage, Kill, "/kill", name="turtle1")
+    assert logged(capfd) == ["[ERROR] Tried to kill turtle [turtle1], which does not exist"]
+    assert call(stage, Spawn, "/spawn", x=1.0, name="turtle1").name == "turtle1"
+
+
+def test_clear(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
+    stage.user.create_publisher(Twist, "/turtle1/cmd_vel", 7).publish(Twist())
+    call(stage, TeleportRelative, "/turtle1/teleport_relative", linear=2.0)
+    canvas = stage.turtlesim.sim.canvas
+    stage.spin_until(lambda: canvas.color_at(6.0, 5.544) == (179, 184, 255))
+    capfd.readouterr()
+    call(stage, Empty, "/clear")
+    assert logged(capfd) == ["[INFO] Clearing turtlesim."]
+    assert canvas.color_at(6.0, 5.544) == (255, 255, 255)
+
+
+def test_reset(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
+    call(stage, Spawn, "/spawn", name="bob")
+    call(stage, TeleportAbsolute, "/turtle1/teleport_absolute", x=1.0, y=2.0, theta=3.0)
+    capfd.readouterr()
+    poses: list[Pose] = []
+    call(stage, Empty, "/reset")
+    assert logged(capfd) == [
+        "[INFO] Resetting turtlesim.",
+        "[INFO] Spawning turtle [turtle1] at x=[5.544445], y=[5.544445], theta=[0.000000]",
+    ]
+    assert list(turtles(stage)) == ["turtle1"]
+    stage.user.create_subscription(Pose, "/turtle1/pose", poses.append, 7)
+    stage.spin_until(lambda: poses)
+    assert poses[0].x == 5.544444561004639
+
+
+def test_teleports(stage: Any) -> None:
+    poses: list[Pose] = []
+    stage.user.create_subscription(Pose, "/turtle1/pose", poses.append, 7)
+    call(stage, TeleportAbsolute, "/turtle1/teleport_absolute", x=1.0, y=2.0, theta=math.pi / 2)
+    stage.spin_until(lambda: poses and poses[-1].x == 1.0)
+    assert poses[-1].y == pytest.approx(2.0)
+    call(stage, TeleportRelative, "/turtle1/teleport_relative", linear=3.0, angular=-math.pi / 2)
+    stage.spin_until(lambda: poses[-1].x == pytest.approx(4.0))
+    assert poses[-1].theta == pytest.approx(0.0, abs=1e-6)
+    call(stage, TeleportAbsolute, "/turtle1/teleport_absolute", x=math.nan)
+    call(stage, TeleportRelative, "/turtle1/teleport_relative", linear=math.inf)
+    count = len(poses)
+    stage.spin_until(lambda: len(poses) > count + 2)
+    assert poses[-1].x == pytest.approx(4.0)
+
+
+def test_pen(stage: Any) -> None:
+    call(stage, SetPen, "/turtle1/set_pen", r=1, g=2, b=3, width=5)
+    pen = turtles(stage)["turtle1"].pen
+    assert (pen.color, pen.width_px, pen.is_on) == ((1, 2, 3), 5, True)
+    call(stage, SetPen, "/turtle1/set_pen", r=9, off=1)
+    pen = turtles(stage)["turtle1"].pen
+    assert (pen.color, pen.is_on) == ((1, 2, 3), False)
