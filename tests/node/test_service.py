@@ -192,7 +192,7 @@ def test_a_request_that_cannot_be_read_is_dropped(
 
 
 def test_the_end_of_a_client_and_a_service(node: Node, client: Client) -> None:
-    (service,) = node.services
+    (service,) = (each for each in node.services if each.service_name == "/add")
     assert list(node.clients) == [client]
     assert node.destroy_service(service)
     assert not client.service_is_ready()
@@ -206,7 +206,7 @@ def test_the_end_of_a_client_and_a_service(node: Node, client: Client) -> None:
 def test_introspection_tells_all_four_steps(
     client: Client, node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
 ) -> None:
-    (service,) = node.services
+    (service,) = (each for each in node.services if each.service_name == "/add")
     clock, qos = node.get_clock(), QoSProfile(depth=10)
     client.configure_introspection(clock, qos, ServiceIntrospectionState.METADATA)
     service.configure_introspection(clock, qos, ServiceIntrospectionState.CONTENTS)

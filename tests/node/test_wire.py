@@ -6,8 +6,8 @@ import signal
 from collections.abc import Callable
 
 import pytest
-
 from tests.conftest import Program
+
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.node.context import Context

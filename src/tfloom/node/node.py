@@ -10,16 +10,19 @@ from tfloom.node.arguments import Arguments, parse_arguments
 from tfloom.node.clock import Clock, ROSClock
 from tfloom.node.constants import S_TO_NS
 from tfloom.node.entity import Entity
+from tfloom.node.logging_service import LoggingService
 from tfloom.node.names import validate_namespace, validate_node_name
 from tfloom.node.node_entities import NodeEntities
 from tfloom.node.node_graph import NodeGraph, resolve_name
 from tfloom.node.node_parameters import NodeParameters
 from tfloom.node.parameter import PARAMETER_SEPARATOR_STRING, Parameter
+from tfloom.node.parameter_service import ParameterService
 from tfloom.node.publisher import Publisher
 from tfloom.node.qos import qos_profile_parameter_events
 from tfloom.node.rcutils_logger import RcutilsLogger
 from tfloom.node.rosout import Rosout
 from tfloom.node.time_source import TimeSource
+from tfloom.node.type_description_service import TypeDescriptionService
 from tfloom.node.utilities import get_default_context
 from tfloom.rmw.base import NodeName
 from tfloom.rosidl.message import Message
@@ -79,14 +82,12 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         namespace: str | None = None,
         use_global_arguments: bool = True,
         enable_rosout: bool = True,
-        start_parameter_services: bool = True,  # noqa: ARG002
+        start_parameter_services: bool = True,
         parameter_overrides: list[Parameter] | None = None,
         allow_undeclared_parameters: bool = False,
         automatically_declare_parameters_from_overrides: bool = False,
         enable_logger_service: bool = False,
     ) -> None:
-        if enable_logger_service:
-            raise NotImplementedError("enable_logger_service=True isn't there yet")
         self.__context = context or get_default_context()
         self.__arguments = parse_arguments(cli_args or []).over(
             self.__context.arguments if use_global_arguments else Arguments()
@@ -119,6 +120,11 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
                 )
         self.__time_source = TimeSource(node=self)
         self.__time_source.attach_clock(self.__clock)
+        if start_parameter_services:
+            ParameterService(self)
+        if enable_logger_service:
+            LoggingService(self)
+        TypeDescriptionService(self)
 
     def __settle_name(self, name: str, namespace: str) -> NodeName:
         validate_node_name(name)

@@ -1,0 +1,154 @@
+"""The services that every node has, and their clients."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tfloom.interfaces.rcl_interfaces.msg import IntegerRange, LoggerLevel, ParameterDescriptor
+from tfloom.interfaces.rcl_interfaces.srv import GetLoggerLevels, SetLoggerLevels
+from tfloom.interfaces.std_msgs.msg import String
+from tfloom.interfaces.type_description_interfaces.srv import GetTypeDescription
+from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.node import Node
+from tfloom.node.parameter import Parameter, parameter_value_to_python
+from tfloom.node.parameter_client import AsyncParameterClient
+from tfloom.node.task import Future
+
+MakeNode = Callable[..., Node]
+Finish = Callable[[Future[Any]], Any]
+
+
+@pytest.fixture
+def finish(executor: SingleThreadedExecutor) -> Finish:
+    def wait(future: Future[Any]) -> Any:
+        executor.spin_until_future_complete(future, timeout_sec=5)
+        assert future.done()
+        return future.result()
+
+    return wait
+
+
+@pytest.fixture
+def remote(make_node: MakeNode, executor: SingleThreadedExecutor) -> Node:
+    remote = make_node("remote", namespace="/ns")
+    limits = ParameterDescriptor(integer_range=[IntegerRange(from_value=0, to_value=10, step=1)])
+    remote.declare_parameter("a.number", 5, limits)
+    remote.declare_parameter("free", "text", ParameterDescriptor(dynamic_typing=True))
+    executor.add_node(remote)
+    return remote
+
+
+@pytest.fixture
+def client(remote: Node, node: Node, executor: SingleThreadedExecutor) -> AsyncParameterClient:
+    executor.add_node(node)
+    client = AsyncParameterClient(node, "/ns/remote")
+    assert client.wait_for_services(timeout_sec=5)
+    assert client.services_are_ready()
+    return client
+
+
+def test_every_node_has_them(remote: Node) -> None:
+    names = [service.service_name for service in remote.services]
+    assert names == [
+        f"/ns/remote/{name}"
+        for name in (
+            "describe_parameters",
+            "get_parameters",
+            "get_parameter_types",
+            "list_parameters",
+            "set_parameters",
+            "set_parameters_atomically",
+            "get_type_description",
+        )
+    ]
+
+
+def test_unless_they_are_not_wanted(make_node: MakeNode) -> None:
+    arguments = ["--ros-args", "-p", "start_type_description_service:=false"]
+    assert not list(make_node(start_parameter_services=False, cli_args=arguments).services)
+
+
+def test_reading(client: AsyncParameterClient, finish: Finish) -> None:
+    listed = finish(client.list_parameters()).result.names
+    assert listed == ["use_sim_time", "start_type_description_service", "a.number", "free"]
+    assert finish(client.list_parameters(["a"], 1)).result.names == ["a.number"]
+    values = finish(client.get_parameters(["a.number", "free"])).values
+    assert [parameter_value_to_python(value) for value in values] == [5, "text"]
+    assert list(finish(client.get_parameter_types(["a.number"])).types) == [2]
+    (descriptor,) = finish(client.describe_parameters(["a.number"])).descriptors
+    assert descriptor.integer_range[0].to_value == 10
+    assert finish(client.get_parameters(["nope"])).values == []
+    assert list(finish(client.get_parameter_types(["nope"])).types) == []
+    assert finish(client.describe_parameters(["nope"])).descriptors == []
+
+
+def test_setting(client: AsyncParameterClient, remote: Node, finish: Finish) -> None:
+    called: list[Future[Any]] = []
+    wishes = [Parameter("a.number", value=value) for value in (7, 70, "x")] + [Parameter("nope", value=1)]
+    results = finish(client.set_parameters(wishes, callback=called.append)).results
+    assert [result.successful for result in results] == [True, False, False, False]
+    assert "out of range" in results[1].reason
+    assert "Wrong parameter type" in results[2].reason
+    assert "undeclared" in results[3].reason
+    assert remote.get_parameter("a.number").value == 7
+    result = finish(client.set_parameters_atomically([wishes[0], wishes[1]])).result
+    assert not result.successful
+    assert [each.successful for each in finish(client.delete_parameters(["free", "a.number"])).results] == [
+        True,
+        False,
+    ]
+    assert not remote.has_parameter("free")
+
+
+def test_loading_a_file(client: AsyncParameterClient, remote: Node, finish: Finish, tmp_path: Path) -> None:
+    path = tmp_path / "p.yaml"
+    path.write_text("/ns/remote: {ros__parameters: {a: {number: 3}}}\n")
+    assert finish(client.load_parameter_file(str(path))).results[0].successful
+    assert remote.get_parameter("a.number").value == 3
+    path.write_text("/**: {ros__parameters: {a: {number: 99}}}\n")
+    assert not finish(client.load_parameter_file_atomically(str(path), use_wildcard=True)).result.successful
+
+
+def test_levels_of_loggers(
+    make_node: MakeNode, node: Node, executor: SingleThreadedExecutor, finish: Finish
+) -> None:
+    remote = make_node("chatty", enable_logger_service=True)
+    executor.add_node(remote)
+    executor.add_node(node)
+    set_client = node.create_client(SetLoggerLevels, "/chatty/set_logger_levels")
+    get_client = node.create_client(GetLoggerLevels, "/chatty/get_logger_levels")
+    assert set_client.wait_for_service(5)
+    assert get_client.wait_for_service(5)
+    levels = [LoggerLevel(name="chatty", level=10), LoggerLevel(name="chatty", level=11)]
+    results = finish(set_client.call_async(SetLoggerLevels.Request(levels=levels))).results
+    assert [result.successful for result in results] == [True, False]
+    assert finish(get_client.call_async(GetLoggerLevels.Request(names=["chatty"]))).levels[0].level == 10
+
+
+def test_descriptions_of_types(
+    remote: Node, node: Node, executor: SingleThreadedExecutor, finish: Finish
+) -> None:
+    executor.add_node(node)
+    client = node.create_client(GetTypeDescription, "/ns/remote/get_type_description")
+    assert client.wait_for_service(5)
+    request = GetTypeDescription.Request(type_name="geometry_msgs/msg/Twist", include_type_sources=True)
+    response = finish(client.call_async(request))
+    assert response.successful, response.failure_reason
+    description = response.type_description
+    assert [field.name for field in description.type_description.fields] == ["linear", "angular"]
+    assert [each.type_name for each in description.referenced_type_descriptions] == [
+        "geometry_msgs/msg/Vector3"
+    ]
+    assert "Vector3 linear" in response.type_sources[0].raw_file_contents
+    for bad in (
+        GetTypeDescription.Request(type_name="no/msg/Such"),
+        GetTypeDescription.Request(type_name="nonsense"),
+        GetTypeDescription.Request(type_name=String._TYPE_NAME, type_hash="RIHS01_00"),
+    ):
+        answer = finish(client.call_async(bad))
+        assert not answer.successful
+        assert answer.failure_reason
