@@ -30,6 +30,7 @@ PROGRAMS: dict[str, dict[str, str]] = {
         "turtle_tf2_broadcaster": "tfloom.demos.turtle_tf2_py.turtle_tf2_broadcaster:main",
         "turtle_tf2_listener": "tfloom.demos.turtle_tf2_py.turtle_tf2_listener:main",
         "turtle_tf2_message_broadcaster": "tfloom.demos.turtle_tf2_py.turtle_tf2_message_broadcaster:main",
+        "turtle_tf2_time_travel": "tfloom.demos.turtle_tf2_py.turtle_tf2_time_travel:main",
     },
     "turtlesim": {
         "draw_square": "tfloom.turtlesim.draw_square:main",

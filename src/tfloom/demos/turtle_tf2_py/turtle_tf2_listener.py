@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 from tfloom.demos.turtle_tf2_py.messages import Spawn
-from tfloom.interfaces.geometry_msgs.msg import Twist
+from tfloom.interfaces.geometry_msgs.msg import TransformStamped, Twist
 from tfloom.node import init, spin
 from tfloom.node.executor import ExternalShutdownException
 from tfloom.node.node import Node
@@ -57,10 +57,14 @@ class FrameListener(Node):
         else:
             self.get_logger().info("Service is not ready")
 
+    def look_up(self) -> TransformStamped:
+        """Return where the target is, as the follower sees it."""
+        return self.buffer.lookup_transform(FOLLOWER, self.target_frame, Time())
+
     def follow(self) -> None:
-        """Send the follower towards where the target is, as the follower sees it."""
+        """Send the follower towards the target."""
         try:
-            follower_from_target = self.buffer.lookup_transform(FOLLOWER, self.target_frame, Time())
+            follower_from_target = self.look_up()
         except TransformException as error:
             self.get_logger().info(f"Could not transform {FOLLOWER} to {self.target_frame}: {error}")
             return

@@ -1,0 +1,38 @@
+"""turtle_tf2_time_travel: let turtle2 go where another frame was five seconds ago."""
+
+from __future__ import annotations
+
+from tfloom.demos.turtle_tf2_py.turtle_tf2_listener import FOLLOWER, FrameListener
+from tfloom.interfaces.geometry_msgs.msg import TransformStamped
+from tfloom.node import init, spin
+from tfloom.node.duration import Duration
+from tfloom.node.executor import ExternalShutdownException
+from tfloom.node.time import Time
+from tfloom.node.utilities import try_shutdown
+
+
+class TimeTraveller(FrameListener):
+    """As the listener, but aims at the target's past.
+
+    The world is the frame that does not change: it takes where the target was then to where the follower is now.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.delay = Duration(seconds=float(self.declare_parameter("delay", 5.0).value))
+
+    def look_up(self) -> TransformStamped:
+        """Return where the target was, as the follower sees that place now."""
+        then = self.get_clock().now() - self.delay
+        return self.buffer.lookup_transform_full(FOLLOWER, Time(), self.target_frame, then, "world")
+
+
+def main(args: list[str] | None = None) -> None:
+    """Follow until stopped."""
+    init(args=args)
+    try:
+        spin(TimeTraveller())
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        try_shutdown()
