@@ -18,8 +18,11 @@ void Feeder::stop() {
 }
 
 void Feeder::schedule(Source& source) {
-  const std::lock_guard lock(mutex_);
-  enqueue(source);
+  {
+    const std::lock_guard lock(mutex_);
+    enqueue(source);
+  }
+  scheduled_.notify_one();  // with the lock given up, else the thread would wake to wait for it
 }
 
 void Feeder::forget(Source& source) {
@@ -31,7 +34,6 @@ void Feeder::forget(Source& source) {
 void Feeder::enqueue(Source& source) {
   if (std::ranges::find(waiting_, &source) != waiting_.end()) return;
   waiting_.push_back(&source);
-  scheduled_.notify_one();
 }
 
 void Feeder::run() {

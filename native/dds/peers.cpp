@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "dds/qos.hpp"
 
@@ -26,29 +27,28 @@ std::vector<Peer> Peers::matched(Entity entity) {
   const std::lock_guard lock(mutex_);
   std::vector<Peer> peers;
   for (const InstanceHandle handle : handles) {
-    if (auto peer = find(entity, handle)) peers.push_back(*std::move(peer));
+    if (const Peer* peer = find(entity, handle)) peers.push_back(*peer);
   }
   return peers;
 }
 
 Gid Peers::gid(Entity entity, InstanceHandle handle) {
   const std::lock_guard lock(mutex_);
-  const auto peer = find(entity, handle);
-  return peer ? peer->gid : Gid{};
+  const Peer* peer = find(entity, handle);
+  return peer != nullptr ? peer->gid : Gid{};
 }
 
-std::optional<Peer> Peers::find(Entity entity, InstanceHandle handle) {
-  if (const auto known = known_.find(handle); known != known_.end()) return known->second;
+const Peer* Peers::find(Entity entity, InstanceHandle handle) {
+  if (const auto known = known_.find(handle); known != known_.end()) return &known->second;
   DiscoveredEndpoint* endpoint = (of_writer_ ? library_.get_matched_subscription_data
                                              : library_.get_matched_publication_data)(entity, handle);
-  if (endpoint == nullptr) return std::nullopt;
+  if (endpoint == nullptr) return nullptr;
   Peer peer;
   std::memcpy(peer.gid.data(), endpoint->key.octets, peer.gid.size());
   peer.user_data = read_user_data(library_, endpoint->qos);
   library_.builtintopic_free_endpoint(endpoint);
   if (known_.size() >= most_known) known_.clear();
-  known_.emplace(handle, peer);
-  return peer;
+  return &known_.emplace(handle, std::move(peer)).first->second;
 }
 
 }  // namespace tfloom::dds

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <mutex>
-#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -29,7 +28,7 @@ class Peers {
   [[nodiscard]] Gid gid(Entity entity, InstanceHandle handle);
 
  private:
-  std::optional<Peer> find(Entity entity, InstanceHandle handle);
+  const Peer* find(Entity entity, InstanceHandle handle);  // nullptr: it has left; lives until the next call
 
   const Library& library_;
   bool of_writer_;

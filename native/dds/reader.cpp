@@ -7,7 +7,7 @@
 namespace tfloom::dds {
 namespace {
 
-constexpr int samples_a_turn = 64;  // then the feeder's next source gets its turn
+constexpr Result samples_a_turn = 64;  // then the feeder's next source gets its turn
 
 std::int64_t now_ns() {
   using namespace std::chrono;
@@ -65,10 +65,8 @@ void Reader::feed(Sink* sink) {
   participant_.feeder().schedule(*this);
 }
 
-bool Reader::take(const Receive& receive) { return sink_ == nullptr && take_one(receive); }
-
-bool Reader::take_one(const Receive& receive) {
-  for (;;) {
+bool Reader::take(const Receive& receive) {
+  while (sink_ == nullptr) {
     Serdata_* serdata = nullptr;
     SampleState state{};
     if (library_.takecdr(entity_, &serdata, 1, &state, 0) <= 0) return false;
@@ -77,15 +75,23 @@ bool Reader::take_one(const Receive& receive) {
     receive(sample.data(), {state.source_stamp_ns, now_ns(), peers_.gid(entity_, state.publication)});
     return true;
   }
+  return false;
 }
 
 bool Reader::drain() {
   Sink* sink = sink_;
   if (sink == nullptr) return false;
-  for (int i = 0; i < samples_a_turn; ++i) {
-    if (!take_one([sink](auto data, const SampleInfo& info) { sink->push(data, info); })) return false;
+  Serdata_* serdata[samples_a_turn]{};
+  SampleState states[samples_a_turn];
+  const Result count = library_.takecdr(entity_, serdata, samples_a_turn, states, 0);
+  const std::int64_t received_ns = now_ns();
+  for (Result i = 0; i < count; ++i) {
+    const TakenSample sample(library_, serdata[i]);
+    const SampleState& state = states[i];
+    if (!state.valid_data) continue;
+    sink->push(sample.data(), {state.source_stamp_ns, received_ns, peers_.gid(entity_, state.publication)});
   }
-  return true;
+  return count == samples_a_turn;
 }
 
 std::size_t Reader::matched_count() const { return closed_ ? 0 : peers_.matched_count(entity_); }

@@ -49,7 +49,6 @@ class Reader : private Feeder::Source {
   static void on_data_available(Entity, void* self);
   void data_available();
   bool drain() override;
-  bool take_one(const Receive& receive);
 
   Participant& participant_;
   const Library& library_;
