@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from xml.etree import ElementTree as ET
 
 import pytest
@@ -49,8 +50,30 @@ def test_localhost_is_unicast_on_loopback_with_room_for_sixty(monkeypatch, value
     assert peers(element) == ["127.0.0.1"]
 
 
+@pytest.mark.parametrize(
+    ("platform", "peers", "size"),
+    [
+        ("linux", [], "65500B"),
+        ("linux", ["localhost"], "65500B"),
+        ("linux", ["192.0.2.1"], None),
+        ("darwin", [], None),
+    ],
+)
+def test_datagrams_are_large_where_loopback_takes_them(monkeypatch, platform, peers, size) -> None:
+    monkeypatch.setattr(sys, "platform", platform)
+    element = domain(configuration_for("LOCALHOST", peers))
+    assert element.findtext("General/MaxMessageSize") == size
+
+
+@pytest.mark.parametrize("discovery_range", ["LOCALHOST", "SUBNET", "OFF"])
+def test_sockets_hold_a_burst(discovery_range: str) -> None:
+    buffer = domain(configuration_for(discovery_range, [])).find("Internal/SocketReceiveBufferSize")
+    assert buffer is not None
+    assert buffer.attrib == {"max": "4MB"}
+
+
 def test_localhost_with_static_peers_looks_at_them_too(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("ROS_STATIC_PEERS", " 192.0.2.1 ;; robot.example;192.0.2.1")
+    monkeypatch.setenv("ROS_STATIC_PEERS", " 192.0.2.1 ;; robot.example;localhost;192.0.2.1")
     element = domain(configuration())
     assert peers(element) == ["127.0.0.1", "192.0.2.1", "robot.example"]
     assert interfaces(element) == [LOOPBACK, {"autodetermine": "true", "multicast": "false"}]
@@ -81,7 +104,7 @@ def test_off_has_no_peers_and_a_tag_of_its_own() -> None:
 
 def test_system_default_leaves_all_to_cyclone() -> None:
     element = domain(configuration_for("SYSTEM_DEFAULT", []))
-    assert [list(child) for child in element] == [[], []]
+    assert [list(child) for child in element] == [[], [], []]
 
 
 @pytest.mark.parametrize("discovery_range", RANGES)

@@ -7,6 +7,7 @@ ROS_STATIC_PEERS: hosts to look at besides, separated by semicolons. A CYCLONEDD
 from __future__ import annotations
 
 import os
+import sys
 
 from tfloom.rmw.errors import ConfigurationError
 
@@ -16,6 +17,11 @@ LOCAL_PARTICIPANTS = 60
 """How many programs find one another on one machine, where each has to be looked for at a port of its own."""
 
 _LOOPBACK = ("127.0.0.1", "localhost", "::1")
+
+# Linux's loopback takes 64 KiB in one piece, which halves the cost of a message of 1 MB.
+_LARGE_DATAGRAMS = "<MaxMessageSize>65500B</MaxMessageSize><FragmentSize>65000B</FragmentSize>"
+# A message of 5 MB at best effort comes in one burst; the system may allow less, and then that's what there is.
+_RECEIVE_BUFFER = '<SocketReceiveBufferSize max="4MB"/>'
 
 
 def configuration() -> str:
@@ -39,27 +45,25 @@ def configuration() -> str:
 
 def configuration_for(discovery_range: str, static_peers: list[str]) -> str:
     """Return the configuration of one of `RANGES`; OFF ignores the peers."""
+    others = [peer for peer in static_peers if peer not in _LOOPBACK]
     if discovery_range == "OFF":
-        return _domain(
-            _interfaces(_loopback_interface()) + "<AllowMulticast>false</AllowMulticast>",
-            f"<ParticipantIndex>none</ParticipantIndex><Tag>tfloom-off-{os.getpid()}</Tag>",
-        )
+        tag = f"<ParticipantIndex>none</ParticipantIndex><Tag>tfloom-off-{os.getpid()}</Tag>"
+        return _domain(_loopback(), tag, _RECEIVE_BUFFER)
     if discovery_range == "LOCALHOST":
-        interfaces = [_loopback_interface()]
-        if any(peer not in _LOOPBACK for peer in static_peers):
-            interfaces.append('<NetworkInterface autodetermine="true" multicast="false"/>')
-        general = _interfaces(*interfaces) + "<AllowMulticast>false</AllowMulticast>"
-        return _domain(general, _peers(["127.0.0.1", *static_peers]))
-    general = "<AllowMulticast>true</AllowMulticast>" if discovery_range == "SUBNET" else ""
-    return _domain(general, _peers(static_peers) if static_peers else "")
+        return _domain(_loopback(reach_others=bool(others)), _peers(["127.0.0.1", *others]), _RECEIVE_BUFFER)
+    discovery = _peers(static_peers) if static_peers else ""
+    if discovery_range == "SUBNET":
+        return _domain("<AllowMulticast>true</AllowMulticast>", discovery, _RECEIVE_BUFFER)
+    return _domain("", discovery, "")
 
 
-def _loopback_interface() -> str:
-    return '<NetworkInterface address="127.0.0.1" multicast="false"/>'
-
-
-def _interfaces(*interfaces: str) -> str:
-    return f"<Interfaces>{''.join(interfaces)}</Interfaces>"
+def _loopback(*, reach_others: bool = False) -> str:
+    """Talk by unicast on the loopback interface, and where others are to be reached on the one that Cyclone finds."""
+    interfaces = '<NetworkInterface address="127.0.0.1" multicast="false"/>'
+    if reach_others:
+        interfaces += '<NetworkInterface autodetermine="true" multicast="false"/>'
+    datagrams = _LARGE_DATAGRAMS if sys.platform == "linux" and not reach_others else ""
+    return f"<Interfaces>{interfaces}</Interfaces><AllowMulticast>false</AllowMulticast>{datagrams}"
 
 
 def _peers(addresses: list[str]) -> str:
@@ -72,11 +76,10 @@ def _peers(addresses: list[str]) -> str:
     )
 
 
-def _domain(general: str, discovery: str) -> str:
+def _domain(general: str, discovery: str, internal: str) -> str:
     return (
-        "<CycloneDDS><Domain>"
-        f"<General>{general}</General><Discovery>{discovery}</Discovery>"
-        "</Domain></CycloneDDS>"
+        f"<CycloneDDS><Domain><General>{general}</General><Discovery>{discovery}</Discovery>"
+        f"<Internal>{internal}</Internal></Domain></CycloneDDS>"
     )
 
 
