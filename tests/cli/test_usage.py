@@ -18,19 +18,11 @@ USAGES: dict[str, str | None] = json.loads(
 WITH_SERVICES = "asks a node's services, which come with the client library's"
 NOT_HERE = {
     **dict.fromkeys(
-        (f"action {verb}" for verb in ("info", "list", "send_goal", "type")),
-        WITH_SERVICES,
-    ),
-    **dict.fromkeys(
         (f"component {verb}" for verb in ("list", "load")), "components are libraries for a C++ container"
     ),
     **dict.fromkeys((f"daemon {verb}" for verb in ("start", "stop", "status")), "discovery needs no daemon"),
     **dict.fromkeys((f"lifecycle {verb}" for verb in ("get", "list", "nodes", "set")), WITH_SERVICES),
     **dict.fromkeys((f"multicast {verb}" for verb in ("receive", "send")), "comes with doctor"),
-    **dict.fromkeys(
-        (f"param {verb}" for verb in ("delete", "describe", "dump", "get", "list", "load", "set")),
-        WITH_SERVICES,
-    ),
     "doctor": "comes when there is more to look at",
     "launch": "comes with launch files",
 }

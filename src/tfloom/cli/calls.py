@@ -55,8 +55,10 @@ class Client:
         """Send a request and return its number, for `receive`."""
         return self._requester.send(cdr.encode(request))
 
-    def receive(self, number: int, timeout_s: float = math.inf) -> Any:
-        """Wait for the response to a request.
+    def receive(
+        self, number: int, timeout_s: float = math.inf, meanwhile: Callable[[], None] = lambda: None
+    ) -> Any:
+        """Wait for the response to a request; `meanwhile` is called again and again until it is there.
 
         Raises:
             CommandError: there is none within `timeout_s`, or the server has gone, or its response is damaged.
@@ -66,6 +68,7 @@ class Client:
             while response := self._requester.take():
                 if response.id.sequence_number == number:
                     return self._decoded(response.data)
+            meanwhile()
             if time.monotonic() > end_s:
                 raise CommandError(f"{self.name} didn't answer within {timeout_s:g} s")
             if not self._requester.is_ready():

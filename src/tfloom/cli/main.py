@@ -15,6 +15,15 @@ from tfloom.cli.errors import CommandError
 from tfloom.cli.parser import Group, build_parser
 
 COMMANDS: dict[str, str | Group] = {
+    "action": Group(
+        "Ask about actions, and send goals",
+        {
+            "info": "Tell who serves and who calls an action",
+            "list": "List the actions",
+            "send_goal": "Send a goal to an action server and print what comes of it",
+            "type": "Print an action's type",
+        },
+    ),
     "demo": "Show a turtle, its frames and tf2 at work",
     "interface": Group(
         "Look up definitions of messages, services and actions",
@@ -31,6 +40,18 @@ COMMANDS: dict[str, str | Group] = {
         {
             "info": "Tell what a node publishes, subscribes to, serves and calls",
             "list": "List the nodes that are running",
+        },
+    ),
+    "param": Group(
+        "Read and change the parameters of nodes",
+        {
+            "delete": "Delete a parameter",
+            "describe": "Tell what parameters are for and what they may hold",
+            "dump": "Print all parameters of a node as YAML",
+            "get": "Print a parameter's value",
+            "list": "List the parameters of a node, or of all nodes",
+            "load": "Set a node's parameters from a YAML file",
+            "set": "Set a parameter",
         },
     ),
     "pkg": Group(

@@ -1,0 +1,1 @@
+"""`action`: ask about actions, and send goals."""

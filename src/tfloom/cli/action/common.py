@@ -1,0 +1,57 @@
+"""Actions on the graph: whoever serves or calls `<action>/_action/send_goal` has the action."""
+
+from __future__ import annotations
+
+import argparse
+from typing import NamedTuple
+
+from tfloom.cli import graph
+from tfloom.cli.errors import CommandError
+from tfloom.cli.names import did_you_mean, full_topic_name
+from tfloom.rmw.base import Graph
+
+GOAL_SERVICE = "/_action/send_goal"
+GOAL_TYPE = "_SendGoal"
+
+
+class ActionEnd(NamedTuple):
+    """A server or a client of an action."""
+
+    name: str
+    type_name: str
+    node: str
+    is_server: bool
+
+
+def action_ends(found: Graph) -> list[ActionEnd]:
+    """Return the servers and clients of all actions, in order of the actions' names, then the nodes'."""
+    return sorted(
+        ActionEnd(
+            end.name.removesuffix(GOAL_SERVICE),
+            end.type_name.removesuffix(GOAL_TYPE),
+            end.node.full if end.node else "_NODE_NAME_UNKNOWN_",
+            end.is_server,
+        )
+        for end in found.service_ends()
+        if end.name.endswith(GOAL_SERVICE)
+    )
+
+
+def settled_ends() -> list[ActionEnd]:
+    """Join the domain, wait until everybody has been heard, and return the actions' ends."""
+    with graph.settled_graph(argparse.Namespace(spin_time=graph.MOST_S)) as found:
+        return action_ends(found)
+
+
+def ends_of_action(name: str) -> tuple[str, list[ActionEnd]]:
+    """Return an action's full name, its servers and its clients.
+
+    Raises:
+        CommandError: nobody has it; it names the nearest.
+    """
+    full = full_topic_name(name, "action")
+    everything = settled_ends()
+    ends = [end for end in everything if end.name == full]
+    if not ends:
+        raise CommandError(f"Unknown action '{full}'{did_you_mean(full, {end.name for end in everything})}")
+    return full, ends

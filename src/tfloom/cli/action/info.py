@@ -1,0 +1,43 @@
+"""Tell who serves and who calls an action."""
+
+from __future__ import annotations
+
+import argparse
+
+from tfloom.cli.action.common import ActionEnd, ends_of_action
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `action info` takes."""
+    parser.add_argument("action_name", help="name of the action")
+    parser.add_argument("-t", "--show-types", action="store_true", help="show the type that each node uses")
+    parser.add_argument("-c", "--count", action="store_true", help="show only how many there are")
+    parser.add_argument("--json", action="store_true", help="print JSON for programs")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print the nodes of its clients and of its servers."""
+    name, ends = ends_of_action(args.action_name)
+    servers = [end for end in ends if end.is_server]
+    clients = [end for end in ends if not end.is_server]
+    if args.json:
+        import json
+
+        sides = {"clients": clients, "servers": servers}
+        nodes = {
+            side: [{"node": end.node, "type": end.type_name} for end in these]
+            for side, these in sides.items()
+        }
+        print(json.dumps({"name": name, **nodes}, indent=2))
+        return 0
+    print(f"Action: {name}")
+    for title, side in (("clients", clients), ("servers", servers)):
+        print(f"Action {title}: {len(side)}")
+        if not args.count:
+            for end in side:
+                print(f"    {_line(end, args)}")
+    return 0
+
+
+def _line(end: ActionEnd, args: argparse.Namespace) -> str:
+    return f"{end.node} [{end.type_name}]" if args.show_types else end.node

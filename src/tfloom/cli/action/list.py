@@ -1,0 +1,31 @@
+"""List the actions that somebody serves or calls."""
+
+from __future__ import annotations
+
+import argparse
+
+from tfloom.cli.action.common import settled_ends
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `action list` takes."""
+    parser.add_argument("-t", "--show-types", action="store_true", help="show each action's types")
+    parser.add_argument("-c", "--count-actions", action="store_true", help="show only how many there are")
+    parser.add_argument("--json", action="store_true", help="print a JSON list for programs")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print the actions in order of their names."""
+    types: dict[str, set[str]] = {}
+    for end in settled_ends():
+        types.setdefault(end.name, set()).add(end.type_name)
+    if args.json:
+        import json
+
+        print(json.dumps([{"name": name, "types": sorted(each)} for name, each in types.items()], indent=2))
+    elif args.count_actions:
+        print(len(types))
+    else:
+        for name, each in types.items():
+            print(f"{name} [{', '.join(sorted(each))}]" if args.show_types else name)
+    return 0

@@ -1,0 +1,140 @@
+"""Send a goal to an action server and print what comes of it."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from contextlib import ExitStack
+from typing import Any
+
+from tfloom.cli import graph
+from tfloom.cli.calls import Client, service_client
+from tfloom.cli.interfaces import action_class, fill_message, parse_yaml
+from tfloom.cli.listen import cli_node, shown_node
+from tfloom.cli.names import full_topic_name
+from tfloom.rmw.base import NodeName, Participant, Reader, Topic
+from tfloom.rmw.qos import QoS
+from tfloom.rosidl import cdr
+from tfloom.rosidl.yaml_text import message_to_yaml
+
+STATUS = ("UNKNOWN", "ACCEPTED", "EXECUTING", "CANCELING", "SUCCEEDED", "CANCELED", "ABORTED")
+"""What each number of `action_msgs/msg/GoalStatus` is called."""
+CANCEL_REFUSALS = {1: "it was rejected", 2: "it knows no such goal", 3: "the goal has ended already"}
+"""What the codes of `action_msgs/srv/CancelGoal` mean."""
+CANCEL_TIMEOUT_S = 5.0
+FEEDBACK_TIMEOUT_S = 2.0
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `action send_goal` takes."""
+    parser.add_argument("action_name", help="name of the action")
+    parser.add_argument("action_type", help="its type, as turtlesim/action/RotateAbsolute")
+    parser.add_argument("goal", nargs="?", default="{}", help="the goal's fields in YAML, as '{theta: 1.57}'")
+    parser.add_argument("--stdin", action="store_true", help="read the goal's YAML from the input")
+    parser.add_argument("-f", "--feedback", action="store_true", help="print the feedback as it comes")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Send the goal and wait for its end; Ctrl-C cancels it. 1 where it didn't succeed."""
+    name = full_topic_name(args.action_name, "action")
+    cls = action_class(args.action_type)
+    goal = cls.Goal()
+    fill_message(goal, parse_yaml(sys.stdin.read() if args.stdin else args.goal))
+    with ExitStack() as ends:
+        participant = ends.enter_context(graph.joined_participant())
+        node = ends.enter_context(shown_node(participant, cli_node()))
+        client = _ActionClient(participant, node, name, cls, ends)
+        print("Waiting for an action server to become available...")
+        client.wait_for_server()
+        if args.feedback:
+            client.listen_to_feedback(participant, node, ends)
+        print(f"Sending goal:\n     {message_to_yaml(goal)}")
+        if not client.send(goal):
+            print("Goal was rejected.")
+            return 1
+        print(f"Goal accepted with ID: {bytes(client.goal_id.uuid).hex()}\n")
+        try:
+            response = client.result()
+        except KeyboardInterrupt:
+            print("Canceling goal...")
+            print(client.cancel())
+            raise
+        print(f"Result:\n    {_indented(response.result)}")
+        print(f"Goal finished with status: {STATUS[response.status]}")
+        return int(STATUS[response.status] != "SUCCEEDED")
+
+
+def _indented(message: Any) -> str:
+    """Return a message's YAML, all lines but the first a step deeper."""
+    return message_to_yaml(message).replace("\n", "\n    ").rstrip(" ")
+
+
+class _ActionClient:
+    """A client of one action, for one goal."""
+
+    def __init__(
+        self, participant: Participant, node: NodeName, name: str, cls: type[Any], ends: ExitStack
+    ) -> None:
+        import uuid
+
+        from tfloom.interfaces.unique_identifier_msgs.msg import UUID
+
+        def client(service: str, service_class: type[Any]) -> Client:
+            return ends.enter_context(
+                service_client(participant, node, f"{name}/_action/{service}", service_class)
+            )
+
+        self.goal_id = UUID(uuid=list(uuid.uuid4().bytes))
+        self._name = name
+        self._class = cls
+        self._send_goal = client("send_goal", cls.Impl.SendGoalService)
+        self._get_result = client("get_result", cls.Impl.GetResultService)
+        self._cancel_goal = client("cancel_goal", cls.Impl.CancelGoalService)
+        self._feedback: Reader | None = None
+
+    def wait_for_server(self) -> None:
+        """Wait until all three services of the action are there."""
+        for client in (self._send_goal, self._get_result, self._cancel_goal):
+            client.wait_for_server()
+
+    def listen_to_feedback(self, participant: Participant, node: NodeName, ends: ExitStack) -> None:
+        """Print feedback from now on, and wait until the server knows that we listen."""
+        cls = self._class.Impl.FeedbackMessage
+        topic = Topic(f"{self._name}/_action/feedback", cls._TYPE_NAME, cls._TYPE_HASH)
+        self._feedback = participant.create_reader(node, topic, QoS())
+        ends.callback(self._feedback.close)
+        end_s = time.monotonic() + FEEDBACK_TIMEOUT_S
+        while not self._feedback.matched_count() and time.monotonic() < end_s:
+            time.sleep(0.005)
+
+    def send(self, goal: Any) -> bool:
+        """Send the goal and return whether it was accepted."""
+        request = self._class.Impl.SendGoalService.Request(goal_id=self.goal_id, goal=goal)
+        return bool(self._receive(self._send_goal, self._send_goal.send(request)).accepted)
+
+    def result(self) -> Any:
+        """Wait for the goal's end and return status and result."""
+        request = self._class.Impl.GetResultService.Request(goal_id=self.goal_id)
+        return self._receive(self._get_result, self._get_result.send(request))
+
+    def cancel(self) -> str:
+        """Ask the server to cancel the goal, and return what it says, as a sentence."""
+        from tfloom.interfaces.action_msgs.msg import GoalInfo
+
+        request = self._class.Impl.CancelGoalService.Request(goal_info=GoalInfo(goal_id=self.goal_id))
+        response = self._cancel_goal.call(request, CANCEL_TIMEOUT_S)
+        if any(bytes(each.goal_id.uuid) == bytes(self.goal_id.uuid) for each in response.goals_canceling):
+            return "Goal canceled."
+        return f"The server did not cancel the goal: {CANCEL_REFUSALS.get(response.return_code, 'no reason given')}"
+
+    def _receive(self, client: Client, number: int) -> Any:
+        response = client.receive(number, meanwhile=self._print_feedback)
+        self._print_feedback()
+        return response
+
+    def _print_feedback(self) -> None:
+        while self._feedback and (sample := self._feedback.take()):
+            message: Any = cdr.decode(self._class.Impl.FeedbackMessage, sample.data)
+            if bytes(message.goal_id.uuid) == bytes(self.goal_id.uuid):
+                print(f"Feedback:\n    {_indented(message.feedback)}")

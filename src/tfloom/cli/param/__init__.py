@@ -1,0 +1,1 @@
+"""`param`: read and change the parameters of nodes."""

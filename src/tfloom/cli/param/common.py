@@ -1,0 +1,145 @@
+"""What the verbs about parameters share: the flags, and the services of a node."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any
+
+from tfloom.cli import graph
+from tfloom.cli.calls import service_client
+from tfloom.cli.errors import CommandError
+from tfloom.cli.listen import cli_node, shown_node
+from tfloom.cli.names import did_you_mean
+from tfloom.interfaces.rcl_interfaces import srv
+from tfloom.interfaces.rcl_interfaces.msg import Parameter, ParameterDescriptor, ParameterValue
+from tfloom.rmw.base import Graph, NodeName, Participant
+
+TIMEOUT_S = 5.0
+"""How long to wait for a node's answer when no --timeout says so [s]."""
+
+TYPES = (
+    "not set",
+    "boolean",
+    "integer",
+    "double",
+    "string",
+    "byte array",
+    "boolean array",
+    "integer array",
+    "double array",
+    "string array",
+)
+"""What each number of `rcl_interfaces/msg/ParameterType` is called."""
+
+
+def add_arguments(parser: argparse.ArgumentParser, *, timeout: bool = True) -> None:
+    """Add the flags of all verbs."""
+    graph.add_arguments(parser)
+    parser.add_argument(
+        "--include-hidden-nodes",
+        action="store_true",
+        help="see nodes whose name begins with an underscore, too",
+    )
+    if timeout:
+        parser.add_argument(
+            "--timeout",
+            metavar="N",
+            type=float,
+            default=TIMEOUT_S,
+            help=f"wait no longer than so many seconds for the node (default: {TIMEOUT_S:g})",
+        )
+    else:
+        parser.set_defaults(timeout=TIMEOUT_S)
+
+
+class ParameterServices:
+    """The parameter services of one node."""
+
+    def __init__(self, participant: Participant, own: NodeName, node: str, timeout_s: float) -> None:
+        self._participant = participant
+        self._own = own
+        self._node = node
+        self._timeout_s = timeout_s
+
+    def names(self, prefixes: Sequence[str] = ()) -> list[str]:
+        """Return the names of the parameters, all or those under some prefixes, in order."""
+        request = srv.ListParameters.Request(prefixes=list(prefixes))
+        return sorted(self._call("list_parameters", srv.ListParameters, request).result.names)
+
+    def values(self, names: Sequence[str]) -> list[ParameterValue]:
+        """Return the values of parameters, in the order of the names."""
+        request = srv.GetParameters.Request(names=list(names))
+        return self._one_each(names, self._call("get_parameters", srv.GetParameters, request).values)
+
+    def types(self, names: Sequence[str]) -> list[int]:
+        """Return the types of parameters, in the order of the names."""
+        request = srv.GetParameterTypes.Request(names=list(names))
+        return self._one_each(names, self._call("get_parameter_types", srv.GetParameterTypes, request).types)
+
+    def descriptors(self, names: Sequence[str]) -> list[ParameterDescriptor]:
+        """Return what the node tells about parameters, in the order of the names."""
+        request = srv.DescribeParameters.Request(names=list(names))
+        return self._one_each(
+            names, self._call("describe_parameters", srv.DescribeParameters, request).descriptors
+        )
+
+    def set(self, parameters: Sequence[Parameter]) -> list[Any]:
+        """Set parameters and return the result of each."""
+        request = srv.SetParameters.Request(parameters=list(parameters))
+        return self._one_each(parameters, self._call("set_parameters", srv.SetParameters, request).results)
+
+    def _call(self, service: str, service_class: type[Any], request: Any) -> Any:
+        name = f"{self._node}/{service}"
+        with service_client(self._participant, self._own, name, service_class) as client:
+            client.wait_for_server(self._timeout_s)
+            return client.call(request, self._timeout_s)
+
+    def _one_each(self, asked: Sequence[Any], answers: Sequence[Any]) -> list[Any]:
+        if len(answers) != len(asked):
+            raise CommandError(f"{self._node} knows not all of these parameters, or doesn't tell")
+        return list(answers)
+
+
+@contextmanager
+def nodes_with_parameters(
+    args: argparse.Namespace, node_name: str | None
+) -> Iterator[list[tuple[str, ParameterServices]]]:
+    """Give the full name and the services of the node that was asked for, or, with None, of each that has some.
+
+    Raises:
+        CommandError: there is no such node; it names the nearest.
+    """
+    with graph.joined_participant() as participant:
+        graph.wait_until_quiet(participant.graph, args.spin_time)
+        with shown_node(participant, cli_node()) as own:
+            yield [
+                (name, ParameterServices(participant, own, name, args.timeout))
+                for name in _node_names(participant.graph, args, node_name)
+            ]
+
+
+def _node_names(found: Graph, args: argparse.Namespace, asked: str | None) -> list[str]:
+    names = [
+        node.full for node in found.nodes() if args.include_hidden_nodes or not graph.is_hidden(node.full)
+    ]
+    if asked is None:
+        served = {end.name for end in found.service_ends() if end.is_server}
+        return [name for name in dict.fromkeys(names) if f"{name}/list_parameters" in served]
+    full = asked if asked.startswith("/") else f"/{asked}"
+    if full not in names:
+        raise CommandError(f"Node not found{did_you_mean(full, names)}")
+    return [full]
+
+
+@contextmanager
+def asked_node(args: argparse.Namespace) -> Iterator[ParameterServices]:
+    """Give the parameter services of the node that was asked for; see `nodes_with_parameters`."""
+    with nodes_with_parameters(args, args.node_name) as nodes:
+        yield nodes[0][1]
+
+
+def unknown_parameter(services: ParameterServices, name: str, text: str) -> CommandError:
+    """Return the error about a parameter that isn't set, with the names nearest to it."""
+    return CommandError(f"{text}{did_you_mean(name, services.names())}")

@@ -1,0 +1,29 @@
+"""Delete a parameter."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+from tfloom.cli.param.common import add_arguments as add_common_arguments
+from tfloom.cli.param.common import asked_node
+from tfloom.interfaces.rcl_interfaces.msg import Parameter
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `param delete` takes."""
+    add_common_arguments(parser)
+    parser.add_argument("node_name", help="full name of the node")
+    parser.add_argument("parameter_name", help="name of the parameter")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Delete it, which is to set it to no type, and print how that went."""
+    with asked_node(args) as services:
+        result = services.set([Parameter(name=args.parameter_name)])[0]
+    reason = f": {result.reason}" if result.reason else ""
+    if result.successful:
+        print("Deleted parameter successfully")
+    else:
+        print(f"Deleting parameter failed{reason}", file=sys.stderr)
+    return 0

@@ -1,0 +1,52 @@
+"""Tell what parameters are for and what they may hold."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterator
+from typing import Any
+
+from tfloom.cli.param.common import TYPES, asked_node
+from tfloom.cli.param.common import add_arguments as add_common_arguments
+from tfloom.interfaces.rcl_interfaces.msg import ParameterDescriptor
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `param describe` takes."""
+    add_common_arguments(parser)
+    parser.add_argument("node_name", help="full name of the node")
+    parser.add_argument("parameter_names", nargs="+", help="names of the parameters")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print type, description and constraints of each."""
+    with asked_node(args) as services:
+        descriptors = services.descriptors(args.parameter_names)
+    for descriptor in descriptors:
+        print("\n".join(description_lines(descriptor)))
+    return 0
+
+
+def description_lines(descriptor: ParameterDescriptor) -> Iterator[str]:
+    """Yield the lines on one parameter."""
+    yield f"Parameter name: {descriptor.name}"
+    yield f"  Type: {TYPES[descriptor.type] if descriptor.type < len(TYPES) else descriptor.type}"
+    if descriptor.description:
+        yield f"  Description: {descriptor.description}"
+    constraints = list(_constraints(descriptor))
+    if constraints:
+        yield "  Constraints:"
+        yield from (f"    {name}: {value}" for name, value in constraints)
+
+
+def _constraints(descriptor: ParameterDescriptor) -> Iterator[tuple[str, Any]]:
+    if descriptor.read_only:
+        yield "Read only", "true"
+    ranges: list[Any] = [*descriptor.floating_point_range, *descriptor.integer_range]
+    for limits in ranges:
+        yield "Min value", limits.from_value
+        yield "Max value", limits.to_value
+        if limits.step > 0:
+            yield "Step", limits.step
+    if descriptor.additional_constraints:
+        yield "Additional constraints", descriptor.additional_constraints

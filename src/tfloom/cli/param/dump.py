@@ -1,0 +1,54 @@
+"""Print all parameters of a node as the YAML that `param load` and `--params-file` read."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Mapping
+from typing import Any
+
+from tfloom.cli.param.common import add_arguments as add_common_arguments
+from tfloom.cli.param.common import nodes_with_parameters
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `param dump` takes."""
+    add_common_arguments(parser)
+    parser.add_argument("node_name", help="full name of the node")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print the YAML."""
+    import yaml
+
+    from tfloom.node.parameter import parameter_value_to_python
+
+    with nodes_with_parameters(args, args.node_name) as nodes:
+        node, services = nodes[0]
+        names = services.names()
+        messages = services.values(names)
+    values = {
+        name: parameter_value_to_python(message)
+        for name, message in zip(names, messages, strict=True)
+        if message.type
+    }
+    print(yaml.safe_dump({node: {"ros__parameters": nested(values)}}, default_flow_style=False))
+    return 0
+
+
+def nested(values: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a mapping for each part before a dot: `a.b: 1` becomes `a: {b: 1}`.
+
+    A name that is another's beginning (`a` beside `a.b`) keeps its dots below it.
+    """
+    tree: dict[str, Any] = {}
+    for name, value in values.items():
+        branch = tree
+        *parents, leaf = name.split(".")
+        for position, part in enumerate(parents):
+            inner = branch.setdefault(part, {})
+            if not isinstance(inner, dict):
+                leaf = ".".join([*parents[position:], leaf])
+                break
+            branch = inner
+        branch[leaf] = value
+    return tree

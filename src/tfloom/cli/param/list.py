@@ -1,0 +1,53 @@
+"""List the parameters of a node, or of all nodes."""
+
+from __future__ import annotations
+
+import argparse
+import re
+
+from tfloom.cli.errors import CommandError
+from tfloom.cli.param.common import TYPES, ParameterServices, nodes_with_parameters
+from tfloom.cli.param.common import add_arguments as add_common_arguments
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `param list` takes."""
+    add_common_arguments(parser, timeout=False)
+    parser.add_argument("node_name", nargs="?", help="list this node's only")
+    parser.add_argument("--filter", help="list only names in which this regular expression is found")
+    parser.add_argument(
+        "--param-prefixes", nargs="+", default=[], help="list only names under these prefixes"
+    )
+    parser.add_argument("--param-type", action="store_true", help="show each parameter's type")
+    parser.add_argument("--json", action="store_true", help="print JSON for programs")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print the names in order, under their node's name where all nodes are asked."""
+    try:
+        pattern = re.compile(args.filter or "")
+    except re.error as error:
+        raise CommandError(f"--filter isn't a regular expression: {error}") from None
+    with nodes_with_parameters(args, args.node_name) as nodes:
+        found = {node: _names(services, pattern, args) for node, services in nodes}
+    if args.json:
+        import json
+
+        print(json.dumps(found, indent=2))
+        return 0
+    for node, names in found.items():
+        if args.node_name is None:
+            print(f"{node}:")
+        for name, kind in names.items():
+            print(f"  {name} (type: {kind})" if args.param_type else f"  {name}")
+    return 0
+
+
+def _names(
+    services: ParameterServices, pattern: re.Pattern[str], args: argparse.Namespace
+) -> dict[str, str | None]:
+    """Return the types of the wanted parameters by name; None where they weren't asked for."""
+    names = [name for name in services.names(args.param_prefixes) if pattern.search(name)]
+    if not args.param_type:
+        return dict.fromkeys(names)
+    return {name: TYPES[kind] for name, kind in zip(names, services.types(names), strict=True)}

@@ -1,0 +1,58 @@
+"""Set a node's parameters from a YAML file."""
+
+from __future__ import annotations
+
+import argparse
+from typing import Any
+
+from tfloom.cli.errors import CommandError
+from tfloom.cli.param.common import add_arguments as add_common_arguments
+from tfloom.cli.param.common import nodes_with_parameters
+from tfloom.interfaces.rcl_interfaces.msg import Parameter
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `param load` takes."""
+    add_common_arguments(parser)
+    parser.add_argument("node_name", help="full name of the node")
+    parser.add_argument("parameter_file", help="the YAML file")
+    parser.add_argument("--no-use-wildcard", action="store_true", help="leave out what the file has for /**")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Set them one by one and print how each went; 1 if one failed."""
+    failed = False
+    with nodes_with_parameters(args, args.node_name) as nodes:
+        node, services = nodes[0]
+        parameters = [_parameter(name, value) for name, value in _values(args, node).items()]
+        for parameter, result in zip(parameters, services.set(parameters), strict=True):
+            reason = f": {result.reason}" if result.reason else ""
+            failed |= not result.successful
+            outcome = "successful" if result.successful else "failed"
+            print(f"Set parameter {parameter.name} {outcome}{reason}")
+    return int(failed)
+
+
+def _values(args: argparse.Namespace, node: str) -> dict[str, Any]:
+    from tfloom.node.parameter_file import read_parameter_file
+
+    try:
+        rules = read_parameter_file(args.parameter_file)
+    except OSError as error:
+        raise CommandError(f"can't read {args.parameter_file}: {error.strerror}") from None
+    except ValueError as error:
+        raise CommandError(str(error)) from None
+    values = {
+        rule.name: rule.value
+        for rule in rules
+        if rule.is_for(node) and not (args.no_use_wildcard and "*" in rule.node)
+    }
+    if not values:
+        raise CommandError(f"{args.parameter_file} has no parameters for {node}")
+    return values
+
+
+def _parameter(name: str, value: Any) -> Parameter:
+    from tfloom.node.parameter import Parameter as ParameterOfNode
+
+    return ParameterOfNode(name, value=value).to_parameter_msg()

@@ -1,0 +1,33 @@
+"""Set a parameter."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+from tfloom.cli.param.common import add_arguments as add_common_arguments
+from tfloom.cli.param.common import asked_node
+from tfloom.interfaces.rcl_interfaces.msg import Parameter
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `param set` takes."""
+    add_common_arguments(parser)
+    parser.add_argument("node_name", help="full name of the node")
+    parser.add_argument("parameter_name", help="name of the parameter")
+    parser.add_argument("value", help="its value in YAML, as 150, true, abc or '[1, 2]'")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Set it and print how that went."""
+    from tfloom.node.parameter import get_parameter_value
+
+    parameter = Parameter(name=args.parameter_name, value=get_parameter_value(args.value))
+    with asked_node(args) as services:
+        result = services.set([parameter])[0]
+    reason = f": {result.reason}" if result.reason else ""
+    if result.successful:
+        print(f"Set parameter successful{reason}")
+    else:
+        print(f"Setting parameter failed{reason}", file=sys.stderr)
+    return 0
