@@ -68,6 +68,13 @@ class ParameterServices:
         request = srv.ListParameters.Request(prefixes=list(prefixes))
         return sorted(self._call("list_parameters", srv.ListParameters, request).result.names)
 
+    def value(self, name: str) -> ParameterValue:
+        """Return the value of a parameter; its type is 0 where there is none."""
+        request = srv.GetParameters.Request(names=[name])
+        # Nodes tell of a name that they don't know by a value of no type, or by no value.
+        values = self._call("get_parameters", srv.GetParameters, request).values
+        return values[0] if values else ParameterValue()
+
     def values(self, names: Sequence[str]) -> list[ParameterValue]:
         """Return the values of parameters, in the order of the names."""
         request = srv.GetParameters.Request(names=list(names))
@@ -140,6 +147,6 @@ def asked_node(args: argparse.Namespace) -> Iterator[ParameterServices]:
         yield nodes[0][1]
 
 
-def unknown_parameter(services: ParameterServices, name: str, text: str) -> CommandError:
-    """Return the error about a parameter that isn't set, with the names nearest to it."""
-    return CommandError(f"{text}{did_you_mean(name, services.names())}")
+def unknown_parameter(services: ParameterServices, name: str) -> CommandError:
+    """Return the error about a parameter that a node doesn't have, with the names nearest to it."""
+    return CommandError(f"Parameter not set{did_you_mean(name, services.names())}")

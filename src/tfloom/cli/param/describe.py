@@ -6,7 +6,7 @@ import argparse
 from collections.abc import Iterator
 from typing import Any
 
-from tfloom.cli.param.common import TYPES, asked_node
+from tfloom.cli.param.common import TYPES, asked_node, unknown_parameter
 from tfloom.cli.param.common import add_arguments as add_common_arguments
 from tfloom.interfaces.rcl_interfaces.msg import ParameterDescriptor
 
@@ -21,6 +21,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(args: argparse.Namespace) -> int:
     """Print type, description and constraints of each."""
     with asked_node(args) as services:
+        known = services.names()
+        for name in args.parameter_names:
+            if name not in known:
+                raise unknown_parameter(services, name)
         descriptors = services.descriptors(args.parameter_names)
     for descriptor in descriptors:
         print("\n".join(description_lines(descriptor)))

@@ -35,9 +35,9 @@ def main(args: argparse.Namespace) -> int:
     from tfloom.node.parameter import parameter_value_to_python
 
     with asked_node(args) as services:
-        message = services.values([args.parameter_name])[0]
+        message = services.value(args.parameter_name)
         if not 0 < message.type < len(LABELS):
-            raise unknown_parameter(services, args.parameter_name, "Parameter not set")
+            raise unknown_parameter(services, args.parameter_name)
     value = parameter_value_to_python(message)
     if args.json:
         import json

@@ -1,0 +1,91 @@
+"""The verbs about parameters, asked of turtlesim over DDS."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+import transcript
+import yaml
+
+pytestmark = pytest.mark.wire
+
+
+@pytest.fixture(autouse=True)
+def turtlesim(domain_id: int, start_program: Callable[..., object]) -> object:
+    program = start_program("tfloom", "run", "turtlesim", "turtlesim_node")
+    program.wait_for("Spawning turtle [turtle1]")
+    return program
+
+
+@pytest.mark.parametrize("name", ["param_get", "param_get_bad", "param_set", "param_describe"])
+def test_answers_are_as_recorded(name: str) -> None:
+    recorded = transcript.golden(name)
+    assert transcript.run(*recorded.command) == recorded
+
+
+@pytest.mark.parametrize(
+    ("name", "reason"),
+    [
+        ("param_set_bad", "Wrong parameter type, expected 'Type.INTEGER' got 'Type.STRING'"),
+        ("param_set_range", "Parameter background_r out of range. Min: 0, Max: 255, value: 300"),
+        ("param_delete", None),
+    ],
+)
+def test_refusals_have_the_nodes_reason(
+    name: str, reason: str | None, deviations: dict[str, dict[str, str]]
+) -> None:
+    assert "param-texts" in deviations
+    recorded = transcript.golden(name)
+    answer = transcript.run(*recorded.command)
+    assert answer.exit_code == recorded.exit_code
+    assert answer.text.split(": ")[0] == recorded.text.split(": ")[0]
+    assert reason is None or answer.text.endswith(f": {reason}")
+    assert transcript.run("param", "get", "--hide-type", "/turtlesim", "background_r").text == "69"
+
+
+def test_lists(deviations: dict[str, dict[str, str]]) -> None:
+    assert "param-qos-overrides" in deviations
+    recorded = transcript.golden("param_list_node")
+    lines = [line for line in recorded.text.splitlines() if "qos_overrides" not in line]
+    assert transcript.run(*recorded.command) == (recorded.command, "\n".join(lines), 0)
+    assert transcript.run("param", "list").text.splitlines() == ["/turtlesim:", *lines]
+    typed = transcript.run("param", "list", "/turtlesim", "--param-type", "--filter", "_r$").text
+    assert typed == "  background_r (type: integer)"
+    assert json.loads(transcript.run("param", "list", "--json").text)["/turtlesim"]["background_g"] is None
+
+
+def test_a_dump_loads_again(tmp_path: Path) -> None:
+    dumped = transcript.run("param", "dump", "/turtlesim").text
+    recorded = yaml.safe_load(transcript.golden("param_dump").text)["/turtlesim"]["ros__parameters"]
+    ours = yaml.safe_load(dumped)["/turtlesim"]["ros__parameters"]
+    del recorded["qos_overrides"]
+    assert ours == {**recorded, "background_r": 69}
+
+    file = tmp_path / "parameters.yaml"
+    file.write_text(dumped.replace("background_r: 69", "background_r: 12"))
+    loaded = transcript.run("param", "load", "/turtlesim", str(file))
+    assert "Set parameter background_r successful" in loaded.text.splitlines()
+    assert transcript.run("param", "get", "--hide-type", "/turtlesim", "background_r").text == "12"
+
+
+def test_wildcards_of_a_file_count_unless_told_otherwise(tmp_path: Path) -> None:
+    file = tmp_path / "parameters.yaml"
+    file.write_text("/**:\n  ros__parameters:\n    background_g: 3\n")
+    refused = transcript.run("param", "load", "--no-use-wildcard", "/turtlesim", str(file))
+    assert (refused.text, refused.exit_code) == (f"{file} has no parameters for /turtlesim", 1)
+    assert (
+        transcript.run("param", "load", "/turtlesim", str(file)).text
+        == "Set parameter background_g successful"
+    )
+
+
+def test_mistakes_are_told(tmp_path: Path) -> None:
+    assert transcript.run("param", "list", "/turtlesin").text == "Node not found\ndid you mean /turtlesim?"
+    near = transcript.run("param", "get", "/turtlesim", "backgroundr").text
+    assert near.startswith("Parameter not set\ndid you mean background_")
+    assert transcript.run("param", "describe", "/turtlesim", "nope").exit_code == 1
+    missing = transcript.run("param", "load", "/turtlesim", str(tmp_path / "none.yaml"))
+    assert missing.text == f"can't read {tmp_path / 'none.yaml'}: No such file or directory"
