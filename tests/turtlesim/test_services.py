@@ -8,6 +8,9 @@ from typing import Any
 import pytest
 
 from tfloom.interfaces.geometry_msgs.msg import Twist
+from tfloom.interfaces.rcl_interfaces.msg import Parameter as ParameterMessage
+from tfloom.interfaces.rcl_interfaces.msg import ParameterValue
+from tfloom.interfaces.rcl_interfaces.srv import SetParameters
 from tfloom.interfaces.std_srvs.srv import Empty
 from tfloom.interfaces.turtlesim.msg import Pose
 from tfloom.interfaces.turtlesim.srv import Kill, SetPen, Spawn, TeleportAbsolute, TeleportRelative
@@ -117,3 +120,31 @@ def test_pen(stage: Any) -> None:
     call(stage, SetPen, "/turtle1/set_pen", r=9, off=1)
     pen = turtles(stage)["turtle1"].pen
     assert (pen.color, pen.is_on) == ((1, 2, 3), False)
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "reason"),
+    [
+        ("background_r", {"type": 2, "integer_value": 150}, ""),
+        (
+            "background_r",
+            {"type": 2, "integer_value": 300},
+            "Parameter {background_r} doesn't comply with integer range.",
+        ),
+        (
+            "background_r",
+            {"type": 4, "string_value": "abc"},
+            (
+                "Wrong parameter type, parameter {background_r} is of type {integer}, setting it to {string} is "
+                "not allowed."
+            ),
+        ),
+        ("holonomic", {"type": 1, "bool_value": True}, ""),
+    ],
+)
+def test_setting_parameters(stage: Any, name: str, value: dict[str, Any], reason: str) -> None:
+    parameter = ParameterMessage(name=name, value=ParameterValue(**value))
+    answer = call(stage, SetParameters, "/turtlesim/set_parameters", parameters=[parameter])
+    assert [(result.successful, result.reason) for result in answer.results] == [(not reason, reason)]
+    if not reason:
+        assert stage.turtlesim.get_parameter(name).value in {150, True}

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from tfloom.interfaces.rcl_interfaces.msg import IntegerRange, ParameterDescriptor
+from tfloom.interfaces.rcl_interfaces.msg import SetParametersResult
 from tfloom.interfaces.std_srvs.srv import Empty
 from tfloom.node import init, spin
 from tfloom.node.clock import Clock, ClockType
@@ -15,8 +15,9 @@ from tfloom.node.exceptions import NameValidationException
 from tfloom.node.executor import ExternalShutdownException
 from tfloom.node.names import validate_topic_name
 from tfloom.node.node import Node
+from tfloom.node.parameter import Parameter
 from tfloom.node.utilities import remove_ros_args, try_shutdown
-from tfloom.turtlesim.canvas import DEFAULT_BACKGROUND
+from tfloom.turtlesim import parameters
 from tfloom.turtlesim.endpoints import TurtleEndpoints
 from tfloom.turtlesim.messages import Kill, Spawn
 from tfloom.turtlesim.record import FRAME_MS, SIDE_PX, Recorder, RecordingError, open_recorder
@@ -37,7 +38,7 @@ class TurtlesimNode(Node):
 
     def __init__(self) -> None:
         super().__init__("turtlesim")
-        self._declare_parameters()
+        parameters.declare(self)
         self.get_logger().info(f"Starting turtlesim with node name {self.get_fully_qualified_name()}")
         self.sim = TurtleSim(lambda: self.get_clock().now().nanoseconds)
         self._endpoints: dict[str, TurtleEndpoints] = {}
@@ -50,25 +51,21 @@ class TurtlesimNode(Node):
         # Simulated time may be made by what these turtles do: so they themselves go by real time.
         self._timer = self.create_timer(STEP_S, self._step, clock=Clock(clock_type=ClockType.STEADY_TIME))
 
-    def _declare_parameters(self) -> None:
-        for channel, default in zip(("Red", "Green", "Blue"), DEFAULT_BACKGROUND, strict=True):
-            descriptor = ParameterDescriptor(
-                description=f"{channel} channel of the background color",
-                integer_range=[IntegerRange(from_value=0, to_value=255, step=1)],
-            )
-            self.declare_parameter(f"background_{channel[0].lower()}", default, descriptor)
-        descriptor = ParameterDescriptor(description="If true, then turtles will be holonomic")
-        self.declare_parameter("holonomic", False, descriptor)
-
     @property
     def is_holonomic(self) -> bool:
         """Whether turtles may go sideways."""
-        return bool(self.get_parameter("holonomic").value)
+        return bool(self.get_parameter(parameters.HOLONOMIC).value)
+
+    def set_parameters_atomically(self, parameter_list: list[Parameter]) -> SetParametersResult:
+        """Set all parameters, or none of them if one is refused, for which the reference's turtlesim has its words."""
+        for parameter in parameter_list:
+            if reason := parameters.refusal(self, parameter):
+                return SetParametersResult(successful=False, reason=reason)
+        return super().set_parameters_atomically(parameter_list)
 
     def render(self, size_px: int) -> Image:
         """Return the picture of the world, `size_px` by `size_px`."""
-        red, green, blue = (int(self.get_parameter(f"background_{channel}").value) for channel in "rgb")
-        self.sim.canvas.background = red, green, blue
+        self.sim.canvas.background = parameters.background(self)
         return self.sim.render(size_px)
 
     def show_in(self, window: Window) -> None:
