@@ -1,0 +1,81 @@
+"""The verbs about actions, asked of a server in another process over DDS."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+import transcript
+
+pytestmark = pytest.mark.wire
+SEND = ("action", "send_goal", "/turtle1/rotate_absolute", "turtlesim/action/RotateAbsolute")
+
+
+@pytest.fixture(autouse=True)
+def server(domain_id: int, start_program: Callable[..., object]) -> object:
+    program = start_program("python", Path(__file__).with_name("an_action_server.py"))
+    program.wait_for("ready")
+    return program
+
+
+@pytest.mark.parametrize("name", ["action_info", "action_type"])
+def test_answers_are_as_recorded(name: str) -> None:
+    recorded = transcript.golden(name)
+    assert transcript.run(*recorded.command) == recorded
+
+
+def test_the_list() -> None:
+    recorded = transcript.golden("action_list_t")
+    line = recorded.text.splitlines()[-1]
+    assert transcript.run(*recorded.command).text == line
+    assert transcript.run("action", "list").text == line.split()[0]
+    assert transcript.run("action", "list", "-c").text == "1"
+    assert json.loads(transcript.run("action", "list", "--json").text)[0]["types"] == [
+        "turtlesim/action/RotateAbsolute"
+    ]
+
+
+def masked(text: str) -> str:
+    return transcript.mask(re.sub(r"ID: [0-9a-f]{32}", "ID: #", text))
+
+
+def test_a_goal_prints_as_recorded() -> None:
+    recorded = transcript.golden("action_send_goal")
+    answer = transcript.run(*recorded.command)
+    assert (masked(answer.text), answer.exit_code) == (masked(recorded.text), recorded.exit_code)
+    assert "    delta: -2.0\n" in answer.text
+
+
+def test_feedback_prints_as_recorded() -> None:
+    recorded = transcript.golden("action_send_goal_feedback")
+    words = recorded.command[: recorded.command.index("|")]
+    answer = transcript.run(*words)
+    assert re.findall(r"^Feedback:\n    remaining: (.*)\n$", answer.text, re.MULTILINE) == ["-0.5", "-0.25"]
+    # The reference's blocks, in any order and number.
+    assert set(masked(answer.text).split("\n\n")) == set(masked(recorded.text).split("\n\n"))
+
+
+def test_ctrl_c_cancels_the_goal(server: object, start_program: Callable[..., object]) -> None:
+    goal = start_program("tfloom", *SEND, "{theta: -1.0}")
+    goal.wait_for("Goal accepted with ID")
+    goal.signal(2)
+    server.wait_for("canceling")
+    assert goal.wait() == 2
+    assert goal.lines[-2:] == ["Canceling goal...", "Goal canceled."]
+
+
+def test_a_rejected_goal(deviations: dict[str, dict[str, str]]) -> None:
+    assert "cli-goal-exit-code" in deviations
+    answer = transcript.run(*SEND, "{theta: 0.0}")
+    assert (answer.text.splitlines()[-1], answer.exit_code) == ("Goal was rejected.", 1)
+
+
+def test_mistakes_are_told() -> None:
+    near = transcript.run("action", "type", "/turtle1/rotate")
+    assert near.text.startswith("Unknown action '/turtle1/rotate'\ndid you mean /turtle1/rotate_absolute?")
+    wrong = transcript.run("action", "send_goal", "/turtle1/rotate_absolute", "turtlesim/action/Rotate")
+    assert wrong.text.startswith("The passed action type is invalid\n")
+    assert transcript.run(*SEND, "{angle: 1}").text.endswith("RotateAbsolute_Goal has: theta")
