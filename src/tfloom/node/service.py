@@ -10,6 +10,7 @@ from tfloom.node.entity import Entity
 from tfloom.node.exceptions import InvalidHandle
 from tfloom.node.qos import QoSProfile
 from tfloom.node.service_introspection import Introspection, ServiceIntrospectionState
+from tfloom.node.task import Future
 from tfloom.node.throttled_warning import ThrottledWarning
 from tfloom.rosidl import cdr
 from tfloom.rosidl.service import Service as ServiceType
@@ -24,7 +25,6 @@ if TYPE_CHECKING:
     from tfloom.node.clock import Clock
     from tfloom.node.rcutils_logger import RcutilsLogger
     from tfloom.rmw.base import Request, RequestId, Responder
-    from tfloom.rosidl.message import Message
 
 __all__ = ["Service", "SrvType", "SrvTypeRequest", "SrvTypeResponse"]
 
@@ -36,7 +36,11 @@ _UNREADABLE = object()
 
 
 class Service(Entity):
-    """Answers requests with what its callback returns; `Node.create_service` makes one."""
+    """Answers requests with what its callback returns; `Node.create_service` makes one.
+
+    The callback may return the future of a response: others of its group run meanwhile. A coroutine, by contrast,
+    keeps its group until its end.
+    """
 
     def __init__(
         self,
@@ -91,7 +95,7 @@ class Service(Entity):
         """
         self._introspection.configure(clock, service_event_qos_profile, introspection_state)
 
-    def send_response(self, response: Message, header: RequestId) -> None:
+    def send_response(self, response: Any, header: RequestId) -> None:
         """Answer the request of `header`.
 
         Raises:
@@ -137,10 +141,17 @@ class Service(Entity):
         response = self.callback(request, self.srv_type.Response())
         if isinstance(response, CoroutineType):
             return self._send_later(response, header)
-        self.send_response(response, header)
+        if isinstance(response, Future):
+            response.when_complete(lambda: self._send_result(response, header))
+        else:
+            self.send_response(response, header)
         return None
 
-    async def _send_later(self, response: Coroutine[Any, Any, Message], header: RequestId) -> None:
+    def _send_result(self, future: Future[Any], header: RequestId) -> None:
+        if not self._destroyed and future.done():
+            self.send_response(future.result(), header)
+
+    async def _send_later(self, response: Coroutine[Any, Any, Any], header: RequestId) -> None:
         self.send_response(await response, header)
 
     def _warn(self, request: Request, error: cdr.DecodeError) -> None:

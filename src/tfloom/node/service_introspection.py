@@ -48,7 +48,7 @@ class Introspection:
         create_publisher: Callable[[type[Message], str, QoSProfile], Publisher[Any]],
         destroy_publisher: Callable[[Publisher[Any]], bool],
     ) -> None:
-        self._event_type = srv_type.Event
+        self._event_type: type[Any] = srv_type.Event
         self._topic = srv_name + TOPIC_SUFFIX
         self._create = create_publisher
         self._destroy = destroy_publisher

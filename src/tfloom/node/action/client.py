@@ -1,0 +1,309 @@
+"""Action clients."""
+
+from __future__ import annotations
+
+import threading
+import time
+import weakref
+from collections import deque
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from tfloom.interfaces.action_msgs.msg import GoalInfo, GoalStatus, GoalStatusArray
+from tfloom.interfaces.action_msgs.srv import CancelGoal
+from tfloom.interfaces.builtin_interfaces.msg import Time
+from tfloom.interfaces.unique_identifier_msgs.msg import UUID
+from tfloom.node.action.goal_states import ACTIVE
+from tfloom.node.action.names import (
+    CANCEL_GOAL,
+    FEEDBACK,
+    GET_RESULT,
+    SEND_GOAL,
+    STATUS,
+    check_is_valid_action_type,
+    key_of,
+    new_goal_id,
+)
+from tfloom.node.qos import (
+    QoSProfile,
+    qos_profile_action_status_default,
+    qos_profile_services_default,
+)
+from tfloom.node.task import Future
+from tfloom.rosidl.service import Action
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+    from tfloom.node.callback_groups import CallbackGroup
+    from tfloom.node.client import Client
+    from tfloom.node.node import Node
+
+__all__ = ["ActionClient", "ClientGoalHandle"]
+
+_POLL_S = 0.01
+MOST_ENDED = 64
+"""How many goals that have ended may still get feedback."""
+
+
+class ClientGoalHandle:
+    """A goal, as whoever sent it holds it."""
+
+    def __init__(self, action_client: ActionClient, goal_id: UUID, goal_response: Any) -> None:
+        self._client = action_client
+        self._goal_id = goal_id
+        self._response = goal_response
+        self.status: int = GoalStatus.STATUS_UNKNOWN
+        """Its state as last told, a constant of `action_msgs/msg/GoalStatus`."""
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, ClientGoalHandle) and key_of(self.goal_id) == key_of(other.goal_id)
+
+    def __hash__(self) -> int:
+        return hash(key_of(self.goal_id))
+
+    @property
+    def goal_id(self) -> UUID:
+        """Which goal it is."""
+        return self._goal_id
+
+    @property
+    def stamp(self) -> Time:
+        """When it was accepted."""
+        stamp: Time = self._response.stamp
+        return stamp
+
+    @property
+    def accepted(self) -> bool:
+        """Whether the server took it."""
+        return bool(self._response.accepted)
+
+    def cancel_goal(self) -> Any:
+        """Ask to cancel, and wait for the answer; another thread must spin the node."""
+        return self._client.wait_for(self.cancel_goal_async())
+
+    def cancel_goal_async(self) -> Future[Any]:
+        """Ask to cancel; the future is of an `action_msgs/srv/CancelGoal` response."""
+        return self._client.cancel(self._goal_id)
+
+    def get_result(self) -> Any:
+        """Wait for the end; another thread must spin the node. Returns state and result: `.status`, `.result`."""
+        return self._client.wait_for(self.get_result_async())
+
+    def get_result_async(self) -> Future[Any]:
+        """Ask for the result; the future is of state and result: `.status`, `.result`."""
+        return self._client.get_result(self)
+
+
+class ActionClient:
+    """Sends goals to an action server.
+
+    Args:
+        node: The node that sends.
+        action_type: Class of the action.
+        action_name: Its name; it is expanded and remapped.
+        callback_group: Group of the feedback's callbacks; None: the node's own.
+        goal_service_qos_profile: QoS of the service that takes goals.
+        result_service_qos_profile: QoS of the service that gives results.
+        cancel_service_qos_profile: QoS of the service that cancels.
+        feedback_sub_qos_profile: QoS of the feedback.
+        status_sub_qos_profile: QoS of the goals' states.
+
+    Raises:
+        NoTypeSupportImportedException: `action_type` is no action class.
+        InvalidServiceNameException: the name isn't valid.
+    """
+
+    def __init__(
+        self,
+        node: Node,
+        action_type: type[Action],
+        action_name: str,
+        *,
+        callback_group: CallbackGroup | None = None,
+        goal_service_qos_profile: QoSProfile = qos_profile_services_default,
+        result_service_qos_profile: QoSProfile = qos_profile_services_default,
+        cancel_service_qos_profile: QoSProfile = qos_profile_services_default,
+        feedback_sub_qos_profile: QoSProfile = QoSProfile(depth=10),  # noqa: B008  # never changed
+        status_sub_qos_profile: QoSProfile = qos_profile_action_status_default,
+    ) -> None:
+        check_is_valid_action_type(action_type)
+        self._node = node
+        self._action_type = action_type
+        self._action_name = action_name
+        self._lock = threading.Lock()
+        self._feedback_callbacks: dict[bytes, Callable[[Any], Any]] = {}
+        self._ended: deque[bytes] = deque()
+        self._goals: weakref.WeakValueDictionary[bytes, ClientGoalHandle] = weakref.WeakValueDictionary()
+
+        def client(srv_type: Any, suffix: str, qos: QoSProfile) -> Client:
+            return node.create_client(
+                srv_type, action_name + suffix, qos_profile=qos, callback_group=callback_group
+            )
+
+        carrier = action_type.Impl
+        self._send = client(carrier.SendGoalService, SEND_GOAL, goal_service_qos_profile)
+        self._result = client(carrier.GetResultService, GET_RESULT, result_service_qos_profile)
+        self._cancel = client(carrier.CancelGoalService, CANCEL_GOAL, cancel_service_qos_profile)
+        self._feedback = node.create_subscription(
+            carrier.FeedbackMessage,
+            action_name + FEEDBACK,
+            self._on_feedback,
+            feedback_sub_qos_profile,
+            callback_group=callback_group,
+        )
+        self._status = node.create_subscription(
+            GoalStatusArray,
+            action_name + STATUS,
+            self._on_status,
+            status_sub_qos_profile,
+            callback_group=callback_group,
+        )
+
+    def server_is_ready(self) -> bool:
+        """Return whether a server is there that will take a goal sent now."""
+        return (
+            all(client.service_is_ready() for client in (self._send, self._result, self._cancel))
+            and self._feedback.get_publisher_count() > 0
+            and self._status.get_publisher_count() > 0
+        )
+
+    def wait_for_server(self, timeout_sec: float | None = None) -> bool:
+        """Wait until a server is there; False if none is after `timeout_sec` [s] (None: never), or at shutdown."""
+        end = None if timeout_sec is None else time.monotonic() + timeout_sec
+        while self._node.context.ok():
+            if self.server_is_ready():
+                return True
+            if end is not None and time.monotonic() >= end:
+                return False
+            time.sleep(_POLL_S)
+        return False
+
+    def send_goal_async(
+        self,
+        goal: Any,
+        feedback_callback: Callable[[Any], Any] | None = None,
+        goal_uuid: UUID | None = None,
+    ) -> Future[ClientGoalHandle]:
+        """Send a goal.
+
+        Args:
+            goal: The goal's message.
+            feedback_callback: Takes each feedback, `.goal_id` and `.feedback`, until the goal ends.
+            goal_uuid: Its id; None: a random one.
+
+        Returns:
+            The future of the goal's handle, whose `accepted` tells whether the server took it.
+
+        Raises:
+            TypeError: `goal` isn't of the action's goal type.
+        """
+        if not isinstance(goal, self._action_type.Goal):
+            raise TypeError(f"Expected {self._action_type.Goal}, got {type(goal)}")
+        goal_id = new_goal_id() if goal_uuid is None else goal_uuid
+        key = key_of(goal_id)
+        if feedback_callback is not None:
+            with self._lock:
+                self._feedback_callbacks[key] = feedback_callback
+        request = self._action_type.Impl.SendGoalService.Request(goal_id=goal_id, goal=goal)
+        future: Future[ClientGoalHandle] = Future()
+
+        def on_response(response: Any) -> ClientGoalHandle:
+            handle = ClientGoalHandle(self, goal_id, response)
+            if response.accepted:
+                self._goals[key] = handle
+            else:
+                self._forget(key)
+            return handle
+
+        self._chain(self._send.call_async(request), future, on_response)
+        return future
+
+    def send_goal(self, goal: Any, **kwargs: Any) -> Any:
+        """Send a goal and wait for its end; another thread must spin the node.
+
+        Args:
+            goal: The goal's message.
+            kwargs: As for `send_goal_async`.
+
+        Returns:
+            State and result: `.status`, `.result`; None if the server didn't take the goal.
+        """
+        handle = self.wait_for(self.send_goal_async(goal, **kwargs))
+        return handle.get_result() if handle is not None and handle.accepted else None
+
+    def cancel(self, goal_id: UUID) -> Future[Any]:
+        """Ask to cancel a goal; goal handles call it."""
+        return self._cancel.call_async(CancelGoal.Request(goal_info=GoalInfo(goal_id=goal_id)))
+
+    def get_result(self, goal_handle: ClientGoalHandle) -> Future[Any]:
+        """Ask for the result of a goal; goal handles call it."""
+        request = self._action_type.Impl.GetResultService.Request(goal_id=goal_handle.goal_id)
+        future: Future[Any] = Future()
+
+        def on_response(response: Any) -> Any:
+            goal_handle.status = response.status
+            self._forget(key_of(goal_handle.goal_id))
+            return response
+
+        self._chain(self._result.call_async(request), future, on_response)
+        return future
+
+    def wait_for(self, future: Future[Any]) -> Any:
+        """Wait for a future that another thread completes, or for shutdown."""
+        executor = self._node.executor
+        if executor is not None and executor.would_wait_for_itself():
+            raise RuntimeError(
+                f"Waiting for the action {self._action_name} in a callback would last for ever: its executor takes "
+                "in the answer on this very thread. Await the method's _async form, or use a MultiThreadedExecutor"
+            )
+        ended = threading.Event()
+        future.when_complete(ended.set)
+        self._node.context.add_shutdown_hook(ended.set)
+        try:
+            ended.wait()
+        finally:
+            self._node.context.remove_shutdown_hook(ended.set)
+        return future.result()
+
+    def _chain(self, first: Future[Any], then: Future[Any], convert: Callable[[Any], Any]) -> None:
+        """Complete `then` with what `convert` makes of the result of `first`."""
+
+        def complete() -> None:
+            if not first.cancelled() and not then.cancelled():
+                then.set_executor(self._node.executor)
+                then.set_result(convert(first.result()))
+
+        first.when_complete(complete)
+
+    def _forget(self, key: bytes) -> None:
+        """Drop the feedback callback of a goal that has ended, but not at once: feedback may still be on its way."""
+        with self._lock:
+            self._ended.append(key)
+            if len(self._ended) > MOST_ENDED:
+                self._feedback_callbacks.pop(self._ended.popleft(), None)
+
+    def _on_feedback(self, message: Any) -> Any:
+        callback = self._feedback_callbacks.get(key_of(message.goal_id))
+        return None if callback is None else callback(message)
+
+    def _on_status(self, message: GoalStatusArray) -> None:
+        for each in message.status_list:
+            key = key_of(each.goal_info.goal_id)
+            handle = self._goals.get(key)
+            # The result's own word on the state is the last one.
+            if handle is not None and (handle.status in ACTIVE or handle.status == GoalStatus.STATUS_UNKNOWN):
+                handle.status = each.status
+
+    def destroy(self) -> None:
+        """Send no more."""
+        for client in (self._send, self._result, self._cancel):
+            self._node.destroy_client(client)
+        self._node.destroy_subscription(self._feedback)
+        self._node.destroy_subscription(self._status)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.destroy()

@@ -1,0 +1,63 @@
+"""The states of a goal, and the events that lead from one to another.
+
+ACCEPTED --EXECUTE--> EXECUTING --SUCCEED--> SUCCEEDED
+|                     |     --ABORT----> ABORTED
++----CANCEL_GOAL------+
+|
+v
+CANCELING --CANCELED--> CANCELED, --SUCCEED--> SUCCEEDED, --ABORT--> ABORTED
+"""
+
+from __future__ import annotations
+
+from enum import IntEnum
+
+from tfloom.interfaces.action_msgs.msg import GoalStatus
+from tfloom.node.exceptions import RCLError
+
+__all__ = ["ACTIVE", "GoalEvent", "next_state"]
+
+
+class GoalEvent(IntEnum):
+    """What can happen to a goal."""
+
+    EXECUTE = 1
+    CANCEL_GOAL = 2
+    SUCCEED = 3
+    ABORT = 4
+    CANCELED = 5
+
+
+ACTIVE = (GoalStatus.STATUS_ACCEPTED, GoalStatus.STATUS_EXECUTING, GoalStatus.STATUS_CANCELING)
+"""The states that a goal leaves again."""
+
+_TRANSITIONS = {
+    (GoalStatus.STATUS_ACCEPTED, GoalEvent.EXECUTE): GoalStatus.STATUS_EXECUTING,
+    (GoalStatus.STATUS_ACCEPTED, GoalEvent.CANCEL_GOAL): GoalStatus.STATUS_CANCELING,
+    (GoalStatus.STATUS_EXECUTING, GoalEvent.CANCEL_GOAL): GoalStatus.STATUS_CANCELING,
+    (GoalStatus.STATUS_EXECUTING, GoalEvent.SUCCEED): GoalStatus.STATUS_SUCCEEDED,
+    (GoalStatus.STATUS_EXECUTING, GoalEvent.ABORT): GoalStatus.STATUS_ABORTED,
+    (GoalStatus.STATUS_CANCELING, GoalEvent.SUCCEED): GoalStatus.STATUS_SUCCEEDED,
+    (GoalStatus.STATUS_CANCELING, GoalEvent.ABORT): GoalStatus.STATUS_ABORTED,
+    (GoalStatus.STATUS_CANCELING, GoalEvent.CANCELED): GoalStatus.STATUS_CANCELED,
+}
+_NAMES = {
+    value: name.removeprefix("STATUS_")
+    for name, value in vars(GoalStatus).items()
+    if name.startswith("STATUS_")
+}
+
+
+def next_state(status: int, event: GoalEvent) -> int:
+    """Return the state after an event.
+
+    Raises:
+        RCLError: the event can't happen in this state.
+    """
+    found = _TRANSITIONS.get((status, event))
+    if found is None:
+        raise RCLError(
+            f"goal_handle attempted invalid transition from state {_NAMES.get(status, status)} "
+            f"with event {event.name}"
+        )
+    return found

@@ -1,0 +1,48 @@
+"""The actions that others serve and use."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from tfloom.node.action.names import FEEDBACK
+
+if TYPE_CHECKING:
+    from tfloom.node.node import Node
+
+__all__ = [
+    "get_action_client_names_and_types_by_node",
+    "get_action_names_and_types",
+    "get_action_server_names_and_types_by_node",
+]
+
+_TYPE_SUFFIX = "_FeedbackMessage"
+NamesAndTypes = list[tuple[str, list[str]]]
+
+
+def get_action_names_and_types(node: Node) -> NamesAndTypes:
+    """Return all actions that somebody serves or uses, with their types."""
+    return _actions(node.get_topic_names_and_types())
+
+
+def get_action_server_names_and_types_by_node(
+    node: Node, remote_node_name: str, remote_node_namespace: str
+) -> NamesAndTypes:
+    """Return the actions that a node serves; RuntimeError if there is no such node."""
+    return _actions(node.get_publisher_names_and_types_by_node(remote_node_name, remote_node_namespace))
+
+
+def get_action_client_names_and_types_by_node(
+    node: Node, remote_node_name: str, remote_node_namespace: str
+) -> NamesAndTypes:
+    """Return the actions that a node uses; RuntimeError if there is no such node."""
+    return _actions(node.get_subscriber_names_and_types_by_node(remote_node_name, remote_node_namespace))
+
+
+def _actions(topics: Iterable[tuple[str, list[str]]]) -> NamesAndTypes:
+    """Every end of an action has its feedback topic."""
+    return [
+        (name.removesuffix(FEEDBACK), [each.removesuffix(_TYPE_SUFFIX) for each in types])
+        for name, types in topics
+        if name.endswith(FEEDBACK)
+    ]

@@ -1,0 +1,363 @@
+"""Action servers."""
+
+from __future__ import annotations
+
+import threading
+import time
+import traceback
+from collections.abc import Callable
+from enum import Enum
+from typing import TYPE_CHECKING, Any
+
+from tfloom.interfaces.action_msgs.msg import GoalInfo, GoalStatus, GoalStatusArray
+from tfloom.interfaces.action_msgs.srv import CancelGoal_Request, CancelGoal_Response
+from tfloom.interfaces.unique_identifier_msgs.msg import UUID
+from tfloom.node.action.goal_states import GoalEvent
+from tfloom.node.action.names import (
+    CANCEL_GOAL,
+    FEEDBACK,
+    GET_RESULT,
+    SEND_GOAL,
+    STATUS,
+    check_is_valid_action_type,
+    key_of,
+)
+from tfloom.node.action.server_goal_handle import ServerGoalHandle
+from tfloom.node.constants import S_TO_NS
+from tfloom.node.exceptions import RCLError
+from tfloom.node.executors import await_or_execute
+from tfloom.node.qos import (
+    QoSProfile,
+    qos_profile_action_status_default,
+    qos_profile_services_default,
+)
+from tfloom.rosidl.service import Action
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+    from tfloom.node.callback_groups import CallbackGroup
+    from tfloom.node.node import Node
+    from tfloom.node.timer import Timer
+
+__all__ = [
+    "ActionServer",
+    "CancelResponse",
+    "GoalResponse",
+    "ServerGoalHandle",
+    "default_cancel_callback",
+    "default_goal_callback",
+    "default_handle_accepted_callback",
+]
+
+_NO_ID = bytes(16)
+
+
+class GoalResponse(Enum):
+    """What a goal callback answers."""
+
+    REJECT = 1
+    ACCEPT = 2
+
+
+class CancelResponse(Enum):
+    """What a cancel callback answers."""
+
+    REJECT = 1
+    ACCEPT = 2
+
+
+def default_handle_accepted_callback(goal_handle: ServerGoalHandle) -> None:
+    """Execute the goal."""
+    goal_handle.execute()
+
+
+def default_goal_callback(goal_request: Any) -> GoalResponse:  # noqa: ARG001
+    """Accept every goal."""
+    return GoalResponse.ACCEPT
+
+
+def default_cancel_callback(cancel_request: Any) -> CancelResponse:  # noqa: ARG001
+    """Cancel no goal."""
+    return CancelResponse.REJECT
+
+
+class ActionServer:
+    """Accepts goals and executes them, several at once if the executor has threads or the callback is a coroutine.
+
+    Args:
+        node: The node that serves.
+        action_type: Class of the action.
+        action_name: Its name; it is expanded and remapped.
+        execute_callback: Takes a goal handle, ends the goal, and returns its result. It runs as a task of the
+            executor, in no callback group.
+        callback_group: Group of the three callbacks below; None: the node's own.
+        goal_callback: Takes a goal, and answers whether it is accepted. Default: always.
+        handle_accepted_callback: Takes the handle of an accepted goal. Default: has it executed.
+        cancel_callback: Takes the handle of a goal that is to be cancelled, and answers whether it will. Default:
+            never.
+        goal_service_qos_profile: QoS of the service that takes goals.
+        result_service_qos_profile: QoS of the service that gives results.
+        cancel_service_qos_profile: QoS of the service that cancels.
+        feedback_pub_qos_profile: QoS of the feedback.
+        status_pub_qos_profile: QoS of the goals' states.
+        result_timeout: How long the result of a goal that has ended is kept [s]; negative: for ever.
+
+    Raises:
+        NoTypeSupportImportedException: `action_type` is no action class.
+        InvalidServiceNameException: the name isn't valid.
+    """
+
+    def __init__(
+        self,
+        node: Node,
+        action_type: type[Action],
+        action_name: str,
+        execute_callback: Callable[[ServerGoalHandle], Any],
+        *,
+        callback_group: CallbackGroup | None = None,
+        goal_callback: Callable[[Any], Any] = default_goal_callback,
+        handle_accepted_callback: Callable[[ServerGoalHandle], Any] = default_handle_accepted_callback,
+        cancel_callback: Callable[[ServerGoalHandle], Any] = default_cancel_callback,
+        goal_service_qos_profile: QoSProfile = qos_profile_services_default,
+        result_service_qos_profile: QoSProfile = qos_profile_services_default,
+        cancel_service_qos_profile: QoSProfile = qos_profile_services_default,
+        feedback_pub_qos_profile: QoSProfile = QoSProfile(depth=10),  # noqa: B008  # never changed
+        status_pub_qos_profile: QoSProfile = qos_profile_action_status_default,
+        result_timeout: float = 900,
+    ) -> None:
+        check_is_valid_action_type(action_type)
+        self._node = node
+        self._action_type = action_type
+        self._result_timeout_ns = int(result_timeout * S_TO_NS)
+        self._lock = threading.RLock()
+        self._goals: dict[bytes, ServerGoalHandle] = {}
+        self._ended_ns: dict[bytes, int] = {}
+        self.register_execute_callback(execute_callback)
+        self.register_goal_callback(goal_callback)
+        self.register_handle_accepted_callback(handle_accepted_callback)
+        self.register_cancel_callback(cancel_callback)
+        carrier = action_type.Impl
+        services = (
+            (carrier.SendGoalService, SEND_GOAL, self._on_goal, goal_service_qos_profile),
+            (carrier.GetResultService, GET_RESULT, self._on_result, result_service_qos_profile),
+            (carrier.CancelGoalService, CANCEL_GOAL, self._on_cancel, cancel_service_qos_profile),
+        )
+        self._services = [
+            node.create_service(
+                srv_type, action_name + suffix, callback, qos_profile=qos, callback_group=callback_group
+            )
+            for srv_type, suffix, callback, qos in services
+        ]
+        self._feedback = node.create_publisher(
+            carrier.FeedbackMessage, action_name + FEEDBACK, feedback_pub_qos_profile
+        )
+        self._status = node.create_publisher(GoalStatusArray, action_name + STATUS, status_pub_qos_profile)
+        self._expiry: Timer = node.create_timer(3600.0, self._expire, autostart=False)
+
+    @property
+    def action_type(self) -> type[Action]:
+        """Class of the action."""
+        return self._action_type
+
+    def register_execute_callback(self, execute_callback: Callable[[ServerGoalHandle], Any]) -> None:
+        """Execute goals with this callback from now on; TypeError if it isn't callable."""
+        self._execute_callback = _callable(execute_callback, "execute")
+
+    def register_goal_callback(self, goal_callback: Callable[[Any], Any] | None) -> None:
+        """Ask this callback about new goals from now on; None: accept all."""
+        self._goal_callback = _callable(goal_callback or default_goal_callback, "goal")
+
+    def register_handle_accepted_callback(
+        self, handle_accepted_callback: Callable[[ServerGoalHandle], Any] | None
+    ) -> None:
+        """Give accepted goals to this callback from now on; None: execute them."""
+        callback = handle_accepted_callback or default_handle_accepted_callback
+        self._handle_accepted_callback = _callable(callback, "handle accepted")
+
+    def register_cancel_callback(self, cancel_callback: Callable[[ServerGoalHandle], Any] | None) -> None:
+        """Ask this callback about cancelling from now on; None: refuse."""
+        self._cancel_callback = _callable(cancel_callback or default_cancel_callback, "cancel")
+
+    # Goals
+
+    async def _on_goal(self, request: Any, response: Any) -> Any:
+        key = key_of(request.goal_id)
+        response.accepted = key not in self._goals and await self._wants(request.goal)
+        if not response.accepted:
+            return response
+        response.stamp = self._node.get_clock().now().to_msg()
+        handle = ServerGoalHandle(self, GoalInfo(goal_id=request.goal_id, stamp=response.stamp), request.goal)
+        with self._lock:
+            self._goals[key] = handle
+        self._publish_status()
+        # A task, so that the answer is on its way before anything is done.
+        self._start(self._handle_accepted_callback, handle)
+        return response
+
+    async def _wants(self, goal: Any) -> bool:
+        answer = await await_or_execute(self._goal_callback, goal)
+        if not isinstance(answer, GoalResponse):
+            self._node.get_logger().warning(
+                "Goal request callback did not return a GoalResponse type. Rejecting goal."
+            )
+        return answer is GoalResponse.ACCEPT
+
+    def _start(self, callback: Callable[..., Any], *args: Any) -> None:
+        executor = self._node.executor
+        if executor is None:
+            raise RCLError("cannot run a goal: the action server's node is in no executor")
+        executor.create_task(callback, *args)
+
+    def notify_execute(
+        self, goal_handle: ServerGoalHandle, execute_callback: Callable[[ServerGoalHandle], Any] | None
+    ) -> None:
+        """Have a goal executed; goal handles call it."""
+        callback = execute_callback if execute_callback is not None else self._execute_callback
+        self._start(self._execute, _callable(callback, "execute"), goal_handle)
+
+    async def _execute(self, callback: Callable[[ServerGoalHandle], Any], handle: ServerGoalHandle) -> None:
+        try:
+            result = await await_or_execute(callback, handle)
+        except Exception as error:  # noqa: BLE001  # the goal fails, not the server
+            self._node.get_logger().error(f"Error raised in execute callback: {error}")
+            traceback.print_exc()
+            result = None
+        if handle.is_active:
+            goal_id = key_of(handle.goal_id).hex()
+            self._node.get_logger().warning(f"Goal state not set, assuming aborted. Goal ID: {goal_id}")
+            handle.abort()
+        response = self._action_type.Impl.GetResultService.Response(status=handle.status)
+        if isinstance(result, self._action_type.Result):
+            response.result = result
+        elif result is not None:
+            self._node.get_logger().error(
+                f"The execute callback returned a {type(result).__name__}, not a {self._action_type.Result.__name__}"
+            )
+        handle.result_future.set_result(response)
+        self._note_end(key_of(handle.goal_id))
+
+    def _on_result(self, request: Any, response: Any) -> Any:
+        handle = self._goals.get(key_of(request.goal_id))
+        if handle is not None:
+            return handle.result_future
+        response.status = GoalStatus.STATUS_UNKNOWN
+        return response
+
+    # Cancelling
+
+    async def _on_cancel(
+        self, request: CancelGoal_Request, response: CancelGoal_Response
+    ) -> CancelGoal_Response:
+        wanted = self._to_cancel(request)
+        key = key_of(request.goal_info.goal_id)
+        if not wanted and key != _NO_ID:
+            known = key in self._goals
+            response.return_code = response.ERROR_GOAL_TERMINATED if known else response.ERROR_UNKNOWN_GOAL_ID
+            return response
+        for handle in wanted:
+            if await await_or_execute(self._cancel_callback, handle) is not CancelResponse.ACCEPT:
+                continue
+            try:
+                handle.update(GoalEvent.CANCEL_GOAL)
+            except RCLError:  # it has ended while its callback was asked
+                continue
+            response.goals_canceling.append(handle.goal_info)
+        if wanted and not response.goals_canceling:
+            response.return_code = response.ERROR_REJECTED
+        return response
+
+    def _to_cancel(self, request: CancelGoal_Request) -> list[ServerGoalHandle]:
+        """Return the goals that are meant: one by its id, all up to a time, or all."""
+        key = key_of(request.goal_info.goal_id)
+        until_ns = _stamp_ns(request.goal_info)
+        with self._lock:
+            goals = dict(self._goals)
+        return [
+            handle
+            for each, handle in goals.items()
+            if handle.status in (GoalStatus.STATUS_ACCEPTED, GoalStatus.STATUS_EXECUTING)
+            and (
+                each == key
+                or (until_ns and _stamp_ns(handle.goal_info) <= until_ns)
+                or (key == _NO_ID and not until_ns)
+            )
+        ]
+
+    # Telling
+
+    def publish_feedback(self, goal_id: UUID, feedback: Any) -> None:
+        """Tell how far a goal is; goal handles call it."""
+        if not isinstance(feedback, self._action_type.Feedback):
+            raise TypeError(f"Expected {self._action_type.Feedback}, got {type(feedback)}")
+        message = self._action_type.Impl.FeedbackMessage(goal_id=goal_id, feedback=feedback)
+        self._feedback.publish(message)
+
+    def notify_goal_done(self) -> None:
+        """Tell that the state of a goal has changed; goal handles call it."""
+        self._publish_status()
+
+    def _publish_status(self) -> None:
+        with self._lock:
+            goals = list(self._goals.values())
+        if self._node.context.ok():
+            self._status.publish(
+                GoalStatusArray(
+                    status_list=[GoalStatus(goal_info=goal.goal_info, status=goal.status) for goal in goals]
+                )
+            )
+
+    # Forgetting
+
+    def forget(self, goal_handle: ServerGoalHandle) -> None:
+        """Keep a goal no longer."""
+        key = key_of(goal_handle.goal_id)
+        with self._lock:
+            self._goals.pop(key, None)
+            self._ended_ns.pop(key, None)
+
+    def _note_end(self, key: bytes) -> None:
+        if self._result_timeout_ns < 0:
+            return
+        with self._lock:
+            self._ended_ns[key] = time.monotonic_ns()
+        self._expire()
+
+    def _expire(self) -> None:
+        """Forget the goals whose time is over, and come back when the next one's is."""
+        now_ns = time.monotonic_ns()
+        with self._lock:
+            due = [key for key, end in self._ended_ns.items() if end + self._result_timeout_ns <= now_ns]
+            for key in due:
+                self._goals.pop(key, None)
+                del self._ended_ns[key]
+            oldest_ns = min(self._ended_ns.values(), default=None)
+        if oldest_ns is None:
+            self._expiry.cancel()
+            return
+        self._expiry.timer_period_ns = max(1, oldest_ns + self._result_timeout_ns - now_ns)
+        self._expiry.reset()
+
+    def destroy(self) -> None:
+        """Serve no more."""
+        for service in self._services:
+            self._node.destroy_service(service)
+        self._node.destroy_publisher(self._feedback)
+        self._node.destroy_publisher(self._status)
+        self._node.destroy_timer(self._expiry)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.destroy()
+
+
+def _callable(callback: Any, what: str) -> Any:
+    if not callable(callback):
+        raise TypeError(f"Failed to register {what} callback: not callable")
+    return callback
+
+
+def _stamp_ns(info: GoalInfo) -> int:
+    return info.stamp.sec * S_TO_NS + info.stamp.nanosec

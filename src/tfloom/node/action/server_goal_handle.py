@@ -1,0 +1,112 @@
+"""A goal, as its server holds it."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from tfloom.interfaces.action_msgs.msg import GoalInfo, GoalStatus
+from tfloom.interfaces.unique_identifier_msgs.msg import UUID
+from tfloom.node.action.goal_states import ACTIVE, GoalEvent, next_state
+from tfloom.node.action.names import key_of
+from tfloom.node.task import Future
+
+if TYPE_CHECKING:
+    from tfloom.node.action.server import ActionServer
+
+__all__ = ["ServerGoalHandle"]
+
+
+class ServerGoalHandle:
+    """A goal that was accepted: what was asked for, how it stands, and the ways to end it."""
+
+    def __init__(self, action_server: ActionServer, goal_info: GoalInfo, goal_request: Any) -> None:
+        self._server = action_server
+        self._info = goal_info
+        self._request = goal_request
+        self._status: int = GoalStatus.STATUS_ACCEPTED
+        self._lock = threading.Lock()
+        self.result_future: Future[Any] = Future()
+        """Of the response that goes to whoever asks for the result."""
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, ServerGoalHandle) and key_of(self.goal_id) == key_of(other.goal_id)
+
+    def __hash__(self) -> int:
+        return hash(key_of(self.goal_id))
+
+    @property
+    def request(self) -> Any:
+        """The goal's message."""
+        return self._request
+
+    @property
+    def goal_id(self) -> UUID:
+        """Which goal it is."""
+        return self._info.goal_id
+
+    @property
+    def goal_info(self) -> GoalInfo:
+        """Its id, and when it was accepted."""
+        return self._info
+
+    @property
+    def status(self) -> int:
+        """Its state, a constant of `action_msgs/msg/GoalStatus`."""
+        return self._status
+
+    @property
+    def is_active(self) -> bool:
+        """Whether it has not ended."""
+        return self._status in ACTIVE
+
+    @property
+    def is_cancel_requested(self) -> bool:
+        """Whether it is to be cancelled: call `canceled` once that is done."""
+        return self._status == GoalStatus.STATUS_CANCELING
+
+    def update(self, event: GoalEvent) -> None:
+        """Go on to the next state, and tell everybody.
+
+        Raises:
+            RCLError: the event can't happen in this state.
+        """
+        with self._lock:
+            self._status = next_state(self._status, event)
+        self._server.notify_goal_done()
+
+    def execute(self, execute_callback: Callable[[ServerGoalHandle], Any] | None = None) -> None:
+        """Have the goal executed, by the server's callback or another one.
+
+        Raises:
+            RCLError: it is being executed, or has ended.
+        """
+        # A goal may be cancelled before it begins; the callback is to see that.
+        if not self.is_cancel_requested:
+            self.update(GoalEvent.EXECUTE)
+        self._server.notify_execute(self, execute_callback)
+
+    def publish_feedback(self, feedback: Any) -> None:
+        """Tell how far it is.
+
+        Raises:
+            TypeError: `feedback` isn't of the action's feedback type.
+        """
+        self._server.publish_feedback(self.goal_id, feedback)
+
+    def succeed(self) -> None:
+        """End as SUCCEEDED; RCLError if it isn't executing or canceling."""
+        self.update(GoalEvent.SUCCEED)
+
+    def abort(self) -> None:
+        """End as ABORTED; RCLError if it isn't executing or canceling."""
+        self.update(GoalEvent.ABORT)
+
+    def canceled(self) -> None:
+        """End as CANCELED; RCLError if nobody asked for it."""
+        self.update(GoalEvent.CANCELED)
+
+    def destroy(self) -> None:
+        """Forget the goal: who asks for its result is told that it is unknown."""
+        self._server.forget(self)

@@ -1,0 +1,4 @@
+"""Actions."""
+
+from tfloom.node.action import *
+from tfloom.node.action import __all__

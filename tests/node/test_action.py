@@ -1,0 +1,264 @@
+"""Actions: goals accepted, refused, cancelled, failed; feedback, states and results."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from tfloom.interfaces.action_msgs.msg import GoalInfo, GoalStatus
+from tfloom.interfaces.action_msgs.srv import CancelGoal
+from tfloom.interfaces.builtin_interfaces.msg import Time
+from tfloom.interfaces.example_interfaces.action import Fibonacci
+from tfloom.node.action.client import ActionClient
+from tfloom.node.action.graph import (
+    get_action_client_names_and_types_by_node,
+    get_action_names_and_types,
+    get_action_server_names_and_types_by_node,
+)
+from tfloom.node.action.names import new_goal_id
+from tfloom.node.action.server import ActionServer, CancelResponse, GoalResponse, ServerGoalHandle
+from tfloom.node.context import Context
+from tfloom.node.exceptions import NoTypeSupportImportedException, RCLError
+from tfloom.node.executors import MultiThreadedExecutor, SingleThreadedExecutor
+from tfloom.node.node import Node
+from tfloom.node.task import Future
+
+Finish = Callable[[Future[Any]], Any]
+
+
+@pytest.fixture
+def finish(executor: SingleThreadedExecutor) -> Finish:
+    def wait(future: Future[Any]) -> Any:
+        executor.spin_until_future_complete(future, timeout_sec=5)
+        assert future.done()
+        return future.result()
+
+    return wait
+
+
+@pytest.fixture
+def server_node(make_node: Callable[..., Node], executor: SingleThreadedExecutor) -> Node:
+    node = make_node("server")
+    executor.add_node(node)
+    return node
+
+
+@pytest.fixture
+def client(node: Node, executor: SingleThreadedExecutor) -> ActionClient:
+    executor.add_node(node)
+    return ActionClient(node, Fibonacci, "fibonacci")
+
+
+def fibonacci(goal_handle: ServerGoalHandle) -> Fibonacci.Result:
+    sequence = [0, 1]
+    for index in range(1, goal_handle.request.order):
+        sequence.append(sequence[index] + sequence[index - 1])
+        goal_handle.publish_feedback(Fibonacci.Feedback(sequence=sequence))
+    goal_handle.succeed()
+    return Fibonacci.Result(sequence=sequence)
+
+
+class Gated:
+    """An execute callback that waits until it is let go on, and obeys a cancel."""
+
+    def __init__(self, executor: SingleThreadedExecutor) -> None:
+        self.gates: list[Future[None]] = []
+        self._executor = executor
+
+    async def __call__(self, goal_handle: ServerGoalHandle) -> Fibonacci.Result:
+        gate: Future[None] = Future(executor=self._executor)
+        self.gates.append(gate)
+        await gate
+        goal_handle.canceled() if goal_handle.is_cancel_requested else goal_handle.succeed()
+        return Fibonacci.Result(sequence=[goal_handle.request.order])
+
+
+def test_a_goal_from_end_to_end(
+    server_node: Node, client: ActionClient, finish: Finish, spin_until: Callable[..., None]
+) -> None:
+    ActionServer(server_node, Fibonacci, "fibonacci", fibonacci)
+    assert client.wait_for_server(timeout_sec=5)
+    feedback: list[list[int]] = []
+    future = client.send_goal_async(
+        Fibonacci.Goal(order=5),
+        feedback_callback=lambda message: feedback.append(list(message.feedback.sequence)),
+    )
+    handle = finish(future)
+    assert handle.accepted
+    assert handle.stamp.sec > 0
+    response = finish(handle.get_result_async())
+    assert response.status == handle.status == GoalStatus.STATUS_SUCCEEDED
+    assert list(response.result.sequence) == [0, 1, 1, 2, 3, 5]
+    spin_until(lambda: len(feedback) == 4)
+    assert feedback == [[0, 1, 1], [0, 1, 1, 2], [0, 1, 1, 2, 3], [0, 1, 1, 2, 3, 5]]
+
+
+def test_a_goal_may_be_refused(server_node: Node, client: ActionClient, finish: Finish) -> None:
+    def judge(goal: Fibonacci.Goal) -> GoalResponse:
+        return GoalResponse.ACCEPT if goal.order < 10 else GoalResponse.REJECT
+
+    ActionServer(server_node, Fibonacci, "fibonacci", fibonacci, goal_callback=judge)
+    assert not finish(client.send_goal_async(Fibonacci.Goal(order=10))).accepted
+    assert finish(client.send_goal_async(Fibonacci.Goal(order=1))).accepted
+
+
+def test_an_id_is_taken_once(
+    server_node: Node, client: ActionClient, executor: SingleThreadedExecutor, finish: Finish
+) -> None:
+    ActionServer(server_node, Fibonacci, "fibonacci", Gated(executor))
+    goal_id = new_goal_id()
+    goals = [client.send_goal_async(Fibonacci.Goal(), goal_uuid=goal_id) for _ in range(2)]
+    assert [finish(goal).accepted for goal in goals] == [True, False]
+
+
+def test_several_goals_at_once_end_in_any_order(
+    server_node: Node, client: ActionClient, executor: SingleThreadedExecutor, finish: Finish
+) -> None:
+    gated = Gated(executor)
+    ActionServer(server_node, Fibonacci, "fibonacci", gated)
+    handles = [finish(client.send_goal_async(Fibonacci.Goal(order=order))) for order in range(3)]
+    results = [handle.get_result_async() for handle in handles]
+    while len(gated.gates) < 3:
+        executor.spin_once(timeout_sec=1)
+    for number in (2, 0, 1):
+        gated.gates[number].set_result(None)
+        assert list(finish(results[number]).result.sequence) == [number]
+
+
+def test_cancelling(
+    server_node: Node, client: ActionClient, executor: SingleThreadedExecutor, finish: Finish
+) -> None:
+    gated = Gated(executor)
+    ActionServer(
+        server_node, Fibonacci, "fibonacci", gated, cancel_callback=lambda handle: CancelResponse.ACCEPT
+    )
+    handle = finish(client.send_goal_async(Fibonacci.Goal()))
+    result = handle.get_result_async()
+    response = finish(handle.cancel_goal_async())
+    assert response.return_code == CancelGoal.Response.ERROR_NONE
+    assert response.goals_canceling[0].goal_id == handle.goal_id
+    while not gated.gates:
+        executor.spin_once(timeout_sec=1)
+    gated.gates[0].set_result(None)
+    assert finish(result).status == GoalStatus.STATUS_CANCELED
+    late = finish(handle.cancel_goal_async())
+    assert late.return_code == CancelGoal.Response.ERROR_GOAL_TERMINATED
+    unknown = finish(client.cancel(new_goal_id()))
+    assert unknown.return_code == CancelGoal.Response.ERROR_UNKNOWN_GOAL_ID
+
+
+def test_cancelling_by_time_and_all(
+    server_node: Node, client: ActionClient, executor: SingleThreadedExecutor, finish: Finish
+) -> None:
+    server = ActionServer(
+        server_node,
+        Fibonacci,
+        "fibonacci",
+        Gated(executor),
+        cancel_callback=lambda handle: CancelResponse.ACCEPT,
+    )
+    handles = [finish(client.send_goal_async(Fibonacci.Goal())) for _ in range(3)]
+    until = CancelGoal.Request(goal_info=GoalInfo(stamp=handles[1].stamp))
+    assert len(finish(client._cancel.call_async(until)).goals_canceling) == 2
+    assert len(finish(client._cancel.call_async(CancelGoal.Request())).goals_canceling) == 1
+    nothing = CancelGoal.Request(goal_info=GoalInfo(stamp=Time(sec=1)))
+    assert finish(client._cancel.call_async(nothing)).return_code == CancelGoal.Response.ERROR_NONE
+    server.destroy()
+
+
+def test_cancelling_is_refused_by_default(
+    server_node: Node, client: ActionClient, executor: SingleThreadedExecutor, finish: Finish
+) -> None:
+    ActionServer(server_node, Fibonacci, "fibonacci", Gated(executor))
+    handle = finish(client.send_goal_async(Fibonacci.Goal()))
+    assert finish(handle.cancel_goal_async()).return_code == CancelGoal.Response.ERROR_REJECTED
+
+
+def test_what_fails_is_aborted(
+    server_node: Node, client: ActionClient, finish: Finish, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def fails(goal_handle: ServerGoalHandle) -> Fibonacci.Result:
+        raise ValueError("mine")
+
+    server = ActionServer(server_node, Fibonacci, "fibonacci", fails)
+    handle = finish(client.send_goal_async(Fibonacci.Goal()))
+    assert finish(handle.get_result_async()).status == GoalStatus.STATUS_ABORTED
+    assert "Error raised in execute callback: mine" in capsys.readouterr().err
+    server.register_execute_callback(lambda goal_handle: None)
+    handle = finish(client.send_goal_async(Fibonacci.Goal()))
+    assert finish(handle.get_result_async()).status == GoalStatus.STATUS_ABORTED
+    assert "Goal state not set, assuming aborted" in capsys.readouterr().err
+
+
+def test_states_only_change_as_they_may(
+    server_node: Node, client: ActionClient, finish: Finish, spin_until: Callable[..., None]
+) -> None:
+    kept: list[ServerGoalHandle] = []
+    ActionServer(server_node, Fibonacci, "fibonacci", fibonacci, handle_accepted_callback=kept.append)
+    handle = finish(client.send_goal_async(Fibonacci.Goal(order=1)))
+    result = handle.get_result_async()
+    spin_until(lambda: kept)
+    (goal,) = kept
+    assert goal.status == GoalStatus.STATUS_ACCEPTED
+    with pytest.raises(RCLError, match="from state ACCEPTED with event SUCCEED"):
+        goal.succeed()
+    with pytest.raises(RCLError, match="with event CANCELED"):
+        goal.canceled()
+    with pytest.raises(TypeError, match="Fibonacci_Feedback"):
+        goal.publish_feedback(Fibonacci.Goal())
+    goal.execute()
+    assert finish(result).status == GoalStatus.STATUS_SUCCEEDED
+    with pytest.raises(RCLError):
+        goal.abort()
+
+
+def test_results_are_kept_for_a_time(
+    server_node: Node, client: ActionClient, finish: Finish, spin_until: Callable[..., None]
+) -> None:
+    server = ActionServer(server_node, Fibonacci, "fibonacci", fibonacci, result_timeout=0.02)
+    handle = finish(client.send_goal_async(Fibonacci.Goal(order=1)))
+    assert finish(handle.get_result_async()).status == GoalStatus.STATUS_SUCCEEDED
+    spin_until(lambda: not server._goals)
+    assert finish(handle.get_result_async()).status == GoalStatus.STATUS_UNKNOWN
+
+
+def test_waiting_in_threads(make_node: Callable[..., Node], context: Context) -> None:
+    server, caller = make_node("threaded_server"), make_node("caller")
+    ActionServer(server, Fibonacci, "fibonacci", fibonacci)
+    client = ActionClient(caller, Fibonacci, "fibonacci")
+    with MultiThreadedExecutor(2, context=context) as executor:
+        executor.add_node(server)
+        executor.add_node(caller)
+        end: Future[None] = Future()
+        thread = threading.Thread(target=lambda: executor.spin_until_future_complete(end, timeout_sec=20))
+        thread.start()
+        try:
+            assert client.wait_for_server(timeout_sec=5)
+            response = client.send_goal(Fibonacci.Goal(order=3))
+            assert list(response.result.sequence) == [0, 1, 1, 2]
+        finally:
+            end.set_result(None)
+            thread.join(10)
+
+
+def test_bad_input(node: Node, client: ActionClient) -> None:
+    with pytest.raises(TypeError, match=r"Expected .*Fibonacci_Goal.*, got .*Fibonacci_Result"):
+        client.send_goal_async(Fibonacci.Result())
+    with pytest.raises(NoTypeSupportImportedException):
+        ActionClient(node, Fibonacci.Goal, "x")
+    with pytest.raises(TypeError, match="not callable"):
+        ActionServer(node, Fibonacci, "x", 5)
+    assert not client.wait_for_server(timeout_sec=0.01)
+    client.destroy()
+
+
+def test_the_graph_knows_actions(server_node: Node, client: ActionClient, node: Node) -> None:
+    ActionServer(server_node, Fibonacci, "fibonacci", fibonacci)
+    expected = [("/fibonacci", ["example_interfaces/action/Fibonacci"])]
+    assert get_action_names_and_types(node) == expected
+    assert get_action_server_names_and_types_by_node(node, "server", "/") == expected
+    assert get_action_server_names_and_types_by_node(node, "tester", "/") == []
+    assert get_action_client_names_and_types_by_node(node, "tester", "/") == expected
