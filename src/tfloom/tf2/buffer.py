@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tfloom.tf2.arrays import Arrays
+from tfloom.tf2.velocity import Velocities
 
 __all__ = ["LATEST", "Buffer"]
 
@@ -12,7 +12,7 @@ LATEST = 0
 DEFAULT_CACHE_TIME_NS = 10_000_000_000
 
 
-class Buffer(Arrays):
+class Buffer(Velocities):
     """A tree of frames over time. All methods may be called from any thread.
 
     Args:

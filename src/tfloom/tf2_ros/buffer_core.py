@@ -16,6 +16,7 @@ from tfloom.tf2.errors import LookupException as _LookupException
 __all__ = ["BufferCore", "duration_ns", "time_ns"]
 
 S_TO_NS = 1_000_000_000
+Triple = tuple[float, float, float]
 
 
 class BufferCore(tf2_buffer.Buffer):
@@ -108,6 +109,36 @@ class BufferCore(tf2_buffer.Buffer):
                 raise
             raise TransformException(*error.args) from None
         return Time(nanoseconds=stamp, clock_type=ClockType.SYSTEM_TIME)
+
+    def lookupVelocityCore(  # noqa: N802, tf2_py's name
+        self, tracking_frame: str, observation_frame: str, time: Any, averaging_interval: Any
+    ) -> tuple[Triple, Triple]:
+        """Return how one frame moves in another, linear and angular, by tf2's formula; see `lookup_velocity`."""
+        interval_s = duration_ns(averaging_interval) / 1e9
+        twist = self.lookup_velocity(tracking_frame, observation_frame, time_ns(time), interval_s)
+        return twist.linear, twist.angular
+
+    def lookupVelocityFullCore(  # noqa: N802, tf2_py's name
+        self,
+        tracking_frame: str,
+        observation_frame: str,
+        reference_frame: str,
+        reference_point: Triple,
+        reference_point_frame: str,
+        time: Any,
+        averaging_interval: Any,
+    ) -> tuple[Triple, Triple]:
+        """Return the same for a point of the moving body, in another frame; see `lookup_velocity`."""
+        twist = self.lookup_velocity(
+            tracking_frame,
+            observation_frame,
+            time_ns(time),
+            duration_ns(averaging_interval) / 1e9,
+            reference_frame=reference_frame,
+            reference_point=reference_point,
+            reference_point_frame=reference_point_frame,
+        )
+        return twist.linear, twist.angular
 
     def _chain(
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str

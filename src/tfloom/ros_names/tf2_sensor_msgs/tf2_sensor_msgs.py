@@ -1,0 +1,5 @@
+"""PointCloud2 through transforms; importing it registers it for `Buffer.transform`."""
+
+from tfloom.tf2_ros.point_cloud import do_transform_cloud, from_msg_msg, to_msg_msg, transform_points
+
+__all__ = ["do_transform_cloud", "from_msg_msg", "to_msg_msg", "transform_points"]

@@ -1,0 +1,249 @@
+"""Messages of geometry_msgs through transforms. Importing this registers them for `Buffer.transform`.
+
+What is passed in is left as it is. Messages may be of any class that has the fields; the result is of the same class.
+"""
+
+from __future__ import annotations
+
+from copy import deepcopy
+from typing import TYPE_CHECKING, Any
+
+from tfloom.interfaces.geometry_msgs.msg import (
+    PointStamped,
+    PolygonStamped,
+    PoseStamped,
+    PoseWithCovarianceStamped,
+    QuaternionStamped,
+    TwistStamped,
+    Vector3Stamped,
+    VelocityStamped,
+    WrenchStamped,
+)
+from tfloom.tf2.transform import Transform
+from tfloom.tf2_ros.buffer_interface import ConvertRegistration, TransformRegistration
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = [
+    "do_transform_point",
+    "do_transform_polygon_stamped",
+    "do_transform_pose",
+    "do_transform_pose_stamped",
+    "do_transform_pose_with_covariance_stamped",
+    "do_transform_quaternion_stamped",
+    "do_transform_twist",
+    "do_transform_twist_stamped",
+    "do_transform_vector3",
+    "do_transform_velocity_stamped",
+    "do_transform_wrench",
+    "do_transform_wrench_stamped",
+    "from_msg_msg",
+    "to_msg_msg",
+    "transform_covariance",
+    "value_of",
+]
+
+Triple = tuple[float, float, float]
+
+
+def to_msg_msg(msg: Any) -> Any:
+    """Return a message as the message that it is."""
+    return msg
+
+
+def from_msg_msg(msg: Any) -> Any:
+    """Return a message as the message that it is."""
+    return msg
+
+
+def value_of(transform: Any) -> Transform:
+    """Return a Transform or TransformStamped message as a value; a zero quaternion counts as no rotation."""
+    message = getattr(transform, "transform", transform)
+    p, q = message.translation, message.rotation
+    rotation = (q.x, q.y, q.z, q.w)
+    return Transform((p.x, p.y, p.z), rotation if any(rotation) else (0.0, 0.0, 0.0, 1.0))
+
+
+def do_transform_point(point: Any, transform: Any) -> Any:
+    """Return a PointStamped through a TransformStamped, whose header it gets."""
+    result = _headed(point, transform)
+    _put(result.point, value_of(transform).apply(_xyz(point.point)))
+    return result
+
+
+def do_transform_vector3(vector3: Any, transform: Any) -> Any:
+    """Return a Vector3Stamped, turned by a TransformStamped, whose header it gets; a vector has no place."""
+    result = _headed(vector3, transform)
+    _put(result.vector, _turned(value_of(transform), _xyz(vector3.vector)))
+    return result
+
+
+def do_transform_pose(pose: Any, transform: Any) -> Any:
+    """Return a Pose through a TransformStamped; its orientation has w ≥ 0."""
+    result = type(pose)()
+    q = pose.orientation
+    orientation = (q.x, q.y, q.z, q.w)
+    placed = Transform(_xyz(pose.position), orientation if any(orientation) else (0.0, 0.0, 0.0, 1.0))
+    moved = value_of(transform) @ placed
+    _put(result.position, moved.translation)
+    x, y, z, w = moved.rotation_xyzw
+    _put_quaternion(result.orientation, (-x, -y, -z, -w) if w < 0 else (x, y, z, w))
+    return result
+
+
+def do_transform_pose_stamped(pose: Any, transform: Any) -> Any:
+    """Return a PoseStamped through a TransformStamped, whose header it gets."""
+    result = _headed(pose, transform)
+    result.pose = do_transform_pose(pose.pose, transform)
+    return result
+
+
+def do_transform_pose_with_covariance_stamped(pose: Any, transform: Any) -> Any:
+    """Return a PoseWithCovarianceStamped through a TransformStamped, whose header it gets."""
+    result = _headed(pose, transform)
+    result.pose.pose = do_transform_pose(pose.pose.pose, transform)
+    result.pose.covariance = transform_covariance(pose.pose.covariance, transform)
+    return result
+
+
+def do_transform_polygon_stamped(polygon: Any, transform: Any) -> Any:
+    """Return a PolygonStamped through a TransformStamped, whose header it gets."""
+    result = _headed(polygon, transform)
+    value = value_of(transform)
+    points = []
+    for point in polygon.polygon.points:
+        moved = type(point)()
+        _put(moved, value.apply(_xyz(point)))
+        points.append(moved)
+    result.polygon.points = points
+    return result
+
+
+def do_transform_quaternion_stamped(quaternion: Any, transform: Any) -> Any:
+    """Return a QuaternionStamped turned by a TransformStamped, whose header it gets."""
+    result = _headed(quaternion, transform)
+    q = quaternion.quaternion
+    _put_quaternion(result.quaternion, _product(_xyzw(transform), (q.x, q.y, q.z, q.w)))
+    return result
+
+
+def do_transform_wrench(wrench: Any, transform: Any) -> Any:
+    """Return a Wrench at the transform's target: F' = R F, τ' = R τ + cross(t, F')."""
+    result = type(wrench)()
+    value = value_of(transform)
+    force = _turned(value, _xyz(wrench.force))
+    torque = _turned(value, _xyz(wrench.torque))
+    _put(result.force, force)
+    _put(result.torque, _sum(torque, _cross(value.translation, force)))
+    return result
+
+
+def do_transform_wrench_stamped(wrench: Any, transform: Any) -> Any:
+    """Return a WrenchStamped at the target of a TransformStamped, whose header it gets."""
+    result = _headed(wrench, transform)
+    result.wrench = do_transform_wrench(wrench.wrench, transform)
+    return result
+
+
+def do_transform_twist(twist: Any, transform: Any) -> Any:
+    """Return a Twist of the same body at the transform's target: ω' = R ω, v' = R v + cross(t, ω')."""
+    result = type(twist)()
+    value = value_of(transform)
+    angular = _turned(value, _xyz(twist.angular))
+    linear = _turned(value, _xyz(twist.linear))
+    _put(result.angular, angular)
+    _put(result.linear, _sum(linear, _cross(value.translation, angular)))
+    return result
+
+
+def do_transform_twist_stamped(twist: Any, transform: Any) -> Any:
+    """Return a TwistStamped at the target of a TransformStamped, whose header it gets."""
+    result = _headed(twist, transform)
+    result.twist = do_transform_twist(twist.twist, transform)
+    return result
+
+
+def do_transform_velocity_stamped(velocity: Any, transform: Any) -> Any:
+    """Return a VelocityStamped at the target of a TransformStamped, whose header it gets; its frames stay."""
+    result = _headed(velocity, transform)
+    result.body_frame_id = velocity.body_frame_id
+    result.reference_frame_id = velocity.reference_frame_id
+    result.velocity = do_transform_twist(velocity.velocity, transform)
+    return result
+
+
+def transform_covariance(cov_in: ArrayLike, transform: Any) -> NDArray[np.float64]:
+    """Return a covariance (36,), row-major over x, y, z and turns about them, each block turned: R C Rᵀ."""
+    import numpy as np
+
+    turn = value_of(transform).matrix()[:3, :3]
+    blocks = np.asarray(cov_in, np.float64).reshape(2, 3, 2, 3).swapaxes(1, 2)
+    turned: NDArray[np.float64] = (turn @ blocks @ turn.T).swapaxes(1, 2).reshape(36)
+    return turned
+
+
+def _headed(message: Any, transform: Any) -> Any:
+    result = type(message)()
+    result.header = deepcopy(transform.header)
+    return result
+
+
+def _xyz(part: Any) -> Triple:
+    return part.x, part.y, part.z
+
+
+def _xyzw(transform: Any) -> tuple[float, float, float, float]:
+    return value_of(transform).rotation_xyzw
+
+
+def _put(part: Any, xyz: Triple) -> None:
+    part.x, part.y, part.z = xyz
+
+
+def _put_quaternion(part: Any, xyzw: tuple[float, float, float, float]) -> None:
+    part.x, part.y, part.z, part.w = xyzw
+
+
+def _turned(value: Transform, vector: Triple) -> Triple:
+    return Transform((0.0, 0.0, 0.0), value.rotation_xyzw).apply(vector)
+
+
+def _sum(a: Triple, b: Triple) -> Triple:
+    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
+
+
+def _cross(a: Triple, b: Triple) -> Triple:
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+def _product(
+    a: tuple[float, float, float, float], b: tuple[float, float, float, float]
+) -> tuple[float, float, float, float]:
+    ax, ay, az, aw = a
+    bx, by, bz, bw = b
+    return (
+        aw * bx + ax * bw + ay * bz - az * by,
+        aw * by - ax * bz + ay * bw + az * bx,
+        aw * bz + ax * by - ay * bx + az * bw,
+        aw * bw - ax * bx - ay * by - az * bz,
+    )
+
+
+_REGISTERED = {
+    PointStamped: do_transform_point,
+    Vector3Stamped: do_transform_vector3,
+    PoseStamped: do_transform_pose_stamped,
+    PoseWithCovarianceStamped: do_transform_pose_with_covariance_stamped,
+    PolygonStamped: do_transform_polygon_stamped,
+    QuaternionStamped: do_transform_quaternion_stamped,
+    WrenchStamped: do_transform_wrench_stamped,
+    TwistStamped: do_transform_twist_stamped,
+    VelocityStamped: do_transform_velocity_stamped,
+}
+for _kind, _function in _REGISTERED.items():
+    TransformRegistration().add(_kind, _function)
+for _kind in (Vector3Stamped, PoseStamped, PointStamped):
+    ConvertRegistration().add_to_msg(_kind, to_msg_msg)
+    ConvertRegistration().add_from_msg(_kind, from_msg_msg)

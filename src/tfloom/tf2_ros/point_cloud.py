@@ -1,0 +1,116 @@
+"""PointCloud2 through transforms. Importing this registers it for `Buffer.transform`."""
+
+from __future__ import annotations
+
+import array
+from copy import copy, deepcopy
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tfloom import _native
+from tfloom.interfaces.sensor_msgs.msg import PointCloud2
+from tfloom.tf2.buffer import Buffer
+from tfloom.tf2_ros.buffer_interface import ConvertRegistration, TransformRegistration
+from tfloom.tf2_ros.geometry import from_msg_msg, to_msg_msg, value_of
+from tfloom.tf2_ros.point_cloud2 import points_view
+
+__all__ = ["deskew_cloud", "do_transform_cloud", "from_msg_msg", "to_msg_msg", "transform_points"]
+
+
+def transform_points(point_cloud: ArrayLike, transform: Any) -> NDArray[np.float64]:
+    """Return points (N, 3) through a Transform message, float64."""
+    points = np.ascontiguousarray(point_cloud, np.float64)
+    moved = np.empty_like(points)
+    _native.move_points_float64(_row(transform), points, moved)
+    return moved
+
+
+def do_transform_cloud(cloud: Any, transform: Any) -> Any:
+    """Return a cloud through a Transform or TransformStamped message.
+
+    Size, padding, other fields and `is_dense` stay as they are, and so does the cloud that is passed in. The header
+    keeps its stamp; its frame becomes that of a TransformStamped.
+
+    Raises:
+        AssertionError: the cloud has no fields x, y and z.
+    """
+    result, points = _copied(cloud)
+    xyz = _gather(points)
+    move = _native.move_points_float32 if xyz.dtype == np.float32 else _native.move_points_float64
+    move(_row(transform), xyz, xyz)
+    _scatter(points, xyz)
+    if hasattr(transform, "header"):
+        result.header.frame_id = transform.header.frame_id
+    return result
+
+
+def deskew_cloud(
+    buffer: Buffer,
+    cloud: Any,
+    stamps_ns: ArrayLike,
+    target_frame: str,
+    fixed_frame: str,
+    target_stamp_ns: int = 0,
+) -> Any:
+    """Return a cloud whose points were taken one after the other as if at one time; see `Buffer.deskew`.
+
+    `stamps_ns` has a stamp for each point, row after row. The header gets the target's frame and, unless it's the
+    latest, its stamp.
+
+    Raises:
+        AssertionError: the cloud has no fields x, y and z.
+        TransformException: as `lookup`.
+    """
+    result, points = _copied(cloud)
+    xyz = _gather(points)
+    source_frame = cloud.header.frame_id
+    buffer.deskew(xyz, stamps_ns, target_frame, source_frame, fixed_frame, target_stamp_ns, out=xyz)
+    _scatter(points, xyz)
+    result.header.frame_id = target_frame
+    if target_stamp_ns:
+        result.header.stamp.sec, result.header.stamp.nanosec = divmod(target_stamp_ns, 1_000_000_000)
+    return result
+
+
+def _copied(cloud: Any) -> tuple[Any, NDArray[Any]]:
+    """Return a copy of a cloud and a view of the copy's points."""
+    names = [field.name for field in cloud.fields]
+    if not {"x", "y", "z"} <= set(names):
+        raise AssertionError("Point cloud needs the fields x, y, and z for the transformation")
+    result = type(cloud)()
+    for name in ("height", "width", "is_bigendian", "point_step", "row_step", "is_dense"):
+        setattr(result, name, getattr(cloud, name))
+    result.header = deepcopy(cloud.header)
+    result.fields = [copy(field) for field in cloud.fields]
+    data = array.array("B", bytes(cloud.data))
+    result.data = data
+    return result, points_view(result, result.data)
+
+
+def _gather(points: NDArray[Any]) -> NDArray[Any]:
+    kind = (
+        np.float32
+        if all(points.dtype[axis].newbyteorder("=") == np.float32 for axis in "xyz")
+        else np.float64
+    )
+    xyz = np.empty((points.size, 3), kind)
+    for column, axis in enumerate("xyz"):
+        xyz[:, column] = points[axis].reshape(-1)
+    return xyz
+
+
+def _scatter(points: NDArray[Any], xyz: NDArray[Any]) -> None:
+    for column, axis in enumerate("xyz"):
+        points[axis] = xyz[:, column].reshape(points.shape)
+
+
+def _row(transform: Any) -> NDArray[np.float64]:
+    value = value_of(transform)
+    return np.array(value.translation + value.rotation_xyzw)
+
+
+TransformRegistration().add(PointCloud2, do_transform_cloud)
+ConvertRegistration().add_to_msg(PointCloud2, to_msg_msg)
+ConvertRegistration().add_from_msg(PointCloud2, from_msg_msg)

@@ -1,0 +1,232 @@
+"""PointCloud2 in numpy's hands: what sensor_msgs_py.point_cloud2 offers."""
+
+from __future__ import annotations
+
+import array
+import sys
+from collections import namedtuple
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tfloom.interfaces.sensor_msgs.msg import PointCloud2, PointField
+from tfloom.interfaces.std_msgs.msg import Header
+
+__all__ = [
+    "DUMMY_FIELD_PREFIX",
+    "create_cloud",
+    "create_cloud_xyz32",
+    "dtype_from_fields",
+    "points_view",
+    "read_points",
+    "read_points_list",
+    "read_points_numpy",
+]
+
+DUMMY_FIELD_PREFIX = "unnamed_field"
+
+_DATATYPES = {
+    PointField.INT8: "i1",
+    PointField.UINT8: "u1",
+    PointField.INT16: "i2",
+    PointField.UINT16: "u2",
+    PointField.INT32: "i4",
+    PointField.UINT32: "u4",
+    PointField.FLOAT32: "f4",
+    PointField.FLOAT64: "f8",
+}
+
+
+def dtype_from_fields(
+    fields: Iterable[PointField],
+    point_step: int | None = None,
+    *,
+    is_bigendian: bool = sys.byteorder == "big",
+) -> np.dtype[Any]:
+    """Return the structured dtype of a point.
+
+    Args:
+        fields: What a point has. One without a name becomes `unnamed_field_<i>`; a count above 1 gives `<name>_<k>`.
+        point_step: Octets from point to point; None: just what the fields take.
+        is_bigendian: The byte order of the numbers.
+
+    Raises:
+        AssertionError: two fields have one name, or one has no elements.
+        ValueError: a field's datatype is none of PointField's.
+    """
+    names: list[str] = []
+    formats: list[str] = []
+    offsets: list[int] = []
+    for index, field in enumerate(fields):
+        if field.datatype not in _DATATYPES:
+            raise ValueError(f"field {field.name!r} has the unknown datatype {field.datatype}")
+        if field.count <= 0:
+            raise AssertionError("Can't handle fields with count = 0.")
+        base = field.name or f"{DUMMY_FIELD_PREFIX}_{index}"
+        kind = np.dtype((">" if is_bigendian else "<") + _DATATYPES[field.datatype])
+        for element in range(field.count):
+            name = base if field.count == 1 else f"{base}_{element}"
+            if name in names:
+                raise AssertionError("Duplicate field names are not allowed!")
+            names.append(name)
+            formats.append(kind.str)
+            offsets.append(field.offset + element * kind.itemsize)
+    layout: Any = {"names": names, "formats": formats, "offsets": offsets}
+    if point_step is not None:
+        layout["itemsize"] = point_step
+    dtype: np.dtype[Any] = np.dtype(layout)
+    return dtype
+
+
+def points_view(cloud: PointCloud2, data: Any = None) -> NDArray[Any]:
+    """Return the points (height, width) as a structured view of the cloud's bytes, or of `data` laid out alike.
+
+    Raises:
+        ValueError: there are fewer bytes than the cloud's sizes ask for.
+    """
+    dtype = dtype_from_fields(cloud.fields, cloud.point_step, is_bigendian=bool(cloud.is_bigendian))
+    octets = memoryview(cloud.data if data is None else data).cast("B")
+    row_step = max(cloud.row_step, cloud.width * cloud.point_step) if cloud.height > 1 else 0
+    needed = max(0, cloud.height - 1) * row_step + cloud.width * cloud.point_step
+    if cloud.height and cloud.width and len(octets) < needed:
+        raise ValueError(f"the cloud's data has {len(octets)} bytes, its sizes ask for {needed}")
+    shape, strides = (cloud.height, cloud.width), (row_step, cloud.point_step)
+    view: NDArray[Any] = np.ndarray(shape, dtype, buffer=octets, strides=strides)
+    return view
+
+
+def read_points(
+    cloud: PointCloud2,
+    field_names: Sequence[str] | None = None,
+    skip_nans: bool = False,
+    uvs: Iterable[int] | None = None,
+    reshape_organized_cloud: bool = False,
+) -> NDArray[Any]:
+    """Return the points as a structured array (N,), a copy in this machine's byte order.
+
+    Args:
+        cloud: The cloud; it is left as it is.
+        field_names: Which fields; None: all.
+        skip_nans: Whether to leave out points with a NaN in one of these.
+        uvs: Indices of the points to return; None: all.
+        reshape_organized_cloud: Whether an organised cloud comes as (height, width).
+
+    Raises:
+        AssertionError: a field is not there.
+        ValueError: there are fewer bytes than the cloud's sizes ask for.
+    """
+    points = points_view(cloud)
+    if field_names is not None:
+        wanted = list(field_names)
+        if not set(wanted) <= set(points.dtype.names or ()):
+            raise AssertionError("Requests field is not in the fields of the PointCloud!")
+        points = points[wanted]
+    points = points.astype(points.dtype.newbyteorder("="), copy=True)
+    organised = points
+    points = points.reshape(-1)
+    if skip_nans:
+        is_nan = np.zeros(len(points), bool)
+        for name in points.dtype.names or ():
+            is_nan |= np.isnan(points[name])
+        points = points[~is_nan]
+    if uvs is not None:
+        points = points[uvs if isinstance(uvs, np.ndarray) else np.fromiter(uvs, int)]
+    if reshape_organized_cloud and cloud.height > 1 and points.size == organised.size:
+        return points.reshape(organised.shape)
+    return points
+
+
+def read_points_numpy(
+    cloud: PointCloud2,
+    field_names: Sequence[str] | None = None,
+    skip_nans: bool = False,
+    uvs: Iterable[int] | None = None,
+    reshape_organized_cloud: bool = False,
+) -> NDArray[Any]:
+    """Return the points as a plain array (N, fields), for fields of one type; see `read_points`.
+
+    Raises:
+        AssertionError: the fields have different types.
+    """
+    names = [field.name for field in cloud.fields if field_names is None or field.name in field_names]
+    kinds = {field.datatype for field in cloud.fields if field.name in names}
+    if len(kinds) > 1:
+        raise AssertionError("All fields need to have the same datatype. Use `read_points()` otherwise.")
+    points = read_points(cloud, field_names, skip_nans, uvs, reshape_organized_cloud)
+    return np.stack([points[name] for name in points.dtype.names or ()], axis=-1)
+
+
+def read_points_list(
+    cloud: PointCloud2,
+    field_names: Sequence[str] | None = None,
+    skip_nans: bool = False,
+    uvs: Iterable[int] | None = None,
+) -> list[Any]:
+    """Return the points as named tuples; see `read_points`."""
+    points = read_points(cloud, field_names, skip_nans, uvs)
+    point = namedtuple("Point", points.dtype.names or ())  # type: ignore[misc]  # noqa: PYI024, names are data
+    return [point._make(values) for values in points.tolist()]
+
+
+def create_cloud(
+    header: Header, fields: Iterable[PointField], points: Any, point_step: int | None = None
+) -> PointCloud2:
+    """Make a cloud.
+
+    Args:
+        header: Its header.
+        fields: What a point has.
+        points: A structured array of the fields' dtype, a plain array (N, fields), or an iterable of points. A
+            structured array (height, width), or a plain one (height, width, fields), makes an organised cloud.
+        point_step: Octets from point to point; None: just what the fields take.
+
+    Raises:
+        AssertionError: the array doesn't fit the fields.
+    """
+    listed = list(fields)
+    dtype = dtype_from_fields(listed, point_step)
+    if not isinstance(points, np.ndarray):
+        table = np.array([tuple(point) for point in points], dtype)
+    elif points.dtype.names is None:
+        if any(field.datatype != listed[0].datatype for field in listed):
+            raise AssertionError(
+                "All fields need to have the same datatype. Pass a structured NumPy array with multiple dtypes "
+                "otherwise."
+            )
+        table = np.zeros(points.shape[:-1], dtype)
+        for column, name in enumerate(dtype.names or ()):
+            table[name] = points[..., column]
+    else:
+        if points.dtype != dtype:
+            raise AssertionError(
+                "PointFields and structured NumPy array dtype do not match for all fields! Check their field order, "
+                "names and types."
+            )
+        table = points
+    if table.ndim > 2:
+        raise AssertionError(
+            "Too many dimensions for organized cloud! Points can only be organized in max. two dimensional space"
+        )
+    height, width = table.shape if table.ndim == 2 else (1, table.shape[0])
+    return PointCloud2(
+        header=header,
+        height=height,
+        width=width,
+        is_dense=False,
+        is_bigendian=sys.byteorder != "little",
+        fields=listed,
+        point_step=dtype.itemsize,
+        row_step=dtype.itemsize * width,
+        data=array.array("B", np.ascontiguousarray(table).tobytes()),
+    )
+
+
+def create_cloud_xyz32(header: Header, points: Any) -> PointCloud2:
+    """Make a cloud of float32 x, y and z from an array (N, 3) or an iterable of points."""
+    fields = [
+        PointField(name=name, offset=4 * index, datatype=PointField.FLOAT32, count=1)
+        for index, name in enumerate("xyz")
+    ]
+    return create_cloud(header, fields, points)

@@ -1,0 +1,143 @@
+"""Messages through transforms."""
+
+from __future__ import annotations
+
+import math
+from copy import deepcopy
+from typing import Any
+
+import numpy as np
+import pytest
+from tests.tf2_ros.conftest import SECOND, transform_stamped
+
+from tfloom.interfaces.geometry_msgs import msg as g
+from tfloom.interfaces.std_msgs.msg import Header
+from tfloom.node.duration import Duration
+from tfloom.node.time import Time
+from tfloom.tf2_ros import geometry
+from tfloom.tf2_ros.buffer import Buffer
+from tfloom.tf2_ros.buffer_interface import Stamped, TypeException, convert
+
+# By 10, 20, 30 m, and half a turn about x.
+TRANSFORM = transform_stamped("B", "A", 2 * SECOND, (10.0, 20.0, 30.0), (1.0, 0.0, 0.0, 0.0))
+
+
+def numbers(part: Any) -> list[float]:
+    return [getattr(part, axis) for axis in "xyzw" if hasattr(part, axis)]
+
+
+@pytest.fixture
+def buffer() -> Buffer:
+    buffer = Buffer()
+    buffer.set_transform(
+        transform_stamped("A", "B", 2 * SECOND, (10.0, 20.0, 30.0), (1.0, 0.0, 0.0, 0.0)), "me"
+    )
+    return buffer
+
+
+HEADER = Header(stamp=Time(seconds=2).to_msg(), frame_id="A")
+
+
+def test_a_point() -> None:
+    point = g.PointStamped(point=g.Point(x=1.0, y=2.0, z=3.0))
+    moved = geometry.do_transform_point(point, TRANSFORM)
+    assert numbers(moved.point) == pytest.approx([11, 18, 27])
+    assert moved.header == TRANSFORM.header
+    assert moved.header is not TRANSFORM.header
+
+
+@pytest.mark.parametrize(
+    ("message", "field", "expected"),
+    [
+        (g.PointStamped(header=HEADER, point=g.Point(x=1.0, y=2.0, z=3.0)), "point", [-9, 18, 27]),
+        (g.Vector3Stamped(header=HEADER, vector=g.Vector3(x=1.0, y=2.0, z=3.0)), "vector", [1, -2, -3]),
+    ],
+)
+def test_through_a_buffer(buffer: Buffer, message: Any, field: str, expected: list[float]) -> None:
+    before = deepcopy(message)
+    moved = buffer.transform(message, "B", Duration(seconds=1))
+    assert numbers(getattr(moved, field)) == pytest.approx(expected)
+    assert (moved.header.frame_id, moved.header.stamp.sec) == ("B", 2)
+    assert message == before
+    again = buffer.transform_full(message, "B", Time(seconds=2), "A")
+    assert numbers(getattr(again, field)) == pytest.approx(expected)
+
+
+def test_a_pose_has_positive_w() -> None:
+    pose = g.Pose(position=g.Point(x=1.0, y=2.0, z=3.0), orientation=g.Quaternion(x=1.0, y=0.0, z=0.0, w=0.0))
+    moved = geometry.do_transform_pose(pose, TRANSFORM)
+    assert numbers(moved.position) == pytest.approx([11, 18, 27])
+    assert numbers(moved.orientation) == pytest.approx([0, 0, 0, 1])
+
+
+def test_covariance() -> None:
+    pose = g.PoseWithCovarianceStamped()
+    pose.pose.pose.position = g.Point(x=1.0, y=2.0, z=3.0)
+    pose.pose.covariance = np.tile(np.arange(1.0, 7.0), 6)
+    moved = geometry.do_transform_pose_with_covariance_stamped(pose, TRANSFORM)
+    odd, even = [1, -2, -3, 4, -5, -6], [-1, 2, 3, -4, 5, 6]
+    assert moved.pose.covariance.reshape(6, 6).tolist() == [odd, even, even, odd, even, even]
+    assert numbers(moved.pose.pose.position) == pytest.approx([11, 18, 27])
+
+
+def test_a_quaternion() -> None:
+    half = math.sqrt(0.5)
+    turned = geometry.do_transform_quaternion_stamped(
+        g.QuaternionStamped(quaternion=g.Quaternion(x=0.0, y=-half, z=0.0, w=half)), TRANSFORM
+    )
+    assert numbers(turned.quaternion) == pytest.approx([half, 0, -half, 0])
+
+
+def test_a_wrench() -> None:
+    transform = transform_stamped("B", "A", 0, (0.0, -2.0, 0.0), (0.0, 0.0, -math.sqrt(0.5), math.sqrt(0.5)))
+    two_one_three = g.Vector3(x=2.0, y=1.0, z=3.0)
+    moved = geometry.do_transform_wrench_stamped(
+        g.WrenchStamped(wrench=g.Wrench(force=two_one_three, torque=two_one_three)), transform
+    )
+    assert numbers(moved.wrench.force) == pytest.approx([1, -2, 3])
+    assert numbers(moved.wrench.torque) == pytest.approx([-5, -2, 5])
+
+
+def test_a_twist_and_a_velocity() -> None:
+    transform = transform_stamped("B", "A", 0, (0.0, 2.0, 0.0))
+    twist = g.Twist(linear=g.Vector3(x=1.0), angular=g.Vector3(z=3.0))
+    for moved in (
+        geometry.do_transform_twist_stamped(g.TwistStamped(twist=twist), transform).twist,
+        geometry.do_transform_velocity_stamped(g.VelocityStamped(velocity=twist), transform).velocity,
+    ):
+        assert numbers(moved.linear) == pytest.approx([7, 0, 0])
+        assert numbers(moved.angular) == pytest.approx([0, 0, 3])
+
+
+def test_a_polygon() -> None:
+    polygon = g.PolygonStamped(polygon=g.Polygon(points=[g.Point32(x=1.0, y=2.0, z=3.0)]))
+    moved = geometry.do_transform_polygon_stamped(polygon, TRANSFORM)
+    assert [numbers(point) for point in moved.polygon.points] == [pytest.approx([11, 18, 27])]
+
+
+def test_the_transform_stays_as_it_is() -> None:
+    before = deepcopy(TRANSFORM)
+    geometry.do_transform_vector3(g.Vector3Stamped(), TRANSFORM)
+    assert before == TRANSFORM
+
+
+def test_a_zero_quaternion_turns_nothing() -> None:
+    transform = transform_stamped("B", "A", 0, (1.0, 1.0, 1.0), (0.0, 0.0, 0.0, 0.0))
+    moved = geometry.do_transform_point(g.PointStamped(point=g.Point(x=1.0)), transform)
+    assert numbers(moved.point) == [2, 1, 1]
+
+
+def test_what_is_not_registered(buffer: Buffer) -> None:
+    with pytest.raises(TypeException, match="is not loaded or supported"):
+        buffer.transform(5, "B")
+
+
+def test_convert_and_stamped() -> None:
+    point = Stamped(g.PointStamped(), Time(seconds=3), "map")
+    assert (point.header.frame_id, point.header.stamp.sec) == ("map", 3)
+    same = convert(point, g.PointStamped)
+    assert same == point
+    assert same is not point
+    assert convert(point, g.PoseStamped) is point  # both are messages: the one's message is the other
+    with pytest.raises(TypeException):
+        convert(point, int)

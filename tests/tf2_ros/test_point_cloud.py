@@ -1,0 +1,173 @@
+"""Clouds in and out of numpy, and through transforms: padded, organised, of either byte order."""
+
+from __future__ import annotations
+
+import array
+import sys
+from copy import deepcopy
+
+import numpy as np
+import pytest
+from tests.tf2_ros.conftest import SECOND, transform_stamped
+
+from tfloom.interfaces.sensor_msgs.msg import PointCloud2, PointField
+from tfloom.interfaces.std_msgs.msg import Header
+from tfloom.node.time import Time
+from tfloom.tf2_ros import point_cloud
+from tfloom.tf2_ros.buffer import Buffer
+from tfloom.tf2_ros.point_cloud2 import (
+    create_cloud,
+    create_cloud_xyz32,
+    dtype_from_fields,
+    read_points,
+    read_points_list,
+    read_points_numpy,
+)
+
+HEADER = Header(frame_id="A", stamp=Time(seconds=2).to_msg())
+TRANSFORM = transform_stamped("B", "A", 2 * SECOND, (10.0, 20.0, 30.0), (1.0, 0.0, 0.0, 0.0))
+FIELDS = [
+    PointField(name="x", offset=0, datatype=PointField.FLOAT32, count=1),
+    PointField(name="y", offset=4, datatype=PointField.FLOAT32, count=1),
+    PointField(name="z", offset=8, datatype=PointField.FLOAT32, count=1),
+    PointField(name="ring", offset=14, datatype=PointField.UINT16, count=1),
+]
+
+
+def structured(shape: tuple[int, ...], point_step: int = 32) -> np.ndarray:
+    points = np.zeros(shape, dtype_from_fields(FIELDS, point_step))
+    count = points.size
+    for index, axis in enumerate("xyz"):
+        points[axis] = (np.arange(count, dtype=np.float32) + 0.25 * index).reshape(shape)
+    points["ring"] = np.arange(count).reshape(shape)
+    return points
+
+
+@pytest.mark.parametrize("shape", [(6,), (2, 3)])
+@pytest.mark.parametrize("point_step", [16, 32])
+def test_padded_and_organised_clouds_keep_all_but_their_points(
+    shape: tuple[int, ...], point_step: int
+) -> None:
+    points = structured(shape, point_step)
+    cloud = create_cloud(HEADER, FIELDS, points, point_step)
+    cloud.is_dense = True
+    before = deepcopy(cloud)
+    moved = point_cloud.do_transform_cloud(cloud, TRANSFORM)
+    assert cloud == before
+    assert (
+        (moved.height, moved.width) == (cloud.height, cloud.width) == ((1, 6) if len(shape) == 1 else shape)
+    )
+    assert (moved.point_step, moved.row_step, moved.is_dense) == (point_step, cloud.row_step, True)
+    assert (moved.header.frame_id, moved.header.stamp.sec) == ("B", 2)
+    out = read_points(moved)
+    flat = points.reshape(-1)
+    assert np.allclose(out["x"], flat["x"] + 10)
+    assert np.allclose(out["y"], 20 - flat["y"])
+    assert np.allclose(out["z"], 30 - flat["z"])
+    assert (out["ring"] == flat["ring"]).all()
+
+
+def test_a_bare_transform_keeps_the_frame() -> None:
+    cloud = create_cloud_xyz32(HEADER, [(1, 2, 3)])
+    moved = point_cloud.do_transform_cloud(cloud, TRANSFORM.transform)
+    assert moved.header.frame_id == "A"
+    assert read_points_numpy(moved).tolist() == [[11, 18, 27]]
+
+
+def test_through_a_buffer() -> None:
+    buffer = Buffer()
+    buffer.set_transform(transform_stamped("B", "A", 2 * SECOND, (1.0, 0.0, 0.0)), "me")
+    moved = buffer.transform(create_cloud_xyz32(HEADER, [(1, 2, 3)]), "B")
+    assert read_points_numpy(moved).tolist() == [[2, 2, 3]]
+
+
+def test_the_other_byte_order() -> None:
+    dtype = dtype_from_fields(FIELDS, 16, is_bigendian=sys.byteorder == "little")
+    points = structured((3,), 16).astype(dtype)
+    cloud = PointCloud2(
+        header=HEADER, height=1, width=3, fields=FIELDS, point_step=16, row_step=48,
+        is_bigendian=sys.byteorder == "little", data=array.array("B", points.tobytes()),
+    )  # fmt: skip
+    before = bytes(cloud.data)
+    assert read_points(cloud)["y"].tolist() == [0.25, 1.25, 2.25]
+    moved = point_cloud.do_transform_cloud(cloud, TRANSFORM)
+    assert read_points(moved)["y"].tolist() == [19.75, 18.75, 17.75]
+    assert bytes(cloud.data) == before
+
+
+def test_rows_that_are_padded() -> None:
+    rows = np.zeros((2, 64), np.uint8)
+    points = structured((2, 3), 16)
+    rows[:, :48] = points.view(np.uint8).reshape(2, 48)
+    cloud = PointCloud2(
+        header=HEADER, height=2, width=3, fields=FIELDS, point_step=16, row_step=64,
+        is_bigendian=False, data=array.array("B", rows.tobytes()),
+    )  # fmt: skip
+    assert (read_points(cloud)["ring"] == np.arange(6)).all()
+    moved = point_cloud.do_transform_cloud(cloud, TRANSFORM)
+    assert len(moved.data) == 128
+    assert np.allclose(read_points(moved)["x"], np.arange(6) + 10)
+
+
+def test_reading() -> None:
+    points = structured((2, 3))
+    points["x"][1, 1] = np.nan
+    cloud = create_cloud(HEADER, FIELDS, points, 32)
+    assert read_points(cloud, ["x", "ring"]).dtype.names == ("x", "ring")
+    assert read_points(cloud, skip_nans=True)["ring"].tolist() == [0, 1, 2, 3, 5]
+    assert read_points(cloud, uvs=[5, 0])["ring"].tolist() == [5, 0]
+    assert (read_points(cloud, reshape_organized_cloud=True)["ring"] == points["ring"]).all()
+    assert read_points_numpy(cloud, ["y", "z"], reshape_organized_cloud=True).shape == (2, 3, 2)
+    first = read_points_list(cloud, ["ring", "y"])[0]
+    assert first._fields == ("ring", "y") or first._fields == ("y", "ring")
+    assert first.y == 0.0 + 0.25
+
+
+def test_a_deskewed_cloud_equals_deskewed_points() -> None:
+    buffer = Buffer()
+    for step in range(3):
+        turned = transform_stamped(
+            "odom", "A", (1 + step) * SECOND, (float(step), 0.0, 0.0), (0.0, 0.0, 0.1 * step, 1.0)
+        )
+        buffer.set_transform(turned, "me")
+    points = structured((2, 3))
+    stamps = SECOND + np.arange(6) * SECOND // 3
+    cloud = create_cloud(HEADER, FIELDS, points, 32)
+    moved = point_cloud.deskew_cloud(buffer, cloud, stamps, "A", "odom", 3 * SECOND)
+    expected = buffer.deskew(read_points_numpy(cloud, ["x", "y", "z"]), stamps, "A", "A", "odom", 3 * SECOND)
+    assert (read_points_numpy(moved, ["x", "y", "z"]) == expected).all()
+    assert (moved.height, moved.header.stamp.sec) == (2, 3)
+
+
+@pytest.mark.parametrize(
+    ("make", "text"),
+    [
+        (lambda: read_points(create_cloud_xyz32(HEADER, []), ["w"]), "Requests field is not in the fields"),
+        (lambda: create_cloud(HEADER, FIELDS, np.zeros((2, 4))), "All fields need to have the same datatype"),
+        (lambda: create_cloud(HEADER, FIELDS[:3], structured((2,))), "dtype do not match"),
+        (lambda: create_cloud(HEADER, FIELDS[:3], np.zeros((2, 2, 2, 3))), "Too many dimensions"),
+        (lambda: dtype_from_fields([FIELDS[0], FIELDS[0]]), "Duplicate field names"),
+        (lambda: read_points_numpy(create_cloud(HEADER, FIELDS, structured((2,)), 32)), "same datatype"),
+        (
+            lambda: point_cloud.do_transform_cloud(
+                create_cloud(HEADER, FIELDS[:2], np.zeros((1, 2))), TRANSFORM
+            ),
+            "Point cloud needs the fields x, y, and z for the transformation",
+        ),
+    ],
+)
+def test_what_does_not_fit(make: object, text: str) -> None:
+    with pytest.raises(AssertionError, match=text):
+        make()
+
+
+def test_a_cloud_with_too_few_bytes() -> None:
+    cloud = create_cloud_xyz32(HEADER, [(1, 2, 3), (4, 5, 6)])
+    cloud.width = 3
+    with pytest.raises(ValueError, match="has 24 bytes, its sizes ask for 36"):
+        read_points(cloud)
+
+
+def test_points_as_an_array() -> None:
+    moved = point_cloud.transform_points(np.array([[1, 2, 3]], np.float32), TRANSFORM.transform)
+    assert (moved.dtype, moved.tolist()) == (np.float64, [[11, 18, 27]])
