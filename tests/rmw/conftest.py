@@ -89,7 +89,7 @@ def take_data(wait_until: Callable[..., None]) -> Callable[[Reader, int], list[b
             taken.extend(sample.data for sample in iter(reader.take, None))
             return len(taken) >= how_many
 
-        wait_until(enough, what=f"{how_many} samples, of which {len(taken)} came")
+        wait_until(enough, what=f"{how_many} samples")
         return taken
 
     return take

@@ -17,11 +17,11 @@ class Sample(NamedTuple):
     """One message off the wire."""
 
     data: bytes
-    """Encapsulation header (4 octets) and CDR."""
+    """Encapsulation header (4 octets) and CDR; on DDS padded with zeros to a multiple of 4 octets."""
     source_stamp_ns: int
     """When it was written, by the writer's clock [ns since epoch]."""
     received_stamp_ns: int
-    """When it arrived here [ns since epoch]."""
+    """When it was taken off the wire here [ns since epoch]."""
     publisher_gid: bytes
     """Who wrote it: 16 octets."""
 
@@ -180,7 +180,7 @@ class Reader(Protocol):
     gid: bytes
 
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
-        """Post `token` to `queue` when there is something to take, at once if there already is; None ends it.
+        """Post `token` to `queue` when there is something to take, at once if there may be already; None ends it.
 
         One post may stand for many samples: take one, and post the token again if there was one.
         """
@@ -281,7 +281,10 @@ class Participant(Protocol):
     """This process on one domain. All of its methods may be called from any thread."""
 
     domain_id: int
-    graph: Graph
+
+    @property
+    def graph(self) -> Graph:
+        """What this participant has heard of."""
 
     def add_node(self, node: NodeName) -> None:
         """Show a node on the graph."""

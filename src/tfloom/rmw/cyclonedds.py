@@ -15,7 +15,7 @@ from weakref import WeakSet
 
 from tfloom._native import DdsParticipant, DdsReader, DdsWriter
 from tfloom.rmw import cyclone_config, node_lists
-from tfloom.rmw.base import NodeName, Service, Topic
+from tfloom.rmw.base import NodeName, Participant, Service, Topic
 from tfloom.rmw.compatibility import best_available, is_best_available
 from tfloom.rmw.cyclone_endpoints import CycloneEndpoint, CycloneReader, CycloneWriter
 from tfloom.rmw.cyclone_graph import NODE_LIST_USER_DATA, CycloneGraph
@@ -41,7 +41,7 @@ _Native = TypeVar("_Native", DdsWriter, DdsReader)
 _open_participants: WeakSet[CycloneParticipant] = WeakSet()
 
 
-def open_participant(domain_id: int, enclave: str = "/") -> CycloneParticipant:
+def open_participant(domain_id: int, enclave: str = "/") -> Participant:
     """Join a DDS domain.
 
     Raises:

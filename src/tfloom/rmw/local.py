@@ -10,7 +10,7 @@ import threading
 from itertools import count
 
 from tfloom._native import ReadyQueue
-from tfloom.rmw.base import EndpointInfo, NodeName, Service, ServiceEndInfo, Topic
+from tfloom.rmw.base import EndpointInfo, NodeName, Participant, Service, ServiceEndInfo, Topic
 from tfloom.rmw.compatibility import best_available, is_best_available
 from tfloom.rmw.errors import ClosedError
 from tfloom.rmw.local_endpoints import LocalReader, LocalWriter
@@ -24,7 +24,7 @@ _domains_lock = threading.Lock()
 _participant_numbers = count(1)
 
 
-def open_participant(domain_id: int, enclave: str = "/") -> LocalParticipant:
+def open_participant(domain_id: int, enclave: str = "/") -> Participant:
     """Join a domain of this process. The enclave means nothing here."""
     with _domains_lock:
         domain = _domains.setdefault(domain_id, _Domain())
