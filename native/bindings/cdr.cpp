@@ -65,6 +65,9 @@ void init_plan(ObjectPlan* self, const nb::type_object& message_class, const std
   self->finish();
 }
 
+// After the last field: nothing before needs the pool.
+void adopt(ObjectPlan& plan) { plan.pool.adopt(plan.type, plan.fields.size()); }
+
 void add_field(ObjectPlan& plan, const std::string& name, const std::string& kind, const std::string& shape,
                std::uint32_t count, std::uint32_t string_bound, const nb::object& message_class,
                const nb::object& initial, bool copies, const nb::object& empty) {
@@ -178,6 +181,7 @@ void bind_cdr(nb::module_& m) {
            "`kind` is a primitive's name or 'message', `shape` '', 'array', 'bounded' or 'unbounded'. `initial` is "
            "its default, which `copies` says to copy for each message. `empty` is a numeric array as it is before "
            "anything is read into it.");
+  m.def("adopt", &adopt, "plan"_a, "Say that a plan is complete: its class's objects are made and freed by it now.");
   m.def("encode", &encode, "message"_a, "Give a message as encapsulation header and CDR, little-endian, not padded.");
   m.def("decode", &decode, "message_class"_a, "data"_a,
         nb::sig("def decode(message_class: type, data: object) -> typing.Any"),

@@ -9,11 +9,6 @@
 namespace tfloom::bindings {
 namespace {
 
-struct MessageObject {
-  PyObject_HEAD
-  char check_fields;
-};
-
 bool& check_by_default() {
   static bool value = false;
   return value;
@@ -45,12 +40,12 @@ void put(PyObject* self, Py_ssize_t offset, nb::object value) {
 }
 
 nb::object new_message(const ObjectPlan& plan) {
-  auto message = nb::steal(plan.type->tp_alloc(plan.type, 0));
-  if (!message.is_valid()) throw nb::python_error();
+  auto message = nb::steal(plan.pool.make(plan.type));
   reinterpret_cast<MessageObject*>(message.ptr())->check_fields = check_by_default();
   for (std::size_t i = 0; i < plan.slots.size(); ++i) {
     put(message.ptr(), plan.offsets[i], initial_value(plan, i));
   }
+  MessagePool::finish(message.ptr());
   return message;
 }
 
@@ -73,6 +68,7 @@ void init(PyObject* self, PyObject* args, PyObject* kwargs) {
     throw nb::type_error((std::string(Py_TYPE(self)->tp_name) + " takes its fields by keyword").c_str());
   }
   const ObjectPlan& plan = plan_of(Py_TYPE(self));
+  plan.pool.claim(self);
   take_check_fields(self, kwargs);
   const bool check = reinterpret_cast<MessageObject*>(self)->check_fields != 0;
   if (check && kwargs != nullptr) message_hooks().check_names(class_of(self), nb::borrow(kwargs));

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bindings/message_memory.hpp"
 #include "cdr/plan.hpp"
 #include "cdr/walk.hpp"
 
@@ -30,6 +31,7 @@ struct ObjectPlan : cdr::Plan {
   PyTypeObject* type = nullptr;  // borrowed: the class keeps the plan
   std::vector<Py_ssize_t> offsets;  // of each field's slot in the object
   std::vector<Slot> slots;
+  mutable MessagePool pool;
   std::atomic<std::size_t> last_size = 64;  // of the last message encoded: the next one is likely of that size
   std::vector<nb::object> nested;  // keeps the plans of nested messages, and their classes, alive
 };
@@ -85,8 +87,9 @@ class ObjectSink {
   Value message(const cdr::Plan& plan) {
     PyTypeObject* type = outermost_ != nullptr ? outermost_ : static_cast<const ObjectPlan&>(plan).type;
     outermost_ = nullptr;
-    return checked(type->tp_alloc(type, 0));
+    return nb::steal(static_cast<const ObjectPlan&>(plan).pool.make(type));
   }
+  void finish(Value& message) noexcept { MessagePool::finish(message.ptr()); }
   void set(Value& message, const cdr::Plan& plan, std::size_t index, Value value) noexcept {
     slot(message.ptr(), static_cast<const ObjectPlan&>(plan).offsets[index]) = value.release().ptr();
   }

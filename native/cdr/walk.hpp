@@ -3,6 +3,7 @@
 // A sink has a type `Value` (movable) and
 //   Value message(const Plan&)                                       an empty message
 //   void set(Value& message, const Plan&, std::size_t index, Value)  its field number `index`
+//   void finish(Value& message)                                      all of its fields are set
 //   Value boolean(bool)   Value octet(std::uint8_t)   Value number(T)
 //   Value string(std::string_view, std::size_t offset)               may be no UTF-8: throws DecodeError then
 //   Value wide(std::u32string_view)
@@ -78,6 +79,7 @@ class Reader {
       }
     }
     if (plan.is_empty()) in_.read<std::uint8_t>();
+    sink_.finish(message);
     return message;
   }
 

@@ -210,6 +210,11 @@ class Plan:
         `kind` is a primitive's name or 'message', `shape` '', 'array', 'bounded' or 'unbounded'. `initial` is its default, which `copies` says to copy for each message. `empty` is a numeric array as it is before anything is read into it.
         """
 
+def adopt(plan: Plan) -> None:
+    """
+    Say that a plan is complete: its class's objects are made and freed by it now.
+    """
+
 def encode(message: object) -> bytes:
     """
     Give a message as encapsulation header and CDR, little-endian, not padded.

@@ -27,6 +27,7 @@ class TreeSink {
   void set(Value& message, const Plan&, std::size_t index, Value value) {
     std::get<std::vector<Tree>>(message.value)[index] = std::move(value);
   }
+  void finish(Value&) {}
   Value boolean(bool value) { return {value}; }
   Value octet(std::uint8_t value) { return {std::uint64_t{value}}; }
   template <class T>

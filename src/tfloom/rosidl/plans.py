@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tfloom._native import Plan
+from tfloom._native import Plan, adopt
 from tfloom.rosidl.message import ARRAY_CODES, Message
 from tfloom.rosidl.registry import get_message_class
 from tfloom.rosidl.type_text import split_type
@@ -46,6 +46,7 @@ def compile_plan(cls: type[Message]) -> Plan:
         _add_fields(plan, owner)
     finally:
         _compiling.remove(owner)
+    adopt(plan)
     owner._PLAN = plan
     return plan
 

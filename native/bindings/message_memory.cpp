@@ -1,0 +1,117 @@
+#include "bindings/message_memory.hpp"
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace tfloom::bindings {
+namespace {
+
+constexpr std::size_t most_kept = 1024;  // for each class
+
+std::vector<MessagePool*>& pools() {
+  static auto* all = new std::vector<MessagePool*>{nullptr};  // never destroyed: objects may die after it
+  return *all;
+}
+
+PyObject** slots_of(PyObject* message) noexcept {
+  return reinterpret_cast<PyObject**>(reinterpret_cast<char*>(message) + sizeof(MessageObject));
+}
+
+std::size_t slot_count(const PyTypeObject* type) noexcept {
+  return (static_cast<std::size_t>(type->tp_basicsize) - sizeof(MessageObject)) / sizeof(PyObject*);
+}
+
+void free_message(PyObject* self);
+
+// The class in whose memory we know our way: the object's own, or the one that its class derives from.
+PyTypeObject* adopted_type(PyObject* self) noexcept {
+  PyTypeObject* type = Py_TYPE(self);
+  while (type->tp_dealloc != &free_message) type = type->tp_base;
+  return type;
+}
+
+void release(PyObject* self) {
+  PyTypeObject* type = Py_TYPE(self);
+  PyTypeObject* owner = adopted_type(self);
+  PyObject** slot = slots_of(self);
+  for (std::size_t left = slot_count(owner); left > 0; --left, ++slot) Py_CLEAR(*slot);
+  MessagePool* pool = type == owner ? pools()[reinterpret_cast<MessageObject*>(self)->pool] : nullptr;
+  if (pool == nullptr || !pool->keep(self)) type->tp_free(self);
+  Py_DECREF(type);
+}
+
+// tp_dealloc. Python's own for a derived class comes here when it has done its part.
+void free_message(PyObject* self) {
+  PyTypeObject* type = Py_TYPE(self);
+  if (type->tp_dealloc != &free_message) {
+    PyObject_GC_UnTrack(self);
+    release(self);
+    return;
+  }
+  if (type->tp_finalize != nullptr && PyObject_CallFinalizerFromDealloc(self) < 0) return;  // it lives again
+  PyObject_GC_UnTrack(self);
+  Py_TRASHCAN_BEGIN(self, free_message)
+  release(self);
+  Py_TRASHCAN_END
+}
+
+}  // namespace
+
+MessagePool::~MessagePool() {
+  if (number_ != 0) pools()[number_] = nullptr;
+  while (dead_ != nullptr) PyObject_GC_Del(take_dead());
+}
+
+void MessagePool::adopt(PyTypeObject* type, std::size_t field_count) {
+#if !defined(Py_GIL_DISABLED) && !defined(PYPY_VERSION)
+  const bool plain = static_cast<std::size_t>(type->tp_basicsize) == sizeof(MessageObject) + field_count * sizeof(void*) &&
+                     type->tp_dictoffset == 0 && type->tp_weaklistoffset == 0 && type->tp_finalize == nullptr &&
+                     type->tp_del == nullptr && type->tp_itemsize == 0;
+  if (!plain || type_ != nullptr || field_count == 0) return;
+  type->tp_dealloc = &free_message;
+  type_ = type;
+  number_ = static_cast<std::uint32_t>(pools().size());
+  pools().push_back(this);
+#else
+  static_cast<void>(type);
+  static_cast<void>(field_count);
+#endif
+}
+
+PyObject* MessagePool::make(PyTypeObject* type) {
+  PyObject* message;
+  if (type == type_ && dead_ != nullptr) {
+    message = take_dead();
+    PyObject_Init(message, type);
+  } else {
+    message = type->tp_alloc(type, 0);
+    if (message == nullptr) throw nanobind::python_error();
+    PyObject_GC_UnTrack(message);
+  }
+  claim(message);
+  return message;
+}
+
+void MessagePool::finish(PyObject* message) noexcept { PyObject_GC_Track(message); }
+
+void MessagePool::claim(PyObject* message) const noexcept {
+  if (Py_TYPE(message) == type_) reinterpret_cast<MessageObject*>(message)->pool = number_;
+}
+
+bool MessagePool::keep(PyObject* dead) noexcept {
+  if (kept_ == most_kept) return false;
+  reinterpret_cast<MessageObject*>(dead)->check_fields = 0;
+  *slots_of(dead) = std::exchange(dead_, dead);  // the first slot of each holds the next
+  ++kept_;
+  return true;
+}
+
+PyObject* MessagePool::take_dead() noexcept {
+  PyObject* first = std::exchange(dead_, *slots_of(dead_));
+  *slots_of(first) = nullptr;
+  --kept_;
+  return first;
+}
+
+}  // namespace tfloom::bindings

@@ -1,0 +1,139 @@
+"""Messages are made and freed by the native part: nothing leaks, nothing dies early, Python's rules hold."""
+
+from __future__ import annotations
+
+import gc
+import sys
+import threading
+import weakref
+from typing import Any
+
+from tfloom.interfaces.geometry_msgs.msg import Transform, TransformStamped, Twist, Vector3
+from tfloom.interfaces.std_msgs.msg import Empty, String
+from tfloom.interfaces.tf2_msgs.msg import TFMessage
+from tfloom.rosidl import cdr
+from tfloom.rosidl.dynamic import define
+from tfloom.rosidl.message import Message
+
+
+def test_references_to_the_class_are_given_back() -> None:
+    data = cdr.encode(TFMessage(transforms=[TransformStamped() for _ in range(50)]))
+    classes = (TFMessage, TransformStamped, Transform, Vector3, Empty)
+
+    def work() -> list[int]:
+        for _ in range(100):
+            cdr.decode(TFMessage, data)
+            cdr.decode(Empty, cdr.encode(Empty()))
+            [Vector3() for _ in range(2000)]
+        gc.collect()
+        return [sys.getrefcount(cls) for cls in classes]
+
+    assert work() == work()
+
+
+def test_values_are_given_back() -> None:
+    value = object()
+    before = sys.getrefcount(value)
+    for _ in range(10):
+        messages = [Vector3(x=value, y=value) for _ in range(10)]  # type: ignore[arg-type]
+        messages[0].x = messages[1].z = 0.0
+    del messages
+    assert sys.getrefcount(value) == before
+
+
+def test_memory_used_again_is_as_new() -> None:
+    old = Vector3(x=5.0, check_fields=True)
+    del old
+    fresh = Vector3.__new__(Vector3)
+    assert not hasattr(fresh, "x")
+    decoded = cdr.decode(Vector3, cdr.encode(Vector3()))
+    decoded.x = "not checked"  # type: ignore[assignment]
+    twists = [Twist() for _ in range(5000)]
+    del twists
+    assert all(twist == Twist() for twist in [Twist() for _ in range(5000)])
+
+
+def test_cycles_are_collected() -> None:
+    def count() -> int:
+        gc.collect()
+        return sum(type(each) is TransformStamped for each in gc.get_objects())
+
+    before = count()
+    for _ in range(100):
+        made, read = TransformStamped(), cdr.decode(TransformStamped, cdr.encode(TransformStamped()))
+        made.header = read  # type: ignore[assignment]
+        read.header = made  # type: ignore[assignment]
+    del made, read
+    assert count() == before
+
+
+def test_long_chains_end_without_overflow() -> None:
+    for cls in (Vector3, type("Longer", (Vector3,), {})):
+        chain: Any = None
+        for _ in range(200_000):
+            chain = cls(x=chain)
+        del chain
+    gc.collect()
+
+
+def test_subclasses_keep_pythons_rules() -> None:
+    ended: list[float] = []
+
+    class Noted(Vector3):
+        """Has a __dict__, weak references and a finalizer."""
+
+        def __del__(self) -> None:
+            ended.append(self.x)
+
+    noted = Noted(x=3.0)
+    noted.note = "mine"  # type: ignore[attr-defined]
+    reference = weakref.ref(noted)
+    assert reference() is noted
+    del noted
+    assert reference() is None
+    assert ended == [3.0]
+    decoded = [cdr.decode(Noted, cdr.encode(Vector3(x=4.0))) for _ in range(3)]
+    del decoded
+    assert ended == [3.0, 4.0, 4.0, 4.0]
+
+
+def test_a_finalizer_may_come_late_and_keep_the_message() -> None:
+    cls = define("my_msgs/msg/Kept", "float64 x")
+    kept: list[Message] = []
+    cls(x=1.0)
+    cls.__del__ = lambda self: kept.append(self)  # noqa: PLW0108 a method must be a function
+    cls(x=2.0)
+    assert [each.x for each in kept] == [2.0]
+    assert gc.is_tracked(kept[0])
+    del cls.__del__
+    kept.clear()
+    assert cls(x=3.0).x == 3.0
+
+
+def test_classes_made_at_run_time_go() -> None:
+    references = []
+    for n in range(20):
+        cls = define("my_msgs/msg/Passing", f"float64 x{n}")
+        messages = [cls() for _ in range(10)]
+        references.append(weakref.ref(cls))
+        del cls, messages
+    gc.collect()
+    assert [reference() is None for reference in references] == [True] * 19 + [False]
+
+
+def test_threads() -> None:
+    data = cdr.encode(TFMessage(transforms=[TransformStamped(child_frame_id="é") for _ in range(20)]))
+    wrong: list[object] = []
+
+    def work() -> None:
+        for _ in range(200):
+            message = cdr.decode(TFMessage, data)
+            if cdr.encode(message) != data or String(data="a").data != "a":
+                wrong.append(message)
+
+    threads = [threading.Thread(target=work) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not wrong
