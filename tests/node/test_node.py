@@ -149,8 +149,6 @@ def test_bad_publishing(node: Node) -> None:
 
 
 def test_what_is_not_there_yet_says_so(node: Node, make_node: MakeNode) -> None:
-    with pytest.raises(NotImplementedError, match="event_callbacks"):
-        node.create_publisher(String, "chatter", 10, event_callbacks=object())
     with pytest.raises(NotImplementedError, match="qos_overriding_options"):
         node.create_subscription(String, "chatter", print, 10, qos_overriding_options=object())
 

@@ -4,15 +4,19 @@ from __future__ import annotations
 
 import signal
 from collections.abc import Callable
+from typing import Any
 
 import pytest
-from tests.conftest import Program
+from tests.conftest import Program, wait_until
 
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.node.context import Context
+from tfloom.node.duration import Duration
+from tfloom.node.event_handler import SubscriptionEventCallbacks
 from tfloom.node.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
+from tfloom.node.qos import QoSProfile
 
 pytestmark = pytest.mark.wire
 
@@ -68,3 +72,22 @@ def test_topics_services_and_names_pass(
                 break
             executor.spin_once(timeout_sec=0.01)
         assert not client.service_is_ready()
+
+
+def test_a_missed_deadline(domain_id: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_cyclonedds_cpp")
+    seen: list[Any] = []
+    with Context() as context, Node("here", context=context) as node:
+        executor = SingleThreadedExecutor(context=context)
+        executor.add_node(node)
+        qos = QoSProfile(depth=10, deadline=Duration(seconds=0.02))
+        publisher = node.create_publisher(String, "chatter", qos)
+        callbacks = SubscriptionEventCallbacks(deadline=seen.append)
+        node.create_subscription(String, "chatter", lambda msg: None, qos, event_callbacks=callbacks)
+        wait_until(publisher.get_subscription_count)
+        publisher.publish(String())
+        for _ in range(200):
+            if seen:
+                break
+            executor.spin_once(timeout_sec=0.1)
+        assert seen[0].total_count >= 1

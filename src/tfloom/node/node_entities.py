@@ -9,6 +9,7 @@ from tfloom.node.callback_groups import CallbackGroup, MutuallyExclusiveCallback
 from tfloom.node.client import Client
 from tfloom.node.constants import S_TO_NS
 from tfloom.node.entity import Entity
+from tfloom.node.event_handler import EventHandler, PublisherEventCallbacks, SubscriptionEventCallbacks
 from tfloom.node.guard_condition import GuardCondition
 from tfloom.node.publisher import Publisher
 from tfloom.node.qos import QoSProfile, qos_profile_services_default
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
     from tfloom.node.context import Context
     from tfloom.node.executor import Executor
     from tfloom.node.rcutils_logger import RcutilsLogger
-    from tfloom.rmw.base import NodeName, Participant
+    from tfloom.rmw.base import NodeName, Participant, Reader, Writer
 
 __all__ = ["NodeEntities"]
 
@@ -130,7 +131,7 @@ class NodeEntities:
         qos_profile: QoSProfile | int,
         *,
         callback_group: CallbackGroup | None = None,
-        event_callbacks: Any = None,
+        event_callbacks: PublisherEventCallbacks | None = None,
         qos_overriding_options: Any = None,
         publisher_class: type[Publisher[MsgType]] = Publisher,
     ) -> Publisher[MsgType]:
@@ -141,7 +142,7 @@ class NodeEntities:
             topic: Name of the topic; it is expanded and remapped.
             qos_profile: What it offers; a number stands for a history of that depth.
             callback_group: Group of its events' callbacks.
-            event_callbacks: Not there yet.
+            event_callbacks: Callbacks for its events; None: incompatible QoS is warned of.
             qos_overriding_options: Not there yet.
             publisher_class: Class of the publisher.
 
@@ -151,7 +152,7 @@ class NodeEntities:
             TypeError, ValueError: `qos_profile` is neither a profile nor a depth.
         """
         check_is_valid_msg_type(msg_type)
-        _refuse("create_publisher", event_callbacks, qos_overriding_options)
+        _refuse("create_publisher", qos_overriding_options)
         profile = _profile(qos_profile)
         name = self.resolve_topic_name(topic)
         wire_topic = topic_of(msg_type, name)
@@ -159,6 +160,9 @@ class NodeEntities:
         group = callback_group or self.__default_callback_group
         publisher = publisher_class(writer, msg_type, name, profile, None, group, context=self.__context)
         self.__publishers.append(publisher)
+        publisher.event_handlers = self.__watch(
+            event_callbacks or PublisherEventCallbacks(), group, writer, name
+        )
         return publisher
 
     def create_subscription(
@@ -169,7 +173,7 @@ class NodeEntities:
         qos_profile: QoSProfile | int,
         *,
         callback_group: CallbackGroup | None = None,
-        event_callbacks: Any = None,
+        event_callbacks: SubscriptionEventCallbacks | None = None,
         qos_overriding_options: Any = None,
         raw: bool = False,
     ) -> Subscription[MsgType]:
@@ -181,7 +185,7 @@ class NodeEntities:
             callback: Takes a message, or a message and a dict of its stamps [ns]. Runs on a thread of the executor.
             qos_profile: What it asks for; a number stands for a history of that depth.
             callback_group: Group of its callbacks; None: the node's own.
-            event_callbacks: Not there yet.
+            event_callbacks: Callbacks for its events; None: incompatible QoS is warned of.
             qos_overriding_options: Not there yet.
             raw: Whether the callback takes bytes, encapsulation header and CDR, rather than messages.
 
@@ -192,7 +196,7 @@ class NodeEntities:
             RuntimeError: `callback` takes neither one argument nor two.
         """
         check_is_valid_msg_type(msg_type)
-        _refuse("create_subscription", event_callbacks, qos_overriding_options)
+        _refuse("create_subscription", qos_overriding_options)
         profile = _profile(qos_profile)
         name = self.resolve_topic_name(topic)
         wire_topic = topic_of(msg_type, name)
@@ -205,7 +209,24 @@ class NodeEntities:
         except BaseException:
             reader.close()
             raise
-        return self.__add(subscription)
+        self.__add(subscription)
+        subscription.event_handlers = self.__watch(
+            event_callbacks or SubscriptionEventCallbacks(), group, reader, name
+        )
+        return subscription
+
+    def __watch(
+        self,
+        callbacks: PublisherEventCallbacks | SubscriptionEventCallbacks,
+        group: CallbackGroup,
+        endpoint: Writer | Reader,
+        topic_name: str,
+    ) -> list[EventHandler]:
+        graph = self.__participant.graph
+        handlers = callbacks.create_event_handlers(
+            group, endpoint, topic_name, logger=self.get_logger(), graph=graph
+        )
+        return [self.__add(handler) for handler in handlers]
 
     def create_service(
         self,
@@ -350,21 +371,27 @@ class NodeEntities:
         """Destroy all that was created."""
         for rate in list(self.__rates):
             self.destroy_rate(rate)
-        for entity in self.entities():
+        for entity in reversed(self.entities()):  # what watches a thing stands behind it
             self.__destroy(entity)
         for publisher in list(self.__publishers):
             self.destroy_publisher(publisher)
+
+    def __unwatch(self, handlers: list[EventHandler]) -> None:
+        for handler in handlers:
+            self.__destroy(handler)
 
     def destroy_publisher(self, publisher: Publisher[Any]) -> bool:
         """Destroy a publisher; False if it isn't this node's."""
         if publisher not in self.__publishers:
             return False
         self.__publishers.remove(publisher)
+        self.__unwatch(publisher.event_handlers)
         publisher.destroy()
         return True
 
     def destroy_subscription(self, subscription: Subscription[Any]) -> bool:
         """Destroy a subscription; False if it isn't this node's."""
+        self.__unwatch(subscription.event_handlers)
         return self.__destroy(subscription)
 
     def destroy_service(self, service: Service) -> bool:
@@ -393,13 +420,9 @@ class NodeEntities:
         return True
 
 
-def _refuse(method: str, event_callbacks: Any, qos_overriding_options: Any) -> None:
-    for name, value in (
-        ("event_callbacks", event_callbacks),
-        ("qos_overriding_options", qos_overriding_options),
-    ):
-        if value is not None:
-            raise NotImplementedError(f"{method}({name}=...) isn't there yet")
+def _refuse(method: str, qos_overriding_options: Any) -> None:
+    if qos_overriding_options is not None:
+        raise NotImplementedError(f"{method}(qos_overriding_options=...) isn't there yet")
 
 
 def _profile(qos_profile: QoSProfile | int) -> QoSProfile:

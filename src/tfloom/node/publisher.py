@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Generic, TypeVar
 
 from tfloom.node.duration import Duration
 from tfloom.node.exceptions import InvalidHandle, RCLError
-from tfloom.node.qos import LivelinessPolicy, QoSProfile
+from tfloom.node.qos import QoSProfile
 from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
 
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
     from tfloom.node.callback_groups import CallbackGroup
     from tfloom.node.context import Context
+    from tfloom.node.event_handler import EventHandler
     from tfloom.rmw.base import Writer
 
 __all__ = ["MsgType", "Publisher"]
@@ -33,7 +34,7 @@ class Publisher(Generic[MsgType]):
         msg_type: type[MsgType],
         topic: str,
         qos_profile: QoSProfile,
-        event_callbacks: None,
+        event_callbacks: None,  # noqa: ARG002  # the node watches
         callback_group: CallbackGroup,
         *,
         context: Context,
@@ -44,7 +45,7 @@ class Publisher(Generic[MsgType]):
         self.msg_type = msg_type
         self.topic = topic
         self.qos_profile = qos_profile
-        self.event_handlers: list[Any] = [] if event_callbacks is None else [event_callbacks]
+        self.event_handlers: list[EventHandler] = []
         self.callback_group = callback_group
 
     def publish(self, msg: MsgType | bytes) -> None:
@@ -100,23 +101,19 @@ class Publisher(Generic[MsgType]):
             self._writer.close()
 
     def assert_liveliness(self) -> None:
-        """Say that the publisher lives; with AUTOMATIC liveliness the wire says so by itself.
-
-        Raises:
-            NotImplementedError: liveliness is MANUAL_BY_TOPIC.
-        """
-        if self.qos_profile.liveliness == LivelinessPolicy.MANUAL_BY_TOPIC:
-            raise NotImplementedError("assert_liveliness with MANUAL_BY_TOPIC isn't there yet")
+        """Say that the publisher lives; with AUTOMATIC liveliness the wire says so by itself."""
+        self.handle._writer.assert_liveliness()  # noqa: SLF001
 
     def wait_for_all_acked(self, timeout: Duration = Duration(seconds=-1)) -> bool:  # noqa: B008  # immutable
-        """Wait until every connected subscription has acknowledged everything.
+        """Wait until every connected reliable subscription has all that was published.
 
-        Raises:
-            NotImplementedError: there is a reliable subscription; the wire can't be asked yet.
+        Args:
+            timeout: The longest wait; negative: for ever.
+
+        Returns:
+            False after the timeout.
         """
-        if self.get_subscription_count() == 0:
-            return True
-        raise NotImplementedError(f"wait_for_all_acked({timeout}) isn't there yet")
+        return self.handle._writer.wait_for_acks(timeout.nanoseconds)  # noqa: SLF001
 
     def __enter__(self) -> Self:
         return self

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
     from tfloom._native import ReadyQueue, Sink
     from tfloom.node.callback_groups import CallbackGroup
+    from tfloom.node.event_handler import EventHandler
     from tfloom.node.rcutils_logger import RcutilsLogger
     from tfloom.rmw.base import Reader, Sample
 
@@ -48,7 +49,7 @@ class Subscription(Entity, Generic[MsgType]):
         callback_group: CallbackGroup,
         qos_profile: QoSProfile,
         raw: bool,
-        event_callbacks: None,
+        event_callbacks: None,  # noqa: ARG002  # the node watches
         *,
         logger: RcutilsLogger,
     ) -> None:
@@ -62,7 +63,7 @@ class Subscription(Entity, Generic[MsgType]):
         self.callback_group = callback_group
         self.qos_profile = qos_profile
         self.raw = raw
-        self.event_handlers: list[Any] = [] if event_callbacks is None else [event_callbacks]
+        self.event_handlers: list[EventHandler] = []
 
     @property
     def callback(self) -> Callable[..., Any]:

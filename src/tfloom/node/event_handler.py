@@ -1,0 +1,258 @@
+"""Callbacks for what happens to publishers and subscriptions besides messages."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Protocol
+
+from tfloom.node.entity import Entity
+from tfloom.node.qos import qos_policy_name_from_kind
+from tfloom.rmw.compatibility import incompatible_policies
+from tfloom.rmw.errors import UnsupportedEventError
+from tfloom.rmw.events import Event, IncompatibleQoS, Status
+
+if TYPE_CHECKING:
+    from tfloom._native import ReadyQueue
+    from tfloom.node.callback_groups import CallbackGroup
+    from tfloom.node.rcutils_logger import RcutilsLogger
+    from tfloom.rmw.base import EndpointInfo, Graph
+
+__all__ = [
+    "EventHandler",
+    "PublisherEventCallbacks",
+    "SubscriptionEventCallbacks",
+    "UnsupportedEventTypeError",
+]
+
+UnsupportedEventTypeError = UnsupportedEventError
+StatusCallback = Callable[[Any], Any]
+
+
+class Endpoint(Protocol):
+    """The end of a topic whose events are watched."""
+
+    gid: bytes
+
+    def notify_event(self, event: Event, queue: ReadyQueue | None, token: int = 0) -> None:
+        """Post `token` when there may be news of `event`."""
+
+    def take_event(self, event: Event) -> Status | None:
+        """Return the news."""
+
+
+class EventHandler(Entity):
+    """Runs a callback with the status of one event each time that it changes."""
+
+    def __init__(
+        self,
+        *,
+        callback_group: CallbackGroup,
+        callback: StatusCallback,
+        event_type: Event,
+        parent_impl: Endpoint,
+    ) -> None:
+        self.callback_group = callback_group
+        self.callback = callback
+        self.event_type = event_type
+        self._endpoint = parent_impl
+        self._destroyed = False
+        parent_impl.notify_event(event_type, None)  # tells whether there is such an event
+
+    def attach(self, queue: ReadyQueue, token: int) -> None:
+        """Post `token` when the status has changed."""
+        if not self._destroyed:
+            self._endpoint.notify_event(self.event_type, queue, token)
+
+    def detach(self) -> None:
+        """Post no more."""
+        if not self._destroyed:
+            self._endpoint.notify_event(self.event_type, None)
+
+    def take(self) -> Any:
+        """Return the status if it has changed, else None."""
+        return None if self._destroyed else self._endpoint.take_event(self.event_type)
+
+    def run(self, taken: Any) -> Any:
+        """Call the callback."""
+        return self.callback(taken)
+
+    def destroy(self) -> None:
+        """Watch no more."""
+        self._destroyed = True
+
+
+class _EventCallbacks:
+    """The callbacks of one publisher or subscription, and what stands in for the one that isn't given."""
+
+    is_publisher: bool
+
+    def __init__(self, callbacks: dict[Event, StatusCallback | None], use_default_callbacks: bool) -> None:
+        self._callbacks = {event: callback for event, callback in callbacks.items() if callback is not None}
+        self.use_default_callbacks = use_default_callbacks
+
+    def create_event_handlers(
+        self,
+        callback_group: CallbackGroup,
+        endpoint: Endpoint,
+        topic_name: str,
+        *,
+        logger: RcutilsLogger,
+        graph: Graph,
+    ) -> list[EventHandler]:
+        """Return the handlers for an endpoint.
+
+        Without a callback of the program's, peers of incompatible QoS are warned of.
+
+        Raises:
+            UnsupportedEventTypeError: the wire doesn't know an event that there is a callback for.
+        """
+        callbacks = dict(self._callbacks)
+        if self.use_default_callbacks and Event.INCOMPATIBLE_QOS not in callbacks:
+            callbacks[Event.INCOMPATIBLE_QOS] = _Warner(
+                topic_name, endpoint.gid, logger, graph, self.is_publisher
+            )
+        return [
+            EventHandler(
+                callback_group=callback_group, callback=callback, event_type=event, parent_impl=endpoint
+            )
+            for event, callback in callbacks.items()
+        ]
+
+
+def _refuse_incompatible_type(callback: StatusCallback | None) -> None:
+    if callback is not None:
+        raise UnsupportedEventTypeError("incompatible_type: no wire here tells of peers of another type")
+
+
+class PublisherEventCallbacks(_EventCallbacks):
+    """What to call with the status of a publisher's events.
+
+    Args:
+        deadline: It didn't publish in time.
+        liveliness: It didn't say in time that it lives.
+        incompatible_qos: A subscription asks for more than it offers.
+        incompatible_type: A subscription is of another type. No wire here tells of that.
+        matched: A subscription has come or gone.
+        use_default_callbacks: Whether to warn of incompatible QoS where `incompatible_qos` isn't given.
+
+    Raises:
+        UnsupportedEventTypeError: `incompatible_type` is given.
+    """
+
+    is_publisher = True
+
+    def __init__(
+        self,
+        *,
+        deadline: StatusCallback | None = None,
+        liveliness: StatusCallback | None = None,
+        incompatible_qos: StatusCallback | None = None,
+        incompatible_type: StatusCallback | None = None,
+        matched: StatusCallback | None = None,
+        use_default_callbacks: bool = True,
+    ) -> None:
+        _refuse_incompatible_type(incompatible_type)
+        self.deadline = deadline
+        self.liveliness = liveliness
+        self.incompatible_qos = incompatible_qos
+        self.matched = matched
+        callbacks = {
+            Event.DEADLINE_MISSED: deadline,
+            Event.LIVELINESS_LOST: liveliness,
+            Event.INCOMPATIBLE_QOS: incompatible_qos,
+            Event.MATCHED: matched,
+        }
+        super().__init__(callbacks, use_default_callbacks)
+
+
+class SubscriptionEventCallbacks(_EventCallbacks):
+    """What to call with the status of a subscription's events.
+
+    Args:
+        deadline: No message came in time.
+        incompatible_qos: A publisher offers less than it asks for.
+        liveliness: A publisher has fallen silent, or is back.
+        message_lost: Messages that will never come.
+        incompatible_type: A publisher is of another type. No wire here tells of that.
+        matched: A publisher has come or gone.
+        use_default_callbacks: Whether to warn of incompatible QoS where `incompatible_qos` isn't given.
+
+    Raises:
+        UnsupportedEventTypeError: `incompatible_type` is given.
+    """
+
+    is_publisher = False
+
+    def __init__(
+        self,
+        *,
+        deadline: StatusCallback | None = None,
+        incompatible_qos: StatusCallback | None = None,
+        liveliness: StatusCallback | None = None,
+        message_lost: StatusCallback | None = None,
+        incompatible_type: StatusCallback | None = None,
+        matched: StatusCallback | None = None,
+        use_default_callbacks: bool = True,
+    ) -> None:
+        _refuse_incompatible_type(incompatible_type)
+        self.deadline = deadline
+        self.incompatible_qos = incompatible_qos
+        self.liveliness = liveliness
+        self.message_lost = message_lost
+        self.matched = matched
+        callbacks = {
+            Event.DEADLINE_MISSED: deadline,
+            Event.INCOMPATIBLE_QOS: incompatible_qos,
+            Event.LIVELINESS_CHANGED: liveliness,
+            Event.MESSAGE_LOST: message_lost,
+            Event.MATCHED: matched,
+        }
+        super().__init__(callbacks, use_default_callbacks)
+
+
+class _Warner:
+    """Warns of peers that can't be connected with, and says what either side has."""
+
+    def __init__(
+        self, topic: str, gid: bytes, logger: RcutilsLogger, graph: Graph, is_publisher: bool
+    ) -> None:
+        self._topic = topic
+        self._gid = gid
+        self._logger = logger
+        self._graph = graph
+        self._is_publisher = is_publisher
+
+    def __call__(self, status: IncompatibleQoS) -> None:
+        peer, verb, consequence = (
+            ("subscription", "requesting", "No messages will be sent to it")
+            if self._is_publisher
+            else ("publisher", "offering", "No messages will be received from it")
+        )
+        policy = qos_policy_name_from_kind(status.last_policy_kind)
+        text = (
+            f"New {peer} discovered on topic '{self._topic}', {verb} incompatible QoS. {consequence}. "
+            f"Last incompatible policy: {policy}{self._both_sides()}"
+        )
+        self._logger.warning(text)
+
+    def _both_sides(self) -> str:
+        ends = [info for info in self._graph.endpoints() if info.topic.name == self._topic]
+        mine = next((info for info in ends if info.gid == self._gid), None)
+        peers = [info for info in ends if info.is_writer != self._is_publisher]
+        texts = [text for peer in peers for text in self._differences(mine, peer)] if mine else []
+        return f" ({'; '.join(texts)})" if texts else ""
+
+    def _differences(self, mine: EndpointInfo, peer: EndpointInfo) -> list[str]:
+        writer, reader = (mine, peer) if self._is_publisher else (peer, mine)
+        whose = "an unknown node" if peer.node is None else peer.node.full
+        return [
+            f"offered {_show(writer, kind.name)}, requested {_show(reader, kind.name)}, peer {whose}"
+            for kind in incompatible_policies(writer.qos, reader.qos)
+        ]
+
+
+def _show(info: EndpointInfo, policy: str) -> str:
+    value = getattr(info.qos, policy.lower(), None)
+    if value is None:
+        return f"{policy} of {getattr(info.qos, f'{policy.lower()}_ns')} ns"
+    return f"{policy} {value.name}"

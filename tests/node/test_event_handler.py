@@ -1,0 +1,106 @@
+"""Events of publishers and subscriptions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from tfloom.interfaces.std_msgs.msg import String
+from tfloom.node.duration import Duration
+from tfloom.node.event_handler import (
+    PublisherEventCallbacks,
+    SubscriptionEventCallbacks,
+    UnsupportedEventTypeError,
+)
+from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.node import Node
+from tfloom.node.qos import ReliabilityPolicy, qos_profile_best_available, qos_profile_sensor_data
+
+SpinUntil = Callable[..., None]
+
+
+def test_peers_come_and_go(node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil) -> None:
+    seen: list[Any] = []
+    executor.add_node(node)
+    publisher = node.create_publisher(
+        String, "chatter", 10, event_callbacks=PublisherEventCallbacks(matched=seen.append)
+    )
+    subscription = node.create_subscription(
+        String, "chatter", print, 10, event_callbacks=SubscriptionEventCallbacks(matched=seen.append)
+    )
+    spin_until(lambda: len(seen) == 2)
+    assert {(each.total_count, each.current_count, each.current_count_change) for each in seen} == {(1, 1, 1)}
+    node.destroy_subscription(subscription)
+    spin_until(lambda: len(seen) == 3)
+    assert (seen[2].total_count, seen[2].current_count, seen[2].current_count_change) == (1, 0, -1)
+    node.destroy_publisher(publisher)
+
+
+def test_incompatible_qos_is_warned_of_with_both_sides(
+    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil, capsys: pytest.CaptureFixture[str]
+) -> None:
+    executor.add_node(node)
+    node.create_publisher(String, "chatter", qos_profile_sensor_data)
+    node.create_subscription(String, "chatter", print, 10)
+    text = ""
+
+    def both() -> bool:
+        nonlocal text
+        text += capsys.readouterr().err
+        return text.count("Last incompatible policy: RELIABILITY") == 2
+
+    spin_until(both)
+    sides = "(offered RELIABILITY BEST_EFFORT, requested RELIABILITY RELIABLE, peer /tester)"
+    assert text.count(sides) == 2
+    assert (
+        "New subscription discovered on topic '/chatter', requesting incompatible QoS. No messages will be sent"
+        in text
+    )
+    assert (
+        "New publisher discovered on topic '/chatter', offering incompatible QoS. No messages will be received"
+        in text
+    )
+
+
+def test_a_callback_or_a_refusal_takes_the_warnings_place(
+    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil, capsys: pytest.CaptureFixture[str]
+) -> None:
+    seen: list[Any] = []
+    executor.add_node(node)
+    quiet = PublisherEventCallbacks(use_default_callbacks=False)
+    node.create_publisher(String, "chatter", qos_profile_sensor_data, event_callbacks=quiet)
+    loud = SubscriptionEventCallbacks(incompatible_qos=seen.append)
+    node.create_subscription(String, "chatter", print, 10, event_callbacks=loud)
+    spin_until(lambda: seen)
+    assert seen[0].last_policy_kind.name == "RELIABILITY"
+    assert "incompatible" not in capsys.readouterr().err
+
+
+def test_an_event_that_no_wire_tells_of(node: Node) -> None:
+    with pytest.raises(UnsupportedEventTypeError, match="incompatible_type"):
+        PublisherEventCallbacks(incompatible_type=print)
+
+
+def test_acknowledgements_and_liveliness(node: Node) -> None:
+    publisher = node.create_publisher(String, "chatter", 10)
+    node.create_subscription(String, "chatter", print, 10)
+    publisher.publish(String())
+    assert publisher.wait_for_all_acked(Duration(seconds=5))
+    publisher.assert_liveliness()
+
+
+def test_best_available_follows_the_publishers(
+    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
+) -> None:
+    heard: list[str] = []
+    executor.add_node(node)
+    publisher = node.create_publisher(String, "chatter", qos_profile_sensor_data)
+    node.create_subscription(
+        String, "chatter", lambda msg: heard.append(msg.data), qos_profile_best_available
+    )
+    publisher.publish(String(data="x"))
+    spin_until(lambda: heard)
+    (info,) = node.get_subscriptions_info_by_topic("chatter")
+    assert info.qos_profile.reliability is ReliabilityPolicy.BEST_EFFORT
