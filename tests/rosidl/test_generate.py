@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 import tfloom.rosidl
-from tfloom.rosidl import generate, spec
+from tfloom.rosidl import cdr, generate, spec
 from tfloom.rosidl.parse import parse_interface
 
 HOME = Path(tfloom.rosidl.__file__).parents[1]
@@ -40,7 +41,17 @@ def test_text_in_comments_and_constants_is_quoted() -> None:
     text = '# Says """hello""" and \\\nstring A=\'it\\\'s "x" \\\\\'\nfloat64 x 1.5 # ends with "\nbyte B=7'
     message = parse_interface(text, "my_msgs/msg/Quotes")
     assert isinstance(message, spec.Message)
-    namespace: dict[str, object] = {}
+    namespace: dict[str, Any] = {}
     exec(generate.generate([message], {message.name: message}.__getitem__), namespace)
     quotes = namespace["Quotes"]
     assert (quotes.A, quotes.B, quotes().x) == ('it\'s "x" \\', b"\x07", 1.5)
+
+
+def test_fields_named_as_python_names_things() -> None:
+    message = parse_interface("int32 from\nint32 self\nint32 class 5\nint32[] lambda", "my_msgs/msg/Keywords")
+    assert isinstance(message, spec.Message)
+    namespace: dict[str, Any] = {}
+    exec(generate.generate([message], {message.name: message}.__getitem__), namespace)
+    keywords = namespace["Keywords"](**{"from": 1, "self": 2})
+    assert [getattr(keywords, name) for name in ("from", "self", "class")] == [1, 2, 5]
+    assert cdr.decode(type(keywords), cdr.encode(keywords)) == keywords

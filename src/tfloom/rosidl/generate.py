@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from keyword import iskeyword
 from pathlib import Path
 
 from tfloom.rosidl import spec
@@ -138,9 +139,11 @@ class _Module:
         yield f"        __slots__ = ({slots.rstrip() if len(message.fields) == 1 else slots[:-2]})"
 
     def _typing(self, message: spec.Message) -> Iterator[str]:
-        parameters = "".join(f"{each.name}: {self._takes(each.type)} = ..., " for each in message.fields)
+        fields = [each for each in message.fields if not iskeyword(each.name)]  # those go by getattr alone
+        named = [each for each in fields if each.name not in {"self", "check_fields"}]
+        parameters = "".join(f"{each.name}: {self._takes(each.type)} = ..., " for each in named)
         yield f"        def __init__(self, *, {parameters}check_fields: bool | None = None) -> None: ..."
-        for field in message.fields:
+        for field in fields:
             takes, gives = self._takes(field.type), self._gives(field.type)
             if takes == gives:
                 yield f"        {field.name}: {gives}"
