@@ -9,11 +9,6 @@
 namespace tfloom::bindings {
 namespace {
 
-bool& check_by_default() {
-  static bool value = false;
-  return value;
-}
-
 nb::object class_of(PyObject* self) { return nb::borrow(reinterpret_cast<PyObject*>(Py_TYPE(self))); }
 
 nb::object new_message(const ObjectPlan& plan);
@@ -41,7 +36,6 @@ void put(PyObject* self, Py_ssize_t offset, nb::object value) {
 
 nb::object new_message(const ObjectPlan& plan) {
   auto message = nb::steal(plan.pool.make(plan.type));
-  reinterpret_cast<MessageObject*>(message.ptr())->check_fields = check_by_default();
   for (std::size_t i = 0; i < plan.slots.size(); ++i) {
     put(message.ptr(), plan.offsets[i], initial_value(plan, i));
   }
@@ -140,6 +134,11 @@ PyType_Spec type_spec = {"tfloom._native.MessageBase", sizeof(MessageObject), 0,
                          Py_TPFLAGS_DEFAULT | Py_TPFLAGS_BASETYPE, type_slots};
 
 }  // namespace
+
+bool& check_by_default() noexcept {
+  static bool value = false;
+  return value;
+}
 
 void bind_message_base(nb::module_& m) {
   const auto type = nb::steal(PyType_FromSpec(&type_spec));

@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "bindings/message_base.hpp"
+
 namespace tfloom::bindings {
 namespace {
 
@@ -90,6 +92,7 @@ PyObject* MessagePool::make(PyTypeObject* type) {
     PyObject_GC_UnTrack(message);
   }
   claim(message);
+  reinterpret_cast<MessageObject*>(message)->check_fields = check_by_default();
   return message;
 }
 
@@ -101,7 +104,6 @@ void MessagePool::claim(PyObject* message) const noexcept {
 
 bool MessagePool::keep(PyObject* dead) noexcept {
   if (kept_ == most_kept) return false;
-  reinterpret_cast<MessageObject*>(dead)->check_fields = 0;
   *slots_of(dead) = std::exchange(dead_, dead);  // the first slot of each holds the next
   ++kept_;
   return true;

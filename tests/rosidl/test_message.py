@@ -61,6 +61,9 @@ def test_face(name: str) -> None:
     assert cls.get_fields_and_field_types() == golden["fields"]
     assert cls.__slots__ == golden["slots"]
     assert repr(message) == golden["repr_default"]
+    assert [type(each).__name__ for each in cls.SLOT_TYPES] == [
+        face["slot_type"] for face in golden["python"].values()
+    ]
     for field, face in golden["python"].items():
         assert kind_of(getattr(message, field)) == face["python"]
         assert getattr(message, field) is getattr(message, f"_{field}")
@@ -145,6 +148,8 @@ def test_arrays_are_converted_when_assigned() -> None:
     info = CameraInfo()
     info.k = range(9)
     assert info.k.dtype == np.float64
+    numbers = std_msgs.Int64MultiArray(data=np.arange(3))
+    assert numbers.data == array.array("q", [0, 1, 2])
     image = Image()
     image.data = np.arange(6, dtype=np.uint8).reshape(2, 3)
     assert image.data.tobytes() == bytes(range(6))
@@ -211,16 +216,25 @@ def test_check_fields_lets_good_values_pass() -> None:
 
 
 def test_check_fields_from_the_environment() -> None:
-    code = "from tfloom.interfaces.std_msgs.msg import String\nString(data=5)"
+    made = "String(data=5)"
+    read = "decode(String, encode(String())).data = 5"
+    for code in (made, read):
+        assert said_with_checks(code) == "AssertionError: The 'data' field must be of type 'str'"
+
+
+def said_with_checks(code: str) -> str:
+    imports = (
+        "from tfloom.interfaces.std_msgs.msg import String\nfrom tfloom.rosidl.cdr import decode, encode\n"
+    )
     run = subprocess.run(
-        [sys.executable, "-c", code],
+        [sys.executable, "-c", imports + code],
         env={**os.environ, "ROS_PYTHON_CHECK_FIELDS": "1"},
         capture_output=True,
         text=True,
         timeout=60,
         check=False,
     )
-    assert run.stderr.splitlines()[-1] == "AssertionError: The 'data' field must be of type 'str'"
+    return run.stderr.splitlines()[-1]
 
 
 def test_positional_arguments_are_refused() -> None:

@@ -9,6 +9,13 @@ from tfloom.rosidl.message import ARRAY_CODES
 from tfloom.rosidl.parse import parse_type
 from tfloom.rosidl.spec import Type
 
+# A number of 8 octets has two names, by platform: l and q.
+_KINDS = {
+    **dict.fromkeys("bhilq", "signed"),
+    **dict.fromkeys("BHILQ", "unsigned"),
+    **dict.fromkeys("fd", "float"),
+}
+
 
 def convert(type_text: str, value: Any) -> Any:
     """Turn what a user assigns to a numeric array into what the message holds.
@@ -45,8 +52,9 @@ def _from_memory(code: str, value: Any) -> array[Any] | None:
         view = memoryview(value)
     except TypeError:
         return None
-    if view.format != code or not view.c_contiguous:
-        return None
     result = array(code)
+    same_numbers = _KINDS.get(view.format) == _KINDS[code] and view.itemsize == result.itemsize
+    if not same_numbers or not view.c_contiguous:
+        return None
     result.frombytes(view.cast("B") if view.nbytes else b"")
     return result
