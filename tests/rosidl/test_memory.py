@@ -6,7 +6,10 @@ import gc
 import sys
 import threading
 import weakref
+from pathlib import Path
 from typing import Any
+
+import pytest
 
 from tfloom.interfaces.geometry_msgs.msg import Transform, TransformStamped, Twist, Vector3
 from tfloom.interfaces.std_msgs.msg import Empty, String
@@ -14,6 +17,7 @@ from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rosidl import cdr
 from tfloom.rosidl.dynamic import define
 from tfloom.rosidl.message import Message
+from tfloom.rosidl.registry import get_message_class
 
 
 def test_references_to_the_class_are_given_back() -> None:
@@ -119,6 +123,35 @@ def test_classes_made_at_run_time_go() -> None:
         del cls, messages
     gc.collect()
     assert [reference() is None for reference in references] == [True] * 19 + [False]
+
+
+def test_threads_that_need_a_type_at_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder = tmp_path / "share" / "racing_msgs" / "msg"
+    folder.mkdir(parents=True)
+    monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path))
+    interval = sys.getswitchinterval()
+    sys.setswitchinterval(1e-6)
+    try:
+        for n in range(10):
+            (folder / f"Inner{n}.msg").write_text("float64 x\nstring name\n")
+            (folder / f"Outer{n}.msg").write_text(f"Inner{n} a\nInner{n}[] b\n")
+            found: list[Message] = []
+            barrier = threading.Barrier(4)
+
+            def work(n: int = n, found: list[Message] = found, barrier: threading.Barrier = barrier) -> None:
+                barrier.wait()
+                message = get_message_class(f"racing_msgs/msg/Outer{n}")()
+                found.append(cdr.decode(type(message), cdr.encode(message)))
+
+            threads = [threading.Thread(target=work) for _ in range(4)]
+            for thread in threads:
+                thread.start()
+            for thread in threads:
+                thread.join()
+            assert len(found) == 4
+            assert len({type(message) for message in found}) == 1
+    finally:
+        sys.setswitchinterval(interval)
 
 
 def test_threads() -> None:

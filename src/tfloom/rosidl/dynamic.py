@@ -8,6 +8,7 @@ Types of a sourced workspace need neither: `registry.get_message_class` finds th
 
 from __future__ import annotations
 
+import threading
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,9 @@ from tfloom.rosidl.message import Message
 from tfloom.rosidl.parse import ParseError, parse_interface
 from tfloom.rosidl.service import Action, Service
 from tfloom.rosidl.type_hash import type_hash
+
+LOCK = threading.RLock()
+"""Held while classes are made."""
 
 
 def define(name: str, text: str, path: str | None = None) -> Any:
@@ -34,6 +38,11 @@ def define(name: str, text: str, path: str | None = None) -> Any:
         ValueError: `name` is no interface name.
     """
     parse_interface(text, name, path)
+    with LOCK:
+        return _define(name, text, path)
+
+
+def _define(name: str, text: str, path: str | None) -> Any:
     before = sources.replace(name, sources.Source(text, path or f"{name}.{name.split('/')[1]}"))
     try:
         return load(name)
@@ -60,7 +69,8 @@ def define_folder(folder: str | Path) -> dict[str, Any]:
         _, kind, base = name.split("/")
         path = home / kind / f"{base}.{kind}"
         sources.replace(name, sources.Source(path.read_text(encoding="utf-8"), str(path)))
-    return {name: load(name) for name in names}
+    with LOCK:
+        return {name: load(name) for name in names}
 
 
 def load(name: str) -> Any:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import threading
+
 from tfloom._native import Plan, adopt
 from tfloom.rosidl.message import ARRAY_CODES, Message
 from tfloom.rosidl.registry import get_message_class
@@ -22,6 +24,7 @@ _ZEROS: dict[str, Any] = {
 }
 
 _compiling: list[type[Message]] = []
+_lock = threading.RLock()  # a plan that others point to must not be replaced by a second one
 
 
 def compile_plan(cls: type[Message]) -> Plan:
@@ -36,8 +39,11 @@ def compile_plan(cls: type[Message]) -> Plan:
     )
     if owner is Message:
         raise TypeError(f"{cls.__qualname__} is no message class")
-    if owner._PLAN is not None:
-        return owner._PLAN
+    with _lock:
+        return owner._PLAN or _compile(owner)
+
+
+def _compile(owner: type[Message]) -> Plan:
     if owner in _compiling:
         raise TypeError(f"{owner._TYPE_NAME} contains itself")
     plan = Plan(owner, owner._TYPE_NAME)

@@ -116,8 +116,10 @@ def _load_definition(name: str) -> Any:
     definition = sources.definition_name(name)
     if sources.find_source(definition) is None:
         return None
-    dynamic.load(definition)
-    return _classes.get(name)
+    with dynamic.LOCK:  # one class for all threads
+        if name not in _classes:
+            dynamic.load(definition)
+        return _classes.get(name)
 
 
 def _import(module_name: str) -> Any:
