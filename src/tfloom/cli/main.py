@@ -24,7 +24,17 @@ COMMANDS: dict[str, str | Group] = {
             "type": "Print an action's type",
         },
     ),
+    "component": "Say that components need C++",
+    "daemon": Group(
+        "Say that there is no daemon, and that none is needed",
+        {
+            "start": "Say that there is none to start",
+            "status": "Say that there is none to ask",
+            "stop": "Say that there is none to stop",
+        },
+    ),
     "demo": "Show a turtle, its frames and tf2 at work",
+    "doctor": "Look at what programs need to run and to find one another",
     "interface": Group(
         "Look up definitions of messages, services and actions",
         {
@@ -33,6 +43,15 @@ COMMANDS: dict[str, str | Group] = {
             "packages": "List the packages that define interfaces",
             "proto": "Print a YAML value with an interface's fields and defaults",
             "show": "Print an interface's definition",
+        },
+    ),
+    "lifecycle": Group(
+        "Look at nodes that are configured and activated from outside, and change their state",
+        {
+            "get": "Print the state of a lifecycle node, or of all",
+            "list": "List the transitions that a lifecycle node can be asked for",
+            "nodes": "List the nodes that have a lifecycle",
+            "set": "Ask a lifecycle node for a transition",
         },
     ),
     "node": Group(

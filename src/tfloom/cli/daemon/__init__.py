@@ -1,0 +1,1 @@
+"""`daemon`: there is none, and the verbs say so."""

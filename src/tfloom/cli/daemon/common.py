@@ -1,0 +1,11 @@
+"""What all verbs about the daemon answer."""
+
+from __future__ import annotations
+
+
+def no_daemon() -> int:
+    """Print that none is needed."""
+    print(
+        "There is no daemon, and none is needed: each command finds the others by itself, in a quarter of a second."
+    )
+    return 0

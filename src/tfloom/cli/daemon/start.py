@@ -1,0 +1,17 @@
+"""Say that there is no daemon to start."""
+
+from __future__ import annotations
+
+import argparse
+
+from tfloom.cli.daemon.common import no_daemon
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `daemon start` takes."""
+    parser.add_argument("--debug", action="store_true", help="accepted and not needed")
+
+
+def main(_: argparse.Namespace) -> int:
+    """Print why."""
+    return no_daemon()

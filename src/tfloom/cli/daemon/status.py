@@ -1,0 +1,17 @@
+"""Say that there is no daemon to ask."""
+
+from __future__ import annotations
+
+import argparse
+
+from tfloom.cli.daemon.common import no_daemon
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `daemon status` takes."""
+    del parser  # It takes nothing.
+
+
+def main(_: argparse.Namespace) -> int:
+    """Print why."""
+    return no_daemon()

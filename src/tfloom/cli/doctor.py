@@ -1,0 +1,67 @@
+"""Look at what programs need to run and to find one another, and say what to do where something is amiss."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+
+from tfloom.cli.health import CHECKS, PACKAGE_CHECKS, Finding, Verdict
+
+COLOURS = {Verdict.OK: "32", Verdict.WARNING: "33", Verdict.FAILED: "31"}
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `doctor` takes."""
+    reports = parser.add_mutually_exclusive_group()
+    reports.add_argument("-r", "--report", action="store_true", help="print all that was found")
+    reports.add_argument(
+        "-rf", "--report-failed", action="store_true", help="print all that was found where a check failed"
+    )
+    parser.add_argument(
+        "-ep", "--exclude-packages", action="store_true", help="leave out versions and who serves which name"
+    )
+    parser.add_argument("-iw", "--include-warnings", action="store_true", help="count warnings as failures")
+    parser.add_argument("--json", action="store_true", help="print a JSON list for programs")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print a line for each check; 1 if one failed."""
+    checks = {
+        name: check
+        for name, check in CHECKS.items()
+        if not (args.exclude_packages and name in PACKAGE_CHECKS)
+    }
+    findings = {name: check() for name, check in checks.items()}
+    failed = [name for name, finding in findings.items() if _counts_as_failure(finding, args)]
+    if args.json:
+        import json
+
+        print(
+            json.dumps([{"check": name, **finding.as_dict()} for name, finding in findings.items()], indent=2)
+        )
+        return int(bool(failed))
+    for name, finding in findings.items():
+        print(f"{_coloured(finding.verdict):>7}  {name}: {finding.summary}")
+        if finding.advice:
+            print(f"         {finding.advice}")
+        if args.report or (args.report_failed and name in failed):
+            for key, value in finding.details.items():
+                print(f"         {key}: {value}")
+    print(
+        f"\n{len(failed)}/{len(findings)} checks failed" if failed else f"\nAll {len(findings)} checks passed"
+    )
+    if failed:
+        print(f"Failed: {', '.join(failed)}")
+    return int(bool(failed))
+
+
+def _counts_as_failure(finding: Finding, args: argparse.Namespace) -> bool:
+    return finding.verdict is Verdict.FAILED or (args.include_warnings and finding.verdict is Verdict.WARNING)
+
+
+def _coloured(verdict: Verdict) -> str:
+    text = f"{verdict.value:>7}"
+    if sys.stdout.isatty() and "NO_COLOR" not in os.environ:
+        return f"\033[{COLOURS[verdict]}m{text}\033[0m"
+    return text

@@ -1,0 +1,257 @@
+"""The checks of `doctor`. Each looks at one thing and tells what it found; none raises."""
+
+from __future__ import annotations
+
+import os
+import platform
+import shutil
+import sys
+import time
+from collections.abc import Callable, Iterator
+from enum import Enum
+from importlib.machinery import PathFinder
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import tfloom
+from tfloom.rmw.errors import WireError
+from tfloom.workspace import index
+
+TRIP_TIMEOUT_S = 5.0
+LARGE_BUFFER = 4 << 20
+"""The receive buffer [octets] at which messages of megabytes come through at best effort."""
+
+DISTRIBUTIONS = (
+    "tfloom-ros2",
+    "cyclonedds",
+    "numpy",
+    "PyYAML",
+    "argcomplete",
+    "reportlab",
+    "pygame-ce",
+    "Pillow",
+    "colcon-core",
+)
+
+
+class Verdict(Enum):
+    """How a check ended."""
+
+    OK = "ok"
+    WARNING = "warning"
+    FAILED = "FAILED"
+
+
+class Finding(NamedTuple):
+    """What a check found."""
+
+    verdict: Verdict
+    summary: str
+    advice: str = ""
+    """What to do; empty if nothing."""
+    details: dict[str, Any] = {}  # noqa: RUF012  # never changed
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return it as JSON takes it."""
+        return {**self._asdict(), "verdict": self.verdict.value.lower()}
+
+
+def check_wire() -> Finding:
+    """Look for the wire that RMW_IMPLEMENTATION names, and its library."""
+    from tfloom.rmw.backends import DEFAULT, implementation_identifier
+
+    asked = os.environ.get("RMW_IMPLEMENTATION")
+    details: dict[str, Any] = {"RMW_IMPLEMENTATION": asked or "not set"}
+    try:
+        name = implementation_identifier()
+        if name == DEFAULT:
+            from tfloom.rmw.cyclone_library import find_library
+
+            details["library"] = find_library()
+    except WireError as error:
+        return Finding(Verdict.FAILED, str(error), details=details)
+    why = (
+        "as RMW_IMPLEMENTATION asks" if asked == name else f"in place of {asked}" if asked else "the default"
+    )
+    return Finding(Verdict.OK, f"{name}, {why}", details=details)
+
+
+def check_domain() -> Finding:
+    """Look at ROS_DOMAIN_ID and the discovery range."""
+    from tfloom.rmw.backends import domain_id_from_environment
+    from tfloom.rmw.cyclone_config import DEFAULT_RANGE, configuration
+
+    names = (
+        "ROS_DOMAIN_ID",
+        "ROS_AUTOMATIC_DISCOVERY_RANGE",
+        "ROS_LOCALHOST_ONLY",
+        "ROS_STATIC_PEERS",
+        "CYCLONEDDS_URI",
+    )
+    details = {name: os.environ.get(name, "not set") for name in names}
+    try:
+        domain = domain_id_from_environment()
+        configuration()
+    except WireError as error:
+        return Finding(Verdict.FAILED, str(error), details=details)
+    if os.environ.get("CYCLONEDDS_URI"):
+        return Finding(Verdict.OK, f"domain {domain}, discovery as CYCLONEDDS_URI says", details=details)
+    asked = os.environ.get("ROS_AUTOMATIC_DISCOVERY_RANGE") or DEFAULT_RANGE
+    advice = (
+        "a stock ROS is met only with the same range on both sides: "
+        f"export ROS_AUTOMATIC_DISCOVERY_RANGE={'SUBNET' if asked == 'LOCALHOST' else asked} "
+        f"here and there{' (its default is SUBNET)' if asked == 'LOCALHOST' else ''}"
+    )
+    return Finding(Verdict.OK, f"domain {domain}, discovery range {asked}", advice, details)
+
+
+def check_network() -> Finding:
+    """Look at the network interfaces and at how much the system lets a socket hold."""
+    interfaces = dict(_interfaces())
+    details: dict[str, Any] = dict(interfaces)
+    limit = Path("/proc/sys/net/core/rmem_max")
+    if limit.is_file():
+        details["net.core.rmem_max"] = int(limit.read_text())
+        if details["net.core.rmem_max"] < LARGE_BUFFER:
+            advice = (
+                f"for messages of megabytes at best effort: sudo sysctl -w net.core.rmem_max={LARGE_BUFFER}"
+            )
+            summary = f"a socket holds {details['net.core.rmem_max']} octets at most"
+            return Finding(Verdict.WARNING, summary, advice, details)
+    up = [name for name, state in interfaces.items() if "up" in state.split(", ")]
+    return Finding(
+        Verdict.OK, f"interfaces that are up: {', '.join(up) or 'not known on this system'}", details=details
+    )
+
+
+def _interfaces() -> Iterator[tuple[str, str]]:
+    """Yield name and state of each interface, where Linux tells."""
+    is_up, has_multicast = 0x1, 0x1000  # IFF_UP and IFF_MULTICAST of linux/if.h
+    for folder in sorted(Path("/sys/class/net").glob("*")):
+        try:
+            flags = int((folder / "flags").read_text(), 16)
+        except (OSError, ValueError):
+            continue
+        up = "up" if flags & is_up else "down"
+        yield folder.name, f"{up}, {'multicast' if flags & has_multicast else 'no multicast'}"
+
+
+def check_round_trip() -> Finding:
+    """Let two participants of this process find each other on the domain, and pass a message."""
+    from tfloom.rmw.backends import open_participant
+    from tfloom.rmw.base import NodeName, Topic
+    from tfloom.rmw.qos import QoS
+
+    node, topic = NodeName("/", "_tfloom_doctor"), Topic("/_tfloom_doctor", "std_msgs/msg/Empty", "")
+    start = time.monotonic()
+    try:
+        here, there = open_participant(), open_participant()
+    except WireError as error:
+        return Finding(Verdict.FAILED, str(error))
+    try:
+        writer = here.create_writer(node, topic, QoS())
+        reader = there.create_reader(node, topic, QoS())
+        while not (writer.matched_count() and reader.matched_count()):
+            if time.monotonic() - start > TRIP_TIMEOUT_S:
+                return Finding(
+                    Verdict.FAILED,
+                    f"two participants did not find each other within {TRIP_TIMEOUT_S:g} s",
+                    "a firewall may hold UDP on this interface, or the domain may be full",
+                )
+            time.sleep(0.002)
+        found_s = time.monotonic() - start
+        writer.write(bytes((0, 1, 0, 0, 0, 0, 0, 0)))
+        while reader.take() is None:
+            if time.monotonic() - start > 2 * TRIP_TIMEOUT_S:
+                return Finding(Verdict.FAILED, "two participants found each other, but a message was lost")
+            time.sleep(0.0005)
+    finally:
+        here.close()
+        there.close()
+    return Finding(
+        Verdict.OK, f"two participants found each other in {found_s * 1e3:.0f} ms, a message came through"
+    )
+
+
+def check_names() -> Finding:
+    """Look who serves each of ROS's names to a Python program."""
+    ours, others = {}, {}
+    for folder in sorted((index.OWN_PREFIX / "ros_names").glob("[a-z]*")):
+        spec = PathFinder.find_spec(folder.name)
+        origin = str(spec.origin) if spec is not None else ""
+        if Path(origin).parent == folder:
+            ours[folder.name] = "tfloom"
+        else:
+            others[folder.name] = origin or "nobody"
+    details = {**ours, **others}
+    if not others:
+        return Finding(Verdict.OK, f"all {len(ours)} packages come from tfloom", details=details)
+    nobody = all(origin == "nobody" for origin in others.values())
+    if nobody:
+        advice = (
+            "call tfloom.use_ros_names() first, or reinstall tfloom into this environment's site-packages"
+        )
+        return Finding(Verdict.FAILED, "programs can't import rclpy: tfloom.pth wasn't read", advice, details)
+    if not ours:
+        return Finding(Verdict.WARNING, "a real ROS serves all names; tfloom's stand back", details=details)
+    mixed = ", ".join(f"{name} from {origin}" for name, origin in list(others.items())[:3])
+    advice = "take the real ROS out of PYTHONPATH, or run in a shell that hasn't sourced it"
+    verdict = Verdict.FAILED if "rclpy" in others else Verdict.WARNING
+    return Finding(verdict, f"a real ROS and tfloom are mixed: {mixed}", advice, details)
+
+
+def check_commands() -> Finding:
+    """Look for a real ROS on the path."""
+    found = [
+        str(Path(folder, "ros2"))
+        for folder in dict.fromkeys(os.environ.get("PATH", "").split(os.pathsep))
+        if shutil.which("ros2", path=folder)
+    ]
+    details = {
+        "ros2": ", ".join(found) or "not on the path",
+        "ROS_DISTRO": os.environ.get("ROS_DISTRO", "not set"),
+        "workspaces": ", ".join(index.search_paths()) or "none sourced",
+    }
+    real = [path for path in found if not Path(path).parent.samefile(Path(sys.executable).parent)]
+    if real and len(found) > len(real):
+        return Finding(
+            Verdict.WARNING,
+            f"beside ours there is a ros2 in {real[0]}",
+            f"the first on the path runs: {found[0]}",
+            details,
+        )
+    if real:
+        return Finding(Verdict.WARNING, f"the command ros2 is {real[0]}", "ours is `tfloom`", details)
+    return Finding(Verdict.OK, f"no real ROS; workspaces: {details['workspaces']}", details=details)
+
+
+def check_versions() -> Finding:
+    """Tell the versions of Python, tfloom and what it uses."""
+    details = {
+        "Python": platform.python_version(),
+        "system": platform.platform(),
+        "tfloom": tfloom.__version__,
+        **{name: _version(name) for name in DISTRIBUTIONS},
+    }
+    return Finding(Verdict.OK, f"tfloom {details['tfloom']}, Python {details['Python']}", details=details)
+
+
+def _version(distribution: str) -> str:
+    from importlib.metadata import PackageNotFoundError, version
+
+    try:
+        return version(distribution)
+    except PackageNotFoundError:
+        return "not installed"
+
+
+CHECKS: dict[str, Callable[[], Finding]] = {
+    "wire": check_wire,
+    "domain": check_domain,
+    "network": check_network,
+    "round trip": check_round_trip,
+    "names": check_names,
+    "commands": check_commands,
+    "versions": check_versions,
+}
+PACKAGE_CHECKS = {"names", "versions"}

@@ -1,0 +1,1 @@
+"""`lifecycle`: nodes that are configured, activated and shut down from outside."""

@@ -1,0 +1,87 @@
+"""What the verbs about lifecycle nodes share: who has a lifecycle, and its services."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from tfloom.cli import graph
+from tfloom.cli.calls import service_client
+from tfloom.cli.errors import CommandError
+from tfloom.cli.listen import cli_node, shown_node
+from tfloom.cli.names import did_you_mean
+from tfloom.interfaces.lifecycle_msgs import srv
+from tfloom.rmw.base import Graph, NodeName, Participant
+
+TIMEOUT_S = 10.0
+STATE_SERVICE = "/get_state"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the flags of the verbs about one node."""
+    graph.add_arguments(parser)
+    parser.add_argument(
+        "--include-hidden-nodes",
+        action="store_true",
+        help="see nodes whose name begins with an underscore, too",
+    )
+
+
+class Lifecycle:
+    """The lifecycle services of one node."""
+
+    def __init__(self, participant: Participant, own: NodeName, node: str) -> None:
+        self.node = node
+        self._participant = participant
+        self._own = own
+
+    def state(self) -> Any:
+        """Return the state that the node is in: id and label."""
+        return self._call("get_state", srv.GetState, srv.GetState.Request()).current_state
+
+    def transitions(self, *, of_all_states: bool = False) -> list[Any]:
+        """Return the transitions that can be asked for now, or all that the node has."""
+        service = "get_transition_graph" if of_all_states else "get_available_transitions"
+        request = srv.GetAvailableTransitions.Request()
+        return list(self._call(service, srv.GetAvailableTransitions, request).available_transitions)
+
+    def change(self, transition: Any) -> bool:
+        """Ask for a transition and return whether it succeeded."""
+        request = srv.ChangeState.Request(transition=transition)
+        return bool(self._call("change_state", srv.ChangeState, request).success)
+
+    def _call(self, service: str, service_class: type[Any], request: Any) -> Any:
+        with service_client(self._participant, self._own, f"{self.node}/{service}", service_class) as client:
+            client.wait_for_server(TIMEOUT_S)
+            return client.call(request, TIMEOUT_S)
+
+
+def lifecycle_nodes(found: Graph, *, hidden: bool) -> list[str]:
+    """Return the full names of the nodes that have a lifecycle, in order."""
+    names = {
+        end.name.removesuffix(STATE_SERVICE)
+        for end in found.service_ends()
+        if end.is_server and end.type_name == srv.GetState._TYPE_NAME and end.name.endswith(STATE_SERVICE)
+    }
+    return sorted(name for name in names if hidden or not graph.is_hidden(name))
+
+
+@contextmanager
+def lifecycles(args: argparse.Namespace, asked: str | None) -> Iterator[list[Lifecycle]]:
+    """Give the lifecycle of the node that was asked for, or, with None, of each that has one.
+
+    Raises:
+        CommandError: the node that was asked for has none; it names the nearest that has.
+    """
+    with graph.joined_participant() as participant:
+        graph.wait_until_quiet(participant.graph, args.spin_time)
+        names = lifecycle_nodes(participant.graph, hidden=args.include_hidden_nodes)
+        if asked is not None:
+            full = asked if asked.startswith("/") else f"/{asked}"
+            if full not in names:
+                raise CommandError(f"Node not found{did_you_mean(full, names)}")
+            names = [full]
+        with shown_node(participant, cli_node()) as own:
+            yield [Lifecycle(participant, own, name) for name in names]

@@ -1,0 +1,24 @@
+"""Print the state of a lifecycle node, or of all."""
+
+from __future__ import annotations
+
+import argparse
+
+from tfloom.cli.lifecycle.common import add_arguments as add_common_arguments
+from tfloom.cli.lifecycle.common import lifecycles
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `lifecycle get` takes."""
+    add_common_arguments(parser)
+    parser.add_argument("node_name", nargs="?", help="full name of the node")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print label and number of the state, after the node's name where all are asked."""
+    with lifecycles(args, args.node_name) as nodes:
+        for node in nodes:
+            state = node.state()
+            name = f"{node.node}: " if args.node_name is None else ""
+            print(f"{name}{state.label} [{state.id}]")
+    return 0

@@ -1,0 +1,27 @@
+"""List the transitions that a lifecycle node can be asked for."""
+
+from __future__ import annotations
+
+import argparse
+
+from tfloom.cli.lifecycle.common import add_arguments as add_common_arguments
+from tfloom.cli.lifecycle.common import lifecycles
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `lifecycle list` takes."""
+    add_common_arguments(parser)
+    parser.add_argument(
+        "-a", "--all", action="store_true", help="list those of all states, not only of this one"
+    )
+    parser.add_argument("node_name", help="full name of the node")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print each transition with the states it leads from and to."""
+    with lifecycles(args, args.node_name) as nodes:
+        for each in nodes[0].transitions(of_all_states=args.all):
+            print(f"- {each.transition.label} [{each.transition.id}]")
+            print(f"\tStart: {each.start_state.label}")
+            print(f"\tGoal: {each.goal_state.label}")
+    return 0

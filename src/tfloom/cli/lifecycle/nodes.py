@@ -1,0 +1,34 @@
+"""List the nodes that have a lifecycle."""
+
+from __future__ import annotations
+
+import argparse
+
+from tfloom.cli import graph
+from tfloom.cli.lifecycle.common import lifecycle_nodes
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `lifecycle nodes` takes."""
+    graph.add_arguments(parser)
+    parser.add_argument(
+        "-a", "--all", action="store_true", help="show nodes whose name begins with an underscore, too"
+    )
+    parser.add_argument("-c", "--count-nodes", action="store_true", help="show only how many there are")
+    parser.add_argument("--json", action="store_true", help="print a JSON list for programs")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print the nodes' full names in order."""
+    with graph.settled_graph(args) as found:
+        names = lifecycle_nodes(found, hidden=args.all)
+    if args.json:
+        import json
+
+        print(json.dumps(names, indent=2))
+    elif args.count_nodes:
+        print(len(names))
+    else:
+        for name in names:
+            print(name)
+    return 0

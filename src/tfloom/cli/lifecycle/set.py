@@ -1,0 +1,30 @@
+"""Ask a lifecycle node for a transition."""
+
+from __future__ import annotations
+
+import argparse
+
+from tfloom.cli.errors import CommandError
+from tfloom.cli.lifecycle.common import add_arguments as add_common_arguments
+from tfloom.cli.lifecycle.common import lifecycles
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `lifecycle set` takes."""
+    add_common_arguments(parser)
+    parser.add_argument("node_name", help="full name of the node")
+    parser.add_argument("transition", help="label or number of the transition, as configure")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Ask for it and print how it went."""
+    with lifecycles(args, args.node_name) as nodes:
+        transitions = [each.transition for each in nodes[0].transitions()]
+        wanted = [each for each in transitions if args.transition in {each.label, str(each.id)}]
+        if not wanted:
+            listed = "".join(f"\n- {each.label} [{each.id}]" for each in transitions)
+            raise CommandError(f"Unknown transition requested, available ones are:{listed}")
+        if not nodes[0].change(wanted[0]):
+            raise CommandError("Transitioning failed")
+    print("Transitioning successful")
+    return 0
