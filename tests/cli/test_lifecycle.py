@@ -1,0 +1,38 @@
+"""The verbs about lifecycle nodes, asked of a node in another process over DDS."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+import transcript
+
+pytestmark = pytest.mark.wire
+
+
+@pytest.fixture(autouse=True)
+def node(domain_id: int, start_program: Callable[..., object]) -> None:
+    start_program("python", Path(__file__).with_name("a_lifecycle_node.py")).wait_for("ready")
+
+
+def test_a_node_changes_its_state() -> None:
+    assert transcript.run("lifecycle", "nodes").text == "/a_node"
+    assert transcript.run("lifecycle", "nodes", "-c").text == "1"
+    assert transcript.run("lifecycle", "get", "/a_node").text == "unconfigured [1]"
+    configure = "- configure [1]\n\tStart: unconfigured\n\tGoal: inactive"
+    assert transcript.run("lifecycle", "list", "/a_node").text == configure
+    assert transcript.run("lifecycle", "set", "/a_node", "configure").text == "Transitioning successful"
+    assert transcript.run("lifecycle", "get").text == "/a_node: inactive [2]"
+    assert transcript.run("lifecycle", "list", "-a", "/a_node").text.startswith(
+        configure + "\n- cleanup [2]\n"
+    )
+    assert transcript.run("lifecycle", "set", "/a_node", "2").exit_code == 0
+
+
+def test_mistakes_are_told() -> None:
+    unknown = transcript.run("lifecycle", "set", "/a_node", "activate")
+    assert unknown.exit_code == 1
+    assert unknown.text == "Unknown transition requested, available ones are:\n- configure [1]"
+    nobody = transcript.run("lifecycle", "get", "/a_nod")
+    assert (nobody.exit_code, nobody.text) == (1, "Node not found\ndid you mean /a_node?")
