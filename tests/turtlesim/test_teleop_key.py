@@ -108,8 +108,34 @@ def test_arrow_keys_drive_the_turtle(
         "Reading from keyboard",
         "---------------------------",
         "Use arrow keys to move the turtle.",
+        "Use G|B|V|C|D|E|R|T keys to rotate to absolute orientations. 'F' to cancel a rotation.",
         "'Q' to quit.",
     ]
+
+
+def test_keys_turn_the_turtle_to_headings(
+    listener: Listener,
+    start_program: Callable[..., Any],
+    terminal: tuple[int, int],
+    wait_until: Callable[..., None],
+) -> None:
+    ours, theirs = terminal
+    turtlesim = start_program(*TURTLESIM)
+    listener.spin_until(lambda: listener.poses, wait_until)
+    start_program(*TELEOP, stdin=theirs).wait_for("'Q' to quit.")
+
+    def press_and_look() -> bool:
+        if not listener.poses[-1].angular_velocity:
+            os.write(ours, b"T")
+        return listener.poses[-1].theta > 0.7
+
+    listener.spin_until(press_and_look, wait_until)
+    turtlesim.wait_for("Rotation goal completed successfully")
+    listener.spin_until(lambda: abs(listener.poses[-1].theta - 0.7854) < 0.03, wait_until)
+    os.write(ours, b"d")
+    listener.spin_until(lambda: listener.poses[-1].theta > 1.0, wait_until)
+    os.write(ours, b"f")
+    turtlesim.wait_for("Rotation goal canceled")
 
 
 def test_keys_held_down_do_not_queue_up(

@@ -1,4 +1,4 @@
-"""What one turtle has on the wire, under its name: pose, colour sensor, velocity commands, pen and teleports."""
+"""What one turtle has on the wire, under its name: pose, colour sensor, commands, pen, teleports, rotations."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.geometry_msgs.msg import Twist
 from tfloom.turtlesim.messages import Color, Pose, SetPen, TeleportAbsolute, TeleportRelative
-from tfloom.turtlesim.world import Turtle, is_usable
+from tfloom.turtlesim.rotations import RotationServer
+from tfloom.turtlesim.world import Rotation, Turtle, is_usable
 
 if TYPE_CHECKING:
     from tfloom.turtlesim.node import TurtlesimNode
@@ -15,7 +16,7 @@ QOS_DEPTH = 7
 
 
 class TurtleEndpoints:
-    """The topics and services of one turtle.
+    """The topics, services and action of one turtle.
 
     Args:
         node: The node that has them.
@@ -34,6 +35,7 @@ class TurtleEndpoints:
             node.create_service(TeleportRelative, f"{name}/teleport_relative", self._on_teleport_relative),
             node.create_service(TeleportAbsolute, f"{name}/teleport_absolute", self._on_teleport_absolute),
         ]
+        self._rotations = RotationServer(node, turtle)
 
     def destroy(self) -> None:
         """Take all of it off the wire."""
@@ -42,6 +44,7 @@ class TurtleEndpoints:
         self._node.destroy_subscription(self._cmd_vel)
         for service in self._services:
             self._node.destroy_service(service)
+        self._rotations.destroy()
 
     def publish(self) -> None:
         """Tell where the turtle is, what it was commanded [m, rad, m/s, rad/s], and what it sees under it."""
@@ -58,6 +61,10 @@ class TurtleEndpoints:
         red, green, blue = self._node.sim.canvas.color_at(turtle.x, turtle.y)
         self._color.publish(Color(r=red, g=green, b=blue))
 
+    def tell_rotation(self, rotation: Rotation) -> None:
+        """Tell how a turn towards a goal stands."""
+        self._rotations.tell(rotation)
+
     def _refuses(self, what: str, *numbers: float) -> bool:
         """Whether a turtle can't act on these numbers; if so, warn."""
         if is_usable(*numbers):
@@ -73,7 +80,8 @@ class TurtleEndpoints:
         ahead, left, turn = twist.linear.x, twist.linear.y, twist.angular.z
         if not self._refuses("a velocity command", ahead, left, turn):
             sideways = left if self._node.is_holonomic else None
-            self._node.sim.world.command(self._turtle, ahead, sideways, turn)
+            if self._node.sim.world.command(self._turtle, ahead, sideways, turn) is not None:
+                self._rotations.abort_for_command()
 
     def _on_set_pen(self, request: Any, response: Any) -> Any:
         self._turtle.set_pen((request.r, request.g, request.b), request.width, off=bool(request.off))

@@ -22,7 +22,7 @@ from tfloom.turtlesim.endpoints import TurtleEndpoints
 from tfloom.turtlesim.messages import Kill, Spawn
 from tfloom.turtlesim.record import FRAME_MS, SIDE_PX, Recorder, RecordingError, open_recorder
 from tfloom.turtlesim.simulation import TurtleSim
-from tfloom.turtlesim.world import STEP_S, Event, Moved, Turtle, WallHit, is_usable
+from tfloom.turtlesim.world import STEP_S, Event, Moved, RotationStep, Turtle, WallHit, is_usable
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -137,6 +137,8 @@ class TurtlesimNode(Node):
     def _take(self, event: Event) -> None:
         if isinstance(event, Moved):
             self._endpoints[event.turtle.name].publish()
+        elif isinstance(event, RotationStep):
+            self._endpoints[event.turtle].tell_rotation(event.rotation)
         elif isinstance(event, WallHit):
             self.get_logger().warning(str(event))
 

@@ -1,21 +1,27 @@
-"""turtle_teleop_key: drive a turtle with the arrow keys."""
+"""turtle_teleop_key: drive a turtle by keys."""
 
 from __future__ import annotations
 
 import argparse
 import sys
+import threading
+from contextlib import suppress
+from typing import Any
 
 from tfloom.interfaces.geometry_msgs.msg import Twist
-from tfloom.node import init, ok
+from tfloom.node import init, ok, spin
+from tfloom.node.action.client import ActionClient
 from tfloom.node.executor import ExternalShutdownException
 from tfloom.node.node import Node
 from tfloom.node.utilities import remove_ros_args, try_shutdown
 from tfloom.turtlesim.keyboard import Keyboard, NoTerminalError
+from tfloom.turtlesim.messages import RotateAbsolute
 
 BANNER = """\
 Reading from keyboard
 ---------------------------
 Use arrow keys to move the turtle.
+Use G|B|V|C|D|E|R|T keys to rotate to absolute orientations. 'F' to cancel a rotation.
 'Q' to quit."""
 NO_TERMINAL = (
     "turtle_teleop_key reads single keys and needs a terminal, but its input is none: "
@@ -23,28 +29,64 @@ NO_TERMINAL = (
 )
 DIRECTIONS = {"up": (1.0, 0.0), "down": (-1.0, 0.0), "left": (0.0, 1.0), "right": (0.0, -1.0)}
 """What each arrow key commands: parts of the linear and of the angular scale."""
+HEADINGS = {
+    "g": 0.0,
+    "t": 0.7854,
+    "r": 1.5708,
+    "e": 2.3562,
+    "d": 3.1416,
+    "c": -2.3562,
+    "v": -1.5708,
+    "b": -0.7854,
+}
+"""Where each key turns the turtle to [rad]: around G on the keyboard as around the turtle."""
+CANCEL = "f"
+QUIT = "q"
 POLL_S = 0.1
 """How long a wait for keys may last before it looks whether the program is to end."""
 
 
 class TeleopTurtle(Node):
-    """Publishes a velocity command for each key press; parameters scale_linear [m/s], scale_angular [rad/s]."""
+    """Publishes a velocity command for each arrow key, and sends a goal for each heading's.
+
+    Parameters: scale_linear [m/s], scale_angular [rad/s].
+    """
 
     def __init__(self) -> None:
         super().__init__("teleop_turtle")
         self.declare_parameter("scale_linear", 2.0)
         self.declare_parameter("scale_angular", 2.0)
         self._publisher = self.create_publisher(Twist, "turtle1/cmd_vel", 1)
+        self._rotator = ActionClient(self, RotateAbsolute, "turtle1/rotate_absolute")
+        self._sent: Any = None
 
     def press(self, key: str) -> bool:
         """Do what a key asks for; return whether to go on."""
         if key in DIRECTIONS:
-            linear, angular = DIRECTIONS[key]
-            twist = Twist()
-            twist.linear.x = linear * float(self.get_parameter("scale_linear").value)
-            twist.angular.z = angular * float(self.get_parameter("scale_angular").value)
-            self._publisher.publish(twist)
-        return key not in {"q", "Q"}
+            self._drive(*DIRECTIONS[key])
+        elif key.lower() in HEADINGS:
+            self._turn(HEADINGS[key.lower()])
+        elif key.lower() == CANCEL:
+            self._cancel()
+        return key.lower() != QUIT
+
+    def _drive(self, linear: float, angular: float) -> None:
+        twist = Twist()
+        twist.linear.x = linear * float(self.get_parameter("scale_linear").value)
+        twist.angular.z = angular * float(self.get_parameter("scale_angular").value)
+        self._publisher.publish(twist)
+
+    def _turn(self, theta: float) -> None:
+        if self._rotator.server_is_ready():
+            self._sent = self._rotator.send_goal_async(RotateAbsolute.Goal(theta=theta))
+
+    def _cancel(self) -> None:
+        """Cancel the goal that was sent last, once it is known to be accepted."""
+        sent, self._sent = self._sent, None
+        if sent is not None:
+            sent.add_done_callback(
+                lambda done: done.result().cancel_goal_async() if done.result().accepted else None
+            )
 
     def run(self, keyboard: Keyboard) -> None:
         """Obey the keyboard until Q, shutdown, or the terminal's end."""
@@ -58,20 +100,30 @@ class TeleopTurtle(Node):
                 return
 
 
+def spin_quietly(node: Node) -> None:
+    """Spin until shutdown."""
+    with suppress(ExternalShutdownException):
+        spin(node)
+
+
 def main(args: list[str] | None = None) -> int:
     """Drive until stopped; return the exit code."""
     args = sys.argv[1:] if args is None else args
     parser = argparse.ArgumentParser(
         prog="turtle_teleop_key",
-        description="Drive a turtle: arrow keys publish geometry_msgs/msg/Twist on turtle1/cmd_vel. "
-        "Another turtle: --ros-args -r turtle1/cmd_vel:=NAME/cmd_vel. Speeds: -p scale_linear:=2.0 [m/s] and "
+        description="Drive a turtle: arrow keys publish geometry_msgs/msg/Twist on turtle1/cmd_vel, the keys "
+        "around G send goals to turtle1/rotate_absolute. Another turtle: --ros-args -r turtle1/cmd_vel:=NAME/cmd_vel "
+        "-r turtle1/rotate_absolute:=NAME/rotate_absolute. Speeds: -p scale_linear:=2.0 [m/s] and "
         "-p scale_angular:=2.0 [rad/s].",
     )
     parser.parse_args(remove_ros_args(args))
     init(args=args)
     try:
         with Keyboard() as keyboard:
-            TeleopTurtle().run(keyboard)
+            node = TeleopTurtle()
+            # Keys keep this thread; answers to goals and parameters come on another.
+            threading.Thread(target=spin_quietly, args=(node,), daemon=True).start()
+            node.run(keyboard)
     except NoTerminalError:
         print(NO_TERMINAL, file=sys.stderr)
         return 1
