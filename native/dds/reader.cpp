@@ -55,6 +55,7 @@ void Reader::notify(ReadyQueue* queue, ReadyQueue::Token token) {
 }
 
 void Reader::feed(Sink* sink) {
+  const std::lock_guard lifecycle(lifecycle_mutex_);
   {
     const std::lock_guard lock(listener_mutex_);
     if (closed_) return;
@@ -107,6 +108,7 @@ std::optional<Events::Status> Reader::take_event(Event event) {
 }
 
 void Reader::close() {
+  const std::lock_guard lifecycle(lifecycle_mutex_);
   if (closed_.exchange(true) || participant_.is_forked()) return;
   library_.set_listener(entity_, nullptr);  // returns when no listener runs
   participant_.feeder().forget(*this);

@@ -59,6 +59,7 @@ class Reader : private Feeder::Source {
   Peers peers_;
   std::atomic<bool> closed_ = false;
   std::atomic<Sink*> sink_ = nullptr;
+  std::mutex lifecycle_mutex_;  // for one feed or close at a time
   std::mutex listener_mutex_;  // guards the two below; the listener takes it, so it's held for moments only
   ReadyQueue* queue_ = nullptr;
   ReadyQueue::Token token_ = 0;

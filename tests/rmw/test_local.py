@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from tfloom._native import ReadyQueue
+from tfloom._native import ReadyQueue, SampleQueue
 from tfloom.rmw.base import NodeName, Topic
 from tfloom.rmw.errors import ClosedError
 from tfloom.rmw.local import LocalParticipant, LocalReader, open_participant
@@ -194,3 +194,31 @@ def test_writers_on_many_threads_lose_nothing(ends) -> None:
     for writer in writers:
         mine = [int(sample.data) for sample in samples if sample.publisher_gid == writer.gid]
         assert mine == list(range(500))
+
+
+def test_a_fed_sink_gets_what_waits_first_and_python_nothing(ends) -> None:
+    queue, sink = ReadyQueue(), SampleQueue(10)
+    writer = ends[0].create_writer(TALKER, TOPIC, QoS())
+    reader = ends[1].create_reader(LISTENER, TOPIC, QoS())
+    reader.notify(queue, 1)
+    writer.write(b"1")
+    reader.feed(sink)
+    assert queue.wait(0) == [1]
+    writer.write(b"2")
+    writer.write(b"3")
+    assert [sample[0] for sample in sink.take()] == [b"1", b"2", b"3"]
+    assert reader.take() is None
+    assert queue.wait(0) == []
+    reader.close()
+    writer.write(b"4")
+    assert sink.take() == []
+
+
+def test_a_sink_is_fed_no_sample_past_its_lifespan(ends, wait_until) -> None:
+    sink = SampleQueue(10)
+    brief = ends[0].create_writer(TALKER, TOPIC, TRANSIENT_LOCAL._replace(lifespan_ns=1_000))
+    brief.write(b"old")
+    probe = ends[1].create_reader(LISTENER, TOPIC, TRANSIENT_LOCAL)
+    wait_until(lambda: probe.take() is None)
+    ends[1].create_reader(LISTENER, TOPIC, TRANSIENT_LOCAL).feed(sink)
+    assert sink.pushed() == 0

@@ -1,0 +1,101 @@
+"""The queue that executors wait for, and the sink that keeps samples."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+import time
+
+import pytest
+
+from tfloom._native import ReadyQueue, SampleQueue
+
+GID = bytes(range(16))
+
+
+def test_tokens_come_in_order_of_first_posting_and_once() -> None:
+    queue = ReadyQueue()
+    for token in (3, 1, 3, 2, 1):
+        queue.post(token)
+    assert queue.wait(0) == [3, 1, 2]
+    assert queue.wait(0) == []
+    queue.post(1)
+    assert queue.wait(-1) == [1]
+
+
+def test_a_timeout_is_kept() -> None:
+    start = time.monotonic()
+    assert ReadyQueue().wait(20_000_000) == []
+    assert 0.02 <= time.monotonic() - start < 5
+
+
+def test_a_post_wakes_the_waiting_thread() -> None:
+    queue = ReadyQueue()
+    taken: list[int] = []
+    waiter = threading.Thread(target=lambda: taken.extend(queue.wait(-1)))
+    waiter.start()
+    queue.post(7)
+    waiter.join(10)
+    assert taken == [7]
+
+
+def test_nothing_is_lost_between_many_threads() -> None:
+    queue = ReadyQueue()
+    posters = [
+        threading.Thread(target=lambda base=base: [queue.post(base + i) for i in range(1000)])
+        for base in (0, 10_000, 20_000)
+    ]
+    for poster in posters:
+        poster.start()
+    taken: list[int] = []
+    while len(taken) < 3000:
+        tokens = queue.wait(10_000_000_000)
+        assert tokens
+        taken += tokens
+    for base in (0, 10_000, 20_000):
+        assert [token for token in taken if base <= token < base + 1000] == list(range(base, base + 1000))
+
+
+@pytest.mark.skipif(not hasattr(signal, "pthread_kill"), reason="needs a signal sent to a thread")
+def test_a_signal_handler_runs_at_once_and_what_it_raises_is_raised() -> None:
+    handled = threading.Event()
+
+    class StopError(Exception):
+        pass
+
+    def handle(number: int, frame: object) -> None:
+        if handled.is_set():
+            raise StopError
+        handled.set()
+        threading.Timer(0.02, os.kill, [os.getpid(), signal.SIGUSR1]).start()
+
+    before = signal.signal(signal.SIGUSR1, handle)
+    try:
+        threading.Timer(0.02, os.kill, [os.getpid(), signal.SIGUSR1]).start()
+        with pytest.raises(StopError):
+            ReadyQueue().wait(-1)
+    finally:
+        signal.signal(signal.SIGUSR1, before)
+    assert handled.is_set()
+
+
+def test_a_sample_queue_keeps_the_newest() -> None:
+    queue = SampleQueue(2)
+    for i in range(5):
+        queue.push(bytes([0, 1, 0, 0, i]), i, 10 + i, GID)
+    assert queue.pushed() == 5
+    assert queue.take() == [(bytes([0, 1, 0, 0, i]), i, 10 + i, GID) for i in (3, 4)]
+    assert queue.take() == []
+
+
+def test_a_sample_queue_of_no_depth_counts() -> None:
+    queue = SampleQueue(0)
+    queue.push(b"data", 1, 2, GID)
+    assert queue.pushed() == 1
+    assert queue.take() == []
+
+
+def test_a_gid_has_sixteen_octets() -> None:
+    with pytest.raises(ValueError, match="publisher_gid must have 16 octets"):
+        SampleQueue(1).push(b"data", 1, 2, GID[:15])
