@@ -13,7 +13,7 @@ import pytest
 ROOT = Path(__file__).parents[2]
 BUILD_TIMEOUT_S = 300
 RUN_TIMEOUT_S = 120
-PROGRAMS = ["buffer_threads", "hostile_tf"]
+PROGRAMS = ["buffer_threads", "hostile_tf", "queue_threads"]
 
 
 def build(folder: Path, sanitize: str, programs: list[str]) -> None:

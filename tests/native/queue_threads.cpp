@@ -1,0 +1,96 @@
+// Threads that post, wait, feed and leave at once, as a wire's listeners, executors and readers do. Ends with 0 if no
+// sample was lost and none came after its source had been forgotten; the sanitizer watches the rest.
+#include <atomic>
+#include <cstdio>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "core/ready_queue.hpp"
+#include "core/sample_queue.hpp"
+#include "dds/feeder.hpp"
+
+using tfloom::ReadyQueue;
+using tfloom::SampleQueue;
+using tfloom::dds::Feeder;
+
+namespace {
+
+constexpr int samples = 20'000;
+constexpr int lives = 300;
+std::atomic<int> faults{0};
+
+void check(bool holds, const char* what) {
+  if (holds) return;
+  ++faults;
+  std::fprintf(stderr, "fault: %s\n", what);
+}
+
+// As a reader does: what comes is counted, and drained a few at a time into a sink that posts.
+class Reader : public Feeder::Source {
+ public:
+  Reader(Feeder& feeder, SampleQueue& sink, ReadyQueue& queue) : feeder_(feeder), sink_(sink), queue_(queue) {}
+  ~Reader() override {
+    feeder_.forget(*this);
+    is_gone_ = true;
+  }
+
+  void receive() {
+    ++waiting_;
+    feeder_.schedule(*this);
+  }
+
+ private:
+  bool drain() override {
+    check(!is_gone_, "a source was drained after it had been forgotten");
+    for (int i = 0; i < 3; ++i) {
+      if (waiting_ == 0) return false;
+      --waiting_;
+      const std::byte data[5]{};
+      sink_.push(data, {});
+      queue_.post(sink_.pushed() % 7);
+    }
+    return waiting_ > 0;
+  }
+
+  Feeder& feeder_;
+  SampleQueue& sink_;
+  ReadyQueue& queue_;
+  std::atomic<int> waiting_{0};
+  std::atomic<bool> is_gone_{false};
+};
+
+}  // namespace
+
+int main() {
+  Feeder feeder;
+  ReadyQueue queue;
+  SampleQueue sink(10);
+  SampleQueue other_sink(10);
+  Reader reader(feeder, sink, queue);
+
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 2; ++t) {
+    threads.emplace_back([&] {
+      for (int i = 0; i < samples; ++i) reader.receive();
+    });
+  }
+  threads.emplace_back([&] {
+    for (int i = 0; i < lives; ++i) {
+      Reader brief(feeder, other_sink, queue);
+      for (int k = 0; k < 10; ++k) brief.receive();
+    }
+  });
+  std::vector<ReadyQueue::Token> tokens;
+  while (sink.pushed() < 2 * samples) {
+    const auto outcome = queue.wait(10'000'000'000, tokens);
+    check(outcome == ReadyQueue::Outcome::ready, "a post woke nobody");
+    if (outcome != ReadyQueue::Outcome::ready) break;
+    for (const auto token : tokens) check(token < 7, "a token that nobody posted");
+    static_cast<void>(sink.take());
+  }
+  for (auto& thread : threads) thread.join();
+  check(sink.pushed() == 2 * samples, "samples were lost or came twice");
+  feeder.stop();
+  return faults == 0 ? 0 : 1;
+}
