@@ -82,6 +82,23 @@ def test_live_topics_nodes_and_types(
     assert complete("tfloom topic pub /my_topic ", tmp_path) == ["geometry_msgs/msg/Twist"]
 
 
+@pytest.mark.wire
+def test_live_services_actions_and_parameters(
+    domain_id: int, tmp_path: Path, start_program: Callable[..., object]
+) -> None:
+    start_program("tfloom", "run", "turtlesim", "turtlesim_node").wait_for("Spawning")
+    assert complete("tfloom service call /sp", tmp_path) == ["/spawn"]
+    assert complete("tfloom service call /spawn ", tmp_path) == ["turtlesim/srv/Spawn"]
+    assert complete("tfloom param get /turtles", tmp_path) == ["/turtlesim"]
+    assert complete("tfloom param get /turtlesim background_r", tmp_path) == ["background_r"]
+    assert set(complete("tfloom param describe /turtlesim back", tmp_path)) == {
+        "background_b",
+        "background_g",
+        "background_r",
+    }
+    assert "example_interfaces/action/Fibonacci" in complete("tfloom action send_goal /none ", tmp_path)
+
+
 @pytest.mark.skipif(not shutil.which("bash"), reason="needs bash")
 def test_in_a_real_bash(start_program: Callable[..., object]) -> None:
     code = "import pty, sys; pty.spawn(['bash', '--norc', '--noprofile', '-i'])"

@@ -6,6 +6,7 @@ import os
 import signal
 import subprocess
 import sys
+from collections.abc import Callable
 from importlib import import_module
 
 import pytest
@@ -49,6 +50,12 @@ def test_a_group_without_its_verb_gives_help() -> None:
     assert answer.text.startswith("usage: ros2 topic [-h] [--include-hidden-topics]\n")
 
 
+@pytest.mark.skipif(sys.version_info >= (3, 12), reason="argparse words it anew in each version")
+def test_a_verb_that_is_none_is_told_as_recorded() -> None:
+    recorded = transcript.golden("bad_verb")
+    assert transcript.run(*recorded.command) == recorded
+
+
 def test_a_flag_that_a_verb_does_not_know_is_told_by_the_top() -> None:
     answer = transcript.run("topic", "list", "--no-such")
     assert answer.exit_code == 2
@@ -68,6 +75,19 @@ def test_ctrl_c_is_quiet(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureF
     monkeypatch.setattr("tfloom.cli.node.list.main", interrupted)
     assert cli.main(["node", "list", "--no-daemon"]) == signal.SIGINT
     assert capfd.readouterr() == ("", "")
+
+
+@pytest.mark.wire
+def test_a_command_that_is_terminated_says_goodbye(
+    domain_id: int, start_program: Callable[..., object], wait_until: Callable[..., None]
+) -> None:
+    program = start_program("tfloom", "topic", "pub", "-n", "a_node", "/x", "std_msgs/msg/Empty")
+    program.wait_for("publishing #1")
+    assert transcript.run("node", "list").text == "/a_node"
+    program.signal(signal.SIGTERM)
+    assert program.wait() == 128 + signal.SIGTERM
+    assert transcript.run("node", "list").text == ""
+    assert "Traceback" not in program.output
 
 
 @pytest.mark.skipif(os.name != "posix", reason="a pipe breaks differently elsewhere")

@@ -61,6 +61,47 @@ def _nodes(_: argparse.Namespace) -> list[str]:
         return [node.full for node in participant.graph.nodes() if not graph.is_hidden(node.full)]
 
 
+def _services(_: argparse.Namespace) -> list[str]:
+    from tfloom.cli import graph
+
+    with graph.joined_participant() as participant:
+        graph.wait_until_quiet(participant.graph, MOST_S)
+        names = sorted({end.name for end in participant.graph.service_ends() if end.is_server})
+    return [name for name in names if not graph.is_hidden(name)]
+
+
+def _type_of_service(args: argparse.Namespace) -> list[str]:
+    """Return the type that the service has; all services where nobody has it."""
+    from tfloom.cli import graph
+
+    with graph.joined_participant() as participant:
+        graph.wait_until_quiet(participant.graph, MOST_S)
+        ends = participant.graph.service_ends()
+    return sorted({end.type_name for end in ends if end.name == args.service_name}) or _interfaces("srv")
+
+
+def _actions(_: argparse.Namespace) -> list[str]:
+    from tfloom.cli.action.common import settled_ends
+
+    return sorted({end.name for end in settled_ends()})
+
+
+def _type_of_action(args: argparse.Namespace) -> list[str]:
+    """Return the type that the action has; all actions where nobody has it."""
+    from tfloom.cli.action.common import settled_ends
+
+    types = {end.type_name for end in settled_ends() if end.name == args.action_name}
+    return sorted(types) or _interfaces("action")
+
+
+def _parameters(args: argparse.Namespace) -> list[str]:
+    from tfloom.cli.param.common import nodes_with_parameters
+
+    asked = argparse.Namespace(spin_time=MOST_S, timeout=MOST_S, include_hidden_nodes=True)
+    with nodes_with_parameters(asked, args.node_name) as nodes:
+        return nodes[0][1].names()
+
+
 def _packages(_: argparse.Namespace) -> list[str]:
     return sorted({*index.workspace_packages(), *index.own_packages()})
 
@@ -92,6 +133,12 @@ _OFFERS: dict[tuple[str, ...], Callable[[argparse.Namespace], Iterable[str]]] = 
     ("topic_name",): _topics,
     ("topic", "topic"): _topics,
     ("message_type",): _types_of_topic,
+    ("service_name",): _services,
+    ("service_type",): _type_of_service,
+    ("action_name",): _actions,
+    ("action_type",): _type_of_action,
+    ("parameter_name",): _parameters,
+    ("parameter_names",): _parameters,
     ("topic_type",): lambda _: _interfaces("msg"),
     ("node_name",): _nodes,
     ("package_name",): _packages,

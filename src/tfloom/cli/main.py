@@ -10,6 +10,7 @@ import os
 import signal
 import sys
 from collections.abc import Sequence
+from types import FrameType
 
 from tfloom.cli.errors import CommandError
 from tfloom.cli.parser import Group, build_parser
@@ -129,6 +130,7 @@ def main(argv: Sequence[str] | None = None, prog: str = "tfloom") -> int:
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         # A script's background jobs start so; ROS programs end on SIGINT there, too.
         signal.signal(signal.SIGINT, signal.default_int_handler)
+    signal.signal(signal.SIGTERM, _terminated)
     parser = build_parser(prog, COMMANDS)
     if "_ARGCOMPLETE" in os.environ:
         import argcomplete
@@ -165,3 +167,8 @@ def main(argv: Sequence[str] | None = None, prog: str = "tfloom") -> int:
         print(error, file=sys.stderr)
         return 1
     return code
+
+
+def _terminated(number: int, _: FrameType | None) -> None:
+    """End on a signal as on an error, so that what is open is closed and the others on the domain are told."""
+    raise SystemExit(128 + number)
