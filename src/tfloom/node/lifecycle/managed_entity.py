@@ -1,0 +1,89 @@
+"""What goes along with a lifecycle node from state to state."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from enum import IntEnum
+from functools import wraps
+from typing import Any
+
+from tfloom.interfaces.lifecycle_msgs.msg import Transition
+
+__all__ = ["ManagedEntity", "SimpleManagedEntity", "TransitionCallbackReturn"]
+
+
+class TransitionCallbackReturn(IntEnum):
+    """How a transition went."""
+
+    SUCCESS = Transition.TRANSITION_CALLBACK_SUCCESS
+    FAILURE = Transition.TRANSITION_CALLBACK_FAILURE
+    """Not done; back to where it was."""
+    ERROR = Transition.TRANSITION_CALLBACK_ERROR
+    """Something broke; `on_error` is next."""
+
+
+class ManagedEntity:
+    """Is told of each transition, with the state that it leads away from; by default all goes well."""
+
+    def on_configure(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
+        """Get ready."""
+        return TransitionCallbackReturn.SUCCESS
+
+    def on_cleanup(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
+        """Undo `on_configure`."""
+        return TransitionCallbackReturn.SUCCESS
+
+    def on_shutdown(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
+        """End for good."""
+        return TransitionCallbackReturn.SUCCESS
+
+    def on_activate(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
+        """Begin to work."""
+        return TransitionCallbackReturn.SUCCESS
+
+    def on_deactivate(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
+        """Stop working."""
+        return TransitionCallbackReturn.SUCCESS
+
+    def on_error(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
+        """Clean up after an error; SUCCESS leads back to the beginning, all else to the end."""
+        return TransitionCallbackReturn.SUCCESS
+
+
+class SimpleManagedEntity(ManagedEntity):
+    """Knows whether it is active."""
+
+    def __init__(self) -> None:
+        self._enabled = False
+
+    @property
+    def is_activated(self) -> bool:
+        """Whether it is active."""
+        return self._enabled
+
+    def on_activate(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
+        """Begin to work."""
+        self._enabled = True
+        return TransitionCallbackReturn.SUCCESS
+
+    def on_deactivate(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
+        """Stop working."""
+        self._enabled = False
+        return TransitionCallbackReturn.SUCCESS
+
+    @staticmethod
+    def when_enabled(
+        wrapped: Callable[..., Any] | None = None, *, when_not_enabled: Callable[..., Any] | None = None
+    ) -> Any:
+        """Decorate a method so that it runs while the entity is active; `when_not_enabled()` stands in else."""
+
+        def decorate(method: Callable[..., Any]) -> Callable[..., Any]:
+            @wraps(method)
+            def only_when_enabled(self: SimpleManagedEntity, *args: Any, **kwargs: Any) -> Any:
+                if self.is_activated:
+                    return method(self, *args, **kwargs)
+                return None if when_not_enabled is None else when_not_enabled()
+
+            return only_when_enabled
+
+        return decorate if wrapped is None else decorate(wrapped)

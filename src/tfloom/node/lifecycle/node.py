@@ -1,0 +1,237 @@
+"""Nodes that others start, stop and watch."""
+
+from __future__ import annotations
+
+import traceback
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from tfloom.interfaces.lifecycle_msgs.msg import TransitionDescription, TransitionEvent
+from tfloom.interfaces.lifecycle_msgs.srv import (
+    ChangeState,
+    GetAvailableStates,
+    GetAvailableTransitions,
+    GetState,
+)
+from tfloom.node.exceptions import RCLError
+from tfloom.node.lifecycle.managed_entity import ManagedEntity, TransitionCallbackReturn
+from tfloom.node.lifecycle.publisher import LifecyclePublisher
+from tfloom.node.lifecycle.state_machine import (
+    ACTIVATING,
+    CLEANINGUP,
+    CONFIGURING,
+    DEACTIVATING,
+    ERRORPROCESSING,
+    SHUTTINGDOWN,
+    STATES,
+    STEPS,
+    LifecycleState,
+    StateMachine,
+    Step,
+)
+from tfloom.node.node import Node
+
+if TYPE_CHECKING:
+    from tfloom.node.callback_groups import CallbackGroup
+    from tfloom.node.publisher import Publisher
+
+__all__ = ["LifecycleNode", "LifecycleNodeMixin", "LifecycleState"]
+
+
+class LifecycleNodeMixin(ManagedEntity):
+    """The lifecycle of a node, to be mixed in before Node and initialised after it.
+
+    Args:
+        enable_communication_interface: Whether others may change and watch its state: services and a topic.
+        callback_group: Group of these services; None: the node's own.
+    """
+
+    def __init__(
+        self, *, enable_communication_interface: bool = True, callback_group: CallbackGroup | None = None
+    ) -> None:
+        self.__machine = StateMachine()
+        self.__entities: list[ManagedEntity] = []
+        self.__events: Publisher[TransitionEvent] | None = None
+        self.__callbacks: dict[LifecycleState, Callable[[LifecycleState], TransitionCallbackReturn]] = {
+            CONFIGURING: self.on_configure,
+            CLEANINGUP: self.on_cleanup,
+            SHUTTINGDOWN: self.on_shutdown,
+            ACTIVATING: self.on_activate,
+            DEACTIVATING: self.on_deactivate,
+            ERRORPROCESSING: self.on_error,
+        }
+        if enable_communication_interface:
+            self.__serve(callback_group)
+
+    def __serve(self, callback_group: CallbackGroup | None) -> None:
+        node = self.__node
+        self.__events = node.create_publisher(TransitionEvent, "~/transition_event", 10)
+        services: tuple[tuple[Any, str, Callable[[Any, Any], Any]], ...] = (
+            (ChangeState, "change_state", self.__on_change_state),
+            (GetState, "get_state", self.__on_get_state),
+            (GetAvailableStates, "get_available_states", self.__on_get_available_states),
+            (GetAvailableTransitions, "get_available_transitions", self.__on_get_available_transitions),
+            (GetAvailableTransitions, "get_transition_graph", self.__on_get_transition_graph),
+        )
+        for srv_type, name, callback in services:
+            node.create_service(srv_type, f"~/{name}", callback, callback_group=callback_group)
+
+    @property
+    def __node(self) -> Node:
+        assert isinstance(self, Node)  # noqa: S101  # what the class asks for
+        return self
+
+    # What the node does
+
+    def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Get ready; by default the managed entities are told. `state`: where the node comes from."""
+        return self.__tell("on_configure", state)
+
+    def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Undo `on_configure`; by default the managed entities are told."""
+        return self.__tell("on_cleanup", state)
+
+    def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """End for good; by default the managed entities are told."""
+        return self.__tell("on_shutdown", state)
+
+    def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Begin to work; by default the managed entities are told."""
+        return self.__tell("on_activate", state)
+
+    def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Stop working; by default the managed entities are told."""
+        return self.__tell("on_deactivate", state)
+
+    def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Clean up after an error; by default the managed entities are told."""
+        return self.__tell("on_error", state)
+
+    def __tell(self, name: str, state: LifecycleState) -> TransitionCallbackReturn:
+        for entity in self.__entities:
+            result = getattr(entity, name)(state)
+            if result is not TransitionCallbackReturn.SUCCESS:
+                return TransitionCallbackReturn(result)
+        return TransitionCallbackReturn.SUCCESS
+
+    # What goes along
+
+    def add_managed_entity(self, entity: ManagedEntity) -> None:
+        """Tell an entity of each transition from now on."""
+        self.__entities.append(entity)
+
+    def create_lifecycle_publisher(self, *args: Any, **kwargs: Any) -> LifecyclePublisher[Any]:
+        """Create a publisher that is silent until the node is active; see `Node.create_publisher`."""
+        publisher = self.__node.create_publisher(*args, **kwargs, publisher_class=LifecyclePublisher)
+        assert isinstance(publisher, LifecyclePublisher)  # noqa: S101  # as asked for
+        self.add_managed_entity(publisher)
+        return publisher
+
+    def destroy_lifecycle_publisher(self, publisher: LifecyclePublisher[Any]) -> bool:
+        """Destroy a lifecycle publisher; False if it isn't this node's."""
+        if publisher in self.__entities:
+            self.__entities.remove(publisher)
+        return self.__node.destroy_publisher(publisher)
+
+    # Transitions
+
+    def trigger_configure(self) -> TransitionCallbackReturn:
+        """Go from unconfigured to inactive; RCLError if the node isn't there."""
+        return self.__trigger("configure")
+
+    def trigger_cleanup(self) -> TransitionCallbackReturn:
+        """Go from inactive to unconfigured; RCLError if the node isn't there."""
+        return self.__trigger("cleanup")
+
+    def trigger_shutdown(self) -> TransitionCallbackReturn:
+        """Go to finalized; RCLError if the node is there."""
+        return self.__trigger("shutdown")
+
+    def trigger_activate(self) -> TransitionCallbackReturn:
+        """Go from inactive to active; RCLError if the node isn't there."""
+        return self.__trigger("activate")
+
+    def trigger_deactivate(self) -> TransitionCallbackReturn:
+        """Go from active to inactive; RCLError if the node isn't there."""
+        return self.__trigger("deactivate")
+
+    def __trigger(self, label: str) -> TransitionCallbackReturn:
+        return self.__change(self.__machine.find(0, label))
+
+    def __change(self, step: Step) -> TransitionCallbackReturn:
+        """Make a transition to its end, and return how the first callback of it went."""
+        self.__go(step)
+        result = self.__call(step.start)
+        self.__go(self.__machine.outcome(result))
+        if self.__machine.state == ERRORPROCESSING:
+            self.__go(self.__machine.outcome(self.__call(step.start)))
+        return result
+
+    def __call(self, previous: LifecycleState) -> TransitionCallbackReturn:
+        try:
+            return TransitionCallbackReturn(self.__callbacks[self.__machine.state](previous))
+        except Exception as error:  # noqa: BLE001  # on_error is told
+            state = self.__machine.state.label
+            self.__node.get_logger().error(f"Error raised while {state}: {error}")
+            traceback.print_exc()
+            return TransitionCallbackReturn.ERROR
+
+    def __go(self, step: Step) -> None:
+        self.__machine.state = step.goal
+        if self.__events is not None:
+            self.__events.publish(
+                TransitionEvent(
+                    timestamp=self.__node.get_clock().now().nanoseconds,
+                    transition=step.transition_msg(),
+                    start_state=step.start.to_msg(),
+                    goal_state=step.goal.to_msg(),
+                )
+            )
+
+    # Services
+
+    def __on_change_state(self, request: Any, response: Any) -> Any:
+        try:
+            step = self.__machine.find(request.transition.id, request.transition.label)
+        except RCLError as error:
+            self.__node.get_logger().warning(str(error))
+            response.success = False
+            return response
+        response.success = self.__change(step) is TransitionCallbackReturn.SUCCESS
+        return response
+
+    def __on_get_state(self, request: Any, response: Any) -> Any:  # noqa: ARG002
+        response.current_state = self.__machine.state.to_msg()
+        return response
+
+    def __on_get_available_states(self, request: Any, response: Any) -> Any:  # noqa: ARG002
+        response.available_states = [state.to_msg() for state in STATES]
+        return response
+
+    def __on_get_available_transitions(self, request: Any, response: Any) -> Any:  # noqa: ARG002
+        response.available_transitions = [_description(step) for step in self.__machine.available()]
+        return response
+
+    def __on_get_transition_graph(self, request: Any, response: Any) -> Any:  # noqa: ARG002
+        response.available_transitions = [_description(step) for step in STEPS]
+        return response
+
+
+def _description(step: Step) -> TransitionDescription:
+    return TransitionDescription(
+        transition=step.transition_msg(), start_state=step.start.to_msg(), goal_state=step.goal.to_msg()
+    )
+
+
+class LifecycleNode(LifecycleNodeMixin, Node):
+    """A node with a lifecycle: unconfigured, inactive, active, finalized.
+
+    Args:
+        node_name: Its name.
+        enable_communication_interface: Whether others may change and watch its state.
+        kwargs: As for Node.
+    """
+
+    def __init__(self, node_name: str, *, enable_communication_interface: bool = True, **kwargs: Any) -> None:
+        Node.__init__(self, node_name, **kwargs)
+        LifecycleNodeMixin.__init__(self, enable_communication_interface=enable_communication_interface)

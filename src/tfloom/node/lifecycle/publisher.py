@@ -1,0 +1,23 @@
+"""Publishers that are silent until their node is active."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from tfloom.node.lifecycle.managed_entity import SimpleManagedEntity
+from tfloom.node.publisher import MsgType, Publisher
+
+__all__ = ["LifecyclePublisher"]
+
+
+class LifecyclePublisher(SimpleManagedEntity, Publisher[MsgType]):
+    """Publishes while its node is active, and drops what is published else."""
+
+    def __init__(self, *args: Any, **kwargs: Any) -> None:
+        SimpleManagedEntity.__init__(self)
+        Publisher.__init__(self, *args, **kwargs)
+
+    def publish(self, msg: MsgType | bytes) -> None:
+        """Send a message if the node is active; see `Publisher.publish`."""
+        if self.is_activated:
+            super().publish(msg)

@@ -1,0 +1,128 @@
+"""The states of a lifecycle node, and the transitions between them (https://design.ros2.org/articles/node_lifecycle.html)."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from tfloom.interfaces.lifecycle_msgs import msg as lifecycle_msg
+from tfloom.interfaces.lifecycle_msgs.msg import State, Transition
+from tfloom.node.exceptions import RCLError
+from tfloom.node.lifecycle.managed_entity import TransitionCallbackReturn
+
+__all__ = ["LifecycleState", "StateMachine", "Step"]
+
+
+class LifecycleState(NamedTuple):
+    """A state."""
+
+    label: str
+    state_id: int
+
+    def to_msg(self) -> lifecycle_msg.State:
+        """Return it as a message."""
+        return State(id=self.state_id, label=self.label)
+
+
+class Step(NamedTuple):
+    """A transition between two states."""
+
+    transition_id: int
+    label: str
+    start: LifecycleState
+    goal: LifecycleState
+
+    def transition_msg(self) -> lifecycle_msg.Transition:
+        """Return it as a message, without its ends."""
+        return Transition(id=self.transition_id, label=self.label)
+
+
+def _state(name: str) -> LifecycleState:
+    label = name.removeprefix("PRIMARY_STATE_").removeprefix("TRANSITION_STATE_").lower()
+    return LifecycleState(label, getattr(State, name))
+
+
+UNKNOWN = _state("PRIMARY_STATE_UNKNOWN")
+UNCONFIGURED = _state("PRIMARY_STATE_UNCONFIGURED")
+INACTIVE = _state("PRIMARY_STATE_INACTIVE")
+ACTIVE = _state("PRIMARY_STATE_ACTIVE")
+FINALIZED = _state("PRIMARY_STATE_FINALIZED")
+CONFIGURING = _state("TRANSITION_STATE_CONFIGURING")
+CLEANINGUP = _state("TRANSITION_STATE_CLEANINGUP")
+SHUTTINGDOWN = _state("TRANSITION_STATE_SHUTTINGDOWN")
+ACTIVATING = _state("TRANSITION_STATE_ACTIVATING")
+DEACTIVATING = _state("TRANSITION_STATE_DEACTIVATING")
+ERRORPROCESSING = _state("TRANSITION_STATE_ERRORPROCESSING")
+
+STATES = [
+    UNKNOWN,
+    UNCONFIGURED,
+    INACTIVE,
+    ACTIVE,
+    FINALIZED,
+    CONFIGURING,
+    CLEANINGUP,
+    SHUTTINGDOWN,
+    ACTIVATING,
+    DEACTIVATING,
+    ERRORPROCESSING,
+]
+
+_REQUESTS = [
+    Step(Transition.TRANSITION_CONFIGURE, "configure", UNCONFIGURED, CONFIGURING),
+    Step(Transition.TRANSITION_CLEANUP, "cleanup", INACTIVE, CLEANINGUP),
+    Step(Transition.TRANSITION_ACTIVATE, "activate", INACTIVE, ACTIVATING),
+    Step(Transition.TRANSITION_DEACTIVATE, "deactivate", ACTIVE, DEACTIVATING),
+    Step(Transition.TRANSITION_UNCONFIGURED_SHUTDOWN, "shutdown", UNCONFIGURED, SHUTTINGDOWN),
+    Step(Transition.TRANSITION_INACTIVE_SHUTDOWN, "shutdown", INACTIVE, SHUTTINGDOWN),
+    Step(Transition.TRANSITION_ACTIVE_SHUTDOWN, "shutdown", ACTIVE, SHUTTINGDOWN),
+]
+_OUTCOMES = {
+    # state: first id, then the goals of success, failure and error
+    CONFIGURING: (Transition.TRANSITION_ON_CONFIGURE_SUCCESS, (INACTIVE, UNCONFIGURED, ERRORPROCESSING)),
+    CLEANINGUP: (Transition.TRANSITION_ON_CLEANUP_SUCCESS, (UNCONFIGURED, INACTIVE, ERRORPROCESSING)),
+    ACTIVATING: (Transition.TRANSITION_ON_ACTIVATE_SUCCESS, (ACTIVE, INACTIVE, ERRORPROCESSING)),
+    DEACTIVATING: (Transition.TRANSITION_ON_DEACTIVATE_SUCCESS, (INACTIVE, ACTIVE, ERRORPROCESSING)),
+    SHUTTINGDOWN: (Transition.TRANSITION_ON_SHUTDOWN_SUCCESS, (FINALIZED, FINALIZED, ERRORPROCESSING)),
+    ERRORPROCESSING: (Transition.TRANSITION_ON_ERROR_SUCCESS, (UNCONFIGURED, FINALIZED, FINALIZED)),
+}
+_OUTCOME_LABELS = ("transition_success", "transition_failure", "transition_error")
+
+
+def _outcomes() -> list[Step]:
+    return [
+        Step(first_id + number, label, start, goals[number])
+        for start, (first_id, goals) in _OUTCOMES.items()
+        for number, label in enumerate(_OUTCOME_LABELS)
+    ]
+
+
+STEPS = [*_REQUESTS, *_outcomes()]
+
+
+class StateMachine:
+    """Where a lifecycle node is, and where it may go."""
+
+    def __init__(self) -> None:
+        self.state = UNCONFIGURED
+
+    def available(self) -> list[Step]:
+        """Return the transitions that lead away from the present state."""
+        return [step for step in STEPS if step.start == self.state]
+
+    def find(self, transition_id: int, label: str = "") -> Step:
+        """Return the transition of a label, or else of an id, from the present state.
+
+        Raises:
+            RCLError: there is none.
+        """
+        for step in self.available():
+            if step.label == label if label else step.transition_id == transition_id:
+                return step
+        raise RCLError(
+            f"Failed to trigger lifecycle state machine transition: no transition {label or transition_id} "
+            f"from state {self.state.label}"
+        )
+
+    def outcome(self, result: TransitionCallbackReturn) -> Step:
+        """Return where a callback's result leads to."""
+        return self.find(0, _OUTCOME_LABELS[list(TransitionCallbackReturn).index(result)])
