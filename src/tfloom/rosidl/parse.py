@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 from tfloom.rosidl import spec
 from tfloom.rosidl.literal import parse_value
@@ -53,6 +54,7 @@ def parse_interface(text: str, name: str, path: str | None = None) -> spec.Inter
     return spec.action(name, goal, result, feedback)
 
 
+@lru_cache(4096)
 def parse_type(text: str, package: str = "") -> spec.Type:
     """Parse a field's type: `float64[36]`, `string<=10[<=5]`, `Point`, `geometry_msgs/Point[]`.
 
