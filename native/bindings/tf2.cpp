@@ -298,6 +298,14 @@ void bind_contents(nb::class_<BufferHandle>& type) {
       .def(
           "clear", [](BufferHandle& self) { self.buffer->clear(); }, nb::call_guard<ReleasedGil>(),
           "Forget the history of all moving frames. Static transforms and frames' names stay.")
+      .def(
+          "ignore_from",
+          [](BufferHandle& self, StampArgument stamp, double duration_s) {
+            self.buffer->ignore_from(stamp.value, deadline_after(duration_s) - std::chrono::steady_clock::now());
+          },
+          "stamp_ns"_a, "duration_s"_a,
+          "Reject moving transforms from `stamp_ns` on, without a word, for `duration_s` by the wall clock.\n\n"
+          "After a jump back in time: what was sent before it and comes after it.")
       .def_prop_ro(
           "cache_time_ns",
           [](const BufferHandle& self) -> std::optional<tf2::Stamp> {

@@ -84,6 +84,7 @@ bool Buffer::insert(Entry entry, std::string_view authority, bool is_static, std
   reject_if(has_nan(entry.value), Problem::nan);
   reject_if(!is_unit(entry.value.rotation), Problem::denormalized);
   if (rejections.size() > before) return false;
+  if (!is_static && is_straggler(entry.stamp)) return false;
 
   const FrameId child = frames_.intern(entry.child_frame_id);  // the child first: names are listed in this order
   const FrameId parent = frames_.intern(entry.frame_id);
@@ -126,6 +127,19 @@ void Buffer::report(const Rejection& rejection, std::string_view authority) {
                               time_text(rejection.entry.stamp), " according to authority ", authority,
                               "\nPossible reasons are listed at http://wiki.ros.org/tf/Errors%20explained"));
   }
+}
+
+bool Buffer::is_straggler(Stamp stamp) {
+  if (stamp < ignored_from_) return false;
+  if (ignored_from_ != INT64_MAX && std::chrono::steady_clock::now() < ignored_until_) return true;
+  ignored_from_ = INT64_MAX;
+  return false;
+}
+
+void Buffer::ignore_from(Stamp stamp, std::chrono::nanoseconds duration) {
+  const std::unique_lock lock(frames_mutex_);
+  ignored_from_ = stamp;
+  ignored_until_ = std::chrono::steady_clock::now() + duration;
 }
 
 void Buffer::clear() {

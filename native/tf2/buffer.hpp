@@ -80,6 +80,9 @@ class Buffer {
 
   // Stores what it can and returns how many that were; each rejection is logged. One lock for all of them.
   std::size_t set(std::span<const Entry> entries, std::string_view authority, bool is_static);
+  // For a while, rejects moving transforms from this stamp on, without a word: what was sent before a jump back in
+  // time and comes after it.
+  void ignore_from(Stamp stamp, std::chrono::nanoseconds duration);
   void clear();  // empties every history; static transforms, names and authorities stay
 
   [[nodiscard]] Result<StampedTransform> lookup(const Query& query) const;
@@ -144,6 +147,7 @@ class Buffer {
   [[nodiscard]] bool never_can(const Query& query) const;
   [[nodiscard]] bool is_too_old(FrameId target, FrameId source, Stamp stamp) const;
   [[nodiscard]] std::string frames_as_string() const;
+  [[nodiscard]] bool is_straggler(Stamp stamp);
   bool insert(Entry entry, std::string_view authority, bool is_static, std::vector<Rejection>& rejections);
 
   void report(const Rejection& rejection, std::string_view authority);
@@ -153,6 +157,8 @@ class Buffer {
   const Stamp cache_time_;
   mutable FairMutex frames_mutex_;
   FrameTable frames_;
+  Stamp ignored_from_ = INT64_MAX;  // with frames_mutex_ held, as is the next
+  std::chrono::steady_clock::time_point ignored_until_;
 
   // A waiter counts itself before it looks at the generation, and an insert grows the generation before it looks
   // for waiters (both sequentially consistent): one of the two sees the other.

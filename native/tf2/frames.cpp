@@ -2,12 +2,6 @@
 
 namespace tfloom::tf2 {
 
-Bracket Frame::find(Stamp stamp) const {
-  if (kind == Kind::moving) return history->find(stamp);
-  if (kind == Kind::root) return {};
-  return {Bracket::Found::yes, fixed_parent, &fixed_value, nullptr, 0.0};
-}
-
 FrameId Frame::newest_parent() const {
   return kind == Kind::moving ? history->newest_parent() : fixed_parent;
 }

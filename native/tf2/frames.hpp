@@ -23,7 +23,11 @@ struct Frame {
   std::unique_ptr<TimeCache> history;  // of a moving frame
 
   // A static transform holds at any time; a frame that was never a child has no data at any.
-  [[nodiscard]] Bracket find(Stamp stamp) const;
+  [[nodiscard]] Bracket find(Stamp stamp) const {
+    if (kind == Kind::moving) return history->find(stamp);
+    if (kind == Kind::root) return {};
+    return {Bracket::Found::yes, fixed_parent, &fixed_value, nullptr, 0.0};
+  }
   [[nodiscard]] FrameId newest_parent() const;
   [[nodiscard]] Stamp newest_stamp() const;  // 0: static, or no data
   [[nodiscard]] Stamp oldest_stamp() const;

@@ -87,11 +87,10 @@ Bracket TimeCache::find(Stamp stamp) const {
   if (stamp == first.first_stamp()) {
     return {Found::yes, first.parents[first.begin], &first.values[first.begin], nullptr, 0.0};
   }
-  return between(stamp);
+  return before(stamp, after(stamp));
 }
 
-Bracket TimeCache::between(Stamp stamp) const {
-  const Position newer = after(stamp);
+Bracket TimeCache::before(Stamp stamp, Position newer) const {
   const Block& later = blocks_[newer.block];
   if (newer.index > later.begin) return bracket(stamp, later, newer.index - 1, later, newer.index);
   const Block& earlier = blocks_[newer.block - 1];
@@ -99,9 +98,9 @@ Bracket TimeCache::between(Stamp stamp) const {
 }
 
 Bracket TimeCache::search(Stamp stamp, Position& hint) const {
-  const Bracket bracket = find(stamp);
-  if (bracket.found == Bracket::Found::yes) hint = after(stamp);
-  return bracket;
+  if (size_ < 2 || stamp == latest || stamp <= oldest_stamp() || stamp >= newest_stamp()) return find(stamp);
+  hint = after(stamp);
+  return before(stamp, hint);
 }
 
 void TimeCache::clear() {

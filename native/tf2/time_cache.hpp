@@ -113,7 +113,7 @@ class TimeCache {
 
   [[nodiscard]] Position after(Stamp stamp) const;  // of the first sample later than `stamp`
   [[nodiscard]] bool holds(const Sample& sample, Position end) const;
-  [[nodiscard]] Bracket between(Stamp stamp) const;
+  [[nodiscard]] Bracket before(Stamp stamp, Position newer) const;
   [[nodiscard]] Bracket search(Stamp stamp, Position& hint) const;
 
   [[nodiscard]] static Bracket bracket(Stamp stamp, const Block& earlier, std::size_t older, const Block& later,

@@ -444,6 +444,13 @@ class Buffer:
         Forget the history of all moving frames. Static transforms and frames' names stay.
         """
 
+    def ignore_from(self, stamp_ns: int, duration_s: float) -> None:
+        """
+        Reject moving transforms from `stamp_ns` on, without a word, for `duration_s` by the wall clock.
+
+        After a jump back in time: what was sent before it and comes after it.
+        """
+
     @property
     def cache_time_ns(self) -> int | None:
         """

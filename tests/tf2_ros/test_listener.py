@@ -12,6 +12,7 @@ import pytest
 from tests.tf2_ros.conftest import SECOND, transform_stamped
 
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
+from tfloom.interfaces.tf2_msgs.srv import FrameGraph
 from tfloom.node.duration import Duration
 from tfloom.node.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
@@ -266,6 +267,51 @@ def test_a_jump_back_in_time_clears_the_buffer(node: Node) -> None:
     assert buffer.can_transform("map", "base", NOW)
     clock.set_ros_time_override(Time(seconds=10, clock_type=clock.clock_type))
     assert not buffer.can_transform("map", "base", NOW)
+
+
+def test_the_service_tells_the_frames(node: Node) -> None:
+    buffer = Buffer(node=node)
+    buffer.set_transform(transform_stamped("map", "base", SECOND), "me")
+    client = node.create_client(FrameGraph, "tf2_frames")
+    executor = SingleThreadedExecutor(context=node.context)
+    executor.add_node(node)
+    future = client.call_async(FrameGraph.Request())
+    executor.spin_until_future_complete(future, timeout_sec=30)
+    assert future.result().frame_yaml == buffer.all_frames_as_yaml() != "[]"
+    executor.shutdown()
+
+
+def test_stragglers_from_before_a_jump_are_ignored(node: Node) -> None:
+    clock = node.get_clock()
+    buffer = Buffer()
+    TransformListener(buffer, node)
+    broadcaster = TransformBroadcaster(node)
+    clock.set_ros_time_is_active(True)
+    clock.set_ros_time_override(Time(seconds=100, clock_type=clock.clock_type))
+    broadcaster.sendTransform(transform_stamped("map", "base", 100 * SECOND))
+    clock.set_ros_time_override(Time(seconds=10, clock_type=clock.clock_type))
+    broadcaster.sendTransform(transform_stamped("map", "base", 100 * SECOND))  # late
+    assert not buffer.can_transform("map", "base", NOW)
+    broadcaster.sendTransform(transform_stamped("map", "base", 10 * SECOND))
+    assert buffer.lookup_transform("map", "base", NOW).header.stamp.sec == 10
+
+
+def test_futures_time_out_with_the_reason(wait_until: Callable[..., None]) -> None:
+    buffer = Buffer()
+    slow = buffer.wait_for_transform_async("map", "base", NOW, timeout=Duration(seconds=30))
+    quick = buffer.wait_for_transform_async("map", "base", NOW, timeout=Duration(seconds=0.02))
+    wait_until(quick.done)
+    with pytest.raises(LookupException, match='timed out: Invalid frame ID "map" passed to canTransform'):
+        quick.result()
+    buffer.set_transform(transform_stamped("map", "base", SECOND), "me")
+    assert slow.result().header.stamp.sec == 1
+    coroutine = buffer.lookup_transform_full_async(
+        "map", NOW, "nowhere", NOW, "map", timeout=Duration(seconds=0.01)
+    )
+    awaited = coroutine.send(None)
+    wait_until(awaited.done)
+    with pytest.raises(LookupException, match="timed out"):
+        coroutine.send(None)
 
 
 def test_a_listener_makes_a_node_of_its_own(local_context: object, monkeypatch: pytest.MonkeyPatch) -> None:

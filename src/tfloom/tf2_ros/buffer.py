@@ -5,12 +5,15 @@ from __future__ import annotations
 import weakref
 from typing import TYPE_CHECKING, Any
 
-from tfloom.node.clock import JumpThreshold
+from tfloom.interfaces.tf2_msgs.srv import FrameGraph
+from tfloom.node.clock import ClockChange, JumpThreshold
 from tfloom.node.duration import Duration
 from tfloom.node.logging import get_logger
 from tfloom.node.task import Future
+from tfloom.tf2.errors import LookupException
 from tfloom.tf2_ros.buffer_core import BufferCore, duration_ns, time_ns
 from tfloom.tf2_ros.buffer_interface import NO_WAIT, BufferInterface
+from tfloom.tf2_ros.deadlines import call_after
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -23,6 +26,7 @@ if TYPE_CHECKING:
 __all__ = ["Buffer"]
 
 LEAST_JUMP_BACK = Duration(seconds=-1)
+LONGEST_MARGIN_NS = 1_000_000_000
 SLICE_S = 0.25
 """A wait looks this often whether its context was shut down [s]."""
 
@@ -35,8 +39,8 @@ class Buffer(BufferCore, BufferInterface):
 
     Args:
         cache_time: How far back each frame's history reaches from its newest sample; None: 10 s.
-        node: Its clock is watched: a jump back in simulated time clears the buffer. A listener has its own node's
-            clock watched in any case.
+        node: It offers the service `tf2_frames`, which tells the frames as YAML, and its clock is watched: a jump
+            back in simulated time clears the buffer. A listener has its own node's clock watched in any case.
     """
 
     def __init__(self, cache_time: Any = None, node: Node | None = None) -> None:
@@ -46,6 +50,7 @@ class Buffer(BufferCore, BufferInterface):
         self._context: Context | None = None
         if node is not None:
             self.watch_clock(node)
+            self.srv = node.create_service(FrameGraph, "tf2_frames", _frames_callback(weakref.ref(self)))
 
     def watch_clock(self, node: Node) -> None:
         """Clear the buffer when the clock of `node` jumps back. Watching the same clock again does nothing."""
@@ -54,13 +59,18 @@ class Buffer(BufferCore, BufferInterface):
         if clock not in self._jump_handles:
             threshold = JumpThreshold(min_forward=None, min_backward=LEAST_JUMP_BACK, on_clock_change=True)
             self._jump_handles[clock] = clock.create_jump_callback(
-                threshold, post_callback=_jump_callback(weakref.ref(self))
+                threshold, post_callback=_jump_callback(weakref.ref(self), weakref.ref(clock))
             )
 
     def time_jump_callback(self, time_jump: TimeJump) -> None:  # noqa: ARG002, tf2's signature
         """Clear the buffer, after a jump back in time."""
         get_logger("tf2_buffer").warning("Detected jump back in time. Clearing tf buffer.")
         self.clear()
+
+    def _ignore_stragglers(self, jump_ns: int, now_ns: int) -> None:
+        """Ignore, for a moment, transforms that were sent before a jump back: their stamps are near the old time."""
+        margin_ns = min(-jump_ns // 2, LONGEST_MARGIN_NS)
+        self.ignore_from(now_ns - jump_ns - margin_ns, margin_ns / 1e9)
 
     def lookup_transform(
         self, target_frame: str, source_frame: str, time: Any, timeout: Any = NO_WAIT
@@ -140,53 +150,71 @@ class Buffer(BufferCore, BufferInterface):
                 return
 
     def wait_for_transform_async(
-        self, target_frame: str, source_frame: str, time: Any
+        self, target_frame: str, source_frame: str, time: Any, timeout: Any = None
     ) -> Future[TransformStamped]:
         """Return a future of what `lookup_transform` will return once it can.
 
         It is completed on the thread that brings the missing transform. Where it's clear that none can come, the
-        future has the exception. Cancelling the future ends the waiting.
+        future has the exception; after `timeout` it has a LookupException. Cancelling the future ends the waiting.
         """
         query = target_frame, source_frame, time
         return self._future(
             lambda: self.lookup_transform_core(*query),
             lambda answer: self.add_request(target_frame, source_frame, time_ns(time), answer),
+            lambda: self.can_transform_core(*query)[1],
+            timeout,
         )
 
     def wait_for_transform_full_async(
-        self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
+        self,
+        target_frame: str,
+        target_time: Any,
+        source_frame: str,
+        source_time: Any,
+        fixed_frame: str,
+        timeout: Any = None,
     ) -> Future[TransformStamped]:
         """Return a future of what `lookup_transform_full` will return; see `wait_for_transform_async`."""
         query = target_frame, target_time, source_frame, source_time, fixed_frame
         return self._future(
             lambda: self.lookup_transform_full_core(*query),
             lambda answer: self.add_request_full(*_in_ns(*query), answer),
+            lambda: self.can_transform_full_core(*query)[1],
+            timeout,
         )
 
     async def lookup_transform_async(
-        self, target_frame: str, source_frame: str, time: Any
+        self, target_frame: str, source_frame: str, time: Any, timeout: Any = None
     ) -> TransformStamped:
         """Return what `lookup_transform` does, as soon as it can; see `wait_for_transform_async`."""
-        await self.wait_for_transform_async(target_frame, source_frame, time)
+        await self.wait_for_transform_async(target_frame, source_frame, time, timeout)
         return self.lookup_transform_core(target_frame, source_frame, time)
 
     async def lookup_transform_full_async(
-        self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
+        self,
+        target_frame: str,
+        target_time: Any,
+        source_frame: str,
+        source_time: Any,
+        fixed_frame: str,
+        timeout: Any = None,
     ) -> TransformStamped:
         """Return what `lookup_transform_full` does, as soon as it can; see `wait_for_transform_async`."""
         query = target_frame, target_time, source_frame, source_time, fixed_frame
-        await self.wait_for_transform_full_async(*query)
+        await self.wait_for_transform_full_async(*query, timeout)
         return self.lookup_transform_full_core(*query)
 
     def _future(
         self,
         look_up: Callable[[], TransformStamped],
         request: Callable[[Callable[[int, bool], None]], int | None],
+        obstacle: Callable[[], str],
+        timeout: Any,
     ) -> Future[TransformStamped]:
         future: Future[TransformStamped] = Future()
 
         def complete(*_: object) -> None:
-            if future.cancelled():
+            if future.cancelled() or future.done():
                 return
             try:
                 future.set_result(look_up())
@@ -196,20 +224,40 @@ class Buffer(BufferCore, BufferInterface):
         handle = request(complete)
         if not handle:
             complete()
-        else:
-            future.add_done_callback(lambda ended: ended.cancelled() and self.cancel_request(handle))
+            return future
+
+        def expire() -> None:
+            if self.cancel_request(handle):  # else it is being answered
+                future.set_exception(LookupException(f"timed out: {obstacle()}"))
+
+        future.add_done_callback(lambda ended: ended.cancelled() and self.cancel_request(handle))
+        if timeout is not None:
+            call_after(duration_ns(timeout) / 1e9, expire)
         return future
 
 
-def _jump_callback(buffer: weakref.ref[Buffer]) -> Callable[[TimeJump], None]:
-    """Make a callback that doesn't keep the buffer alive."""
+def _jump_callback(buffer: weakref.ref[Buffer], clock: weakref.ref[Clock]) -> Callable[[TimeJump], None]:
+    """Make a callback that keeps neither the buffer nor the clock alive."""
 
     def jumped(time_jump: TimeJump) -> None:
-        alive = buffer()
-        if alive is not None:
-            alive.time_jump_callback(time_jump)
+        alive, source = buffer(), clock()
+        if alive is None or source is None:
+            return
+        alive.time_jump_callback(time_jump)
+        jump_ns = time_jump.delta.nanoseconds
+        if jump_ns < 0 and time_jump.clock_change == ClockChange.ROS_TIME_NO_CHANGE:
+            alive._ignore_stragglers(jump_ns, source.now_ns())  # noqa: SLF001, part of the class
 
     return jumped
+
+
+def _frames_callback(buffer: weakref.ref[Buffer]) -> Callable[[Any, Any], Any]:
+    def answer(_request: Any, response: Any) -> Any:
+        alive = buffer()
+        response.frame_yaml = "[]" if alive is None else alive.all_frames_as_yaml()
+        return response
+
+    return answer
 
 
 def _in_ns(
