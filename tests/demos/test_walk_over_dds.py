@@ -6,6 +6,7 @@ import os
 import pty
 import re
 import signal
+import time
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -96,12 +97,12 @@ def test_each_may_be_killed_and_started_again(
     wait_until(lambda: echo.stamp() > 0.0)
     programs[victim].signal(signal.SIGKILL)
     assert programs[victim].wait() == -signal.SIGKILL
-    before = echo.stamp()
+    killed_s = time.time()
     programs[victim] = start(victim)
     echo = Echo(programs["echo"])
-    wait_until(lambda: echo.stamp() > before + 0.5, what="newer transforms")
+    wait_until(lambda: echo.stamp() > killed_s + 0.5, what="newer transforms")
     for name, program in programs.items():
         assert program.process.poll() is None, name
         program.signal(signal.SIGINT)
-        assert program.wait() == 0
+        assert program.wait() == 0, f"{name}: {program.output[-2000:]}"
         assert "Traceback" not in program.output
