@@ -1,0 +1,281 @@
+"""Rotations and matrices by the names of tf_transformations, on numpy and, for Euler angles, transforms3d.
+
+Quaternions are x, y, z, w. Matrices are homogeneous, (4, 4). Angles are in radians. Axes of Euler angles are four
+letters: `s` for fixed or `r` for turning axes, then the three axes: `sxyz` is roll, pitch, yaw.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tfloom.tf2.transform import Transform
+
+if TYPE_CHECKING:
+    from types import ModuleType
+
+__all__ = [
+    "compose_matrix",
+    "concatenate_matrices",
+    "decompose_matrix",
+    "euler_from_matrix",
+    "euler_from_quaternion",
+    "euler_matrix",
+    "identity_matrix",
+    "inverse_matrix",
+    "is_same_transform",
+    "quaternion_about_axis",
+    "quaternion_conjugate",
+    "quaternion_from_euler",
+    "quaternion_from_matrix",
+    "quaternion_inverse",
+    "quaternion_matrix",
+    "quaternion_multiply",
+    "quaternion_slerp",
+    "random_quaternion",
+    "random_rotation_matrix",
+    "rotation_from_matrix",
+    "rotation_matrix",
+    "translation_from_matrix",
+    "translation_matrix",
+    "unit_vector",
+    "vector_norm",
+]
+
+Matrix = NDArray[np.float64]
+
+
+def _transforms3d(module: str) -> ModuleType:
+    from importlib import import_module
+
+    try:
+        return import_module(f"transforms3d.{module}")
+    except ImportError as error:
+        raise ImportError(
+            "Euler angles and shears need transforms3d: pip install 'tfloom[transformations]'"
+        ) from error
+
+
+def identity_matrix() -> Matrix:
+    """Return the matrix that changes nothing."""
+    return np.identity(4)
+
+
+def translation_matrix(direction: ArrayLike) -> Matrix:
+    """Return the matrix that moves by a vector."""
+    matrix = np.identity(4)
+    matrix[:3, 3] = np.asarray(direction)[:3]
+    return matrix
+
+
+def translation_from_matrix(matrix: ArrayLike) -> Matrix:
+    """Return the vector that a matrix moves by."""
+    return np.array(matrix, np.float64)[:3, 3].copy()
+
+
+def inverse_matrix(matrix: ArrayLike) -> Matrix:
+    """Return the inverse of a matrix; LinAlgError if it has none."""
+    inverse: Matrix = np.linalg.inv(np.asarray(matrix, np.float64))
+    return inverse
+
+
+def concatenate_matrices(*matrices: ArrayLike) -> Matrix:
+    """Return the product of matrices, from left to right."""
+    product = np.identity(4)
+    for matrix in matrices:
+        product = product @ np.asarray(matrix, np.float64)
+    return product
+
+
+def is_same_transform(matrix0: ArrayLike, matrix1: ArrayLike) -> bool:
+    """Return whether two matrices are the same but for a common factor."""
+    first, second = np.asarray(matrix0, np.float64), np.asarray(matrix1, np.float64)
+    return bool(np.allclose(first / first[3, 3], second / second[3, 3]))
+
+
+def rotation_matrix(angle: float, direction: ArrayLike, point: ArrayLike | None = None) -> Matrix:
+    """Return the matrix that turns by `angle` about an axis through `point`, or through the origin."""
+    axis = [float(value) for value in np.asarray(direction, np.float64)[:3]]
+    matrix = np.asarray(Transform.from_axis_angle(axis, angle).rows(), np.float64)
+    if point is not None:
+        place = np.asarray(point, np.float64)[:3]
+        matrix[:3, 3] = place - matrix[:3, :3] @ place
+    return matrix
+
+
+def rotation_from_matrix(matrix: ArrayLike) -> tuple[float, Matrix, Matrix]:
+    """Return angle, unit axis, and a point of the axis (4,) of a matrix that turns.
+
+    Raises:
+        ValueError: the matrix is no rotation.
+    """
+    given = np.asarray(matrix, np.float64)
+    axis, angle = Transform.from_matrix(given).axis_angle
+    # The point is what the matrix leaves in its place: (I - R) p = t, whose least solution lies nearest the origin.
+    point, *_ = np.linalg.lstsq(np.identity(3) - given[:3, :3], given[:3, 3], rcond=1e-9)
+    if not np.allclose(given[:3, :3] @ point + given[:3, 3], point, atol=1e-6):
+        raise ValueError("the matrix moves along its axis, so it is no rotation about a point")
+    return angle, np.array(axis), np.append(point, 1.0)
+
+
+def quaternion_matrix(quaternion: ArrayLike) -> Matrix:
+    """Return the matrix of a quaternion of any length; that of zero is the identity."""
+    q = _four(quaternion)
+    return np.identity(4) if not any(q) else np.asarray(Transform((0.0, 0.0, 0.0), q).rows(), np.float64)
+
+
+def quaternion_from_matrix(matrix: ArrayLike) -> Matrix:
+    """Return the unit quaternion of a matrix's rotation, w ≥ 0; ValueError if it's none."""
+    q = np.array(Transform.from_matrix(matrix).rotation_xyzw)
+    return -q if q[3] < 0 else q
+
+
+def quaternion_multiply(quaternion1: ArrayLike, quaternion0: ArrayLike) -> Matrix:
+    """Return the product: the rotation `quaternion0`, then `quaternion1`."""
+    x1, y1, z1, w1 = _four(quaternion1)
+    x0, y0, z0, w0 = _four(quaternion0)
+    return np.array(
+        [
+            w1 * x0 + x1 * w0 + y1 * z0 - z1 * y0,
+            w1 * y0 - x1 * z0 + y1 * w0 + z1 * x0,
+            w1 * z0 + x1 * y0 - y1 * x0 + z1 * w0,
+            w1 * w0 - x1 * x0 - y1 * y0 - z1 * z0,
+        ]
+    )
+
+
+def quaternion_conjugate(quaternion: ArrayLike) -> Matrix:
+    """Return the conjugate: the inverse, of a unit quaternion."""
+    x, y, z, w = _four(quaternion)
+    return np.array([-x, -y, -z, w])
+
+
+def quaternion_inverse(quaternion: ArrayLike) -> Matrix:
+    """Return the inverse of a quaternion of any length but zero."""
+    q = np.array(_four(quaternion))
+    return quaternion_conjugate(q) / float(q @ q)
+
+
+def quaternion_about_axis(angle: float, axis: ArrayLike) -> Matrix:
+    """Return the unit quaternion that turns by `angle` about `axis`."""
+    unit = np.asarray(axis, np.float64)[:3]
+    unit = unit / np.linalg.norm(unit)
+    return np.append(math.sin(angle / 2) * unit, math.cos(angle / 2))
+
+
+def quaternion_slerp(
+    quat0: ArrayLike, quat1: ArrayLike, fraction: float, spin: int = 0, shortestpath: bool = True
+) -> Matrix:
+    """Return what is between two quaternions on the arc from one (fraction 0) to the other (1).
+
+    `spin` adds half turns; without `shortestpath` the arc may be the longer one.
+    """
+    first, second = unit_vector(_four(quat0)), unit_vector(_four(quat1))
+    cosine = float(first @ second)
+    if shortestpath and cosine < 0:
+        second, cosine = -second, -cosine
+    angle = 2 * math.atan2(float(np.linalg.norm(first - second)), float(np.linalg.norm(first + second)))
+    angle += spin * math.pi
+    sine = math.sin(angle)
+    if fraction in (0.0, 1.0) or abs(sine) < np.finfo(float).eps * 4:
+        return second if fraction == 1.0 else first
+    mixed: Matrix = (math.sin((1 - fraction) * angle) * first + math.sin(fraction * angle) * second) / sine
+    return mixed
+
+
+def euler_matrix(ai: float, aj: float, ak: float, axes: str = "sxyz") -> Matrix:
+    """Return the matrix of Euler angles."""
+    matrix = np.identity(4)
+    matrix[:3, :3] = _transforms3d("euler").euler2mat(ai, aj, ak, axes)
+    return matrix
+
+
+def euler_from_matrix(matrix: ArrayLike, axes: str = "sxyz") -> tuple[float, float, float]:
+    """Return the Euler angles of a matrix's rotation."""
+    return _angles(_transforms3d("euler").mat2euler(np.asarray(matrix, np.float64)[:3, :3], axes))
+
+
+def euler_from_quaternion(quaternion: ArrayLike, axes: str = "sxyz") -> tuple[float, float, float]:
+    """Return the Euler angles of a quaternion."""
+    return euler_from_matrix(quaternion_matrix(quaternion), axes)
+
+
+def quaternion_from_euler(ai: float, aj: float, ak: float, axes: str = "sxyz") -> Matrix:
+    """Return the unit quaternion of Euler angles."""
+    w, x, y, z = _transforms3d("euler").euler2quat(ai, aj, ak, axes)
+    return np.array([x, y, z, w])
+
+
+def compose_matrix(
+    scale: ArrayLike | None = None,
+    shear: ArrayLike | None = None,
+    angles: ArrayLike | None = None,
+    translate: ArrayLike | None = None,
+    perspective: ArrayLike | None = None,
+) -> Matrix:
+    """Return the matrix that scales, shears, turns by fixed-axis Euler angles, moves, and projects, in this order."""
+    matrix = _transforms3d("affines").compose(
+        np.zeros(3) if translate is None else np.asarray(translate, np.float64)[:3],
+        np.identity(3) if angles is None else euler_matrix(*np.asarray(angles, np.float64))[:3, :3],
+        np.ones(3) if scale is None else np.asarray(scale, np.float64),
+        np.zeros(3) if shear is None else np.asarray(shear, np.float64),
+    )
+    if perspective is None:
+        return np.asarray(matrix, np.float64)
+    projection = np.identity(4)
+    projection[3, :] = np.asarray(perspective, np.float64)[:4]
+    projected: Matrix = projection @ matrix
+    return projected
+
+
+def decompose_matrix(matrix: ArrayLike) -> tuple[Matrix, Matrix, tuple[float, float, float], Matrix, Matrix]:
+    """Return scale, shear, fixed-axis Euler angles, translation and perspective of a matrix."""
+    given = np.asarray(matrix, np.float64)
+    perspective = given[3, :].copy()
+    affine = given.copy()
+    affine[3, :] = 0.0, 0.0, 0.0, 1.0
+    translate, turn, scale, shear = _transforms3d("affines").decompose(affine)
+    return scale, shear, _angles(_transforms3d("euler").mat2euler(turn)), translate, perspective
+
+
+def random_quaternion(rand: ArrayLike | None = None) -> Matrix:
+    """Return a unit quaternion, uniform over all rotations; of three numbers from 0 to 1 if they're given."""
+    # K. Shoemake, "Uniform random rotations", Graphics Gems III, 1992.
+    u, v, w = np.random.default_rng().random(3) if rand is None else np.asarray(rand, np.float64)
+    inner, outer = math.sqrt(1 - u), math.sqrt(u)
+    first, second = 2 * math.pi * v, 2 * math.pi * w
+    return np.array(
+        [inner * math.sin(first), inner * math.cos(first), outer * math.sin(second), outer * math.cos(second)]
+    )
+
+
+def random_rotation_matrix(rand: ArrayLike | None = None) -> Matrix:
+    """Return the matrix of `random_quaternion`."""
+    return quaternion_matrix(random_quaternion(rand))
+
+
+def vector_norm(data: ArrayLike, axis: int | None = None) -> Any:
+    """Return the length of a vector, or of each along an axis."""
+    values = np.asarray(data, np.float64)
+    return np.sqrt((values * values).sum(axis=axis))
+
+
+def unit_vector(data: ArrayLike, axis: int | None = None) -> Matrix:
+    """Return a vector of length one in the same direction, or each along an axis."""
+    values = np.asarray(data, np.float64)
+    length = vector_norm(values, axis)
+    unit: Matrix = values / (length if axis is None else np.expand_dims(length, axis))
+    return unit
+
+
+def _four(quaternion: ArrayLike) -> tuple[float, float, float, float]:
+    x, y, z, w = (float(value) for value in np.asarray(quaternion, np.float64))
+    return x, y, z, w
+
+
+def _angles(values: Any) -> tuple[float, float, float]:
+    first, second, third = (float(value) for value in values)
+    return first, second, third
