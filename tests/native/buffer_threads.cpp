@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "tf2/batch.hpp"
 #include "tf2/buffer.hpp"
 
 using namespace tfloom::tf2;
@@ -16,7 +17,7 @@ namespace {
 
 constexpr Stamp step = 1'000'000;  // 1 kHz
 constexpr Stamp start = 100'000'000'000;
-constexpr int steps = 2000;
+constexpr int steps = 1000;
 constexpr int links = 4;
 
 std::atomic<int> faults{0};
@@ -49,6 +50,20 @@ void look_up(const Buffer& buffer) {
     if (!found) continue;
     ++answers;
     check(std::abs(found->value.translation.x - links * (links + 1) / 2.0) < 1e-9, "a lookup's length");
+  }
+}
+
+void look_many_up(const Buffer& buffer) {
+  const std::string target = name_of(0), source = name_of(links);
+  std::vector<Stamp> stamps;
+  for (int k = 0; k < steps; ++k) stamps.push_back(start + k * step + step / 3);
+  std::vector<Transform> out(stamps.size());
+  std::vector<std::uint8_t> known(stamps.size());
+  while (!done) {
+    lookup_many(buffer, target, source, stamps, out, known, false, 2);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      if (known[i]) check(std::abs(out[i].translation.x - links * (links + 1) / 2.0) < 1e-9, "one of many lengths");
+    }
   }
 }
 
@@ -93,6 +108,7 @@ int main() {
   std::vector<std::thread> readers;
   readers.emplace_back(look_up, std::cref(buffer));
   readers.emplace_back(look_up, std::cref(buffer));
+  readers.emplace_back(look_many_up, std::cref(buffer));
   readers.emplace_back(list, std::cref(buffer));
   std::thread waiter(wait, std::cref(buffer));
   std::thread requester(request, std::ref(buffer), std::ref(answered), std::ref(asked));

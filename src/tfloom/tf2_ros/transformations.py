@@ -73,7 +73,8 @@ def translation_matrix(direction: ArrayLike) -> Matrix:
 
 def translation_from_matrix(matrix: ArrayLike) -> Matrix:
     """Return the vector that a matrix moves by."""
-    return np.array(matrix, np.float64)[:3, 3].copy()
+    vector: Matrix = np.array(matrix, np.float64)[:3, 3].copy()
+    return vector
 
 
 def inverse_matrix(matrix: ArrayLike) -> Matrix:
