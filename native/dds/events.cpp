@@ -44,6 +44,7 @@ void Events::listen(Listener_* listener) {
 }
 
 void Events::post(Event event) {
+  if (event == Event::matched && on_match_) on_match_();
   const std::lock_guard lock(mutex_);
   const Watcher& watcher = watchers_[index_of(event)];
   if (watcher.queue != nullptr) watcher.queue->post(watcher.token);

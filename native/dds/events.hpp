@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 #include "core/ready_queue.hpp"
 #include "dds/library.hpp"
@@ -19,7 +21,9 @@ class Events {
   // Up to four numbers, in the order of the fields of the event's status in tfloom.rmw.events; a policy by DDS's id.
   using Status = std::array<std::int64_t, 4>;
 
-  Events(const Library& library, bool of_writer) : library_(library), of_writer_(of_writer) {}
+  // `on_match` is called by the listener whenever a peer connects or leaves.
+  Events(const Library& library, bool of_writer, std::function<void()> on_match = {})
+      : library_(library), of_writer_(of_writer), on_match_(std::move(on_match)) {}
 
   // Adds the callbacks to the listener that its endpoint is created with.
   void listen(Listener_* listener);
@@ -49,6 +53,7 @@ class Events {
 
   const Library& library_;
   bool of_writer_;
+  std::function<void()> on_match_;
   std::mutex mutex_;  // the listener takes it, so nobody holds it while asking the library
   std::array<Watcher, event_count> watchers_;
   std::mutex taken_mutex_;

@@ -20,7 +20,7 @@ Reader::Reader(Participant& participant, const TopicName& topic, const Qos& qos,
     : participant_(participant),
       library_(participant.library()),
       topic_(create_topic(participant, topic)),
-      events_(library_, false),
+      events_(library_, false, [this] { matches_changed(); }),
       peers_(library_, false) {
   const QosHandle handle = make_reader_qos(library_, qos, user_data);
   Listener_* listener = library_.create_listener(nullptr);
@@ -44,6 +44,12 @@ void Reader::data_available() {
   }
   const std::lock_guard lock(listener_mutex_);
   if (queue_ != nullptr) queue_->post(token_);
+}
+
+// Samples are often taken when their writer has left, so the feeder learns at once who it is.
+void Reader::matches_changed() {
+  is_match_new_ = true;
+  participant_.feeder().schedule(*this);
 }
 
 void Reader::notify(ReadyQueue* queue, ReadyQueue::Token token) {
@@ -80,6 +86,7 @@ bool Reader::take(const Receive& receive) {
 }
 
 bool Reader::drain() {
+  if (is_match_new_.exchange(false)) static_cast<void>(peers_.matched(entity_));
   Sink* sink = sink_;
   if (sink == nullptr) return false;
   Serdata_* serdata[samples_a_turn]{};

@@ -48,6 +48,7 @@ class Reader : private Feeder::Source {
  private:
   static void on_data_available(Entity, void* self);
   void data_available();
+  void matches_changed();
   bool drain() override;
 
   Participant& participant_;
@@ -58,6 +59,7 @@ class Reader : private Feeder::Source {
   Events events_;
   Peers peers_;
   std::atomic<bool> closed_ = false;
+  std::atomic<bool> is_match_new_ = false;
   std::atomic<Sink*> sink_ = nullptr;
   std::mutex lifecycle_mutex_;  // for one feed or close at a time
   std::mutex listener_mutex_;  // guards the two below; the listener takes it, so it's held for moments only

@@ -68,6 +68,22 @@ def test_samples_tell_who_wrote_them_and_when(participant, start_peer, node, top
         assert 0 <= sample.received_stamp_ns - sample.source_stamp_ns < 10_000_000_000
 
 
+def test_samples_of_a_process_that_has_ended_are_all_there_and_tell_who(
+    participant, start_peer, node, topic, wait_until
+) -> None:
+    reader = participant.create_reader(node, topic, KEEP_ALL)
+    peer = start_peer()
+    end, gid = peer("writer", topic, QoS())
+    wait_until(lambda: peer("matched", end) and reader.matched_count())
+    for size in (8, 8, 1_000_000):
+        peer("write_random", end, size, size)
+    peer("leave")
+    wait_until(lambda: reader.matched_count() == 0)
+    samples = list(iter(reader.take, None))
+    assert [len(sample.data) for sample in samples] == [12, 12, 1_000_004]
+    assert {sample.publisher_gid.hex() for sample in samples} == {gid}
+
+
 @pytest.mark.parametrize("depth", [1, 5])
 def test_a_late_reader_gets_what_a_transient_local_writer_keeps(
     participant, start_peer, node, topic, take_data, depth
