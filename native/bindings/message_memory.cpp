@@ -96,7 +96,7 @@ PyObject* MessagePool::make(PyTypeObject* type) {
   return message;
 }
 
-void MessagePool::finish(PyObject* message) noexcept { PyObject_GC_Track(message); }
+void MessagePool::finish(PyObject* whole) noexcept { PyObject_GC_Track(whole); }
 
 void MessagePool::claim(PyObject* message) const noexcept {
   if (Py_TYPE(message) == type_) reinterpret_cast<MessageObject*>(message)->pool = number_;

@@ -31,8 +31,8 @@ class MessagePool {
 
   // A message whose slots are empty; the collector does not know it yet. Throws when there is no memory.
   PyObject* make(PyTypeObject* type);
-  // Lets the collector know of a message once its slots are filled.
-  static void finish(PyObject* message) noexcept;
+  // Lets the collector know of a message once its slots are filled, or of a list once its items are.
+  static void finish(PyObject* whole) noexcept;
   // Says that a message that Python made belongs here too.
   void claim(PyObject* message) const noexcept;
 

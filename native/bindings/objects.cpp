@@ -64,7 +64,9 @@ ObjectSink::Value ObjectSink::wide(std::u32string_view text) {
 }
 
 ObjectSink::Value ObjectSink::list(std::uint32_t length) {
-  return checked(PyList_New(static_cast<Py_ssize_t>(length)));
+  Value list = checked(PyList_New(static_cast<Py_ssize_t>(length)));
+  PyObject_GC_UnTrack(list.ptr());  // nobody may find it while it has holes
+  return list;
 }
 
 ObjectSink::Value ObjectSink::sequence(const ObjectPlan::Slot& slot, std::span<const std::byte> octets, bool swap) {

@@ -21,14 +21,14 @@ namespace nb = nanobind;
 // A plan with what it takes to reach and to fill the fields of the Python class.
 struct ObjectPlan : cdr::Plan {
   struct Slot {
-    nb::object name;          // interned: "x"
-    nb::object initial;       // the default: shared if immutable, else copied for each message
-    bool copies = false;      // `initial` is mutable
-    bool converts = false;    // a numeric array: what the user gives is converted
-    nb::object empty;         // numeric sequence: an empty array.array of its type; numeric array: zeros
+    nb::object name;        // interned: "x"
+    nb::object initial;     // the default: shared if immutable, else copied for each message
+    bool copies = false;    // `initial` is mutable
+    bool converts = false;  // a numeric array: what the user gives is converted
+    nb::object empty;       // numeric sequence: an empty array.array of its type; numeric array: zeros
   };
 
-  PyTypeObject* type = nullptr;  // borrowed: the class keeps the plan
+  PyTypeObject* type = nullptr;     // borrowed: the class keeps the plan
   std::vector<Py_ssize_t> offsets;  // of each field's slot in the object
   std::vector<Slot> slots;
   mutable MessagePool pool;
@@ -89,7 +89,7 @@ class ObjectSink {
     outermost_ = nullptr;
     return nb::steal(static_cast<const ObjectPlan&>(plan).pool.make(type));
   }
-  void finish(Value& message) noexcept { MessagePool::finish(message.ptr()); }
+  void finish(Value& value) noexcept { MessagePool::finish(value.ptr()); }
   void set(Value& message, const cdr::Plan& plan, std::size_t index, Value value) noexcept {
     slot(message.ptr(), static_cast<const ObjectPlan&>(plan).offsets[index]) = value.release().ptr();
   }

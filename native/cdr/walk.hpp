@@ -3,13 +3,13 @@
 // A sink has a type `Value` (movable) and
 //   Value message(const Plan&)                                       an empty message
 //   void set(Value& message, const Plan&, std::size_t index, Value)  its field number `index`
-//   void finish(Value& message)                                      all of its fields are set
 //   Value boolean(bool)   Value octet(std::uint8_t)   Value number(T)
 //   Value string(std::string_view, std::size_t offset)               may be no UTF-8: throws DecodeError then
 //   Value wide(std::u32string_view)
 //   Value numbers<T>(const Plan&, std::size_t index, Cursor&, std::uint32_t length)
 //                                                                    a numeric array: takes it off the cursor
 //   Value list(std::uint32_t length)   void set_item(Value& list, std::uint32_t index, Value)
+//   void finish(Value&)                                              all of a message's fields, a list's items are set
 //
 // A source has a type `Value`, which lives until the next call that may run foreign code (`number`, `open_list`), a
 // type `Held`, which keeps what is in it alive, and
@@ -116,6 +116,7 @@ class Reader {
         throw;
       }
     }
+    sink_.finish(list);
     return list;
   }
 

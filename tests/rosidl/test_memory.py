@@ -71,6 +71,20 @@ def test_cycles_are_collected() -> None:
     assert count() == before
 
 
+def test_all_that_is_decoded_is_known_to_the_collector() -> None:
+    message = cdr.decode(TFMessage, cdr.encode(TFMessage(transforms=[TransformStamped()])))
+    stamped = message.transforms[0]
+    parts = (
+        message,
+        message.transforms,
+        stamped,
+        stamped.header,
+        stamped.header.stamp,
+        stamped.transform.rotation,
+    )
+    assert all(map(gc.is_tracked, parts))
+
+
 def test_long_chains_end_without_overflow() -> None:
     for cls in (Vector3, type("Longer", (Vector3,), {})):
         chain: Any = None
