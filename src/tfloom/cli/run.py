@@ -73,6 +73,8 @@ def run_here(target: str, name: str, argv: list[str]) -> int:
     """Run one of our own programs in this process and return its exit code."""
     module, _, function = target.partition(":")
     sys.argv = [name, *argv]
+    # How a signal ends it is the program's own affair, as in a process of its own.
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
     try:
         return int(getattr(import_module(module), function)(argv) or 0)
     except SystemExit as end:
