@@ -89,6 +89,7 @@ def test_a_frame_in_itself_is_an_error(domain_id: int, start_program: Callable[.
     assert static.wait() == 1
     assert masked(static.lines[:1]) == masked(golden("static_bad")[:1])
     assert static.lines[1] == "child_frame_id cannot equal frame_id"
+    assert "static-same-frame" in (GOLDEN.parents[2] / "docs" / "deviations.md").read_text()
 
 
 def test_static_usage(start_program: Callable[..., Any]) -> None:

@@ -16,6 +16,7 @@ import subprocess
 import sys
 import threading
 import time
+from collections import deque
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -51,6 +52,7 @@ VIEW_FRAMES = ["tfloom.tf2_tools.view_frames:main", "-o", "frames", "-t", "3"]
 PATIENCE_S = 40.0
 """How long it may take until the tree is drawn [s]."""
 END_GRACE_S = 3.0
+LOG_LINES = 40
 DOMAINS = range(1, 101)
 """Domains whose ports, by DDS's formula, stay clear of those that the system gives out."""
 
@@ -82,7 +84,7 @@ class Program:
         command: `module:function` and arguments.
         environment: Its environment variables.
         folder: Where it runs.
-        on_line: Takes each line that it prints, on a thread of its own; None keeps them in `log`.
+        on_line: Takes each line that it prints, on a thread of its own; `log` keeps the last of them, too.
     """
 
     def __init__(
@@ -92,7 +94,7 @@ class Program:
         folder: Path,
         on_line: Callable[[str], object] | None = None,
     ) -> None:
-        self.log: list[str] = []
+        self.log: deque[str] = deque(maxlen=LOG_LINES)
         self._process = subprocess.Popen(
             [sys.executable, "-m", "tfloom.demos.child", *command],
             stdin=subprocess.PIPE,
@@ -103,12 +105,14 @@ class Program:
             env=environment,
             start_new_session=True,  # a Ctrl-C is for us, who then end the others
         )
-        self._reader = threading.Thread(target=self._read, args=(on_line or self.log.append,), daemon=True)
+        self._reader = threading.Thread(target=self._read, args=(on_line,), daemon=True)
         self._reader.start()
 
-    def _read(self, on_line: Callable[[str], object]) -> None:
+    def _read(self, on_line: Callable[[str], object] | None) -> None:
         for line in self._process.stdout or ():
-            on_line(line.rstrip("\n"))
+            self.log.append(line.rstrip("\n"))
+            if on_line is not None:
+                on_line(self.log[-1])
 
     def exit_code(self) -> int | None:
         """Return its exit code, None while it runs."""
@@ -203,7 +207,7 @@ class Show:
 
     def _is_complete(self) -> bool:
         """Whether the second turtle is there, too."""
-        return any("Successfully spawned" in line for line in self._programs["listener"].log)
+        return any("Successfully spawned" in line for line in list(self._programs["listener"].log))
 
     def _check(self) -> None:
         """Tell of the drawing once it is there; raise for a program that failed or shouldn't have ended."""
