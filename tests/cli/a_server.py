@@ -6,6 +6,8 @@ import contextlib
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
+from rclpy.qos import qos_profile_system_default
+from rclpy.service_introspection import ServiceIntrospectionState
 from std_srvs.srv import Empty
 from turtlesim.srv import Spawn
 
@@ -21,7 +23,10 @@ def spawn(request: Spawn.Request, response: Spawn.Response) -> Spawn.Response:
 
 rclpy.init()
 node = rclpy.create_node("turtlesim")
-node.create_service(Spawn, "/spawn", spawn)
+service = node.create_service(Spawn, "/spawn", spawn)
+service.configure_introspection(
+    node.get_clock(), qos_profile_system_default, ServiceIntrospectionState.CONTENTS
+)
 node.create_service(Empty, "/clear", lambda _, response: response)
 node.create_client(Empty, "/reset")
 print("ready", flush=True)

@@ -101,3 +101,28 @@ def test_a_rate_calls_again(start_program: Callable[..., object]) -> None:
     program.signal(2)
     assert program.wait() == 2
     assert "Traceback" not in program.output
+
+
+def test_a_services_events(start_program: Callable[..., object]) -> None:
+    echo = start_program("tfloom", "service", "echo", "/spawn", "--flow-style")
+    as_json = start_program("tfloom", "service", "echo", "/spawn", "--json")
+
+    def call_until_heard(program: object, text: str) -> None:
+        words = ("service", "call", "/spawn", "turtlesim/srv/Spawn", "{x: 2.0, name: heard}")
+        for _ in range(30):  # The echo may not be listening yet.
+            assert transcript.run(*words).exit_code == 0
+            if text in program.output:
+                return
+        pytest.fail(f"{text} was never printed; this was:\n{program.output}")
+
+    call_until_heard(echo, "response: [{name: heard}]")
+    call_until_heard(as_json, '"response": [{"name": "')
+    assert "request: [{x: 2.0, y: 0.0, theta: 0.0, name: heard}]" in echo.output
+
+
+def test_events_of_a_service_that_nobody_has() -> None:
+    answer = transcript.run("service", "echo", "/nope")
+    assert (answer.exit_code, answer.text) == (
+        1,
+        "Could not determine the type of service '/nope': nobody has it; name its type",
+    )

@@ -72,6 +72,7 @@ def test_it_waits_for_a_topic_whose_type_is_given(
     domain_id: int, start_program: Callable[..., object], publish: Callable[..., object]
 ) -> None:
     echo = start_program("tfloom", "topic", "echo", "--once", "/tf_static", "tf2_msgs/msg/TFMessage")
+    echo.wait_for("waiting for a publisher of /tf_static")
     publish(
         "/tf_static",
         "tf2_msgs/msg/TFMessage",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -15,6 +16,9 @@ from tfloom.cli.names import did_you_mean
 from tfloom.rmw.base import EndpointInfo, Graph, NodeName, Participant, Sample, Topic
 from tfloom.rmw.qos import QoS
 from tfloom.rosidl.message import Message
+
+PATIENCE_S = 1.0
+"""How long a wait may last before the user is told what for [s]."""
 
 
 def find_type(graph: Graph, name: str) -> str:
@@ -47,9 +51,15 @@ def wait_for_publishers(graph: Graph, name: str, end_s: float) -> list[EndpointI
     queue = ReadyQueue()
     graph.notify(queue)
     try:
+        told_s = time.monotonic() + PATIENCE_S
         while not (publishers := publishers_of(graph, name)):
-            if not _wait(queue, end_s):
+            now_s = time.monotonic()
+            if now_s >= end_s:
                 return []
+            if now_s >= told_s:
+                print(f"waiting for a publisher of {name}", file=sys.stderr)
+                told_s = math.inf
+            _wait(queue, min(end_s, told_s))
         return publishers
     finally:
         graph.notify(None)
@@ -110,10 +120,9 @@ def samples_and_ticks(
             reader.close()
 
 
-def _wait(queue: ReadyQueue, end_s: float) -> bool:
-    """Wait for a token until `end_s` on the monotonic clock (inf: for ever); False when it is over."""
+def _wait(queue: ReadyQueue, end_s: float) -> None:
+    """Wait for a token until `end_s` on the monotonic clock (inf: for ever)."""
     if end_s == math.inf:
         queue.wait(-1)
-        return True
-    left_s = end_s - time.monotonic()
-    return left_s > 0 and bool(queue.wait(int(left_s * 1e9) + 1))
+    elif (left_s := end_s - time.monotonic()) > 0:
+        queue.wait(int(left_s * 1e9) + 1)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 
 from tfloom.cli import graph, message_text
 from tfloom.cli.errors import CommandError
@@ -37,7 +38,7 @@ def main(args: argparse.Namespace) -> int:
         graph.wait_until_quiet(participant.graph, args.spin_time)
         cls = service_class(args.service_type or _type_of(participant.graph, name)).Event
         if not publishers_of(participant.graph, events):
-            print(f"waiting: nobody publishes the events of {name} yet (see service introspection)")
+            print(f"nobody publishes the events of {name} yet (see service introspection)", file=sys.stderr)
         publishers = wait_for_publishers(participant.graph, events, float("inf"))
         for sample in samples(participant, events, cls, suiting_qos(publishers)):
             print(text(cdr.decode(cls, sample.data)))
