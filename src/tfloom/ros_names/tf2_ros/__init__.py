@@ -4,6 +4,11 @@ from tfloom.ros_guard import claim
 
 claim("tf2_ros")
 
+import tf2_ros.buffer
+import tf2_ros.buffer_interface
+import tf2_ros.static_transform_broadcaster
+import tf2_ros.transform_broadcaster
+import tf2_ros.transform_listener
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.interfaces.std_msgs.msg import Header
 from tfloom.node.duration import Duration

@@ -1,0 +1,24 @@
+"""The names that programs reach through `import tf2_ros` alone."""
+
+from __future__ import annotations
+
+import tf2_py
+import tf2_ros
+
+from tfloom.tf2_ros import buffer, transform_listener
+
+
+def test_submodules_come_with_the_package() -> None:
+    assert tf2_ros.buffer.Buffer is tf2_ros.Buffer is buffer.Buffer
+    assert tf2_ros.transform_listener.TransformListener is transform_listener.TransformListener
+
+
+def test_the_exceptions_are_one_family() -> None:
+    assert tf2_ros.LookupException is tf2_py.LookupException
+    assert tf2_py.LookupException.__module__ == "tf2"
+    assert issubclass(tf2_ros.ExtrapolationException, tf2_ros.TransformException)
+    assert issubclass(tf2_ros.Buffer, tf2_py.BufferCore)
+
+
+def test_names_that_leak_from_the_reference_and_are_used() -> None:
+    assert {"Time", "Duration", "TransformStamped", "Header"} <= set(vars(tf2_ros))
