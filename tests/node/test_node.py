@@ -8,8 +8,9 @@ from functools import partial
 import pytest
 
 from tfloom import _native
-from tfloom.interfaces.rcl_interfaces.msg import Log
+from tfloom.interfaces.rcl_interfaces.msg import Log, SetParametersResult
 from tfloom.interfaces.std_msgs.msg import Int32, String
+from tfloom.interfaces.std_srvs.srv import SetBool
 from tfloom.node.context import Context
 from tfloom.node.exceptions import (
     InvalidHandle,
@@ -22,7 +23,9 @@ from tfloom.node.exceptions import (
 )
 from tfloom.node.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.qos import QoSProfile, qos_profile_rosout_default, qos_profile_sensor_data
+from tfloom.node.qos import QoSPolicyKind, QoSProfile, qos_profile_rosout_default, qos_profile_sensor_data
+from tfloom.node.qos_overriding_options import InvalidQosOverridesError, QoSOverridingOptions
+from tfloom.node.wait_for_message import wait_for_message
 from tfloom.rosidl import cdr
 
 MakeNode = Callable[..., Node]
@@ -148,9 +151,56 @@ def test_bad_publishing(node: Node) -> None:
         node.create_publisher(String, "chatter", -1)
 
 
-def test_what_is_not_there_yet_says_so(node: Node, make_node: MakeNode) -> None:
-    with pytest.raises(NotImplementedError, match="qos_overriding_options"):
-        node.create_subscription(String, "chatter", print, 10, qos_overriding_options=object())
+def test_services_are_on_the_graph(make_node: MakeNode) -> None:
+    arguments = ["--ros-args", "-p", "start_type_description_service:=false"]
+    server = make_node("server", start_parameter_services=False, cli_args=arguments)
+    caller = make_node("caller", start_parameter_services=False, cli_args=arguments)
+    server.create_service(SetBool, "set", lambda request, response: response)
+    caller.create_client(SetBool, "set")
+    expected = [("/set", ["std_srvs/srv/SetBool"])]
+    assert caller.get_service_names_and_types() == expected
+    assert caller.get_service_names_and_types_by_node("server", "/") == expected
+    assert caller.get_client_names_and_types_by_node("caller", "/") == expected
+    assert caller.get_client_names_and_types_by_node("server", "/") == []
+    assert (caller.count_services("set"), caller.count_clients("/set")) == (1, 1)
+    with pytest.raises(RuntimeError, match="no node '/nobody'"):
+        caller.get_service_names_and_types_by_node("nobody", "/")
+
+
+def test_parameters_override_qos(make_node: MakeNode) -> None:
+    given = ["--ros-args", "-p", "qos_overrides./chatter.publisher.reliability:=best_effort"]
+    given += ["-p", "qos_overrides./chatter.publisher.depth:=3"]
+    given += ["-p", "qos_overrides./bad.subscription.reliability:=nonsense"]
+    node = make_node(cli_args=given)
+    options = QoSOverridingOptions.with_default_policies()
+    publisher = node.create_publisher(String, "chatter", 10, qos_overriding_options=options)
+    assert (publisher.qos_profile.depth, publisher.qos_profile.reliability.name) == (3, "BEST_EFFORT")
+    assert node.get_parameter("qos_overrides./chatter.publisher.history").value == "keep_last"
+    with pytest.raises(
+        InvalidQosOverridesError, match="'nonsense', which is none of: system_default, reliable"
+    ):
+        node.create_subscription(String, "bad", print, 10, qos_overriding_options=options)
+    refusing = QoSOverridingOptions(
+        [QoSPolicyKind.DEADLINE],
+        callback=lambda profile: SetParametersResult(successful=False, reason="mine"),
+        entity_id="two",
+    )
+    with pytest.raises(InvalidQosOverridesError, match="mine"):
+        node.create_publisher(String, "chatter", 10, qos_overriding_options=refusing)
+    assert node.has_parameter("qos_overrides./chatter.publisher_two.deadline")
+
+
+def test_waiting_for_one_message(make_node: MakeNode) -> None:
+    listener, talker = make_node("listener"), make_node("talker")
+    publisher = talker.create_publisher(String, "chatter", qos_profile_rosout_default)
+    publisher.publish(String(data="kept"))
+    found, message = wait_for_message(
+        String, listener, "chatter", qos_profile=qos_profile_rosout_default, time_to_wait=10
+    )
+    assert found
+    assert message.data == "kept"
+    assert wait_for_message(String, listener, "silence", time_to_wait=0.01) == (False, None)
+    assert listener.count_subscribers("chatter") == 0
 
 
 def test_names_come_from_the_arguments_too(make_node: MakeNode) -> None:

@@ -28,6 +28,7 @@ from tfloom.node.exceptions import (
 from tfloom.node.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.parameter import Parameter, get_parameter_value, parameter_dict_from_yaml_file
+from tfloom.node.parameter_event_handler import ParameterEventHandler
 from tfloom.node.qos import qos_profile_parameter_events
 
 Type = Parameter.Type
@@ -298,3 +299,26 @@ def test_a_bad_use_sim_time_is_an_error(context: Context) -> None:
     with pytest.raises(InvalidParameterTypeException):
         Node("bad", context=context, cli_args=["--ros-args", "-p", "use_sim_time:=5"])
     context.destroy()
+
+
+def test_callbacks_for_parameters_of_others(
+    make_node: MakeNode, executor: SingleThreadedExecutor, spin_until: Callable[..., None]
+) -> None:
+    node, watcher = make_node("node", namespace="/ns"), make_node("watcher", namespace="/ns")
+    node.declare_parameters("", [("x", 1), ("y", 1)])
+    handler = ParameterEventHandler(watcher)
+    values: list[object] = []
+    events: list[ParameterEvent] = []
+    handle = handler.add_parameter_callback("x", "node", lambda parameter: values.append(parameter.value))
+    handler.add_parameter_event_callback(events.append)
+    executor.add_node(watcher)
+    node.set_parameters([Parameter("x", value=2), Parameter("y", value=2)])
+    spin_until(lambda: len(events) == 2)
+    handler.remove_parameter_callback(handle)
+    with pytest.raises(RuntimeError):
+        handler.remove_parameter_callback(handle)
+    node.set_parameters([Parameter("x", value=3)])
+    spin_until(lambda: len(events) == 3)
+    assert values == [2]
+    handler.destroy()
+    assert watcher.count_subscribers("/parameter_events") == 0

@@ -10,9 +10,11 @@ from tfloom.node.qos import (
     HistoryPolicy,
     InvalidQoSProfileException,
     LivelinessPolicy,
+    QoSCompatibility,
     QoSPresetProfiles,
     QoSProfile,
     ReliabilityPolicy,
+    qos_check_compatible,
     qos_profile_action_status_default,
     qos_profile_parameter_events,
     qos_profile_rosout_default,
@@ -93,3 +95,11 @@ def test_short_names() -> None:
     assert "transient_local" in DurabilityPolicy.short_keys()
     assert QoSPresetProfiles.get_from_short_key("sensor_data") is qos_profile_sensor_data
     assert QoSPresetProfiles.SENSOR_DATA.value is qos_profile_sensor_data
+
+
+def test_compatibility() -> None:
+    assert qos_check_compatible(QoSProfile(depth=1), qos_profile_sensor_data) == (QoSCompatibility.OK, "")
+    compatibility, reason = qos_check_compatible(qos_profile_sensor_data, qos_profile_action_status_default)
+    assert compatibility is QoSCompatibility.ERROR
+    assert "reliability" in reason
+    assert "durability" in reason

@@ -36,8 +36,8 @@ IN_THREAD = (
     PROGRAM
     + """
 ended = threading.Event()  # until Python 3.13, a join that Ctrl-C broke off can't be taken up again
-threading.Thread(target=lambda: (spin(), ended.set())).start()
 try:
+    threading.Thread(target=lambda: (spin(), ended.set())).start()
     ended.wait()
 except KeyboardInterrupt:
     say("main KeyboardInterrupt")

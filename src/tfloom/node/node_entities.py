@@ -11,8 +11,10 @@ from tfloom.node.constants import S_TO_NS
 from tfloom.node.entity import Entity
 from tfloom.node.event_handler import EventHandler, PublisherEventCallbacks, SubscriptionEventCallbacks
 from tfloom.node.guard_condition import GuardCondition
+from tfloom.node.node_parameters import NodeParameters
 from tfloom.node.publisher import Publisher
 from tfloom.node.qos import QoSProfile, qos_profile_services_default
+from tfloom.node.qos_overriding_options import QoSOverridingOptions, apply_overrides
 from tfloom.node.service import Service
 from tfloom.node.service_introspection import Introspection
 from tfloom.node.subscription import Subscription
@@ -132,7 +134,7 @@ class NodeEntities:
         *,
         callback_group: CallbackGroup | None = None,
         event_callbacks: PublisherEventCallbacks | None = None,
-        qos_overriding_options: Any = None,
+        qos_overriding_options: QoSOverridingOptions | None = None,
         publisher_class: type[Publisher[MsgType]] = Publisher,
     ) -> Publisher[MsgType]:
         """Create a publisher.
@@ -143,18 +145,18 @@ class NodeEntities:
             qos_profile: What it offers; a number stands for a history of that depth.
             callback_group: Group of its events' callbacks.
             event_callbacks: Callbacks for its events; None: incompatible QoS is warned of.
-            qos_overriding_options: Not there yet.
+            qos_overriding_options: Which policies parameters may override; None: none.
             publisher_class: Class of the publisher.
 
         Raises:
             NoTypeSupportImportedException: `msg_type` is no message class.
             InvalidTopicNameException: the name isn't valid.
             TypeError, ValueError: `qos_profile` is neither a profile nor a depth.
+            InvalidQosOverridesError: parameters override it with what can't be.
         """
         check_is_valid_msg_type(msg_type)
-        _refuse("create_publisher", qos_overriding_options)
-        profile = _profile(qos_profile)
         name = self.resolve_topic_name(topic)
+        profile = self.__profile("publisher", name, qos_profile, qos_overriding_options)
         wire_topic = topic_of(msg_type, name)
         writer = self.__participant.create_writer(self.__node_name, wire_topic, profile.to_wire())
         group = callback_group or self.__default_callback_group
@@ -174,7 +176,7 @@ class NodeEntities:
         *,
         callback_group: CallbackGroup | None = None,
         event_callbacks: SubscriptionEventCallbacks | None = None,
-        qos_overriding_options: Any = None,
+        qos_overriding_options: QoSOverridingOptions | None = None,
         raw: bool = False,
     ) -> Subscription[MsgType]:
         """Create a subscription.
@@ -186,19 +188,19 @@ class NodeEntities:
             qos_profile: What it asks for; a number stands for a history of that depth.
             callback_group: Group of its callbacks; None: the node's own.
             event_callbacks: Callbacks for its events; None: incompatible QoS is warned of.
-            qos_overriding_options: Not there yet.
+            qos_overriding_options: Which policies parameters may override; None: none.
             raw: Whether the callback takes bytes, encapsulation header and CDR, rather than messages.
 
         Raises:
             NoTypeSupportImportedException: `msg_type` is no message class.
             InvalidTopicNameException: the name isn't valid.
             TypeError, ValueError: `qos_profile` is neither a profile nor a depth.
+            InvalidQosOverridesError: parameters override it with what can't be.
             RuntimeError: `callback` takes neither one argument nor two.
         """
         check_is_valid_msg_type(msg_type)
-        _refuse("create_subscription", qos_overriding_options)
-        profile = _profile(qos_profile)
         name = self.resolve_topic_name(topic)
+        profile = self.__profile("subscription", name, qos_profile, qos_overriding_options)
         wire_topic = topic_of(msg_type, name)
         reader = self.__participant.create_reader(self.__node_name, wire_topic, profile.to_wire())
         group = callback_group or self.__default_callback_group
@@ -214,6 +216,14 @@ class NodeEntities:
             event_callbacks or SubscriptionEventCallbacks(), group, reader, name
         )
         return subscription
+
+    def __profile(
+        self, kind: str, topic_name: str, given: QoSProfile | int, options: QoSOverridingOptions | None
+    ) -> QoSProfile:
+        profile = _profile(given)
+        if options is None or not isinstance(self, NodeParameters):
+            return profile
+        return apply_overrides(self, kind, topic_name, profile, options)
 
     def __watch(
         self,
@@ -418,11 +428,6 @@ class NodeEntities:
         self.__remove(rate.timer)
         rate.destroy()
         return True
-
-
-def _refuse(method: str, qos_overriding_options: Any) -> None:
-    if qos_overriding_options is not None:
-        raise NotImplementedError(f"{method}(qos_overriding_options=...) isn't there yet")
 
 
 def _profile(qos_profile: QoSProfile | int) -> QoSProfile:

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING
 
 from tfloom.node.names import expand_topic_name, validate_full_topic_name, validate_topic_name
 from tfloom.node.topic_endpoint_info import TopicEndpointInfo
+from tfloom.rmw.base import NodeName
 
 if TYPE_CHECKING:
-    from tfloom.rmw.base import EndpointInfo, Graph, NodeName
+    from tfloom.rmw.base import EndpointInfo, Graph, ServiceEndInfo
 
 __all__ = ["NodeGraph"]
 
@@ -26,6 +27,10 @@ class NodeGraph:
 
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
         """Return a topic's full name."""
+        raise NotImplementedError
+
+    def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
+        """Return a service's full name."""
         raise NotImplementedError
 
     def get_node_names(self) -> list[str]:
@@ -83,10 +88,7 @@ class NodeGraph:
         return self.__of_node(node_name, node_namespace, False, no_demangle)
 
     def __of_node(self, name: str, namespace: str, is_writer: bool, no_demangle: bool) -> NamesAndTypes:
-        if (name, namespace) not in self.get_node_names_and_namespaces():
-            raise RuntimeError(
-                f"cannot get node's topics: no node '{namespace.rstrip('/')}/{name}' on the graph"
-            )
+        self.__check_node(name, namespace)
         return self.__names_and_types(
             lambda info: (
                 info.is_writer == is_writer
@@ -104,6 +106,48 @@ class NodeGraph:
             if wanted(info):
                 found.setdefault(info.topic.name, set()).add(info.topic.type_name)
         return [(name, sorted(types)) for name, types in sorted(found.items())]
+
+    def get_service_names_and_types(self) -> NamesAndTypes:
+        """Return all services that somebody serves, with their types."""
+        return self.__services(lambda info: info.is_server)
+
+    def get_service_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
+        """Return the services that a node serves, with their types; RuntimeError if there is no such node."""
+        return self.__services_of(node_name, node_namespace, True)
+
+    def get_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
+        """Return the services that a node is a client of; RuntimeError if there is no such node."""
+        return self.__services_of(node_name, node_namespace, False)
+
+    def count_services(self, service_name: str) -> int:
+        """Return how many servers a service has; the name is expanded and remapped."""
+        return self.__count_service_ends(service_name, True)
+
+    def count_clients(self, service_name: str) -> int:
+        """Return how many clients a service has; the name is expanded and remapped."""
+        return self.__count_service_ends(service_name, False)
+
+    def __count_service_ends(self, service_name: str, is_server: bool) -> int:
+        name = self.resolve_service_name(service_name)
+        ends = self.__graph.service_ends()
+        return sum(info.name == name and info.is_server == is_server for info in ends)
+
+    def __services_of(self, name: str, namespace: str, is_server: bool) -> NamesAndTypes:
+        self.__check_node(name, namespace)
+        return self.__services(
+            lambda info: info.is_server == is_server and info.node == NodeName(namespace, name)
+        )
+
+    def __services(self, wanted: Callable[[ServiceEndInfo], bool]) -> NamesAndTypes:
+        found: dict[str, set[str]] = {}
+        for info in self.__graph.service_ends():
+            if wanted(info):
+                found.setdefault(info.name, set()).add(info.type_name)
+        return [(name, sorted(types)) for name, types in sorted(found.items())]
+
+    def __check_node(self, name: str, namespace: str) -> None:
+        if (name, namespace) not in self.get_node_names_and_namespaces():
+            raise RuntimeError(f"no node '{namespace.rstrip('/')}/{name}' on the graph")
 
     def count_publishers(self, topic_name: str) -> int:
         """Return how many publishers a topic has, anybody's; the name is expanded and remapped.

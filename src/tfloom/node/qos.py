@@ -19,6 +19,7 @@ __all__ = [
     "HistoryPolicy",
     "InvalidQoSProfileException",
     "LivelinessPolicy",
+    "QoSCompatibility",
     "QoSDurabilityPolicy",
     "QoSHistoryPolicy",
     "QoSLivelinessPolicy",
@@ -28,6 +29,7 @@ __all__ = [
     "QoSProfile",
     "QoSReliabilityPolicy",
     "ReliabilityPolicy",
+    "qos_check_compatible",
     "qos_policy_name_from_kind",
     "qos_profile_action_status_default",
     "qos_profile_best_available",
@@ -261,6 +263,11 @@ class QoSProfile:
             liveliness_lease_duration=Duration(nanoseconds=qos.liveliness_lease_ns),
         )
 
+    @staticmethod
+    def field_names() -> list[str]:
+        """Return the names of all settings."""
+        return list(_FIELDS)
+
     def history_text(self) -> str:
         """Return history and depth as the tools print them: `KEEP_LAST (10)`."""
         if self.history is HistoryPolicy.KEEP_LAST:
@@ -323,6 +330,30 @@ qos_profile_best_available = QoSProfile(
     liveliness=LivelinessPolicy.BEST_AVAILABLE,
     liveliness_lease_duration=BEST_AVAILABLE_DURATION,
 )
+
+
+def qos_check_compatible(
+    publisher_qos: QoSProfile, subscription_qos: QoSProfile
+) -> tuple[QoSCompatibility, str]:
+    """Return whether a publisher and a subscription of these profiles connect, and why not."""
+    from tfloom.rmw.compatibility import incompatible_policies
+
+    apart = incompatible_policies(publisher_qos.to_wire(), subscription_qos.to_wire())
+    if not apart:
+        return QoSCompatibility.OK, ""
+    reasons = "".join(
+        f"ERROR: {kind.name.lower()} of the publisher is less than the subscription asks for;"
+        for kind in apart
+    )
+    return QoSCompatibility.ERROR, reasons
+
+
+class QoSCompatibility(IntEnum):
+    """Whether two profiles go together."""
+
+    OK = 0
+    WARNING = 1
+    ERROR = 2
 
 
 class QoSPresetProfiles(Enum):

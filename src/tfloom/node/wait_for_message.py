@@ -1,0 +1,76 @@
+"""Waiting for one message."""
+
+from __future__ import annotations
+
+import threading
+from typing import TYPE_CHECKING, Any
+
+from tfloom.node.callback_groups import MutuallyExclusiveCallbackGroup
+from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.qos import QoSProfile
+from tfloom.node.task import Future
+
+if TYPE_CHECKING:
+    from tfloom.node.node import Node
+
+__all__ = ["wait_for_message"]
+
+
+def wait_for_message(
+    msg_type: Any,
+    node: Node,
+    topic: str,
+    *,
+    qos_profile: QoSProfile | int = 1,
+    time_to_wait: float = -1,
+) -> tuple[bool, Any]:
+    """Wait for the next message of a topic.
+
+    Where nobody spins the node, it is spun here meanwhile; so this may be called with a node that isn't in an
+    executor, or from a thread beside the one that spins it, but not from one of its callbacks.
+
+    Args:
+        msg_type: Class of the message.
+        node: The node that subscribes.
+        topic: Name of the topic.
+        qos_profile: What to ask for; a number stands for a history of that depth.
+        time_to_wait: The longest wait [s]; negative: for ever.
+
+    Returns:
+        Whether one came, and the message.
+
+    Raises:
+        RuntimeError: called from a callback of a single-threaded executor, which would wait for itself.
+    """
+    future: Future[Any] = Future()
+
+    def on_message(message: Any) -> None:
+        if not future.done():
+            future.set_result(message)
+
+    executor = node.executor
+    if executor is not None and executor.would_wait_for_itself():
+        raise RuntimeError(f"wait_for_message on {topic} in a callback would wait for its own thread")
+    subscription = node.create_subscription(
+        msg_type, topic, on_message, qos_profile, callback_group=MutuallyExclusiveCallbackGroup()
+    )
+    try:
+        if executor is not None:
+            _wait(future, time_to_wait, node)
+        else:
+            with SingleThreadedExecutor(context=node.context) as own:
+                own.add_node(node)
+                own.spin_until_future_complete(future, time_to_wait)
+    finally:
+        node.destroy_subscription(subscription)
+    return future.done(), future.result()
+
+
+def _wait(future: Future[Any], time_to_wait: float, node: Node) -> None:
+    ended = threading.Event()
+    future.when_complete(ended.set)
+    node.context.add_shutdown_hook(ended.set)
+    try:
+        ended.wait(None if time_to_wait < 0 else time_to_wait)
+    finally:
+        node.context.remove_shutdown_hook(ended.set)

@@ -1,0 +1,5 @@
+"""QoS that parameters override."""
+
+from tfloom.node.qos_overriding_options import InvalidQosOverridesError, QoSOverridingOptions
+
+__all__ = ["InvalidQosOverridesError", "QoSOverridingOptions"]

@@ -1,0 +1,4 @@
+"""Waiting for one message."""
+
+from tfloom.node.wait_for_message import *
+from tfloom.node.wait_for_message import __all__
