@@ -43,6 +43,14 @@ def deviations() -> dict[str, dict[str, str]]:
     return {row[0].strip("`"): dict(zip(header[1:], row[1:], strict=True)) for row in body}
 
 
+@pytest.fixture(scope="session", autouse=True)
+def _log_directory(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """Keep log files out of the home directory."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("ROS_LOG_DIR", str(tmp_path_factory.mktemp("log")))
+        yield
+
+
 @pytest.fixture
 def domain_id(monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
     """Give a DDS domain that no other test on this machine uses now, and set ROS_DOMAIN_ID to it.

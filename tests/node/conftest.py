@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from pathlib import Path
 
 import pytest
 
@@ -13,10 +14,12 @@ from tfloom.node.node import Node
 
 
 @pytest.fixture(autouse=True)
-def local_wire(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+def local_wire(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[None]:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+    monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "log"))
     yield
     log_output.reset_levels()
+    log_output.configure(file=None, console=True)
 
 
 @pytest.fixture

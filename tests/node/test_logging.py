@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
 from tfloom.node import logging
 from tfloom.node.clock import ROSClock
 from tfloom.node.clock_type import ClockType
+from tfloom.node.context import Context
 from tfloom.node.logging_severity import LoggingSeverity
 from tfloom.node.time import Time
 
@@ -127,3 +130,38 @@ def test_the_log_directory(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("ROS_LOG_DIR")
     monkeypatch.setenv("ROS_HOME", "/home/ros")
     assert str(logging.get_logging_directory()) == "/home/ros/log"
+
+
+def test_records_go_to_a_file_too(tmp_path: Path, capsys: Capture) -> None:
+    arguments = ["--ros-args", "--log-file-name", "mine", "--disable-stdout-logs"]
+    context = Context()
+    context.init(arguments)
+    logging.get_logger("x").info("kept")
+    context.destroy()
+    assert lines(capsys) == []
+    (path,) = (tmp_path / "log").iterdir()
+    assert path.name.startswith(f"mine_{os.getpid()}_")
+    assert re.fullmatch(r"\[INFO\] \[\d{10}\.\d{9}\] \[x\]: kept\n", path.read_text())
+
+
+def test_no_file_without_a_record_or_where_none_is_wanted(tmp_path: Path) -> None:
+    for arguments in ([], ["--ros-args", "--disable-external-lib-logs"]):
+        context = Context()
+        context.init(arguments)
+        if arguments:
+            logging.get_logger("x").info("not kept")
+        context.destroy()
+    assert not (tmp_path / "log").exists()
+
+
+def test_a_directory_that_cannot_be_is_told_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture
+) -> None:
+    (tmp_path / "file").touch()
+    monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "file" / "log"))
+    context = Context()
+    context.init([])
+    for _ in range(2):
+        logging.get_logger("x").info("said")
+    context.destroy()
+    assert [line.startswith("tfloom: no log file in ") for line in lines(capsys)] == [False, True, False]

@@ -15,6 +15,7 @@ from tfloom._native import keep_other_threads_out
 from tfloom.node import log_output
 from tfloom.node.arguments import Arguments, parse_arguments
 from tfloom.node.exceptions import NotInitializedException, RCLError
+from tfloom.node.log_file import LogFile
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -58,7 +59,7 @@ class Context:
 
         Args:
             args: Command line, program's name first or not; None: `sys.argv`. Its ROS arguments hold for all nodes.
-            initialize_logging: Whether `--log-level` is obeyed.
+            initialize_logging: Whether the arguments about logging are obeyed, and records go to a file.
             domain_id: The domain to be on; None: from ROS_DOMAIN_ID.
 
         Raises:
@@ -76,8 +77,7 @@ class Context:
             self._domain_id = domain_id
             self._initialized = self._valid = True
         if initialize_logging:
-            for name, level in arguments.log_levels:
-                log_output.set_level(name, level)
+            _set_up_logging(arguments)
         _contexts.add(self)
 
     @property
@@ -249,6 +249,13 @@ class Context:
         self, t: type[BaseException] | None, v: BaseException | None, tb: TracebackType | None
     ) -> None:
         self.destroy()
+
+
+def _set_up_logging(arguments: Arguments) -> None:
+    for name, level in arguments.log_levels:
+        log_output.set_level(name, level)
+    file = LogFile(arguments.log_file_name) if arguments.external_lib_logs else None
+    log_output.configure(file=file, console=arguments.stdout_logs)
 
 
 def _call(hook: Callable[[], Any]) -> None:

@@ -9,11 +9,13 @@ import time
 from collections.abc import Callable
 
 from tfloom.node.constants import S_TO_NS
+from tfloom.node.log_file import LogFile
 from tfloom.node.logging_severity import LoggingSeverity
 
 __all__ = [
     "Record",
     "add_listener",
+    "configure",
     "effective_level",
     "get_level",
     "remove_listener",
@@ -94,6 +96,8 @@ class Record:
 _lock = threading.RLock()
 _levels: dict[str, LoggingSeverity] = {"": LoggingSeverity.INFO}
 _effective: dict[str, LoggingSeverity] = {}
+_file: LogFile | None = None
+_to_console = True
 _listeners: dict[str, list[Callable[[Record], None]]] = {}
 
 
@@ -133,6 +137,15 @@ def reset_levels() -> None:
         _levels[""] = LoggingSeverity.INFO
 
 
+def configure(*, file: LogFile | None, console: bool) -> None:
+    """Write records to `file` too (None: to none), and to the console or not, from now on."""
+    global _file, _to_console  # the process has one of each
+    with _lock:
+        if _file is not None:
+            _file.close()
+        _file, _to_console = file, console
+
+
 def add_listener(name: str, listener: Callable[[Record], None]) -> None:
     """Hand each record of a logger, and of those below it, to `listener` too, on the thread that logs."""
     with _lock:
@@ -158,19 +171,28 @@ def _use_color(stream: object) -> bool:
 
 
 def write(record: Record) -> None:
-    """Print a record and hand it to the listeners of its name."""
-    stream = sys.stdout if os.environ.get("RCUTILS_LOGGING_USE_STDOUT") == "1" else sys.stderr
+    """Print a record, and hand it to the log file and to the listeners of its name."""
     text = record.format(os.environ.get("RCUTILS_CONSOLE_OUTPUT_FORMAT") or DEFAULT_FORMAT)
-    if stream is not None:
-        try:
-            if _use_color(stream):
-                text = f"{_COLORS.get(record.severity, '')}{text}{_NO_COLOR}"
-            stream.write(f"{text}\n")
-            stream.flush()
-        except (OSError, ValueError):
-            pass  # a closed or broken stream: there is nowhere left to say so
+    if _to_console:
+        _print(text, record.severity)
+    file = _file
+    if file is not None:
+        file.write(text)
     name = record.name
     while name and _listeners:
         for listener in _listeners.get(name, ()):
             listener(record)
         name = name.rpartition(".")[0]
+
+
+def _print(text: str, severity: LoggingSeverity) -> None:
+    stream = sys.stdout if os.environ.get("RCUTILS_LOGGING_USE_STDOUT") == "1" else sys.stderr
+    if stream is None:
+        return
+    try:
+        if _use_color(stream):
+            text = f"{_COLORS.get(severity, '')}{text}{_NO_COLOR}"
+        stream.write(f"{text}\n")
+        stream.flush()
+    except (OSError, ValueError):
+        pass  # a closed or broken stream: there is nowhere left to say so

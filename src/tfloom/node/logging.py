@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 from tfloom.node import log_output
+from tfloom.node.log_file import log_directory
 from tfloom.node.logging_severity import LoggingSeverity
 from tfloom.node.rcutils_logger import RcutilsLogger
 
@@ -83,7 +83,4 @@ def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
 
 def get_logging_directory() -> Path:
     """Return where log files go: `ROS_LOG_DIR`, else `log` in `ROS_HOME`, else `~/.ros/log`."""
-    directory = os.environ.get("ROS_LOG_DIR")
-    if directory:
-        return Path(directory).expanduser()
-    return Path(os.environ.get("ROS_HOME") or "~/.ros").expanduser() / "log"
+    return log_directory()

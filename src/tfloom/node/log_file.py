@@ -1,0 +1,72 @@
+"""The file that a program's log records go to, beside the console."""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+from typing import TYPE_CHECKING, TextIO
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+__all__ = ["LogFile", "log_directory"]
+
+
+class LogFile:
+    """A file of log lines, opened with the first of them.
+
+    Where it can't be opened, the console is told so once, and that is all.
+
+    Args:
+        name: Its name before the process id; None: the program's.
+    """
+
+    def __init__(self, name: str | None = None) -> None:
+        self._name = name
+        self._file: TextIO | None = None
+        self._failed = False
+
+    def write(self, line: str) -> None:
+        """Add a line."""
+        if self._failed:
+            return
+        try:
+            if self._file is None:
+                self._file = self._open()
+            self._file.write(f"{line}\n")
+            self._file.flush()
+        except (OSError, ValueError) as error:
+            self.close()
+            self._failed = True
+            if sys.stderr is not None:
+                print(f"tfloom: no log file in {log_directory()}: {error}", file=sys.stderr)
+
+    def _open(self) -> TextIO:
+        directory = log_directory()
+        directory.mkdir(parents=True, exist_ok=True)
+        name = f"{self._name or _program()}_{os.getpid()}_{time.time_ns() // 1_000_000}.log"
+        return (directory / name).open("w", encoding="utf-8")
+
+    def close(self) -> None:
+        """Close the file, if there is one."""
+        file, self._file = self._file, None
+        if file is not None:
+            file.close()
+
+
+def log_directory() -> Path:
+    """Return where log files go: `ROS_LOG_DIR`, else `log` in `ROS_HOME`, else `~/.ros/log`."""
+    from pathlib import Path
+
+    directory = os.environ.get("ROS_LOG_DIR")
+    if directory:
+        return Path(directory).expanduser()
+    return Path(os.environ.get("ROS_HOME") or "~/.ros").expanduser() / "log"
+
+
+def _program() -> str:
+    from pathlib import Path
+
+    name = Path(sys.argv[0]).stem if sys.argv else ""
+    return name if name not in ("", "-c", "-m") else "python3"
