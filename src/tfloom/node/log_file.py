@@ -43,8 +43,11 @@ class LogFile:
                 print(f"tfloom: no log file in {log_directory()}: {error}", file=sys.stderr)
 
     def _open(self) -> TextIO:
+        import atexit
+
         directory = log_directory()
         directory.mkdir(parents=True, exist_ok=True)
+        atexit.register(self.close)
         name = f"{self._name or _program()}_{os.getpid()}_{time.time_ns() // 1_000_000}.log"
         return (directory / name).open("w", encoding="utf-8")
 
@@ -52,6 +55,9 @@ class LogFile:
         """Close the file, if there is one."""
         file, self._file = self._file, None
         if file is not None:
+            import atexit
+
+            atexit.unregister(self.close)
             file.close()
 
 
