@@ -8,6 +8,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from importlib import import_module
+from pathlib import Path
 
 import pytest
 import transcript
@@ -105,3 +106,17 @@ def test_a_closed_pipe_is_quiet() -> None:
     _, errors = process.communicate(b"x", timeout=60)
     assert errors == b""
     assert process.returncode == cli.PIPE_CLOSED
+
+
+@pytest.mark.skipif(os.name != "posix", reason="closes a file descriptor")
+def test_a_closed_output_is_no_crash(domain_id: int) -> None:
+    command = f"exec '{sys.executable}' -m tfloom.cli pkg list >&-"
+    done = subprocess.run(["sh", "-c", command], capture_output=True, text=True, timeout=30, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
+def test_a_full_disk_is_told_in_a_sentence() -> None:
+    command = f"exec '{sys.executable}' -m tfloom.cli pkg list >/dev/full"
+    done = subprocess.run(["sh", "-c", command], capture_output=True, text=True, timeout=30, check=False)
+    assert (done.returncode, done.stderr) == (1, "tfloom: No space left on device\n")

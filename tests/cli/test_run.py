@@ -196,3 +196,35 @@ def test_each_of_our_programs_is_there(target: str) -> None:
 @pytest.mark.parametrize("package", index.PROGRAMS)
 def test_our_programs_are_in_order(package: str) -> None:
     assert list(index.PROGRAMS[package]) == sorted(index.PROGRAMS[package])
+
+
+@pytest.mark.parametrize(
+    ("words", "text"),
+    [
+        (["-p", "background_r:=abc"], "turtlesim_node: Trying to set parameter 'background_r' to 'abc'"),
+        (["-p", "background_r:=999"], "turtlesim_node: Invalid parameter value (999)"),
+        (["-r", "bad"], "turtlesim_node: Failed to parse ROS arguments: cannot understand '-r bad'"),
+        (["--params-file", "no.yaml"], "turtlesim_node: Failed to parse ROS arguments: cannot understand"),
+    ],
+)
+def test_arguments_that_a_program_cannot_use_are_told_in_a_sentence(
+    words: list[str], text: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+    answer = transcript.run("run", "turtlesim", "turtlesim_node", "--ros-args", *words)
+    assert answer.exit_code == 1
+    *said, last = answer.text.splitlines()
+    assert said[-1].startswith(text)
+    assert last == "[ros2run]: Process exited with failure 1"
+    assert "Traceback" not in answer.text
+
+
+def test_bytes_that_are_no_text_are_refused() -> None:
+    answer = transcript.run("run", "tf2_ros", "tf2_echo", os.fsdecode(b"\xff"), "b")
+    assert answer.exit_code == 1
+    assert answer.text == "the argument b'\\xff' isn't text in this terminal's encoding"
+
+
+def test_a_prefix_with_an_open_quotation_is_refused() -> None:
+    answer = transcript.run("run", "--prefix", '"', "turtlesim", "turtlesim_node")
+    assert (answer.exit_code, answer.text) == (1, "can't read --prefix '\"': No closing quotation")

@@ -8,6 +8,7 @@ from collections.abc import Callable
 
 import pytest
 import transcript
+from tests.conftest import Program
 
 pytestmark = pytest.mark.wire
 
@@ -114,3 +115,30 @@ def test_waiting_for_too_long_is_told(domain_id: int) -> None:
 def test_a_name_for_the_node(domain_id: int, start_program: Callable[..., object]) -> None:
     start_program("tfloom", "topic", "pub", "-n", "my_node", "/x", "std_msgs/msg/Empty").wait_for("#1")
     assert transcript.run("node", "list").text == "/my_node"
+
+
+def test_ends_that_do_not_meet_are_told_why_on_both_sides(
+    domain_id: int, start_program: Callable[..., Program]
+) -> None:
+    echo = start_program(
+        "tfloom", "topic", "echo", "--qos-reliability", "reliable", "/x", "std_msgs/msg/String"
+    )
+    pub = start_program(
+        "tfloom", "topic", "pub", "--once", "--qos-reliability", "best_effort", "/x", "std_msgs/String"
+    )
+    policies = "RELIABILITY (offered RELIABILITY BEST_EFFORT, requested RELIABILITY RELIABLE"
+    pub.wait_for(
+        "WARNING: New subscription discovered on topic '/x', requesting incompatible QoS. "
+        f"No messages will be sent to it. Last incompatible policy: {policies}"
+    )
+    echo.wait_for(
+        "WARNING: New publisher discovered on topic '/x', offering incompatible QoS. "
+        f"No messages will be received from it. Last incompatible policy: {policies}"
+    )
+
+
+@pytest.mark.parametrize("name", ["a b", "", "1st"])
+def test_a_node_name_that_is_none_is_refused(name: str) -> None:
+    answer = transcript.run("topic", "pub", "-n", name, "/x", "std_msgs/msg/String")
+    assert answer.exit_code == 1
+    assert answer.text.startswith("Invalid node name: ")

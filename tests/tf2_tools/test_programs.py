@@ -134,10 +134,19 @@ def test_view_frames_names_its_files_by_the_time(
     assert (tmp_path / names[1]).read_text() == 'digraph G { "No tf data received" }'
 
 
-def test_view_frames_in_a_folder_it_cannot_write_to(
+def test_view_frames_into_a_folder_that_is_not_there(
+    domain_id: int, start_program: Callable[..., Any], tmp_path: Path, deviations: dict[str, dict[str, str]]
+) -> None:
+    assert "view-frames-folder" in deviations
+    view = start_program(*VIEW_FRAMES, "-o", "missing/out", cwd=tmp_path)
+    assert view.wait() == 2
+    assert "argument -o/--output: there is no folder missing" in view.output
+
+
+def test_view_frames_where_a_file_cannot_be_written(
     domain_id: int, start_program: Callable[..., Any], tmp_path: Path
 ) -> None:
-    view = start_program(*VIEW_FRAMES, "-t", "0", "-o", "missing/out", cwd=tmp_path)
+    (tmp_path / "out.gv").mkdir()
+    view = start_program(*VIEW_FRAMES, "-t", "0", "-o", "out", cwd=tmp_path)
     assert view.wait() == 1
-    assert "can't write" in view.output
-    assert "Traceback" not in view.output
+    assert f"can't write {tmp_path / 'out.gv'}: Is a directory" in view.output

@@ -1,4 +1,4 @@
-"""A child process whose life is tied to ours: signals reach it once, and it never outlives us."""
+"""A child process whose life is tied to ours: signals reach it, and it never outlives us."""
 
 from __future__ import annotations
 
@@ -10,8 +10,9 @@ import threading
 from collections.abc import Callable, Mapping, Sequence
 from types import FrameType
 
-GRACE_S = 0.2
-"""How long a child that may have got the signal by itself has to end before it is passed on [s]."""
+GRACE_S = 1.0
+"""How long a child that may have got the signal by itself, as one of our process group, has to end before it is
+passed on [s]: longer than a node takes to leave the graph."""
 PR_SET_PDEATHSIG = 1
 
 

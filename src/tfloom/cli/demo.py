@@ -14,14 +14,17 @@ Join in from another terminal: export ROS_DOMAIN_ID={domain_id}"""
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what `demo` takes."""
     parser.add_argument(
-        "--seconds", type=_duration, metavar="N", help="how long to go on (default: until Ctrl-C)"
+        "--seconds", type=_seconds, metavar="N", help="how long to go on (default: until Ctrl-C)"
     )
 
 
-def _duration(text: str) -> float:
-    seconds = float(text)
+def _seconds(text: str) -> float:
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = -1.0
     if not seconds >= 0.0:
-        raise ValueError(text)
+        raise argparse.ArgumentTypeError(f"must be a number that isn't negative, not {text!r}")
     return seconds
 
 

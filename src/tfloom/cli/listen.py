@@ -13,7 +13,8 @@ from tfloom._native import ReadyQueue
 from tfloom.cli.errors import CommandError
 from tfloom.cli.graph import topic_types
 from tfloom.cli.names import did_you_mean
-from tfloom.rmw.base import EndpointInfo, Graph, NodeName, Participant, Sample, Topic
+from tfloom.rmw.base import EndpointInfo, Graph, NodeName, Participant, Reader, Sample, Topic, Writer
+from tfloom.rmw.events import Event, IncompatibleQoS
 from tfloom.rmw.qos import QoS
 from tfloom.rosidl.message import Message
 
@@ -105,6 +106,7 @@ def samples_and_ticks(
         try:
             queue = ReadyQueue()
             reader.notify(queue)
+            reader.notify_event(Event.INCOMPATIBLE_QOS, queue)
             next_tick_s = time.monotonic() + tick_s
             while time.monotonic() < end_s:
                 while sample := reader.take():
@@ -113,11 +115,24 @@ def samples_and_ticks(
                         break
                 else:
                     _wait(queue, min(end_s, next_tick_s))
+                    warn_of_mismatch(reader, participant.graph, name, is_publisher=False)
                 if time.monotonic() >= next_tick_s:
                     next_tick_s += tick_s
                     yield None
         finally:
             reader.close()
+
+
+def warn_of_mismatch(end: Reader | Writer, graph: Graph, name: str, *, is_publisher: bool) -> None:
+    """Say on stderr that somebody has the topic with whom `end` can't connect, if that's news."""
+    status = end.take_event(Event.INCOMPATIBLE_QOS)
+    if isinstance(status, IncompatibleQoS):
+        from tfloom.node.qos_mismatch import mismatch_text
+
+        print(
+            f"WARNING: {mismatch_text(status, name, end.gid, graph, is_publisher=is_publisher)}",
+            file=sys.stderr,
+        )
 
 
 def _wait(queue: ReadyQueue, end_s: float) -> None:

@@ -131,6 +131,34 @@ def main(argv: Sequence[str] | None = None, prog: str = "tfloom") -> int:
         # A script's background jobs start so; ROS programs end on SIGINT there, too.
         signal.signal(signal.SIGINT, signal.default_int_handler)
     signal.signal(signal.SIGTERM, _terminated)
+    try:
+        code = _run(argv, prog)
+        if sys.stdout is not None:
+            sys.stdout.flush()
+    except CommandError as error:
+        print(error, file=sys.stderr)
+        return error.exit_code
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    except BrokenPipeError:
+        _drop_output()
+        return PIPE_CLOSED
+    except OSError as error:
+        where = f"{error.filename}: " if error.filename else ""
+        print(f"{prog}: {where}{error.strerror}", file=sys.stderr)
+        _drop_output()
+        return 1
+    except Exception as error:
+        from tfloom.rmw.errors import WireError
+
+        if not isinstance(error, WireError):
+            raise
+        print(error, file=sys.stderr)
+        return 1
+    return code
+
+
+def _run(argv: Sequence[str] | None, prog: str) -> int:
     parser = build_parser(prog, COMMANDS)
     if "_ARGCOMPLETE" in os.environ:
         import argcomplete
@@ -145,28 +173,17 @@ def main(argv: Sequence[str] | None = None, prog: str = "tfloom") -> int:
         )
     args = parser.parse_args(argv)
     args.prog = prog
-    if not args.use_python_default_buffering:
-        sys.stdout.reconfigure(line_buffering=True)  # type: ignore[union-attr]
-    try:
-        code = int(args.run_verb(args) or 0)
-        sys.stdout.flush()
-    except CommandError as error:
-        print(error, file=sys.stderr)
-        return error.exit_code
-    except KeyboardInterrupt:
-        return INTERRUPTED
-    except BrokenPipeError:
-        # What is left in the buffer would raise again when the interpreter flushes it at its end.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return PIPE_CLOSED
-    except Exception as error:
-        from tfloom.rmw.errors import WireError
+    if sys.stdout is not None:  # It may have been closed: `>&-`.
+        # A letter that the terminal's encoding lacks is spelled out.
+        sys.stdout.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]
+        if not args.use_python_default_buffering:
+            sys.stdout.reconfigure(line_buffering=True)  # type: ignore[union-attr]
+    return int(args.run_verb(args) or 0)
 
-        if not isinstance(error, WireError):
-            raise
-        print(error, file=sys.stderr)
-        return 1
-    return code
+
+def _drop_output() -> None:
+    """Write what is left in the buffer nowhere; the interpreter's flush at its end would raise again."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _terminated(number: int, _: FrameType | None) -> None:

@@ -35,7 +35,11 @@ def main(args: argparse.Namespace) -> int:
 
         if isinstance(command, str):
             command = [sys.executable, "-m", "tfloom.cli", "run", args.package_name, args.executable_name]
-        code = run_child([*shlex.split(args.prefix or ""), *command, *args.argv])
+        try:
+            prefix = shlex.split(args.prefix or "")
+        except ValueError as error:
+            raise CommandError(f"can't read --prefix {args.prefix!r}: {error}") from None
+        code = run_child([*prefix, *command, *args.argv])
     if code:
         print(f"[ros2run]: {_how_it_ended(code)}", file=sys.stderr)
     return code
@@ -70,7 +74,14 @@ def _command_of(path: Path) -> list[str]:
 
 
 def run_here(target: str, name: str, argv: list[str]) -> int:
-    """Run one of our own programs in this process and return its exit code."""
+    """Run one of our own programs in this process and return its exit code.
+
+    Raises:
+        CommandError: its arguments can't be used.
+    """
+    for word in argv:
+        if not word.isprintable() and any("\ud800" <= letter <= "\udfff" for letter in word):
+            raise CommandError(f"the argument {os.fsencode(word)!r} isn't text in this terminal's encoding")
     module, _, function = target.partition(":")
     sys.argv = [name, *argv]
     # How a signal ends it is the program's own affair, as in a process of its own.
@@ -82,6 +93,12 @@ def run_here(target: str, name: str, argv: list[str]) -> int:
             print(end.code, file=sys.stderr)
             return 1
         return end.code or 0
+    except Exception as error:
+        if type(error).__module__ != "tfloom.node.exceptions":
+            raise
+        # Names, parameters and ROS arguments that can't be used; the rest are mistakes of ours.
+        print(f"{name}: {error}", file=sys.stderr)
+        return 1
 
 
 def _how_it_ended(code: int) -> str:

@@ -6,16 +6,15 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Protocol
 
 from tfloom.node.entity import Entity
-from tfloom.node.qos import qos_policy_name_from_kind
-from tfloom.rmw.compatibility import incompatible_policies
+from tfloom.node.qos_mismatch import mismatch_text
 from tfloom.rmw.errors import UnsupportedEventError
-from tfloom.rmw.events import Event, IncompatibleQoS, Status
+from tfloom.rmw.events import Event, Status
 
 if TYPE_CHECKING:
     from tfloom._native import ReadyQueue
     from tfloom.node.callback_groups import CallbackGroup
     from tfloom.node.rcutils_logger import RcutilsLogger
-    from tfloom.rmw.base import EndpointInfo, Graph
+    from tfloom.rmw.base import Graph
 
 __all__ = [
     "EventHandler",
@@ -108,8 +107,8 @@ class _EventCallbacks:
         """
         callbacks = dict(self._callbacks)
         if self.use_default_callbacks and Event.INCOMPATIBLE_QOS not in callbacks:
-            callbacks[Event.INCOMPATIBLE_QOS] = _Warner(
-                topic_name, endpoint.gid, logger, graph, self.is_publisher
+            callbacks[Event.INCOMPATIBLE_QOS] = lambda status: logger.warning(
+                mismatch_text(status, topic_name, endpoint.gid, graph, is_publisher=self.is_publisher)
             )
         return [
             EventHandler(
@@ -208,51 +207,3 @@ class SubscriptionEventCallbacks(_EventCallbacks):
             Event.MATCHED: matched,
         }
         super().__init__(callbacks, use_default_callbacks)
-
-
-class _Warner:
-    """Warns of peers that can't be connected with, and says what either side has."""
-
-    def __init__(
-        self, topic: str, gid: bytes, logger: RcutilsLogger, graph: Graph, is_publisher: bool
-    ) -> None:
-        self._topic = topic
-        self._gid = gid
-        self._logger = logger
-        self._graph = graph
-        self._is_publisher = is_publisher
-
-    def __call__(self, status: IncompatibleQoS) -> None:
-        peer, verb, consequence = (
-            ("subscription", "requesting", "No messages will be sent to it")
-            if self._is_publisher
-            else ("publisher", "offering", "No messages will be received from it")
-        )
-        policy = qos_policy_name_from_kind(status.last_policy_kind)
-        text = (
-            f"New {peer} discovered on topic '{self._topic}', {verb} incompatible QoS. {consequence}. "
-            f"Last incompatible policy: {policy}{self._both_sides()}"
-        )
-        self._logger.warning(text)
-
-    def _both_sides(self) -> str:
-        ends = [info for info in self._graph.endpoints() if info.topic.name == self._topic]
-        mine = next((info for info in ends if info.gid == self._gid), None)
-        peers = [info for info in ends if info.is_writer != self._is_publisher]
-        texts = [text for peer in peers for text in self._differences(mine, peer)] if mine else []
-        return f" ({'; '.join(texts)})" if texts else ""
-
-    def _differences(self, mine: EndpointInfo, peer: EndpointInfo) -> list[str]:
-        writer, reader = (mine, peer) if self._is_publisher else (peer, mine)
-        whose = "an unknown node" if peer.node is None else peer.node.full
-        return [
-            f"offered {_show(writer, kind.name)}, requested {_show(reader, kind.name)}, peer {whose}"
-            for kind in incompatible_policies(writer.qos, reader.qos)
-        ]
-
-
-def _show(info: EndpointInfo, policy: str) -> str:
-    value = getattr(info.qos, policy.lower(), None)
-    if value is None:
-        return f"{policy} of {getattr(info.qos, f'{policy.lower()}_ns')} ns"
-    return f"{policy} {value.name}"

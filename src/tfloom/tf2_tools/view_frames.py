@@ -35,6 +35,8 @@ def parse_arguments(words: list[str]) -> argparse.Namespace:
     options = parser.parse_args(words)
     if not options.wait_time >= 0.0:
         parser.error("argument -t/--wait-time: must not be negative")
+    if options.output and not Path(options.output).parent.is_dir():
+        parser.error(f"argument -o/--output: there is no folder {Path(options.output).parent}")
     return options
 
 

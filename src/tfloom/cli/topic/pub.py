@@ -5,13 +5,13 @@ from __future__ import annotations
 import argparse
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import repeat
 
 from tfloom.cli import graph, qos
 from tfloom.cli.errors import CommandError
 from tfloom.cli.interfaces import fill_message, message_class, parse_yaml, set_stamps, yaml_documents
-from tfloom.cli.listen import cli_node, shown_node
+from tfloom.cli.listen import cli_node, shown_node, warn_of_mismatch
 from tfloom.cli.names import full_topic_name
 from tfloom.rmw.base import NodeName, Topic, Writer
 from tfloom.rmw.qos import QoS
@@ -71,13 +71,17 @@ def main(args: argparse.Namespace) -> int:
         if args.stdin
         else repeat(_Draft(cls, args.values))
     )
-    node = NodeName("/", args.node_name) if args.node_name else cli_node()
+    node = cli_node() if args.node_name is None else _named_node(args.node_name)
     with graph.joined_participant() as participant, shown_node(participant, node):
         topic = Topic(name, cls._TYPE_NAME, cls._TYPE_HASH)
         writer = participant.create_writer(node, topic, quality)
+
+        def look_for_mismatch() -> None:
+            warn_of_mismatch(writer, participant.graph, name, is_publisher=True)
+
         try:
-            _wait_for_subscriptions(writer, args)
-            _publish(writer, drafts, args)
+            _wait_for_subscriptions(writer, args, look_for_mismatch)
+            _publish(writer, drafts, args, look_for_mismatch)
             time.sleep(args.keep_alive)
         finally:
             writer.close()
@@ -96,12 +100,26 @@ class _Draft:
         set_stamps(self._stamp_setters)
 
 
-def _wait_for_subscriptions(writer: Writer, args: argparse.Namespace) -> None:
+def _named_node(name: str) -> NodeName:
+    from tfloom.node.exceptions import InvalidNodeNameException
+    from tfloom.node.names import validate_node_name
+
+    try:
+        validate_node_name(name)
+    except InvalidNodeNameException as error:
+        raise CommandError(str(error)) from None
+    return NodeName("/", name)
+
+
+def _wait_for_subscriptions(
+    writer: Writer, args: argparse.Namespace, look_for_mismatch: Callable[[], None]
+) -> None:
     wanted = args.wait_matching_subscriptions
     if wanted is None:
         wanted = 1 if args.once or args.times else 0
     start = told = time.monotonic()
     while (found := writer.matched_count()) < wanted:
+        look_for_mismatch()
         now = time.monotonic()
         if args.max_wait_time_secs is not None and now - start >= args.max_wait_time_secs:
             raise CommandError(
@@ -113,7 +131,9 @@ def _wait_for_subscriptions(writer: Writer, args: argparse.Namespace) -> None:
         time.sleep(0.01)
 
 
-def _publish(writer: Writer, drafts: Iterator[_Draft], args: argparse.Namespace) -> None:
+def _publish(
+    writer: Writer, drafts: Iterator[_Draft], args: argparse.Namespace, look_for_mismatch: Callable[[], None]
+) -> None:
     print("publisher: beginning loop")
     last = 1 if args.once else args.times
     start = time.monotonic()
@@ -122,6 +142,7 @@ def _publish(writer: Writer, drafts: Iterator[_Draft], args: argparse.Namespace)
         if args.print > 0 and number % args.print == 0:
             print(f"publishing #{number}: {draft.message!r}\n")
         writer.write(cdr.encode(draft.message))
+        look_for_mismatch()
         if number == last:
             return
         # From the start, so that the time that a message takes does not slow the rate.
