@@ -3,6 +3,7 @@
 
 #include <structmember.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -66,7 +67,14 @@ void init_plan(ObjectPlan* self, const nb::type_object& message_class, const std
 }
 
 // After the last field: nothing before needs the pool.
-void adopt(ObjectPlan& plan) { plan.pool.adopt(plan.type, plan.fields.size()); }
+void adopt(ObjectPlan& plan) {
+  plan.pool.adopt(plan.type, plan.fields.size());
+#ifndef Py_GIL_DISABLED  // two threads may assign at once
+  plan.is_leaf = !plan.fields.empty() && std::ranges::all_of(plan.fields, [](const cdr::Field& field) {
+    return field.shape == Shape::single && field.kind != Kind::message;
+  });
+#endif
+}
 
 void add_field(ObjectPlan& plan, const std::string& name, const std::string& kind, const std::string& shape,
                std::uint32_t count, std::uint32_t string_bound, const nb::object& message_class,

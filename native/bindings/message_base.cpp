@@ -113,6 +113,8 @@ int message_setattro(PyObject* self, PyObject* name, PyObject* value) noexcept {
       return fail();
     }
   }
+  // A decoded message of numbers and strings: it may hold anything from now on.
+  if (PyType_IS_GC(Py_TYPE(self)) && PyObject_GC_IsTracked(self) == 0) PyObject_GC_Track(self);
   return PyObject_GenericSetAttr(self, name, value);
 }
 

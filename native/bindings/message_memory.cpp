@@ -52,6 +52,10 @@ void free_message(PyObject* self) {
     return;
   }
   if (type->tp_finalize != nullptr && PyObject_CallFinalizerFromDealloc(self) < 0) return;  // it lives again
+  if (PyObject_GC_IsTracked(self) == 0) {  // numbers and strings alone: no deep recursion to guard against
+    release(self);
+    return;
+  }
   PyObject_GC_UnTrack(self);
   Py_TRASHCAN_BEGIN(self, free_message)
   release(self);

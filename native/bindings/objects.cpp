@@ -50,7 +50,22 @@ ObjectSink::Value ObjectSink::string(std::string_view text, std::size_t offset) 
   return kept;
 }
 
+namespace {
+
+bool is_ascii(std::string_view text) noexcept {
+  unsigned char all = 0;
+  for (const char octet : text) all |= static_cast<unsigned char>(octet);
+  return all < 0x80;
+}
+
+}  // namespace
+
 ObjectSink::Value ObjectSink::new_string(std::string_view text, std::size_t offset) {
+  if (is_ascii(text)) {
+    Value object = checked(PyUnicode_New(static_cast<Py_ssize_t>(text.size()), 127));
+    std::memcpy(PyUnicode_1BYTE_DATA(object.ptr()), text.data(), text.size());
+    return object;
+  }
   PyObject* object = PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "strict");
   if (object != nullptr) return nb::steal(object);
   if (PyErr_ExceptionMatches(PyExc_UnicodeDecodeError) == 0) throw nb::python_error();

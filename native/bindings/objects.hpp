@@ -5,6 +5,7 @@
 
 #include <array>
 #include <atomic>
+#include <bit>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,6 +32,7 @@ struct ObjectPlan : cdr::Plan {
   PyTypeObject* type = nullptr;     // borrowed: the class keeps the plan
   std::vector<Py_ssize_t> offsets;  // of each field's slot in the object
   std::vector<Slot> slots;
+  bool is_leaf = false;  // numbers and strings alone: none of its own fields can be in a cycle
   mutable MessagePool pool;
   std::atomic<std::size_t> last_size = 64;  // of the last message encoded: the next one is likely of that size
   std::vector<nb::object> nested;  // keeps the plans of nested messages, and their classes, alive
@@ -89,7 +91,16 @@ class ObjectSink {
     outermost_ = nullptr;
     return nb::steal(static_cast<const ObjectPlan&>(plan).pool.make(type));
   }
-  void finish(Value& value) noexcept { MessagePool::finish(value.ptr()); }
+  void finish(Value& message, const cdr::Plan& plan) noexcept {
+    // What holds numbers and strings alone is in no cycle: the collector hears of it when a field is assigned.
+    const auto& known = static_cast<const ObjectPlan&>(plan);
+    if (!known.is_leaf || Py_TYPE(message.ptr()) != known.type) MessagePool::finish(message.ptr());
+  }
+  void finish_list(Value& list) noexcept { MessagePool::finish(list.ptr()); }
+  void reals(Value& message, const cdr::Plan& plan, std::size_t index, std::span<const double> run) {
+    const Py_ssize_t* offset = &static_cast<const ObjectPlan&>(plan).offsets[index];
+    for (const double value : run) slot(message.ptr(), *offset++) = number(value).release().ptr();
+  }
   void set(Value& message, const cdr::Plan& plan, std::size_t index, Value value) noexcept {
     slot(message.ptr(), static_cast<const ObjectPlan&>(plan).offsets[index]) = value.release().ptr();
   }
@@ -106,7 +117,7 @@ class ObjectSink {
   Value number(T value) {
     PyObject* object;
     if constexpr (std::is_floating_point_v<T>) {
-      object = PyFloat_FromDouble(static_cast<double>(value));
+      object = real(static_cast<double>(value));
     } else if constexpr (std::is_signed_v<T>) {
       object = PyLong_FromLongLong(value);
     } else {
@@ -133,6 +144,16 @@ class ObjectSink {
     return nb::steal(object);
   }
   static Value sequence(const ObjectPlan::Slot& slot, std::span<const std::byte> octets, bool swap);
+
+  // Most numbers of most transforms are 0 or 1; these need no object of their own.
+  static PyObject* real(double value) noexcept {
+    static PyObject* const zero = PyFloat_FromDouble(0.0);
+    static PyObject* const one = PyFloat_FromDouble(1.0);
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    if (bits == 0) return Py_NewRef(zero);
+    if (bits == std::bit_cast<std::uint64_t>(1.0)) return Py_NewRef(one);
+    return PyFloat_FromDouble(value);
+  }
 
   static Value new_string(std::string_view text, std::size_t offset);
 

@@ -83,6 +83,13 @@ class Cursor {
     return swap_ ? detail::swap_bytes(value) : value;
   }
 
+  // Whether `count` numbers can still come.
+  template <Number T>
+  [[nodiscard]] bool holds(std::size_t count) const noexcept {
+    const std::size_t start = aligned(sizeof(T));
+    return start <= size_ && count <= (size_ - start) / sizeof(T);
+  }
+
   // Fills `out`. Nothing is read, nor aligned, for no elements.
   template <Number T>
   void read_into(std::span<T> out) {
@@ -127,8 +134,12 @@ class Cursor {
   [[noreturn]] void fail(const std::string& reason) const { throw DecodeError(at_, reason); }
 
  private:
+  [[nodiscard]] std::size_t aligned(std::size_t alignment) const noexcept {
+    return header_size + ((at_ - header_size + alignment - 1) & ~(alignment - 1));
+  }
+
   const std::byte* take(std::size_t alignment, std::size_t count) {
-    const std::size_t start = header_size + ((at_ - header_size + alignment - 1) & ~(alignment - 1));
+    const std::size_t start = aligned(alignment);
     if (start > size_ || count > size_ - start) fail_short(start, count);
     at_ = start + count;
     return begin_ + start;

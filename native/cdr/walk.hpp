@@ -6,10 +6,11 @@
 //   Value boolean(bool)   Value octet(std::uint8_t)   Value number(T)
 //   Value string(std::string_view, std::size_t offset)               may be no UTF-8: throws DecodeError then
 //   Value wide(std::u32string_view)
+//   void reals(Value& message, const Plan&, std::size_t index, span of double)   as many fields, from `index` on
 //   Value numbers<T>(const Plan&, std::size_t index, Cursor&, std::uint32_t length)
 //                                                                    a numeric array: takes it off the cursor
 //   Value list(std::uint32_t length)   void set_item(Value& list, std::uint32_t index, Value)
-//   void finish(Value&)                                              all of a message's fields, a list's items are set
+//   void finish(Value& message, const Plan&)   void finish_list(Value&)   all fields, all items are set
 //
 // A source has a type `Value`, which lives until the next call that may run foreign code (`number`, `open_list`), a
 // type `Held`, which keeps what is in it alive, and
@@ -23,9 +24,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -71,6 +74,10 @@ class Reader {
   Value message(const Plan& plan) {
     Value message = sink_.message(plan);
     for (std::size_t i = 0; i < plan.fields.size(); ++i) {
+      if (const std::size_t run = plan.fields[i].reals; run > 1 && reals(message, plan, i)) {
+        i += run - 1;
+        continue;
+      }
       try {
         sink_.set(message, plan, i, value(plan, i));
       } catch (PathError& error) {
@@ -79,11 +86,21 @@ class Reader {
       }
     }
     if (plan.is_empty()) in_.read<std::uint8_t>();
-    sink_.finish(message);
+    sink_.finish(message, plan);
     return message;
   }
 
  private:
+  // Reads float64 fields that follow each other in one go; false, and nothing read, where the bytes end too soon.
+  bool reals(Value& message, const Plan& plan, std::size_t index) {
+    std::array<double, Plan::longest_run> numbers;
+    const std::span<double> run(numbers.data(), plan.fields[index].reals);
+    if (!in_.holds<double>(run.size())) return false;
+    in_.read_into(run);
+    sink_.reals(message, plan, index, run);
+    return true;
+  }
+
   Value value(const Plan& plan, std::size_t index) {
     const Field& field = plan.fields[index];
     if (field.shape == Shape::single) return single(field);
@@ -116,7 +133,7 @@ class Reader {
         throw;
       }
     }
-    sink_.finish(list);
+    sink_.finish_list(list);
     return list;
   }
 

@@ -27,7 +27,11 @@ class TreeSink {
   void set(Value& message, const Plan&, std::size_t index, Value value) {
     std::get<std::vector<Tree>>(message.value)[index] = std::move(value);
   }
-  void finish(Value&) {}
+  void finish(Value&, const Plan&) {}
+  void finish_list(Value&) {}
+  void reals(Value& message, const Plan& plan, std::size_t index, std::span<const double> run) {
+    for (const double value : run) set(message, plan, index++, number(value));
+  }
   Value boolean(bool value) { return {value}; }
   Value octet(std::uint8_t value) { return {std::uint64_t{value}}; }
   template <class T>
