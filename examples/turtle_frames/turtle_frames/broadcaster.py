@@ -6,9 +6,8 @@ import rclpy
 from geometry_msgs.msg import TransformStamped
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
-from turtlesim.msg import Pose
-
 from tf2_ros import TransformBroadcaster
+from turtlesim.msg import Pose
 
 
 class Broadcaster(Node):

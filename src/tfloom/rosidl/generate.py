@@ -107,6 +107,8 @@ class _Module:
         for name, local in self.local_names.items():
             package, kind, base = name.split("/")
             typed.append((f"{self.home}{package}.{kind}", base if local == base else f"{base} as {local}"))
+        if self.kind != "msg":  # said aloud, as the base class has these names for variables
+            typed.append(("typing", "TypeAlias as _TypeAlias"))
         if typed:
             yield "if TYPE_CHECKING:"
             yield from _import_lines(typed, "    ")
@@ -184,7 +186,7 @@ class _Module:
         yield f'    _TYPE_NAME = "{service.name}"'
         yield f'    _TYPE_HASH = "{type_hash(service, self.find)}"'
         for part in ("Request", "Response", "Event"):
-            yield f"    {part} = {base}_{part}"
+            yield f"    {part}: _TypeAlias = {base}_{part}"
 
     def _action(self, action: spec.Action) -> Iterator[str]:
         base = action.name.rpartition("/")[2]
@@ -194,7 +196,7 @@ class _Module:
         yield f'    _TYPE_NAME = "{action.name}"'
         yield f'    _TYPE_HASH = "{type_hash(action, self.find)}"'
         for part in ("Goal", "Result", "Feedback"):
-            yield f"    {part} = {base}_{part}"
+            yield f"    {part}: _TypeAlias = {base}_{part}"
         yield from ("", "    class Impl:", '        """What carries the action."""', "")
         yield f"        SendGoalService = {base}_SendGoal"
         yield f"        GetResultService = {base}_GetResult"

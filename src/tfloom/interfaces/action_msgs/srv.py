@@ -9,6 +9,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.action_msgs.msg import GoalInfo
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
+    from typing import TypeAlias as _TypeAlias
 
 __all__ = ["CancelGoal", "CancelGoal_Event", "CancelGoal_Request", "CancelGoal_Response"]
 
@@ -67,6 +68,6 @@ class CancelGoal(_Service):
 
     _TYPE_NAME = "action_msgs/srv/CancelGoal"
     _TYPE_HASH = "RIHS01_573d8b0a534451d7bc2ac8c5ffde8ac14b8593b7001175d0cd6516dcbeb8689a"
-    Request = CancelGoal_Request
-    Response = CancelGoal_Response
-    Event = CancelGoal_Event
+    Request: _TypeAlias = CancelGoal_Request
+    Response: _TypeAlias = CancelGoal_Response
+    Event: _TypeAlias = CancelGoal_Event

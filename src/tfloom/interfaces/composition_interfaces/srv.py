@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from tfloom.interfaces.rcl_interfaces.msg import Parameter
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
     from tfloom.rosidl.field_types import IntArray, Integers
+    from typing import TypeAlias as _TypeAlias
 
 __all__ = ["ListNodes", "ListNodes_Event", "ListNodes_Request", "ListNodes_Response", "LoadNode", "LoadNode_Event", "LoadNode_Request", "LoadNode_Response", "UnloadNode", "UnloadNode_Event", "UnloadNode_Request", "UnloadNode_Response"]
 
@@ -66,9 +67,9 @@ class ListNodes(_Service):
 
     _TYPE_NAME = "composition_interfaces/srv/ListNodes"
     _TYPE_HASH = "RIHS01_13f30d73a74c844ee4bacf78f3680f08777cad137f10fbd6a648544cc7b59d2a"
-    Request = ListNodes_Request
-    Response = ListNodes_Response
-    Event = ListNodes_Event
+    Request: _TypeAlias = ListNodes_Request
+    Response: _TypeAlias = ListNodes_Response
+    Event: _TypeAlias = ListNodes_Event
 
 
 class LoadNode_Request(_Message):
@@ -130,9 +131,9 @@ class LoadNode(_Service):
 
     _TYPE_NAME = "composition_interfaces/srv/LoadNode"
     _TYPE_HASH = "RIHS01_2e521ef6066fba6d7fc3a3b175d486709f01b4d738d9a59188858546fc8e5acd"
-    Request = LoadNode_Request
-    Response = LoadNode_Response
-    Event = LoadNode_Event
+    Request: _TypeAlias = LoadNode_Request
+    Response: _TypeAlias = LoadNode_Response
+    Event: _TypeAlias = LoadNode_Event
 
 
 class UnloadNode_Request(_Message):
@@ -185,6 +186,6 @@ class UnloadNode(_Service):
 
     _TYPE_NAME = "composition_interfaces/srv/UnloadNode"
     _TYPE_HASH = "RIHS01_dce562f83adc735ddcfe9dfb927b89293d4dd0fe2b8fc91e772fb83e970a43b0"
-    Request = UnloadNode_Request
-    Response = UnloadNode_Response
-    Event = UnloadNode_Event
+    Request: _TypeAlias = UnloadNode_Request
+    Response: _TypeAlias = UnloadNode_Response
+    Event: _TypeAlias = UnloadNode_Event

@@ -9,6 +9,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.diagnostic_msgs.msg import DiagnosticStatus
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
+    from typing import TypeAlias as _TypeAlias
 
 __all__ = ["AddDiagnostics", "AddDiagnostics_Event", "AddDiagnostics_Request", "AddDiagnostics_Response", "SelfTest", "SelfTest_Event", "SelfTest_Request", "SelfTest_Response"]
 
@@ -63,9 +64,9 @@ class AddDiagnostics(_Service):
 
     _TYPE_NAME = "diagnostic_msgs/srv/AddDiagnostics"
     _TYPE_HASH = "RIHS01_6b91084c9f8bffd9b0c1f6883e0e8e491a831f4fc6c6aec77a4efaf3f1ea90b5"
-    Request = AddDiagnostics_Request
-    Response = AddDiagnostics_Response
-    Event = AddDiagnostics_Event
+    Request: _TypeAlias = AddDiagnostics_Request
+    Response: _TypeAlias = AddDiagnostics_Response
+    Event: _TypeAlias = AddDiagnostics_Event
 
 
 class SelfTest_Request(_Message):
@@ -118,6 +119,6 @@ class SelfTest(_Service):
 
     _TYPE_NAME = "diagnostic_msgs/srv/SelfTest"
     _TYPE_HASH = "RIHS01_df1e4e54a814a16ccc77471e9239618d46818e8d0e3b45ad6f8c34c6e2abfef6"
-    Request = SelfTest_Request
-    Response = SelfTest_Response
-    Event = SelfTest_Event
+    Request: _TypeAlias = SelfTest_Request
+    Response: _TypeAlias = SelfTest_Response
+    Event: _TypeAlias = SelfTest_Event

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
     from tfloom.interfaces.unique_identifier_msgs.msg import UUID
     from tfloom.rosidl.field_types import IntArray, Integers
+    from typing import TypeAlias as _TypeAlias
 
 __all__ = ["Fibonacci", "Fibonacci_Feedback", "Fibonacci_FeedbackMessage", "Fibonacci_GetResult", "Fibonacci_GetResult_Event", "Fibonacci_GetResult_Request", "Fibonacci_GetResult_Response", "Fibonacci_Goal", "Fibonacci_Result", "Fibonacci_SendGoal", "Fibonacci_SendGoal_Event", "Fibonacci_SendGoal_Request", "Fibonacci_SendGoal_Response"]
 
@@ -177,9 +178,9 @@ class Fibonacci_SendGoal(_Service):
 
     _TYPE_NAME = "example_interfaces/action/Fibonacci_SendGoal"
     _TYPE_HASH = "RIHS01_d1a57fb2a4afe8c21e34fb10db206f16ce6729b28531141472df92277c55b557"
-    Request = Fibonacci_SendGoal_Request
-    Response = Fibonacci_SendGoal_Response
-    Event = Fibonacci_SendGoal_Event
+    Request: _TypeAlias = Fibonacci_SendGoal_Request
+    Response: _TypeAlias = Fibonacci_SendGoal_Response
+    Event: _TypeAlias = Fibonacci_SendGoal_Event
 
 
 class Fibonacci_GetResult(_Service):
@@ -187,9 +188,9 @@ class Fibonacci_GetResult(_Service):
 
     _TYPE_NAME = "example_interfaces/action/Fibonacci_GetResult"
     _TYPE_HASH = "RIHS01_1b0de0d5d29dc955d92f546706568428632771db13ec84c15ec1c1a59f424a57"
-    Request = Fibonacci_GetResult_Request
-    Response = Fibonacci_GetResult_Response
-    Event = Fibonacci_GetResult_Event
+    Request: _TypeAlias = Fibonacci_GetResult_Request
+    Response: _TypeAlias = Fibonacci_GetResult_Response
+    Event: _TypeAlias = Fibonacci_GetResult_Event
 
 
 class Fibonacci(_Action):
@@ -197,9 +198,9 @@ class Fibonacci(_Action):
 
     _TYPE_NAME = "example_interfaces/action/Fibonacci"
     _TYPE_HASH = "RIHS01_9508051da1ea4658de144b09bd0690ff3de52104683d847aed764d2915906f51"
-    Goal = Fibonacci_Goal
-    Result = Fibonacci_Result
-    Feedback = Fibonacci_Feedback
+    Goal: _TypeAlias = Fibonacci_Goal
+    Result: _TypeAlias = Fibonacci_Result
+    Feedback: _TypeAlias = Fibonacci_Feedback
 
     class Impl:
         """What carries the action."""

@@ -8,6 +8,7 @@ from tfloom.rosidl.service import Service as _Service
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
+    from typing import TypeAlias as _TypeAlias
 
 __all__ = ["AddTwoInts", "AddTwoInts_Event", "AddTwoInts_Request", "AddTwoInts_Response", "SetBool", "SetBool_Event", "SetBool_Request", "SetBool_Response", "Trigger", "Trigger_Event", "Trigger_Request", "Trigger_Response"]
 
@@ -62,9 +63,9 @@ class AddTwoInts(_Service):
 
     _TYPE_NAME = "example_interfaces/srv/AddTwoInts"
     _TYPE_HASH = "RIHS01_e118de6bf5eeb66a2491b5bda11202e7b68f198d6f67922cf30364858239c81a"
-    Request = AddTwoInts_Request
-    Response = AddTwoInts_Response
-    Event = AddTwoInts_Event
+    Request: _TypeAlias = AddTwoInts_Request
+    Response: _TypeAlias = AddTwoInts_Response
+    Event: _TypeAlias = AddTwoInts_Event
 
 
 class SetBool_Request(_Message):
@@ -117,9 +118,9 @@ class SetBool(_Service):
 
     _TYPE_NAME = "example_interfaces/srv/SetBool"
     _TYPE_HASH = "RIHS01_a69782e5631b12e15c8e218410de1685bbf13e382718295adad14037a24afbe8"
-    Request = SetBool_Request
-    Response = SetBool_Response
-    Event = SetBool_Event
+    Request: _TypeAlias = SetBool_Request
+    Response: _TypeAlias = SetBool_Response
+    Event: _TypeAlias = SetBool_Event
 
 
 class Trigger_Request(_Message):
@@ -171,6 +172,6 @@ class Trigger(_Service):
 
     _TYPE_NAME = "example_interfaces/srv/Trigger"
     _TYPE_HASH = "RIHS01_cfeeee47f8105dd7685e4c92d46d4074669cb1c477402be1dea37486542a69e0"
-    Request = Trigger_Request
-    Response = Trigger_Response
-    Event = Trigger_Event
+    Request: _TypeAlias = Trigger_Request
+    Response: _TypeAlias = Trigger_Response
+    Event: _TypeAlias = Trigger_Event

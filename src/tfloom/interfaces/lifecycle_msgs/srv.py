@@ -9,6 +9,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.lifecycle_msgs.msg import State, Transition, TransitionDescription
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
+    from typing import TypeAlias as _TypeAlias
 
 __all__ = ["ChangeState", "ChangeState_Event", "ChangeState_Request", "ChangeState_Response", "GetAvailableStates", "GetAvailableStates_Event", "GetAvailableStates_Request", "GetAvailableStates_Response", "GetAvailableTransitions", "GetAvailableTransitions_Event", "GetAvailableTransitions_Request", "GetAvailableTransitions_Response", "GetState", "GetState_Event", "GetState_Request", "GetState_Response"]
 
@@ -62,9 +63,9 @@ class ChangeState(_Service):
 
     _TYPE_NAME = "lifecycle_msgs/srv/ChangeState"
     _TYPE_HASH = "RIHS01_356fe34f0475a43acf54542013af4167b0e729f77ea22ffb045c6ad8e20668e5"
-    Request = ChangeState_Request
-    Response = ChangeState_Response
-    Event = ChangeState_Event
+    Request: _TypeAlias = ChangeState_Request
+    Response: _TypeAlias = ChangeState_Response
+    Event: _TypeAlias = ChangeState_Event
 
 
 class GetAvailableStates_Request(_Message):
@@ -115,9 +116,9 @@ class GetAvailableStates(_Service):
 
     _TYPE_NAME = "lifecycle_msgs/srv/GetAvailableStates"
     _TYPE_HASH = "RIHS01_00a07d79d2207d71e81a8cbc1880e5d924cc16d4688ea8e8e06e443dc8f8aa1d"
-    Request = GetAvailableStates_Request
-    Response = GetAvailableStates_Response
-    Event = GetAvailableStates_Event
+    Request: _TypeAlias = GetAvailableStates_Request
+    Response: _TypeAlias = GetAvailableStates_Response
+    Event: _TypeAlias = GetAvailableStates_Event
 
 
 class GetAvailableTransitions_Request(_Message):
@@ -168,9 +169,9 @@ class GetAvailableTransitions(_Service):
 
     _TYPE_NAME = "lifecycle_msgs/srv/GetAvailableTransitions"
     _TYPE_HASH = "RIHS01_59b7ecefce0982a8a844b9f2c4f14764c1c4543cc55e72924e2aa4adad83e9bc"
-    Request = GetAvailableTransitions_Request
-    Response = GetAvailableTransitions_Response
-    Event = GetAvailableTransitions_Event
+    Request: _TypeAlias = GetAvailableTransitions_Request
+    Response: _TypeAlias = GetAvailableTransitions_Response
+    Event: _TypeAlias = GetAvailableTransitions_Event
 
 
 class GetState_Request(_Message):
@@ -221,6 +222,6 @@ class GetState(_Service):
 
     _TYPE_NAME = "lifecycle_msgs/srv/GetState"
     _TYPE_HASH = "RIHS01_800a0a5aae599782b02932de0caf563f6dc4e7e94b794eadde075ba2cbef9795"
-    Request = GetState_Request
-    Response = GetState_Response
-    Event = GetState_Event
+    Request: _TypeAlias = GetState_Request
+    Response: _TypeAlias = GetState_Response
+    Event: _TypeAlias = GetState_Event

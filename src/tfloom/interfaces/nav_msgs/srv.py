@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from tfloom.interfaces.geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
     from tfloom.interfaces.nav_msgs.msg import OccupancyGrid, Path
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
+    from typing import TypeAlias as _TypeAlias
 
 __all__ = ["GetMap", "GetMap_Event", "GetMap_Request", "GetMap_Response", "GetPlan", "GetPlan_Event", "GetPlan_Request", "GetPlan_Response", "LoadMap", "LoadMap_Event", "LoadMap_Request", "LoadMap_Response", "SetMap", "SetMap_Event", "SetMap_Request", "SetMap_Response"]
 
@@ -62,9 +63,9 @@ class GetMap(_Service):
 
     _TYPE_NAME = "nav_msgs/srv/GetMap"
     _TYPE_HASH = "RIHS01_c8ae77c9995b3554b5ba80e4d4d443f970ac65143102a1d893ec24fc07b31147"
-    Request = GetMap_Request
-    Response = GetMap_Response
-    Event = GetMap_Event
+    Request: _TypeAlias = GetMap_Request
+    Response: _TypeAlias = GetMap_Response
+    Event: _TypeAlias = GetMap_Event
 
 
 class GetPlan_Request(_Message):
@@ -118,9 +119,9 @@ class GetPlan(_Service):
 
     _TYPE_NAME = "nav_msgs/srv/GetPlan"
     _TYPE_HASH = "RIHS01_234f7aff100f5edb8150366601687b027bcdc253db47decb88fff846193fe5e8"
-    Request = GetPlan_Request
-    Response = GetPlan_Response
-    Event = GetPlan_Event
+    Request: _TypeAlias = GetPlan_Request
+    Response: _TypeAlias = GetPlan_Response
+    Event: _TypeAlias = GetPlan_Event
 
 
 class LoadMap_Request(_Message):
@@ -178,9 +179,9 @@ class LoadMap(_Service):
 
     _TYPE_NAME = "nav_msgs/srv/LoadMap"
     _TYPE_HASH = "RIHS01_1a192ac56c40fed2767dac26f0b371785372276bd465c902676d2dca135aae5a"
-    Request = LoadMap_Request
-    Response = LoadMap_Response
-    Event = LoadMap_Event
+    Request: _TypeAlias = LoadMap_Request
+    Response: _TypeAlias = LoadMap_Response
+    Event: _TypeAlias = LoadMap_Event
 
 
 class SetMap_Request(_Message):
@@ -233,6 +234,6 @@ class SetMap(_Service):
 
     _TYPE_NAME = "nav_msgs/srv/SetMap"
     _TYPE_HASH = "RIHS01_5e11a5b2ca53d8ae85b666a019f16c9904ebc787828f1f566c4e048a1ddedfb4"
-    Request = SetMap_Request
-    Response = SetMap_Response
-    Event = SetMap_Event
+    Request: _TypeAlias = SetMap_Request
+    Response: _TypeAlias = SetMap_Response
+    Event: _TypeAlias = SetMap_Event

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     )
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
     from tfloom.rosidl.field_types import IntArray, Integers
+    from typing import TypeAlias as _TypeAlias
 
 __all__ = ["DescribeParameters", "DescribeParameters_Event", "DescribeParameters_Request", "DescribeParameters_Response", "GetLoggerLevels", "GetLoggerLevels_Event", "GetLoggerLevels_Request", "GetLoggerLevels_Response", "GetParameterTypes", "GetParameterTypes_Event", "GetParameterTypes_Request", "GetParameterTypes_Response", "GetParameters", "GetParameters_Event", "GetParameters_Request", "GetParameters_Response", "ListParameters", "ListParameters_Event", "ListParameters_Request", "ListParameters_Response", "SetLoggerLevels", "SetLoggerLevels_Event", "SetLoggerLevels_Request", "SetLoggerLevels_Response", "SetParameters", "SetParametersAtomically", "SetParametersAtomically_Event", "SetParametersAtomically_Request", "SetParametersAtomically_Response", "SetParameters_Event", "SetParameters_Request", "SetParameters_Response"]
 
@@ -71,9 +72,9 @@ class DescribeParameters(_Service):
 
     _TYPE_NAME = "rcl_interfaces/srv/DescribeParameters"
     _TYPE_HASH = "RIHS01_845b484d71eb0673dae682f2e3ba3c4851a65a3dcfb97bddd82c5b57e91e4cff"
-    Request = DescribeParameters_Request
-    Response = DescribeParameters_Response
-    Event = DescribeParameters_Event
+    Request: _TypeAlias = DescribeParameters_Request
+    Response: _TypeAlias = DescribeParameters_Response
+    Event: _TypeAlias = DescribeParameters_Event
 
 
 class GetLoggerLevels_Request(_Message):
@@ -125,9 +126,9 @@ class GetLoggerLevels(_Service):
 
     _TYPE_NAME = "rcl_interfaces/srv/GetLoggerLevels"
     _TYPE_HASH = "RIHS01_03bf1bebd0d6514c7ed0ba7c5e08dc9f2f39c759fe99e1e30ea4157d7674f72d"
-    Request = GetLoggerLevels_Request
-    Response = GetLoggerLevels_Response
-    Event = GetLoggerLevels_Event
+    Request: _TypeAlias = GetLoggerLevels_Request
+    Response: _TypeAlias = GetLoggerLevels_Response
+    Event: _TypeAlias = GetLoggerLevels_Event
 
 
 class GetParameterTypes_Request(_Message):
@@ -182,9 +183,9 @@ class GetParameterTypes(_Service):
 
     _TYPE_NAME = "rcl_interfaces/srv/GetParameterTypes"
     _TYPE_HASH = "RIHS01_da199c878688b3e530bdfe3ca8f74cb9fa0c303101e980a9e8f260e25e1c80ca"
-    Request = GetParameterTypes_Request
-    Response = GetParameterTypes_Response
-    Event = GetParameterTypes_Event
+    Request: _TypeAlias = GetParameterTypes_Request
+    Response: _TypeAlias = GetParameterTypes_Response
+    Event: _TypeAlias = GetParameterTypes_Event
 
 
 class GetParameters_Request(_Message):
@@ -236,9 +237,9 @@ class GetParameters(_Service):
 
     _TYPE_NAME = "rcl_interfaces/srv/GetParameters"
     _TYPE_HASH = "RIHS01_bf9803d5c74cf989a5de3e0c2e99444599a627c7ff75f97b8c05b01003675cbc"
-    Request = GetParameters_Request
-    Response = GetParameters_Response
-    Event = GetParameters_Event
+    Request: _TypeAlias = GetParameters_Request
+    Response: _TypeAlias = GetParameters_Response
+    Event: _TypeAlias = GetParameters_Event
 
 
 class ListParameters_Request(_Message):
@@ -292,9 +293,9 @@ class ListParameters(_Service):
 
     _TYPE_NAME = "rcl_interfaces/srv/ListParameters"
     _TYPE_HASH = "RIHS01_3e6062bfbb27bfb8730d4cef2558221f51a11646d78e7bb30a1e83afac3aad9d"
-    Request = ListParameters_Request
-    Response = ListParameters_Response
-    Event = ListParameters_Event
+    Request: _TypeAlias = ListParameters_Request
+    Response: _TypeAlias = ListParameters_Response
+    Event: _TypeAlias = ListParameters_Event
 
 
 class SetLoggerLevels_Request(_Message):
@@ -346,9 +347,9 @@ class SetLoggerLevels(_Service):
 
     _TYPE_NAME = "rcl_interfaces/srv/SetLoggerLevels"
     _TYPE_HASH = "RIHS01_3ff86cb4e91fbf9abae15c234ecc874448de6ece8e193401c077cf116e4f6d78"
-    Request = SetLoggerLevels_Request
-    Response = SetLoggerLevels_Response
-    Event = SetLoggerLevels_Event
+    Request: _TypeAlias = SetLoggerLevels_Request
+    Response: _TypeAlias = SetLoggerLevels_Response
+    Event: _TypeAlias = SetLoggerLevels_Event
 
 
 class SetParameters_Request(_Message):
@@ -400,9 +401,9 @@ class SetParameters(_Service):
 
     _TYPE_NAME = "rcl_interfaces/srv/SetParameters"
     _TYPE_HASH = "RIHS01_56eed9a67e169f9cb6c1f987bc88f868c14a8fc9f743a263bc734c154015d7e0"
-    Request = SetParameters_Request
-    Response = SetParameters_Response
-    Event = SetParameters_Event
+    Request: _TypeAlias = SetParameters_Request
+    Response: _TypeAlias = SetParameters_Response
+    Event: _TypeAlias = SetParameters_Event
 
 
 class SetParametersAtomically_Request(_Message):
@@ -454,6 +455,6 @@ class SetParametersAtomically(_Service):
 
     _TYPE_NAME = "rcl_interfaces/srv/SetParametersAtomically"
     _TYPE_HASH = "RIHS01_0e192ef259c07fc3c07a13191d27002222e65e00ccec653ca05e856f79285fcd"
-    Request = SetParametersAtomically_Request
-    Response = SetParametersAtomically_Response
-    Event = SetParametersAtomically_Event
+    Request: _TypeAlias = SetParametersAtomically_Request
+    Response: _TypeAlias = SetParametersAtomically_Response
+    Event: _TypeAlias = SetParametersAtomically_Event

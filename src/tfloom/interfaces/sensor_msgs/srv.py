@@ -9,6 +9,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.sensor_msgs.msg import CameraInfo
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
+    from typing import TypeAlias as _TypeAlias
 
 __all__ = ["SetCameraInfo", "SetCameraInfo_Event", "SetCameraInfo_Request", "SetCameraInfo_Response"]
 
@@ -63,6 +64,6 @@ class SetCameraInfo(_Service):
 
     _TYPE_NAME = "sensor_msgs/srv/SetCameraInfo"
     _TYPE_HASH = "RIHS01_a10cca5d33dc637c8d49db50ab288701a3592bb9cd854f2f16a0659613b68984"
-    Request = SetCameraInfo_Request
-    Response = SetCameraInfo_Response
-    Event = SetCameraInfo_Event
+    Request: _TypeAlias = SetCameraInfo_Request
+    Response: _TypeAlias = SetCameraInfo_Response
+    Event: _TypeAlias = SetCameraInfo_Event

@@ -8,6 +8,7 @@ from tfloom.rosidl.service import Service as _Service
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
+    from typing import TypeAlias as _TypeAlias
 
 __all__ = ["Empty", "Empty_Event", "Empty_Request", "Empty_Response", "SetBool", "SetBool_Event", "SetBool_Request", "SetBool_Response", "Trigger", "Trigger_Event", "Trigger_Request", "Trigger_Response"]
 
@@ -59,9 +60,9 @@ class Empty(_Service):
 
     _TYPE_NAME = "std_srvs/srv/Empty"
     _TYPE_HASH = "RIHS01_5888399dedec5ccc85ea6451949fd2c9f97bfdf963f9a588821639fcd31b5d19"
-    Request = Empty_Request
-    Response = Empty_Response
-    Event = Empty_Event
+    Request: _TypeAlias = Empty_Request
+    Response: _TypeAlias = Empty_Response
+    Event: _TypeAlias = Empty_Event
 
 
 class SetBool_Request(_Message):
@@ -114,9 +115,9 @@ class SetBool(_Service):
 
     _TYPE_NAME = "std_srvs/srv/SetBool"
     _TYPE_HASH = "RIHS01_abe9e4bb6b41b40e6789712c00ec8871923e089af3f667a79992a428cff2da0a"
-    Request = SetBool_Request
-    Response = SetBool_Response
-    Event = SetBool_Event
+    Request: _TypeAlias = SetBool_Request
+    Response: _TypeAlias = SetBool_Response
+    Event: _TypeAlias = SetBool_Event
 
 
 class Trigger_Request(_Message):
@@ -168,6 +169,6 @@ class Trigger(_Service):
 
     _TYPE_NAME = "std_srvs/srv/Trigger"
     _TYPE_HASH = "RIHS01_eeff2cd6fa5ad9d27cdf4dec64818317839b62f212a91e6b5304b634b2062c5f"
-    Request = Trigger_Request
-    Response = Trigger_Response
-    Event = Trigger_Event
+    Request: _TypeAlias = Trigger_Request
+    Response: _TypeAlias = Trigger_Response
+    Event: _TypeAlias = Trigger_Event

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
     from tfloom.interfaces.tf2_msgs.msg import TF2Error
     from tfloom.interfaces.unique_identifier_msgs.msg import UUID
+    from typing import TypeAlias as _TypeAlias
 
 __all__ = ["LookupTransform", "LookupTransform_Feedback", "LookupTransform_FeedbackMessage", "LookupTransform_GetResult", "LookupTransform_GetResult_Event", "LookupTransform_GetResult_Request", "LookupTransform_GetResult_Response", "LookupTransform_Goal", "LookupTransform_Result", "LookupTransform_SendGoal", "LookupTransform_SendGoal_Event", "LookupTransform_SendGoal_Request", "LookupTransform_SendGoal_Response"]
 
@@ -178,9 +179,9 @@ class LookupTransform_SendGoal(_Service):
 
     _TYPE_NAME = "tf2_msgs/action/LookupTransform_SendGoal"
     _TYPE_HASH = "RIHS01_4646ff5706c86b04d0a1098d329951a9731a7517e16702905de6073cc72c8530"
-    Request = LookupTransform_SendGoal_Request
-    Response = LookupTransform_SendGoal_Response
-    Event = LookupTransform_SendGoal_Event
+    Request: _TypeAlias = LookupTransform_SendGoal_Request
+    Response: _TypeAlias = LookupTransform_SendGoal_Response
+    Event: _TypeAlias = LookupTransform_SendGoal_Event
 
 
 class LookupTransform_GetResult(_Service):
@@ -188,9 +189,9 @@ class LookupTransform_GetResult(_Service):
 
     _TYPE_NAME = "tf2_msgs/action/LookupTransform_GetResult"
     _TYPE_HASH = "RIHS01_3cd1715751899e3167b5aec3e4ac194f7da9e8493a77285f9f6a4c914f5e8b24"
-    Request = LookupTransform_GetResult_Request
-    Response = LookupTransform_GetResult_Response
-    Event = LookupTransform_GetResult_Event
+    Request: _TypeAlias = LookupTransform_GetResult_Request
+    Response: _TypeAlias = LookupTransform_GetResult_Response
+    Event: _TypeAlias = LookupTransform_GetResult_Event
 
 
 class LookupTransform(_Action):
@@ -198,9 +199,9 @@ class LookupTransform(_Action):
 
     _TYPE_NAME = "tf2_msgs/action/LookupTransform"
     _TYPE_HASH = "RIHS01_0b8adf6bc0b5958879e3265b41a457e03558fe523890a81252c70eba97a82c5d"
-    Goal = LookupTransform_Goal
-    Result = LookupTransform_Result
-    Feedback = LookupTransform_Feedback
+    Goal: _TypeAlias = LookupTransform_Goal
+    Result: _TypeAlias = LookupTransform_Result
+    Feedback: _TypeAlias = LookupTransform_Feedback
 
     class Impl:
         """What carries the action."""

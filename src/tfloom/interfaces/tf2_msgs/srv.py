@@ -8,6 +8,7 @@ from tfloom.rosidl.service import Service as _Service
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
+    from typing import TypeAlias as _TypeAlias
 
 __all__ = ["FrameGraph", "FrameGraph_Event", "FrameGraph_Request", "FrameGraph_Response"]
 
@@ -60,6 +61,6 @@ class FrameGraph(_Service):
 
     _TYPE_NAME = "tf2_msgs/srv/FrameGraph"
     _TYPE_HASH = "RIHS01_0d1fbc6222c018ba5f33822904a2fdd4063705289956d3fdde07cd8c50fe8067"
-    Request = FrameGraph_Request
-    Response = FrameGraph_Response
-    Event = FrameGraph_Event
+    Request: _TypeAlias = FrameGraph_Request
+    Response: _TypeAlias = FrameGraph_Response
+    Event: _TypeAlias = FrameGraph_Event

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces.msg import Time
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
     from tfloom.interfaces.unique_identifier_msgs.msg import UUID
+    from typing import TypeAlias as _TypeAlias
 
 __all__ = ["RotateAbsolute", "RotateAbsolute_Feedback", "RotateAbsolute_FeedbackMessage", "RotateAbsolute_GetResult", "RotateAbsolute_GetResult_Event", "RotateAbsolute_GetResult_Request", "RotateAbsolute_GetResult_Response", "RotateAbsolute_Goal", "RotateAbsolute_Result", "RotateAbsolute_SendGoal", "RotateAbsolute_SendGoal_Event", "RotateAbsolute_SendGoal_Request", "RotateAbsolute_SendGoal_Response"]
 
@@ -173,9 +174,9 @@ class RotateAbsolute_SendGoal(_Service):
 
     _TYPE_NAME = "turtlesim/action/RotateAbsolute_SendGoal"
     _TYPE_HASH = "RIHS01_0b9b876a15971456fbad2c7f0665c9879a41bb3fcba31a9015180a830f0ca84f"
-    Request = RotateAbsolute_SendGoal_Request
-    Response = RotateAbsolute_SendGoal_Response
-    Event = RotateAbsolute_SendGoal_Event
+    Request: _TypeAlias = RotateAbsolute_SendGoal_Request
+    Response: _TypeAlias = RotateAbsolute_SendGoal_Response
+    Event: _TypeAlias = RotateAbsolute_SendGoal_Event
 
 
 class RotateAbsolute_GetResult(_Service):
@@ -183,9 +184,9 @@ class RotateAbsolute_GetResult(_Service):
 
     _TYPE_NAME = "turtlesim/action/RotateAbsolute_GetResult"
     _TYPE_HASH = "RIHS01_684206c4ffebeeab6f2134b42024d89cee3f496ad695eef4789ff0dc020c9f84"
-    Request = RotateAbsolute_GetResult_Request
-    Response = RotateAbsolute_GetResult_Response
-    Event = RotateAbsolute_GetResult_Event
+    Request: _TypeAlias = RotateAbsolute_GetResult_Request
+    Response: _TypeAlias = RotateAbsolute_GetResult_Response
+    Event: _TypeAlias = RotateAbsolute_GetResult_Event
 
 
 class RotateAbsolute(_Action):
@@ -193,9 +194,9 @@ class RotateAbsolute(_Action):
 
     _TYPE_NAME = "turtlesim/action/RotateAbsolute"
     _TYPE_HASH = "RIHS01_08ba6dd83d976f1cb548edd1f75f16cf30cca624ce1410b6ce77f44b8a3c2895"
-    Goal = RotateAbsolute_Goal
-    Result = RotateAbsolute_Result
-    Feedback = RotateAbsolute_Feedback
+    Goal: _TypeAlias = RotateAbsolute_Goal
+    Result: _TypeAlias = RotateAbsolute_Result
+    Feedback: _TypeAlias = RotateAbsolute_Feedback
 
     class Impl:
         """What carries the action."""

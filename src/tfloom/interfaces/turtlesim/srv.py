@@ -8,6 +8,7 @@ from tfloom.rosidl.service import Service as _Service
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
+    from typing import TypeAlias as _TypeAlias
 
 __all__ = ["Kill", "Kill_Event", "Kill_Request", "Kill_Response", "SetPen", "SetPen_Event", "SetPen_Request", "SetPen_Response", "Spawn", "Spawn_Event", "Spawn_Request", "Spawn_Response", "TeleportAbsolute", "TeleportAbsolute_Event", "TeleportAbsolute_Request", "TeleportAbsolute_Response", "TeleportRelative", "TeleportRelative_Event", "TeleportRelative_Request", "TeleportRelative_Response"]
 
@@ -60,9 +61,9 @@ class Kill(_Service):
 
     _TYPE_NAME = "turtlesim/srv/Kill"
     _TYPE_HASH = "RIHS01_81c7c9131a0802f384e515fbd04867f8da57abaa83ee3a0ec76e39091e54bbc3"
-    Request = Kill_Request
-    Response = Kill_Response
-    Event = Kill_Event
+    Request: _TypeAlias = Kill_Request
+    Response: _TypeAlias = Kill_Response
+    Event: _TypeAlias = Kill_Event
 
 
 class SetPen_Request(_Message):
@@ -117,9 +118,9 @@ class SetPen(_Service):
 
     _TYPE_NAME = "turtlesim/srv/SetPen"
     _TYPE_HASH = "RIHS01_45ca246c7258172a89a58856037d6b4489eb46a18f1d8ee1988c018ef46fcfce"
-    Request = SetPen_Request
-    Response = SetPen_Response
-    Event = SetPen_Event
+    Request: _TypeAlias = SetPen_Request
+    Response: _TypeAlias = SetPen_Response
+    Event: _TypeAlias = SetPen_Event
 
 
 class Spawn_Request(_Message):
@@ -175,9 +176,9 @@ class Spawn(_Service):
 
     _TYPE_NAME = "turtlesim/srv/Spawn"
     _TYPE_HASH = "RIHS01_a71be24836f772debd6187dc8618cc47700d2602c7a3e2228bad67a8f5fd27b4"
-    Request = Spawn_Request
-    Response = Spawn_Response
-    Event = Spawn_Event
+    Request: _TypeAlias = Spawn_Request
+    Response: _TypeAlias = Spawn_Response
+    Event: _TypeAlias = Spawn_Event
 
 
 class TeleportAbsolute_Request(_Message):
@@ -231,9 +232,9 @@ class TeleportAbsolute(_Service):
 
     _TYPE_NAME = "turtlesim/srv/TeleportAbsolute"
     _TYPE_HASH = "RIHS01_139aa0f215e25dc085067f070adb3ef65cf3c92d201f5cb750d51ca9322166b6"
-    Request = TeleportAbsolute_Request
-    Response = TeleportAbsolute_Response
-    Event = TeleportAbsolute_Event
+    Request: _TypeAlias = TeleportAbsolute_Request
+    Response: _TypeAlias = TeleportAbsolute_Response
+    Event: _TypeAlias = TeleportAbsolute_Event
 
 
 class TeleportRelative_Request(_Message):
@@ -287,6 +288,6 @@ class TeleportRelative(_Service):
 
     _TYPE_NAME = "turtlesim/srv/TeleportRelative"
     _TYPE_HASH = "RIHS01_6e9e54cb05e1a789f982bf8c93d27fc899cee099746c4ea8c7cb64e8a90297d6"
-    Request = TeleportRelative_Request
-    Response = TeleportRelative_Response
-    Event = TeleportRelative_Event
+    Request: _TypeAlias = TeleportRelative_Request
+    Response: _TypeAlias = TeleportRelative_Response
+    Event: _TypeAlias = TeleportRelative_Event

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces.msg import Time
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
     from tfloom.interfaces.unique_identifier_msgs.msg import UUID
+    from typing import TypeAlias as _TypeAlias
 
 __all__ = ["RotateAbsolute", "RotateAbsolute_Feedback", "RotateAbsolute_FeedbackMessage", "RotateAbsolute_GetResult", "RotateAbsolute_GetResult_Event", "RotateAbsolute_GetResult_Request", "RotateAbsolute_GetResult_Response", "RotateAbsolute_Goal", "RotateAbsolute_Result", "RotateAbsolute_SendGoal", "RotateAbsolute_SendGoal_Event", "RotateAbsolute_SendGoal_Request", "RotateAbsolute_SendGoal_Response"]
 
@@ -173,9 +174,9 @@ class RotateAbsolute_SendGoal(_Service):
 
     _TYPE_NAME = "turtlesim_msgs/action/RotateAbsolute_SendGoal"
     _TYPE_HASH = "RIHS01_3d5d3cfcbb721f88038eaedcd4af95565360a82b36f1983e3a6c7448d2d18fbe"
-    Request = RotateAbsolute_SendGoal_Request
-    Response = RotateAbsolute_SendGoal_Response
-    Event = RotateAbsolute_SendGoal_Event
+    Request: _TypeAlias = RotateAbsolute_SendGoal_Request
+    Response: _TypeAlias = RotateAbsolute_SendGoal_Response
+    Event: _TypeAlias = RotateAbsolute_SendGoal_Event
 
 
 class RotateAbsolute_GetResult(_Service):
@@ -183,9 +184,9 @@ class RotateAbsolute_GetResult(_Service):
 
     _TYPE_NAME = "turtlesim_msgs/action/RotateAbsolute_GetResult"
     _TYPE_HASH = "RIHS01_f96fd02477be2a47122fca142e960d407b24850c6eac72047872ba764473c4ef"
-    Request = RotateAbsolute_GetResult_Request
-    Response = RotateAbsolute_GetResult_Response
-    Event = RotateAbsolute_GetResult_Event
+    Request: _TypeAlias = RotateAbsolute_GetResult_Request
+    Response: _TypeAlias = RotateAbsolute_GetResult_Response
+    Event: _TypeAlias = RotateAbsolute_GetResult_Event
 
 
 class RotateAbsolute(_Action):
@@ -193,9 +194,9 @@ class RotateAbsolute(_Action):
 
     _TYPE_NAME = "turtlesim_msgs/action/RotateAbsolute"
     _TYPE_HASH = "RIHS01_18617e6b742158766b7a9a14938f06be93e499368904e91955b75e8bcc1b0fcf"
-    Goal = RotateAbsolute_Goal
-    Result = RotateAbsolute_Result
-    Feedback = RotateAbsolute_Feedback
+    Goal: _TypeAlias = RotateAbsolute_Goal
+    Result: _TypeAlias = RotateAbsolute_Result
+    Feedback: _TypeAlias = RotateAbsolute_Feedback
 
     class Impl:
         """What carries the action."""

@@ -8,6 +8,7 @@ from tfloom.rosidl.service import Service as _Service
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
+    from typing import TypeAlias as _TypeAlias
 
 __all__ = ["Kill", "Kill_Event", "Kill_Request", "Kill_Response", "SetPen", "SetPen_Event", "SetPen_Request", "SetPen_Response", "Spawn", "Spawn_Event", "Spawn_Request", "Spawn_Response", "TeleportAbsolute", "TeleportAbsolute_Event", "TeleportAbsolute_Request", "TeleportAbsolute_Response", "TeleportRelative", "TeleportRelative_Event", "TeleportRelative_Request", "TeleportRelative_Response"]
 
@@ -60,9 +61,9 @@ class Kill(_Service):
 
     _TYPE_NAME = "turtlesim_msgs/srv/Kill"
     _TYPE_HASH = "RIHS01_8dd58248926d8137dc17c84b8203ea4fda6ff74b1ef4a407a6a32faaab4e7eb0"
-    Request = Kill_Request
-    Response = Kill_Response
-    Event = Kill_Event
+    Request: _TypeAlias = Kill_Request
+    Response: _TypeAlias = Kill_Response
+    Event: _TypeAlias = Kill_Event
 
 
 class SetPen_Request(_Message):
@@ -117,9 +118,9 @@ class SetPen(_Service):
 
     _TYPE_NAME = "turtlesim_msgs/srv/SetPen"
     _TYPE_HASH = "RIHS01_9d5465611d8822f9ded80bfff0f697bb1046c2e2ca428502c38cb2bfff241325"
-    Request = SetPen_Request
-    Response = SetPen_Response
-    Event = SetPen_Event
+    Request: _TypeAlias = SetPen_Request
+    Response: _TypeAlias = SetPen_Response
+    Event: _TypeAlias = SetPen_Event
 
 
 class Spawn_Request(_Message):
@@ -175,9 +176,9 @@ class Spawn(_Service):
 
     _TYPE_NAME = "turtlesim_msgs/srv/Spawn"
     _TYPE_HASH = "RIHS01_1538b7b668cce0074f0ca9fa992bdeb6979bda1f722fc7ea33ca47b408aa32e9"
-    Request = Spawn_Request
-    Response = Spawn_Response
-    Event = Spawn_Event
+    Request: _TypeAlias = Spawn_Request
+    Response: _TypeAlias = Spawn_Response
+    Event: _TypeAlias = Spawn_Event
 
 
 class TeleportAbsolute_Request(_Message):
@@ -231,9 +232,9 @@ class TeleportAbsolute(_Service):
 
     _TYPE_NAME = "turtlesim_msgs/srv/TeleportAbsolute"
     _TYPE_HASH = "RIHS01_bd9ecb11b762865429dff079c4c296c97b751c4ec968f8d1893292c86d3d1b7c"
-    Request = TeleportAbsolute_Request
-    Response = TeleportAbsolute_Response
-    Event = TeleportAbsolute_Event
+    Request: _TypeAlias = TeleportAbsolute_Request
+    Response: _TypeAlias = TeleportAbsolute_Response
+    Event: _TypeAlias = TeleportAbsolute_Event
 
 
 class TeleportRelative_Request(_Message):
@@ -287,6 +288,6 @@ class TeleportRelative(_Service):
 
     _TYPE_NAME = "turtlesim_msgs/srv/TeleportRelative"
     _TYPE_HASH = "RIHS01_8f51764645d3ceae8555544bd8207c8d714958d98e519a3c950a2f85c4431b43"
-    Request = TeleportRelative_Request
-    Response = TeleportRelative_Response
-    Event = TeleportRelative_Event
+    Request: _TypeAlias = TeleportRelative_Request
+    Response: _TypeAlias = TeleportRelative_Response
+    Event: _TypeAlias = TeleportRelative_Event

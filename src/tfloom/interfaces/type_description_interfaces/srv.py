@@ -9,6 +9,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
     from tfloom.interfaces.type_description_interfaces.msg import KeyValue, TypeDescription, TypeSource
+    from typing import TypeAlias as _TypeAlias
 
 __all__ = ["GetTypeDescription", "GetTypeDescription_Event", "GetTypeDescription_Request", "GetTypeDescription_Response"]
 
@@ -69,6 +70,6 @@ class GetTypeDescription(_Service):
 
     _TYPE_NAME = "type_description_interfaces/srv/GetTypeDescription"
     _TYPE_HASH = "RIHS01_69b9c19c1021405984cc60dbbb1edceb147a6538b411d812ba6afabeed962cd5"
-    Request = GetTypeDescription_Request
-    Response = GetTypeDescription_Response
-    Event = GetTypeDescription_Event
+    Request: _TypeAlias = GetTypeDescription_Request
+    Response: _TypeAlias = GetTypeDescription_Response
+    Event: _TypeAlias = GetTypeDescription_Event

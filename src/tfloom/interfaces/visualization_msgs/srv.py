@@ -9,6 +9,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
     from tfloom.interfaces.visualization_msgs.msg import InteractiveMarker
+    from typing import TypeAlias as _TypeAlias
 
 __all__ = ["GetInteractiveMarkers", "GetInteractiveMarkers_Event", "GetInteractiveMarkers_Request", "GetInteractiveMarkers_Response"]
 
@@ -62,6 +63,6 @@ class GetInteractiveMarkers(_Service):
 
     _TYPE_NAME = "visualization_msgs/srv/GetInteractiveMarkers"
     _TYPE_HASH = "RIHS01_bfdfaa861f4a8422b4ec3bd02c6681e4a45a83bdc2913d8facdf923d8ad1376a"
-    Request = GetInteractiveMarkers_Request
-    Response = GetInteractiveMarkers_Response
-    Event = GetInteractiveMarkers_Event
+    Request: _TypeAlias = GetInteractiveMarkers_Request
+    Response: _TypeAlias = GetInteractiveMarkers_Response
+    Event: _TypeAlias = GetInteractiveMarkers_Event
