@@ -381,6 +381,7 @@ void bind_tf2(nb::module_& m) {
   bind_contents(type);
   bind_listings(type);
   bind_tf2_batch(m, type);
+  bind_tf2_frozen(type);
   bind_tf2_messages(type);
   bind_tf2_wire(m, type);
 }

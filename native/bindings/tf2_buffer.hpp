@@ -17,6 +17,7 @@ struct BufferHandle {
 void bind_tf2_transform(nanobind::module_& m);
 void bind_tf2_batch(nanobind::module_& m, nanobind::class_<BufferHandle>& type);
 void bind_tf2_messages(nanobind::class_<BufferHandle>& type);
+void bind_tf2_frozen(nanobind::class_<BufferHandle>& type);
 void bind_tf2_wire(nanobind::module_& m, nanobind::class_<BufferHandle>& type);
 
 }  // namespace tfloom::bindings

@@ -1,7 +1,7 @@
 #include "cdr/tf_message.hpp"
 
 #include "cdr/cursor.hpp"
-#include "cdr/utf8.hpp"
+#include "core/utf8.hpp"
 #include "tf2/text.hpp"
 
 namespace tfloom::cdr {

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -74,7 +75,7 @@ class Buffer {
   Buffer(const Buffer&) = delete;
   Buffer& operator=(const Buffer&) = delete;
 
-  [[nodiscard]] Stamp cache_time() const { return cache_time_; }
+  [[nodiscard]] Stamp cache_time() const { return cache_time_.load(std::memory_order_relaxed); }
   void set_log_callback(LogCallback callback) { log_.set_callback(std::move(callback)); }
   [[nodiscard]] Log& log() { return log_; }
 
@@ -113,6 +114,12 @@ class Buffer {
   // Forgets a frame: its name, its transforms and those of its children to it. False if it isn't known.
   bool remove_frame(std::string_view name);
   [[nodiscard]] std::size_t memory() const;  // of all histories [octets]
+
+  // All that's stored, as the octets of a frozen buffer; see frozen.hpp.
+  [[nodiscard]] std::vector<std::byte> freeze() const;
+  // Takes what was frozen in place of all that's stored, cache time and all. The samples stay where they are, and
+  // `owner` with them, until the buffer goes. Throws FrozenError, with nothing changed, where it's no frozen buffer.
+  void map(std::span<const std::byte> frozen, std::shared_ptr<const void> owner);
 
   // For people and tools.
   [[nodiscard]] std::vector<std::string> frame_names() const;
@@ -154,8 +161,9 @@ class Buffer {
   void announce();
   [[nodiscard]] Requests::State judge(const Requests::Request& request) const;
 
-  const Stamp cache_time_;
+  std::atomic<Stamp> cache_time_;  // changes in `map` only
   mutable FairMutex frames_mutex_;
+  std::shared_ptr<const void> mapped_;  // before the frames, which may hold views of it
   FrameTable frames_;
   Stamp ignored_from_ = INT64_MAX;  // with frames_mutex_ held, as is the next
   std::chrono::steady_clock::time_point ignored_until_;

@@ -66,6 +66,8 @@ FrameId FrameTable::intern(std::string_view name) {
   return id;
 }
 
+void FrameTable::add_removed() { frames_.push_back(std::make_unique<Frame>()); }
+
 void FrameTable::remove(FrameId id) {
   ids_.erase(frames_[id]->name);
   frames_[id]->forget();

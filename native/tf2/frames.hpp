@@ -47,6 +47,7 @@ class FrameTable {
 
   [[nodiscard]] std::optional<FrameId> find(std::string_view name) const;
   FrameId intern(std::string_view name);
+  void add_removed();  // takes an id as if it had been interned and removed
   // The id is not used again, as stored samples may hold it. The frame is then nameless.
   void remove(FrameId id);
 

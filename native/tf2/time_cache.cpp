@@ -1,49 +1,26 @@
 #include "tf2/time_cache.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 namespace tfloom::tf2 {
-namespace {
-
-template <class T>
-std::vector<T> take_from(std::vector<T>& values, std::size_t index) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(index);
-  std::vector<T> taken;
-  taken.reserve(TimeCache::block_size);
-  taken.assign(middle, values.end());
-  values.erase(middle, values.end());
-  return taken;
-}
-
-template <class T>
-void insert_at(std::vector<T>& values, std::size_t index, const T& value) {
-  values.insert(values.begin() + static_cast<std::ptrdiff_t>(index), value);
-}
-
-template <class T>
-void erase_before(std::vector<T>& values, std::size_t index) {
-  values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(index));
-}
-
-}  // namespace
 
 void TimeCache::Block::insert(std::size_t index, const Sample& sample) {
-  insert_at(stamps, index, sample.stamp);
-  insert_at(parents, index, sample.parent);
-  insert_at(values, index, sample.value);
+  stamps.insert(index, sample.stamp);
+  parents.insert(index, sample.parent);
+  values.insert(index, sample.value);
 }
 
 void TimeCache::Block::drop_pruned() {
-  erase_before(stamps, begin);
-  erase_before(parents, begin);
-  erase_before(values, begin);
+  stamps.erase_before(begin);
+  parents.erase_before(begin);
+  values.erase_before(begin);
   begin = 0;
 }
 
 TimeCache::Block TimeCache::Block::split() {
   const std::size_t middle = stamps.size() / 2;
-  return {take_from(stamps, middle), take_from(parents, middle), take_from(values, middle), 0};
+  return {stamps.take_from(middle, block_size), parents.take_from(middle, block_size),
+          values.take_from(middle, block_size), 0};
 }
 
 bool TimeCache::insert(const Sample& sample) {
@@ -103,6 +80,16 @@ Bracket TimeCache::search(Stamp stamp, Position& hint) const {
   return before(stamp, hint);
 }
 
+void TimeCache::view(std::span<const Stamp> stamps, std::span<const FrameId> parents,
+                     std::span<const Transform> values) {
+  for (std::size_t at = 0; at < stamps.size(); at += block_size) {
+    const std::size_t count = std::min(block_size, stamps.size() - at);
+    blocks_.push_back({Column(stamps.subspan(at, count)), Column(parents.subspan(at, count)),
+                       Column(values.subspan(at, count)), 0});
+  }
+  size_ = stamps.size();
+}
+
 void TimeCache::clear() {
   blocks_.clear();
   size_ = 0;
@@ -123,7 +110,7 @@ TimeCache::Position TimeCache::after(Stamp stamp) const {
   const auto block = std::upper_bound(blocks_.begin(), blocks_.end(), stamp, [](Stamp value, const Block& candidate) {
     return value < candidate.stamps.back();
   });
-  const auto begin = block->stamps.begin() + static_cast<std::ptrdiff_t>(block->begin);
+  const Stamp* const begin = block->stamps.begin() + block->begin;
   const auto index = std::upper_bound(begin, block->stamps.end(), stamp) - block->stamps.begin();
   return {static_cast<std::size_t>(block - blocks_.begin()), static_cast<std::size_t>(index)};
 }

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "tf2/column.hpp"
 #include "tf2/errors.hpp"
 #include "tf2/transform.hpp"
 
@@ -77,6 +79,10 @@ class TimeCache {
     return search(stamp, hint);
   }
 
+  // Takes samples where they lie, which must ascend and outlive the cache; they're copied block by block as inserts
+  // come to them. Only for an empty cache.
+  void view(std::span<const Stamp> stamps, std::span<const FrameId> parents, std::span<const Transform> values);
+
   void clear();
 
   [[nodiscard]] bool empty() const { return size_ == 0; }
@@ -84,7 +90,7 @@ class TimeCache {
   [[nodiscard]] Stamp newest_stamp() const { return empty() ? 0 : blocks_.back().stamps.back(); }
   [[nodiscard]] Stamp oldest_stamp() const { return empty() ? 0 : blocks_.front().first_stamp(); }
   [[nodiscard]] FrameId newest_parent() const { return empty() ? no_parent : blocks_.back().parents.back(); }
-  [[nodiscard]] std::size_t memory() const;  // octets
+  [[nodiscard]] std::size_t memory() const;  // octets, without those viewed
 
   // Calls visit(stamp, parent, transform) for each sample, oldest first.
   template <class Visitor>
@@ -99,9 +105,9 @@ class TimeCache {
  private:
   // A structure of arrays: a search touches stamps only. Full blocks hold 68 octets a sample.
   struct Block {
-    std::vector<Stamp> stamps;
-    std::vector<FrameId> parents;
-    std::vector<Transform> values;
+    Column<Stamp> stamps;
+    Column<FrameId> parents;
+    Column<Transform> values;
     std::size_t begin = 0;  // what is before it has been pruned
 
     [[nodiscard]] Stamp first_stamp() const { return stamps[begin]; }

@@ -517,6 +517,16 @@ class Buffer:
     def memory(self) -> int:
         """What all histories take [octets]."""
 
+    def frozen(self) -> bytes:
+        """Return all that is stored as the bytes of a frozen buffer."""
+
+    def map_frozen(self, data: bytes | memoryview) -> None:
+        """
+        Take what `frozen` returned in place of all that is stored, and the cache time with it.
+
+        `data` is not copied, and must not change. Raises ValueError, with nothing changed, where it's no frozen buffer.
+        """
+
     def set_message(self, transform: object, authority: str, static: bool = False) -> bool:
         """
         Store a `geometry_msgs/msg/TransformStamped` of any class that has its fields; False if it's rejected.

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <string_view>
 
-namespace tfloom::cdr {
+namespace tfloom {
 
 // By the Unicode standard's table 3-7: no overlong forms, no surrogates, nothing beyond U+10FFFF.
 inline bool is_utf8(std::string_view text) {
@@ -37,4 +37,4 @@ inline bool is_utf8(std::string_view text) {
   return true;
 }
 
-}  // namespace tfloom::cdr
+}  // namespace tfloom

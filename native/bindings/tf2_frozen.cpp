@@ -1,0 +1,52 @@
+// A buffer frozen to octets, and mapped back.
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "bindings/gil.hpp"
+#include "bindings/tf2_buffer.hpp"
+#include "tf2/frozen.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace tfloom::bindings {
+namespace {
+
+using Octets = nb::ndarray<const std::uint8_t, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+
+nb::bytes freeze(const BufferHandle& self) {
+  std::vector<std::byte> octets;
+  {
+    const ReleasedGil release;
+    octets = self.buffer->freeze();
+  }
+  return nb::bytes(octets.data(), octets.size());
+}
+
+void map_frozen(BufferHandle& self, const Octets& data) {
+  const auto owner = std::make_shared<Octets>(data);  // nanobind takes the GIL to let go of it
+  const std::span octets(reinterpret_cast<const std::byte*>(owner->data()), owner->size());
+  const ReleasedGil release;
+  try {
+    self.buffer->map(octets, owner);
+  } catch (const tf2::FrozenError& error) {
+    throw std::invalid_argument(error.what());
+  }
+}
+
+}  // namespace
+
+void bind_tf2_frozen(nb::class_<BufferHandle>& type) {
+  type.def("frozen", &freeze, "Return all that is stored as the bytes of a frozen buffer.")
+      .def("map_frozen", &map_frozen, "data"_a,
+           nb::sig("def map_frozen(self, data: bytes | memoryview) -> None"),
+           "Take what `frozen` returned in place of all that is stored, and the cache time with it.\n\n"
+           "`data` is not copied, and must not change. Raises ValueError, with nothing changed, where it's no frozen "
+           "buffer.");
+}
+
+}  // namespace tfloom::bindings

@@ -1,0 +1,71 @@
+"""A buffer in a file: frozen at one time, and mapped back."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+from tfloom.tf2.arrays import Arrays
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+__all__ = ["Files"]
+
+
+class Files(Arrays):
+    """The part of a buffer that goes to files and comes from them."""
+
+    def freeze(self, path: str | os.PathLike[str]) -> None:
+        """Write all that is stored to a file, which `map` takes back.
+
+        The file is there whole or not at all: one that was there is replaced, and who has mapped it keeps what it
+        was. Inserts wait while the samples are copied to memory, not while they are written.
+
+        Args:
+            path: Where to; its folder must exist.
+
+        Raises:
+            OSError: it can't be written there.
+        """
+        from pathlib import Path
+
+        partial = Path(f"{os.fspath(path)}.{os.getpid()}.{os.urandom(4).hex()}")
+        data = self.frozen()
+        try:
+            with partial.open("xb") as file:
+                file.write(data)
+                file.flush()
+                os.fsync(file.fileno())
+            partial.replace(path)
+        except BaseException:
+            partial.unlink(missing_ok=True)
+            raise
+
+    @classmethod
+    def map(cls, path: str | os.PathLike[str]) -> Self:
+        """Return a buffer with all that was frozen to a file, which answers as the one that was frozen did.
+
+        The file is mapped for reading: samples stay in it until they are read, and processes that map the same file
+        share them. It is never written to: what is inserted lives in memory. Overwriting or truncating it in place
+        meanwhile is not allowed; `freeze` to the same path is.
+
+        Args:
+            path: What `freeze` wrote.
+
+        Raises:
+            OSError: the file can't be read.
+            ValueError: it is no frozen buffer, or not whole; the text says what is wrong, and at which byte.
+        """
+        from mmap import ACCESS_READ, mmap
+        from pathlib import Path
+
+        with Path(path).open("rb") as file:
+            is_empty = os.fstat(file.fileno()).st_size == 0  # which mmap refuses
+            data = memoryview(b"" if is_empty else mmap(file.fileno(), 0, access=ACCESS_READ))
+        buffer = cls()
+        try:
+            buffer.map_frozen(data)
+        except ValueError as error:
+            raise ValueError(f"{os.fspath(path)}: {error}") from None
+        return buffer
