@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import signal
+import subprocess
 import sys
 from collections.abc import Callable
 
@@ -158,3 +159,16 @@ print("used", time.process_time() - begin)
     program = start_program("python", "-c", code)
     assert program.wait(20) == 0
     assert float(program.lines[-1].split()[1]) < 0.02
+
+
+def test_a_second_ctrl_c_leaves_the_end_alone(start_program: StartProgram) -> None:
+    slow_end = PROGRAM + (
+        "rclpy.get_default_context().on_shutdown(lambda: (say('ending'), sys.stdin.readline(), say('ended')))\n"
+    )
+    program = start_program("python", "-c", slow_end, stdin=subprocess.PIPE)
+    program.wait_for("ending")
+    program.signal(signal.SIGINT)
+    program.process.stdin.write("\n")
+    program.process.stdin.flush()
+    assert program.wait(10) == 0, program.output
+    assert program.lines == ["ending", "ended"]

@@ -283,6 +283,11 @@ def _close_at_exit() -> None:
 
 
 def _destroy_all() -> None:
+    import signal
+
+    # Some send two at once, to the process and to its group: the second is no more news.
+    if threading.current_thread() is threading.main_thread():
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
     # A daemon thread that spins is to end with the program, not with an exception.
     keep_other_threads_out()
     for context in list(_contexts):
