@@ -30,6 +30,28 @@ struct Chain {
   void forget_source() { source_links.clear(); }
 };
 
+// Fills as many stamps from `start` on as lie between the same two samples, and returns where it stopped; `start`
+// where they are too far from each other.
+std::size_t climb_between(const Bracket& bracket, std::size_t start, std::span<const Stamp> stamps,
+                          std::span<Transform> out, std::span<const std::uint8_t> known, bool is_first) {
+  const NearSlerp rotation(bracket.older->rotation, bracket.newer->rotation);
+  if (!rotation.is_near()) return start;
+  const Vector3 from = bracket.older->translation, way = bracket.newer->translation - from;
+  // Unsigned, as the difference of extreme stamps overflows.
+  const auto begin = static_cast<std::uint64_t>(bracket.older_stamp);
+  const auto span = static_cast<double>(static_cast<std::uint64_t>(bracket.newer_stamp) - begin);
+  std::size_t i = start;
+  for (; i < stamps.size(); ++i) {
+    const Stamp stamp = stamps[i];
+    if (stamp <= bracket.older_stamp || stamp >= bracket.newer_stamp || stamp == latest) break;
+    if (!known[i]) continue;
+    const double r = static_cast<double>(static_cast<std::uint64_t>(stamp) - begin) / span;
+    const Transform value{from + r * way, rotation.at(r)};
+    out[i] = is_first ? value : value * out[i];
+  }
+  return i;
+}
+
 // Goes up one branch for all stamps, link by link: the histories are read in order, each once. Where a link has no
 // data, or another parent than the chain was found with, the stamp is given up.
 void climb(std::vector<Link>& links, std::span<const Stamp> stamps, std::span<Transform> out,
@@ -42,6 +64,15 @@ void climb(std::vector<Link>& links, std::span<const Stamp> stamps, std::span<Tr
     } else {
       for (std::size_t i = 0; i < stamps.size(); ++i) {
         const Bracket bracket = link.find(stamps[i]);
+        const bool has_company = bracket.newer && i + 1 < stamps.size() && stamps[i + 1] > bracket.older_stamp &&
+                                 stamps[i + 1] < bracket.newer_stamp;
+        if (has_company && bracket.parent == link.parent) {
+          const std::size_t end = climb_between(bracket, i, stamps, out, known, is_first);
+          if (end > i) {
+            i = end - 1;
+            continue;
+          }
+        }
         if (bracket.found != Bracket::Found::yes || bracket.parent != link.parent) {
           known[i] = 0;
         } else if (known[i]) {

@@ -31,6 +31,12 @@ class Column {
     refresh();
   }
 
+  void reserve(std::size_t count) {
+    own();
+    owned_.reserve(count);
+    refresh();
+  }
+
   void erase_before(std::size_t index) {
     own();
     owned_.erase(owned_.begin(), owned_.begin() + static_cast<std::ptrdiff_t>(index));

@@ -10,6 +10,12 @@ void TimeCache::Block::insert(std::size_t index, const Sample& sample) {
   values.insert(index, sample.value);
 }
 
+void TimeCache::Block::reserve() {
+  stamps.reserve(block_size);
+  parents.reserve(block_size);
+  values.reserve(block_size);
+}
+
 void TimeCache::Block::drop_pruned() {
   stamps.erase_before(begin);
   parents.erase_before(begin);
@@ -31,6 +37,7 @@ bool TimeCache::insert(const Sample& sample) {
   if (holds(sample, position)) return true;
   if (blocks_.empty() || (position.block == blocks_.size() - 1 && position.index == block_size)) {
     blocks_.emplace_back();  // appending leaves full blocks behind
+    if (blocks_.size() > 1) blocks_.back().reserve();
     position = {blocks_.size() - 1, 0};
   } else if (blocks_[position.block].stamps.size() == block_size) {
     Block& full = blocks_[position.block];
@@ -46,17 +53,15 @@ bool TimeCache::insert(const Sample& sample) {
   }
   blocks_[position.block].insert(position.index, sample);
   ++size_;
+  note_newest();
   return true;
 }
 
 Bracket TimeCache::find(Stamp stamp) const {
   using Found = Bracket::Found;
   if (empty()) return {};
-  const Block& last = blocks_.back();
-  const Stamp newest = last.stamps.back();
-  if (stamp == latest || stamp == newest) {
-    return {Found::yes, last.parents.back(), &last.values.back(), nullptr, 0.0};
-  }
+  const Stamp newest = newest_stamp_;
+  if (stamp == latest || stamp == newest) return {Found::yes, newest_parent_, newest_value_, nullptr, 0.0};
   if (size_ == 1) return {Found::only_one, no_parent, nullptr, nullptr, 0.0};
   if (stamp > newest) return {Found::after_newest, no_parent, nullptr, nullptr, 0.0};
   const Block& first = blocks_.front();
@@ -88,11 +93,21 @@ void TimeCache::view(std::span<const Stamp> stamps, std::span<const FrameId> par
                        Column(values.subspan(at, count)), 0});
   }
   size_ = stamps.size();
+  if (size_ > 0) note_newest();
+}
+
+void TimeCache::note_newest() {
+  newest_stamp_ = blocks_.back().stamps.back();
+  newest_parent_ = blocks_.back().parents.back();
+  newest_value_ = &blocks_.back().values.back();
 }
 
 void TimeCache::clear() {
   blocks_.clear();
   size_ = 0;
+  newest_stamp_ = 0;
+  newest_parent_ = no_parent;
+  newest_value_ = nullptr;
 }
 
 std::size_t TimeCache::memory() const {

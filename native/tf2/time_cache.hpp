@@ -40,6 +40,7 @@ struct Bracket {
   const Transform* older = nullptr;
   const Transform* newer = nullptr;  // null: `older` is the answer
   double ratio = 0.0;
+  Stamp older_stamp = 0, newer_stamp = 0;  // where there are two
 
   [[nodiscard]] Transform value() const { return newer ? interpolate(*older, *newer, ratio) : *older; }
 };
@@ -87,9 +88,9 @@ class TimeCache {
 
   [[nodiscard]] bool empty() const { return size_ == 0; }
   [[nodiscard]] std::size_t size() const { return size_; }
-  [[nodiscard]] Stamp newest_stamp() const { return empty() ? 0 : blocks_.back().stamps.back(); }
+  [[nodiscard]] Stamp newest_stamp() const { return newest_stamp_; }
   [[nodiscard]] Stamp oldest_stamp() const { return empty() ? 0 : blocks_.front().first_stamp(); }
-  [[nodiscard]] FrameId newest_parent() const { return empty() ? no_parent : blocks_.back().parents.back(); }
+  [[nodiscard]] FrameId newest_parent() const { return newest_parent_; }
   [[nodiscard]] std::size_t memory() const;  // octets, without those viewed
 
   // Calls visit(stamp, parent, transform) for each sample, oldest first.
@@ -113,6 +114,7 @@ class TimeCache {
     [[nodiscard]] Stamp first_stamp() const { return stamps[begin]; }
     [[nodiscard]] std::size_t live() const { return stamps.size() - begin; }
     void insert(std::size_t index, const Sample& sample);
+    void reserve();
     void drop_pruned();
     [[nodiscard]] Block split();
   };
@@ -128,16 +130,23 @@ class TimeCache {
     if (later.parents[newer] != found.parent) return found;  // the old parent holds until the new one starts
     found.newer = &later.values[newer];
     // Unsigned, as the difference of extreme stamps overflows.
-    const auto start = static_cast<std::uint64_t>(earlier.stamps[older]);
-    const auto span = static_cast<double>(static_cast<std::uint64_t>(later.stamps[newer]) - start);
+    found.older_stamp = earlier.stamps[older];
+    found.newer_stamp = later.stamps[newer];
+    const auto start = static_cast<std::uint64_t>(found.older_stamp);
+    const auto span = static_cast<double>(static_cast<std::uint64_t>(found.newer_stamp) - start);
     found.ratio = static_cast<double>(static_cast<std::uint64_t>(stamp) - start) / span;
     return found;
   }
   void prune();
+  void note_newest();
 
   Stamp max_age_;
   std::size_t size_ = 0;
   std::vector<Block> blocks_;  // none is empty
+  // The last sample again: queries of the latest time read these alone. The pointer is into the last block.
+  Stamp newest_stamp_ = 0;
+  FrameId newest_parent_ = no_parent;
+  const Transform* newest_value_ = nullptr;
 };
 
 }  // namespace tfloom::tf2

@@ -79,7 +79,16 @@ inline Quaternion quaternion_of_matrix(const std::array<double, 9>& m) {
 }
 
 // Unit length and canonical sign. The zero quaternion gives NaN.
-inline Quaternion canonical(const Quaternion& q) { return quaternion_of_matrix(rotation_matrix(q)); }
+inline Quaternion canonical(const Quaternion& q) {
+  const double n = dot(q, q);
+  // The matrix's trace is 4w² - 1: where that is clearly positive, w > 0 is all there is to do, and 1/√n is its
+  // series, 1 - (n - 1)/2, to 1e-17.
+  if (std::abs(n - 1.0) < 5e-9 && q.w * q.w > 0.25001) {
+    const double s = std::copysign(1.5 - 0.5 * n, q.w);
+    return {s * q.x, s * q.y, s * q.z, s * q.w};
+  }
+  return quaternion_of_matrix(rotation_matrix(q));
+}
 
 // Weights of the two ends of a slerp: sin((1-r)θ)/sin θ and sin(rθ)/sin θ.
 struct SlerpWeights {
@@ -123,6 +132,43 @@ inline SlerpWeights slerp_weights(double r, double one_minus_cos) {
   const double angle = std::atan2(sine, c);
   return {std::sin((1.0 - r) * angle) / sine, std::sin(r * angle) / sine};
 }
+
+// The rotation at many ratios between the same two, as the weights are polynomials in r there: for near ends only.
+class NearSlerp {
+ public:
+  static constexpr double farthest = 1e-4;  // 1 - cos θ
+
+  NearSlerp(const Quaternion& a, const Quaternion& b_any_sign)
+      : a_(a), b_(dot(a, b_any_sign) < 0.0 ? -b_any_sign : b_any_sign) {
+    const Quaternion d{b_.x - a_.x, b_.y - a_.y, b_.z - a_.z, b_.w - a_.w};
+    const double one_minus_cos = 0.5 * dot(d, d);
+    is_near_ = one_minus_cos < farthest;
+    for (std::size_t i = 0; i < terms; ++i) {
+      u_[i] = -slerp_terms.u[i + 1] * one_minus_cos;
+      v_[i] = -slerp_terms.v[i + 1] * one_minus_cos;
+    }
+  }
+
+  [[nodiscard]] bool is_near() const { return is_near_; }
+  [[nodiscard]] Quaternion at(double r) const {
+    const double wa = weight(1.0 - r), wb = weight(r);
+    return {wa * a_.x + wb * b_.x, wa * a_.y + wb * b_.y, wa * a_.z + wb * b_.z, wa * a_.w + wb * b_.w};
+  }
+
+ private:
+  static constexpr std::size_t terms = 4;
+
+  [[nodiscard]] double weight(double r) const {
+    const double rr = r * r;
+    double sum = 1.0;
+    for (std::size_t i = terms; i-- > 0;) sum = 1.0 + (u_[i] * rr - v_[i]) * sum;
+    return r * sum;
+  }
+
+  Quaternion a_, b_;
+  std::array<double, terms> u_{}, v_{};
+  bool is_near_ = false;
+};
 
 // Spherical interpolation of unit quaternions on the shorter arc, r from 0 to 1.
 inline Quaternion slerp(const Quaternion& a, const Quaternion& b_any_sign, double r) {

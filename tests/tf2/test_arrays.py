@@ -207,3 +207,40 @@ def test_a_stored_transform_takes_72_octets_or_less(random: np.random.Generator)
         "a", "b", np.arange(100_000), random.normal(size=(100_000, 3)), random.normal(size=(100_000, 4))
     )
     assert buffer.memory / 100_000 <= 72
+
+
+@pytest.mark.parametrize("turn_rad", [0.0, 1e-9, 1e-3, 0.0141, 0.0142, 0.3, 3.1])
+def test_many_stamps_between_the_same_samples_equal_single_ones(
+    random: np.random.Generator, turn_rad: float
+) -> None:
+    buffer = Buffer(None)
+    stamps = np.sort(np.concatenate((random.integers(-100, 100, 12) * 1000, [-100_000, 100_000])))
+    for index, stamp in enumerate(stamps.tolist()):  # some stamps are there twice, with different values
+        half = index * turn_rad / 2
+        turn = (0.6 * np.sin(half), 0.0, 0.8 * np.sin(half), np.cos(half))
+        buffer.set("a", "b", stamp, random.normal(size=3).tolist(), turn)
+        buffer.set("b", "c", stamp - 7, random.normal(size=3).tolist(), turn)
+    asked = np.sort(np.concatenate((random.integers(-99_000, 99_000, 3000), stamps[2:-2], [0, -1, 1])))
+    for target, source in (("a", "c"), ("c", "a"), ("a", "b")):
+        poses = buffer.lookup_many(target, source, asked)
+        for index, stamp in enumerate(asked.tolist()):
+            found = buffer.lookup(target, source, stamp)
+            assert np.abs(poses.positions[index] - found.translation).max() < 1e-9
+            assert np.abs(poses.rotations_xyzw[index] - found.rotation_xyzw).max() < 1e-9
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_deskew_of_more_points_than_a_part(buffer: Buffer, random: np.random.Generator, workers: int) -> None:
+    points = random.normal(size=(10_001, 3))
+    stamps = np.linspace(START + SECOND, START + 2 * SECOND, len(points)).astype(np.int64)
+    arguments = (stamps, "laser", "laser", "odom", START + 2 * SECOND)
+    moved = buffer.deskew(points, *arguments, workers=workers)
+    assert np.array_equal(moved[-1:], buffer.deskew(points[-1:], stamps[-1:], *arguments[1:]))
+    assert np.array_equal(moved[5000:5050], buffer.deskew(points, *arguments, out=points.copy())[5000:5050])
+    stamps[9000] = START + 20 * SECOND
+    kept = points.copy()
+    for out in (None, points):
+        with pytest.raises(ExtrapolationException) as raised:
+            buffer.deskew(points, *arguments, out=out, workers=workers)
+        assert getattr(raised.value, "index") == 9000  # noqa: B009
+    assert np.array_equal(points, kept)

@@ -130,3 +130,16 @@ def test_a_long_history_in_any_order(seed: int) -> None:
             assert not buffer.can("map", "base", int(stamp))
             continue
         assert np.allclose(as_matrix(buffer.lookup("map", "base", int(stamp))), expected, atol=1e-9)
+
+
+def test_stored_rotations_have_length_one_and_the_sign_of_their_matrix() -> None:
+    random = np.random.default_rng(8)
+    for _ in range(3000):
+        q = random.normal(size=4)
+        q /= np.linalg.norm(q)
+        length = 1 + random.choice([0.0, 1e-12, 4.9e-9, -4.9e-9, 5.1e-9, 1e-6, 1e-3]) * random.random()
+        buffer = Buffer()
+        buffer.set("a", "b", 1, (0, 0, 0), (length * q).tolist())
+        stored = np.array(buffer.lookup("a", "b").rotation_xyzw)
+        sign = np.sign(q[3]) if 4 * q[3] ** 2 > 1 else np.sign(q[:3][np.argmax(np.abs(q[:3]))])
+        assert np.abs(stored - sign * q).max() < 1e-15

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tfloom import _native
+from tfloom.tf2.errors import TransformException
 from tfloom.tf2.frames import Frames
 
 if TYPE_CHECKING:
@@ -12,6 +13,9 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 __all__ = ["Arrays", "Poses", "Samples"]
+
+DESKEW_PART = 4096
+"""Points that a worker deskews at a time."""
 
 
 class Poses(NamedTuple):
@@ -159,12 +163,28 @@ class Arrays(Frames):
             )
         result = _out(checked, out)
         first = self.lookup(target_frame, fixed_frame, target_stamp_ns)
-        rows = np.empty((len(stamps), 7))
-        known = np.zeros(len(stamps), np.uint8)
-        self.fill_many(fixed_frame, source_frame, stamps, rows, known, True, max(1, workers))
         is_short = checked.dtype == "float32"
         move = _native.move_each_point_float32 if is_short else _native.move_each_point_float64
-        move(_row(first), rows, checked, result)
+        # In parts whose transforms stay in the processor's cache, except where `out` would be left half done.
+        size = max(1, DESKEW_PART * workers if out is None else len(stamps))
+        rows, known = np.empty((min(size, len(stamps)), 7)), np.empty(min(size, len(stamps)), np.uint8)
+        for start in range(0, len(stamps), size):
+            part = slice(start, start + size)
+            count = len(stamps[part])
+            try:
+                self.fill_many(
+                    fixed_frame,
+                    source_frame,
+                    stamps[part],
+                    rows[:count],
+                    known[:count],
+                    True,
+                    max(1, workers),
+                )
+            except TransformException as error:
+                error.index += start  # type: ignore[attr-defined]
+                raise
+            move(_row(first), rows[:count], checked[part], result[part])
         return result
 
     def set_many(
