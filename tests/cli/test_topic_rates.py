@@ -88,3 +88,42 @@ def test_the_unit_follows_the_rate(sizes: list[float], duration_s: float, first:
 
 def test_spread() -> None:
     assert rates.spread([1.0, 3.0]) == (2.0, 1.0, 3.0, 1.0)
+
+
+@pytest.fixture
+def simulated_time(domain_id: int, start_program: Callable[..., object]) -> int:
+    """Let /clock stand at 5000 s."""
+    values = "{clock: {sec: 5000}}"
+    clock = start_program("tfloom", "topic", "pub", "-r", "50", "/clock", "rosgraph_msgs/msg/Clock", values)
+    clock.wait_for("beginning")
+    return 5000
+
+
+def test_pub_stamps_with_simulated_time(simulated_time: int, start_program: Callable[..., object]) -> None:
+    kind = "geometry_msgs/msg/PointStamped"
+    values = "{header: auto}"
+    program = start_program("tfloom", "topic", "pub", "-s", "-1", "-w", "0", "/x", kind, values)
+    assert program.wait() == 0
+    assert f"sec={simulated_time}, nanosec=0" in program.output
+
+
+def test_delay_measures_by_simulated_time(simulated_time: int, listen: Callable[..., object]) -> None:
+    values = "{header: {stamp: {sec: 4990}}}"
+    program = listen("delay", "-s", kind="geometry_msgs/msg/PointStamped", values=values)
+    program.wait_for("window: ")
+    assert program.lines[0] == "average delay: 10.000"
+
+
+def test_hz_counts_by_simulated_time_unless_told_else(
+    simulated_time: int, listen: Callable[..., object]
+) -> None:
+    listen("hz", "-s").wait_for("average rate: inf")
+    wall = listen("hz", "-s", "--wall-time")
+    wall.wait_for("average rate: ")
+    assert "inf" not in wall.lines[0]
+
+
+def test_simulated_time_that_nobody_tells_is_waited_for(
+    domain_id: int, start_program: Callable[..., object], listen: Callable[..., object]
+) -> None:
+    listen("hz", "-s").wait_for("waiting for the time on /clock")

@@ -101,19 +101,19 @@ def fill_message(message: Message, values: dict[str, Any]) -> list[StampSetter]:
     """
     try:
         setters = set_message_fields(message, values, expand_header_auto=True, expand_time_now=True)
-        set_stamps(setters)
+        set_stamps(setters, time.time_ns())
         cdr.encode(message)
     except (AttributeError, TypeError, ValueError, AssertionError, OverflowError) as error:
         raise CommandError(f"Failed to populate field: {error}{_fields_there_are(error)}") from None
     return setters
 
 
-def set_stamps(setters: list[StampSetter]) -> None:
-    """Set to now what `fill_message` found to be set at publishing."""
+def set_stamps(setters: list[StampSetter], now_ns: int) -> None:
+    """Set to a time [ns] what `fill_message` found to be set at publishing."""
     if setters:
         from tfloom.interfaces.builtin_interfaces.msg import Time
 
-        sec, nanosec = divmod(time.time_ns(), 1_000_000_000)
+        sec, nanosec = divmod(now_ns, 1_000_000_000)
         for set_stamp in setters:
             set_stamp(Time(sec=sec, nanosec=nanosec))
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import time
 
 from tfloom.cli.names import full_topic_name
 from tfloom.cli.topic import rates
@@ -23,15 +22,18 @@ def main(args: argparse.Namespace) -> int:
     """Print the bandwidth each second, until Ctrl-C."""
     sizes, arrivals = rates.Window(args.window), rates.Window(args.window)
 
-    def on_sample(sample: Sample, _: type[Message]) -> None:
+    def on_sample(sample: Sample, _: type[Message], came_s: float) -> None:
+        if arrivals.is_beyond(came_s):
+            arrivals.values.clear()
+            sizes.values.clear()
         sizes.add(len(sample.data))
-        arrivals.add(sample.received_stamp_ns * 1e-9)
+        arrivals.add(came_s)
 
-    def report() -> None:
+    def report(now_s: float) -> None:
         if len(sizes.values) < 2 or not sizes.is_new:
             return
         sizes.is_new = False
-        print(bandwidth_text(list(sizes.values), time.time() - arrivals.values[0]))
+        print(bandwidth_text(list(sizes.values), now_s - arrivals.values[0]))
 
     print(f"Subscribed to [{full_topic_name(args.topic)}]")
     rates.watch(args, args.topic, on_sample, report)
@@ -41,7 +43,7 @@ def main(args: argparse.Namespace) -> int:
 def bandwidth_text(sizes: list[float], duration_s: float) -> str:
     """Return the two lines on messages of these sizes [octets] in a time [s]; the rate chooses the unit of all."""
     mean, least, greatest, _ = rates.spread(sizes)
-    per_second = sum(sizes) / duration_s
+    per_second = sum(sizes) / duration_s if duration_s > 0 else float("inf")
     unit = next(unit for unit, octets in UNITS.items() if per_second >= octets or unit == "B")
     rate, mean, least, greatest = (value / UNITS[unit] for value in (per_second, mean, least, greatest))
     return (

@@ -22,12 +22,12 @@ def main(args: argparse.Namespace) -> int:
     """Print the delay each second, until Ctrl-C."""
     delays = rates.Window(args.window)
 
-    def on_sample(sample: Sample, cls: type[Message]) -> None:
+    def on_sample(sample: Sample, cls: type[Message], came_s: float) -> None:
         message: Any = cdr.decode(cls, sample.data)
         stamp = message.header.stamp
-        delays.add(sample.received_stamp_ns * 1e-9 - stamp.sec - stamp.nanosec * 1e-9)
+        delays.add(came_s - stamp.sec - stamp.nanosec * 1e-9)
 
-    def report() -> None:
+    def report(_: float) -> None:
         if not delays.is_new:
             return
         delays.is_new = False

@@ -19,7 +19,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--filter", metavar="EXPR", help="count messages only if this Python expression over m is true"
     )
-    parser.add_argument("--wall-time", action="store_true", help="accepted; times are of arrival here")
+    parser.add_argument(
+        "--wall-time", action="store_true", help="messages arrive by this machine's time, whatever -s says"
+    )
 
 
 def main(args: argparse.Namespace) -> int:
@@ -27,11 +29,13 @@ def main(args: argparse.Namespace) -> int:
     wanted = message_filter(args.filter)
     arrivals = rates.Window(args.window + 1)
 
-    def on_sample(sample: Sample, cls: type[Message]) -> None:
+    def on_sample(sample: Sample, cls: type[Message], came_s: float) -> None:
+        if arrivals.is_beyond(came_s):
+            arrivals.values.clear()
         if args.filter is None or wanted(cdr.decode(cls, sample.data)):
-            arrivals.add(sample.received_stamp_ns * 1e-9)
+            arrivals.add(came_s)
 
-    def report() -> None:
+    def report(_: float) -> None:
         times = list(arrivals.values)
         periods = [later - earlier for earlier, later in pairwise(times)]
         if not periods or not arrivals.is_new:

@@ -13,6 +13,7 @@ from tfloom.cli.errors import CommandError
 from tfloom.cli.interfaces import fill_message, message_class, parse_yaml, set_stamps, yaml_documents
 from tfloom.cli.listen import cli_node, shown_node, warn_of_mismatch
 from tfloom.cli.names import full_topic_name
+from tfloom.cli.sim_time import NowNs, clock, wait_until_known
 from tfloom.rmw.base import NodeName, Topic, Writer
 from tfloom.rmw.qos import QoS
 from tfloom.rosidl import cdr
@@ -55,7 +56,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--spin-time", type=float, default=graph.MOST_S, help="accepted; nothing is asked here"
     )
-    parser.add_argument("-s", "--use-sim-time", action="store_true", help="take the time from /clock")
+    parser.add_argument(
+        "-s", "--use-sim-time", action="store_true", help="`auto` and `now` are the time on /clock"
+    )
 
 
 def main(args: argparse.Namespace) -> int:
@@ -81,7 +84,8 @@ def main(args: argparse.Namespace) -> int:
 
         try:
             _wait_for_subscriptions(writer, args, look_for_mismatch)
-            _publish(writer, drafts, args, look_for_mismatch)
+            with clock(participant, node, simulated=args.use_sim_time) as now_ns:
+                _publish(writer, drafts, args, look_for_mismatch, now_ns)
             time.sleep(args.keep_alive)
         finally:
             writer.close()
@@ -95,9 +99,11 @@ class _Draft:
         self.message = cls()
         self._stamp_setters = fill_message(self.message, parse_yaml(values))
 
-    def stamp(self) -> None:
+    def stamp(self, now_ns: NowNs) -> None:
         """Set the times that were given as `now` and the headers given as `auto`."""
-        set_stamps(self._stamp_setters)
+        if self._stamp_setters:
+            wait_until_known(now_ns)
+            set_stamps(self._stamp_setters, now_ns())
 
 
 def _named_node(name: str) -> NodeName:
@@ -132,13 +138,17 @@ def _wait_for_subscriptions(
 
 
 def _publish(
-    writer: Writer, drafts: Iterator[_Draft], args: argparse.Namespace, look_for_mismatch: Callable[[], None]
+    writer: Writer,
+    drafts: Iterator[_Draft],
+    args: argparse.Namespace,
+    look_for_mismatch: Callable[[], None],
+    now_ns: NowNs,
 ) -> None:
     print("publisher: beginning loop")
     last = 1 if args.once else args.times
     start = time.monotonic()
     for number, draft in enumerate(drafts, 1):
-        draft.stamp()
+        draft.stamp(now_ns)
         if args.print > 0 and number % args.print == 0:
             print(f"publishing #{number}: {draft.message!r}\n")
         writer.write(cdr.encode(draft.message))

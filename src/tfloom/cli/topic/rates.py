@@ -10,9 +10,10 @@ from collections.abc import Callable, Sequence
 
 from tfloom.cli import graph
 from tfloom.cli.interfaces import message_class
-from tfloom.cli.listen import find_type, samples_and_ticks, wait_for_publishers
+from tfloom.cli.listen import cli_node, find_type, samples_and_ticks, wait_for_publishers
 from tfloom.cli.names import full_topic_name
 from tfloom.cli.qos import suiting_qos
+from tfloom.cli.sim_time import clock, wait_until_known
 from tfloom.rmw.base import Sample
 from tfloom.rosidl.message import Message
 
@@ -28,7 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser, window: int) -> None:
         "--spin-time", type=float, default=graph.MOST_S, help="longest time to look for the topic"
     )
     parser.add_argument(
-        "-s", "--use-sim-time", action="store_true", help="accepted; times are of arrival here"
+        "-s", "--use-sim-time", action="store_true", help="messages arrive by the time on /clock"
     )
 
 
@@ -43,6 +44,10 @@ class Window:
         """Take a value in; the oldest goes when the window is full."""
         self.values.append(value)
         self.is_new = True
+
+    def is_beyond(self, time_s: float) -> bool:
+        """Return whether the newest value, a time [s], is later than another: a simulation has begun anew."""
+        return bool(self.values) and self.values[-1] > time_s
 
 
 def spread(values: Sequence[float]) -> tuple[float, float, float, float]:
@@ -61,13 +66,14 @@ def spread_line(values: Sequence[float], window: int) -> str:
 def watch(
     args: argparse.Namespace,
     topic_name: str,
-    on_sample: Callable[[Sample, type[Message]], None],
-    report: Callable[[], None],
+    on_sample: Callable[[Sample, type[Message], float], None],
+    report: Callable[[float], None],
     check: Callable[[type[Message]], None] = lambda _: None,
 ) -> None:
-    """Give each sample of a topic to `on_sample` and call `report` each second, until Ctrl-C.
+    """Give each sample of a topic, with when it came [s], to `on_sample`, and call `report`, until Ctrl-C.
 
-    A topic that nobody has yet is waited for; `check` may refuse its type.
+    A topic that nobody has yet is waited for; `check` may refuse its type. `report` is called each second, with the
+    time [s]. Both are times of /clock with --use-sim-time; what comes before that is known is not counted.
     """
     name = full_topic_name(topic_name)
     with graph.joined_participant() as participant:
@@ -77,8 +83,12 @@ def watch(
         publishers = wait_for_publishers(participant.graph, name, math.inf)
         cls = message_class(find_type(participant.graph, name))
         check(cls)
-        for sample in samples_and_ticks(participant, name, cls, suiting_qos(publishers), tick_s=REPORT_S):
-            if sample is None:
-                report()
-            else:
-                on_sample(sample, cls)
+        simulated = args.use_sim_time and not getattr(args, "wall_time", False)
+        with clock(participant, cli_node(), simulated=simulated) as now_ns:
+            if simulated:
+                wait_until_known(now_ns)
+            for sample in samples_and_ticks(participant, name, cls, suiting_qos(publishers), tick_s=REPORT_S):
+                if sample is None:
+                    report(now_ns() * 1e-9)
+                else:
+                    on_sample(sample, cls, (now_ns() if simulated else sample.received_stamp_ns) * 1e-9)

@@ -1,0 +1,57 @@
+"""The time that `--use-sim-time` asks for: what /clock said last."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+from tfloom._native import ReadyQueue
+from tfloom.interfaces.rosgraph_msgs.msg import Clock
+from tfloom.rmw.base import NodeName, Participant, Reader, Topic
+from tfloom.rmw.qos import QoS, ReliabilityPolicy
+from tfloom.rosidl import cdr
+
+NowNs = Callable[[], int]
+"""Returns the time [ns]; 0 before it is known."""
+
+PATIENCE_S = 1.0
+"""How long to wait for the time before the user is told [s]."""
+
+
+@contextmanager
+def clock(participant: Participant, node: NodeName, *, simulated: bool) -> Iterator[NowNs]:
+    """Give the function that tells the time: this machine's, or the one on /clock."""
+    if not simulated:
+        yield time.time_ns
+        return
+    topic = Topic("/clock", Clock._TYPE_NAME, Clock._TYPE_HASH)
+    reader = participant.create_reader(node, topic, QoS(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT))
+    try:
+        yield _SimulatedTime(reader).now_ns
+    finally:
+        reader.close()
+
+
+def wait_until_known(now_ns: NowNs) -> None:
+    """Wait until /clock has told the time; say so if that takes long."""
+    told_s = time.monotonic() + PATIENCE_S
+    queue = ReadyQueue()
+    while now_ns() == 0:
+        if time.monotonic() >= told_s:
+            print("waiting for the time on /clock", file=sys.stderr)
+            told_s = float("inf")
+        queue.wait(10_000_000)
+
+
+class _SimulatedTime:
+    def __init__(self, reader: Reader) -> None:
+        self._reader = reader
+        self._now_ns = 0
+
+    def now_ns(self) -> int:
+        while sample := self._reader.take():
+            stamp = cdr.decode(Clock, sample.data).clock
+            self._now_ns = stamp.sec * 1_000_000_000 + stamp.nanosec
+        return self._now_ns
