@@ -99,10 +99,19 @@ def test_live_services_actions_and_parameters(
     assert "example_interfaces/action/Fibonacci" in complete("tfloom action send_goal /none ", tmp_path)
 
 
-@pytest.mark.skipif(not shutil.which("bash"), reason="needs bash")
-def test_in_a_real_bash(start_program: Callable[..., object]) -> None:
-    code = "import pty, sys; pty.spawn(['bash', '--norc', '--noprofile', '-i'])"
-    shell = start_program("python", "-c", code, stdin=subprocess.PIPE)
+INTERACTIVE = {
+    "bash": (["bash", "--norc", "--noprofile", "-i"], "PS1="),
+    "zsh": (["zsh", "-f", "-i"], "PS1=; autoload -U compinit && compinit -u -D"),
+}
+"""How to start each shell with no files of the user's, and what completion needs there."""
+
+
+@pytest.mark.parametrize("name", INTERACTIVE)
+def test_in_a_real_shell(name: str, start_program: Callable[..., object]) -> None:
+    if not shutil.which(name):
+        pytest.skip(f"needs {name}")
+    command, setting_up = INTERACTIVE[name]
+    shell = start_program("python", "-c", f"import pty; pty.spawn({command})", stdin=subprocess.PIPE)
     folder = transcript.PROGRAM.parent
 
     def type_keys(keys: str) -> None:
@@ -110,10 +119,24 @@ def test_in_a_real_bash(start_program: Callable[..., object]) -> None:
         shell.process.stdin.flush()
 
     type_keys(
-        f'PATH={folder}:$PATH; PS1=; eval "$(register-python-argcomplete tfloom ros2)"; echo is ready\n'
+        f"PATH={folder}:$PATH; {setting_up}; "
+        'eval "$(register-python-argcomplete tfloom ros2)"; echo is re""ady\n'
     )
     shell.wait_for("is ready")
     # Control-A goes to the line's begin: the completed line is printed, not run.
-    type_keys("tfloom run turtlesim turtlesim_n\t\x01echo \x05\n")
-    shell.wait_for("tfloom run turtlesim turtlesim_node")
+    type_keys("tfloom run turtlesim turtlesim_n\t\x01echo 'it is' \x05\n")
+    shell.wait_for("it is tfloom run turtlesim turtlesim_node")
     type_keys("exit\n")
+
+
+@pytest.mark.skipif(not shutil.which("fish"), reason="needs fish")
+def test_in_a_real_fish() -> None:
+    folder = transcript.PROGRAM.parent
+    code = (
+        f"set -x PATH {folder} $PATH; register-python-argcomplete --shell fish tfloom ros2 | source; "
+        "complete -C 'tfloom run turtlesim turtlesim_n'"
+    )
+    done = subprocess.run(
+        ["fish", "--no-config", "-c", code], capture_output=True, text=True, timeout=60, check=True
+    )
+    assert done.stdout.split() == ["turtlesim_node"]
