@@ -28,6 +28,24 @@ def test_answers_are_as_recorded(name: str) -> None:
     assert (answer.text, answer.exit_code) == (recorded.text, recorded.exit_code)
 
 
+@pytest.mark.parametrize(
+    ("name", "values"),
+    [
+        ("turtlesim/srv/Spawn", "x: 0.0\ny: 0.0\ntheta: 0.0\nname: ''\n"),
+        ("example_interfaces/action/Fibonacci", "order: 0\n"),
+    ],
+)
+def test_proto_prints_what_is_sent(name: str, values: str) -> None:
+    answer = transcript.run("interface", "proto", "--no-quotes", name)
+    assert (answer.text.rstrip(), answer.exit_code) == (values.rstrip(), 0)
+
+
+def test_proto_names_the_nearest_service() -> None:
+    answer = transcript.run("interface", "proto", "turtlesim/srv/Spwn")
+    assert answer.text.endswith("did you mean 'turtlesim/srv/Spawn'?")
+    assert answer.exit_code == 1
+
+
 @pytest.mark.parametrize("name", ["interface_show_msg", "interface_show_srv"])
 def test_no_comments_leaves_no_hash(name: str, deviations: dict[str, dict[str, str]]) -> None:
     assert "cli-no-comments" in deviations

@@ -1,21 +1,34 @@
-"""Print a YAML value to start from, with an interface's fields and defaults."""
+"""Print a YAML value to start from: a message's fields, a service's request or an action's goal."""
 
 from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.interfaces import message_class
+from tfloom.cli.interfaces import action_class, message_class, service_class
+from tfloom.rosidl.message import Message
 from tfloom.rosidl.yaml_text import message_to_yaml
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what `interface proto` takes."""
     parser.add_argument("--no-quotes", action="store_true", help="print no quotes around it")
-    parser.add_argument("type", help="name of the message, as geometry_msgs/msg/Twist")
+    parser.add_argument("type", help="name of the interface, as geometry_msgs/msg/Twist")
 
 
 def main(args: argparse.Namespace) -> int:
     """Print the value."""
     quote = "" if args.no_quotes else '"'
-    print(f"{quote}{message_to_yaml(message_class(args.type)())}{quote}")
+    print(f"{quote}{message_to_yaml(_class_to_send(args.type)())}{quote}")
     return 0
+
+
+def _class_to_send(name: str) -> type[Message]:
+    """Return the class of what a user sends: the message, the request or the goal."""
+    kind = name.split("/")[1:-1]
+    if kind == ["srv"]:
+        request: type[Message] = service_class(name).Request
+        return request
+    if kind == ["action"]:
+        goal: type[Message] = action_class(name).Goal
+        return goal
+    return message_class(name)
