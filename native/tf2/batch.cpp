@@ -32,20 +32,23 @@ struct Chain {
 
 // Fills as many stamps from `start` on as lie between the same two samples, and returns where it stopped; `start`
 // where they are too far from each other.
+template <std::size_t Terms>
 std::size_t climb_between(const Bracket& bracket, std::size_t start, std::span<const Stamp> stamps,
                           std::span<Transform> out, std::span<const std::uint8_t> known, bool is_first) {
-  const NearSlerp rotation(bracket.older->rotation, bracket.newer->rotation);
+  const NearSlerp<Terms> rotation(bracket.older->rotation, bracket.newer->rotation);
   if (!rotation.is_near()) return start;
   const Vector3 from = bracket.older->translation, way = bracket.newer->translation - from;
   // Unsigned, as the difference of extreme stamps overflows.
   const auto begin = static_cast<std::uint64_t>(bracket.older_stamp);
-  const auto span = static_cast<double>(static_cast<std::uint64_t>(bracket.newer_stamp) - begin);
+  const std::uint64_t span = static_cast<std::uint64_t>(bracket.newer_stamp) - begin;
+  if (span > INT64_MAX) return start;  // below, doubles come of signed numbers, which is faster
+  const double per_ns = 1.0 / static_cast<double>(span);
   std::size_t i = start;
   for (; i < stamps.size(); ++i) {
     const Stamp stamp = stamps[i];
     if (stamp <= bracket.older_stamp || stamp >= bracket.newer_stamp || stamp == latest) break;
     if (!known[i]) continue;
-    const double r = static_cast<double>(static_cast<std::uint64_t>(stamp) - begin) / span;
+    const double r = static_cast<double>(static_cast<std::int64_t>(static_cast<std::uint64_t>(stamp) - begin)) * per_ns;
     const Transform value{from + r * way, rotation.at(r)};
     out[i] = is_first ? value : value * out[i];
   }
@@ -67,7 +70,8 @@ void climb(std::vector<Link>& links, std::span<const Stamp> stamps, std::span<Tr
         const bool has_company = bracket.newer && i + 1 < stamps.size() && stamps[i + 1] > bracket.older_stamp &&
                                  stamps[i + 1] < bracket.newer_stamp;
         if (has_company && bracket.parent == link.parent) {
-          const std::size_t end = climb_between(bracket, i, stamps, out, known, is_first);
+          std::size_t end = climb_between<2>(bracket, i, stamps, out, known, is_first);
+          if (end == i) end = climb_between<4>(bracket, i, stamps, out, known, is_first);
           if (end > i) {
             i = end - 1;
             continue;

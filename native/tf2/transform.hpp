@@ -134,16 +134,19 @@ inline SlerpWeights slerp_weights(double r, double one_minus_cos) {
 }
 
 // The rotation at many ratios between the same two, as the weights are polynomials in r there: for near ends only.
+template <std::size_t Terms>
 class NearSlerp {
+  static_assert(Terms == 2 || Terms == 4);
+
  public:
-  static constexpr double farthest = 1e-4;  // 1 - cos θ
+  static constexpr double farthest = Terms == 2 ? 1e-5 : 1e-4;  // 1 - cos θ, for a remainder below 1e-16
 
   NearSlerp(const Quaternion& a, const Quaternion& b_any_sign)
       : a_(a), b_(dot(a, b_any_sign) < 0.0 ? -b_any_sign : b_any_sign) {
     const Quaternion d{b_.x - a_.x, b_.y - a_.y, b_.z - a_.z, b_.w - a_.w};
     const double one_minus_cos = 0.5 * dot(d, d);
     is_near_ = one_minus_cos < farthest;
-    for (std::size_t i = 0; i < terms; ++i) {
+    for (std::size_t i = 0; i < Terms; ++i) {
       u_[i] = -slerp_terms.u[i + 1] * one_minus_cos;
       v_[i] = -slerp_terms.v[i + 1] * one_minus_cos;
     }
@@ -156,17 +159,15 @@ class NearSlerp {
   }
 
  private:
-  static constexpr std::size_t terms = 4;
-
   [[nodiscard]] double weight(double r) const {
     const double rr = r * r;
     double sum = 1.0;
-    for (std::size_t i = terms; i-- > 0;) sum = 1.0 + (u_[i] * rr - v_[i]) * sum;
+    for (std::size_t i = Terms; i-- > 0;) sum = 1.0 + (u_[i] * rr - v_[i]) * sum;
     return r * sum;
   }
 
   Quaternion a_, b_;
-  std::array<double, terms> u_{}, v_{};
+  std::array<double, Terms> u_{}, v_{};
   bool is_near_ = false;
 };
 
