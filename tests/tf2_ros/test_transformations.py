@@ -95,3 +95,40 @@ class TestEuler:
             [*scale, *shear, *turned, *translate], [1, 2, 3, 0.1, 0, 0.2, 0.1, 0.2, 0.3, 4, 5, 6]
         )
         assert perspective.tolist() == [0, 0, 0, 1]
+
+
+points = st.tuples(*[st.floats(-5, 5)] * 3)
+directions = st.tuples(*[st.floats(-1, 1)] * 3).filter(lambda v: np.linalg.norm(v) > 0.1)
+
+
+@given(points, directions)
+def test_reflections(point: tuple, normal: tuple) -> None:
+    matrix = tf.reflection_matrix(point, normal)
+    unit = tf.unit_vector(normal)
+    assert np.allclose(matrix @ [*point, 1], [*point, 1])
+    assert np.allclose(matrix @ [*(point + unit), 1], [*(point - unit), 1])
+    assert np.allclose(tf.reflection_matrix(*tf.reflection_from_matrix(matrix)), matrix)
+
+
+@given(st.floats(1.1, 5), points, directions)
+def test_scales(factor: float, origin: tuple, direction: tuple) -> None:
+    unit = tf.unit_vector(direction)
+    across = np.cross(unit, np.add(np.roll(unit, 1), (0.1, 0.2, 0.3)))
+    for matrix, expected in (
+        (tf.scale_matrix(factor, origin), factor),
+        (tf.scale_matrix(factor, origin, direction), 1.0),
+    ):
+        assert np.allclose(matrix @ [*(origin + unit), 1], [*(origin + factor * unit), 1])
+        assert np.allclose(matrix @ [*(origin + across), 1], [*(origin + expected * across), 1])
+        assert np.allclose(tf.scale_matrix(*tf.scale_from_matrix(matrix)), matrix)
+    assert np.allclose(tf.scale_matrix(-1.0), np.diag([-1, -1, -1, 1]))
+
+
+@given(st.floats(0.1, 1.2), points)
+def test_shears(angle: float, point: tuple) -> None:
+    matrix = tf.shear_matrix(angle, (1, 0, 0), point, (0, 0, 1))
+    moved = matrix @ [point[0], point[1], point[2] + 2, 1]
+    assert np.allclose(moved, [point[0] + 2 * math.tan(angle), point[1], point[2] + 2, 1])
+    assert np.allclose(tf.shear_matrix(*tf.shear_from_matrix(matrix)), matrix, atol=1e-6)
+    with pytest.raises(ValueError):
+        tf.shear_matrix(angle, (1, 0, 1), point, (0, 0, 1))

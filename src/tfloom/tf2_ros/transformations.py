@@ -1,7 +1,10 @@
-"""Rotations and matrices by the names of tf_transformations, on numpy and, for Euler angles, transforms3d.
+"""Rotations and matrices by the names of tf_transformations, on numpy and, for some, transforms3d.
 
 Quaternions are x, y, z, w. Matrices are homogeneous, (4, 4). Angles are in radians. Axes of Euler angles are four
 letters: `s` for fixed or `r` for turning axes, then the three axes: `sxyz` is roll, pitch, yaw.
+
+What transforms3d doesn't have isn't here: Arcball, clip_matrix, projection_matrix and projection_from_matrix,
+superimposition_matrix and affine_matrix_from_points.
 """
 
 from __future__ import annotations
@@ -37,8 +40,14 @@ __all__ = [
     "quaternion_slerp",
     "random_quaternion",
     "random_rotation_matrix",
+    "reflection_from_matrix",
+    "reflection_matrix",
     "rotation_from_matrix",
     "rotation_matrix",
+    "scale_from_matrix",
+    "scale_matrix",
+    "shear_from_matrix",
+    "shear_matrix",
     "translation_from_matrix",
     "translation_matrix",
     "unit_vector",
@@ -55,7 +64,7 @@ def _transforms3d(module: str) -> ModuleType:
         return import_module(f"transforms3d.{module}")
     except ImportError as error:
         raise ImportError(
-            "Euler angles and shears need transforms3d: pip install 'tfloom[transformations]'"
+            "Euler angles, reflections, scales and shears need transforms3d: pip install 'tfloom[transformations]'"
         ) from error
 
 
@@ -210,6 +219,45 @@ def quaternion_from_euler(ai: float, aj: float, ak: float, axes: str = "sxyz") -
     return np.array([x, y, z, w])
 
 
+def reflection_matrix(point: ArrayLike, normal: ArrayLike) -> Matrix:
+    """Return the matrix that mirrors at the plane through a point."""
+    return np.asarray(_transforms3d("reflections").rfnorm2aff(_three(normal), _three(point)), np.float64)
+
+
+def reflection_from_matrix(matrix: ArrayLike) -> tuple[Matrix, Matrix]:
+    """Return a point of a reflection's plane (4,) and its normal (3,); ValueError if it's none."""
+    normal, point = _transforms3d("reflections").aff2rfnorm(np.asarray(matrix, np.float64))
+    return np.append(point, 1.0), normal
+
+
+def scale_matrix(
+    factor: float, origin: ArrayLike | None = None, direction: ArrayLike | None = None
+) -> Matrix:
+    """Return the matrix that scales about an origin, in one direction or in all; factor -1 mirrors at the point."""
+    parts = [None if part is None else _three(part) for part in (direction, origin)]
+    return np.asarray(_transforms3d("zooms").zfdir2aff(factor, *parts), np.float64)
+
+
+def scale_from_matrix(matrix: ArrayLike) -> tuple[float, Matrix, Matrix | None]:
+    """Return a scale's factor, origin (4,) and direction (3,), None for all; ValueError if it's no scale."""
+    factor, direction, origin = _transforms3d("zooms").aff2zfdir(np.asarray(matrix, np.float64))
+    return float(factor), np.append(origin, 1.0), direction
+
+
+def shear_matrix(angle: float, direction: ArrayLike, point: ArrayLike, normal: ArrayLike) -> Matrix:
+    """Return the matrix that shears along a direction in the plane through a point; ValueError if it's not in it."""
+    parts = _three(direction), _three(normal), _three(point)
+    if abs(np.dot(parts[0], parts[1])) > 1e-6 * vector_norm(parts[0]) * vector_norm(parts[1]):
+        raise ValueError("direction must lie in the plane: it isn't at right angles to normal")
+    return np.asarray(_transforms3d("shears").sadn2aff(angle, *parts), np.float64)
+
+
+def shear_from_matrix(matrix: ArrayLike) -> tuple[float, Matrix, Matrix, Matrix]:
+    """Return a shear's angle, direction (3,), point of its plane (4,) and normal (3,); ValueError if it's none."""
+    angle, direction, normal, point = _transforms3d("shears").aff2sadn(np.asarray(matrix, np.float64))
+    return float(angle), direction, np.append(point, 1.0), normal
+
+
 def compose_matrix(
     scale: ArrayLike | None = None,
     shear: ArrayLike | None = None,
@@ -270,6 +318,10 @@ def unit_vector(data: ArrayLike, axis: int | None = None) -> Matrix:
     length = vector_norm(values, axis)
     unit: Matrix = values / (length if axis is None else np.expand_dims(length, axis))
     return unit
+
+
+def _three(vector: ArrayLike) -> Matrix:
+    return np.asarray(vector, np.float64)[:3]
 
 
 def _four(quaternion: ArrayLike) -> tuple[float, float, float, float]:
