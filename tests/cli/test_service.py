@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import re
 import subprocess
@@ -107,17 +108,19 @@ def test_a_services_events(start_program: Callable[..., object]) -> None:
     echo = start_program("tfloom", "service", "echo", "/spawn", "--flow-style")
     as_json = start_program("tfloom", "service", "echo", "/spawn", "--json")
 
-    def call_until_heard(program: object, text: str) -> None:
-        words = ("service", "call", "/spawn", "turtlesim/srv/Spawn", "{x: 2.0, name: heard}")
-        for _ in range(30):  # The echo may not be listening yet.
+    def call_until_heard(program: object, *texts: str) -> None:
+        for _ in range(30):  # The echo may not be listening yet; a name is given to one turtle only.
+            name = f"heard_{next(numbers)}"
+            words = ("service", "call", "/spawn", "turtlesim/srv/Spawn", f"{{x: 2.0, name: {name}}}")
             assert transcript.run(*words).exit_code == 0
-            if text in program.output:
+            if all(text.replace("NAME", name) in program.output for text in texts):
                 return
-        pytest.fail(f"{text} was never printed; this was:\n{program.output}")
+        pytest.fail(f"{texts} were never printed; this was:\n{program.output}")
 
-    call_until_heard(echo, "response: [{name: heard}]")
-    call_until_heard(as_json, '"response": [{"name": "')
-    assert "request: [{x: 2.0, y: 0.0, theta: 0.0, name: heard}]" in echo.output
+    numbers = itertools.count()
+    request = "request: [{x: 2.0, y: 0.0, theta: 0.0, name: NAME}]"
+    call_until_heard(echo, request, "response: [{name: NAME}]")
+    call_until_heard(as_json, '"response": [{"name": "NAME"}]')
 
 
 def test_events_of_a_service_that_nobody_has() -> None:
