@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Callable
 from typing import Any
 
@@ -10,9 +11,11 @@ import pytest
 
 from tfloom.interfaces.action_msgs.msg import GoalStatus
 from tfloom.interfaces.geometry_msgs.msg import Twist
+from tfloom.interfaces.std_srvs.srv import Empty
 from tfloom.interfaces.turtlesim.action import RotateAbsolute
 from tfloom.interfaces.turtlesim.srv import Kill, Spawn
 from tfloom.node.action.client import ActionClient
+from tfloom.turtlesim.rotations import FAREWELL_S
 
 
 class Goals:
@@ -89,17 +92,50 @@ def test_a_command_aborts_a_goal(stage: Any, goals: Goals, capfd: pytest.Capture
     assert texts(capfd) == ["[WARN] Velocity command received during rotation goal. Aborting goal"]
 
 
-def test_a_turtle_killed_while_it_turns_harms_nobody(stage: Any, goals: Goals) -> None:
+def call(stage: Any, srv_type: Any, service: str, /, **fields: Any) -> Any:
+    client = stage.user.create_client(srv_type, service)
+    stage.spin_until(client.service_is_ready)
+    answer = client.call_async(srv_type.Request(**fields))
+    stage.spin_until(answer.done)
+    return answer.result()
+
+
+def actions_of(stage: Any) -> list[str]:
+    topics = dict(stage.user.get_service_names_and_types_by_node("turtlesim", "/"))
+    return [name for name in topics if "rotate_absolute" in name]
+
+
+@pytest.mark.parametrize("asked_before", [True, False])
+def test_a_turtle_killed_while_it_turns_aborts_its_goal(stage: Any, goals: Goals, asked_before: bool) -> None:
     handle = goals.send(3.0)
-    killer = stage.user.create_client(Kill, "/kill")
-    stage.spin_until(killer.service_is_ready)
-    handle.get_result_async()
-    stage.spin_until(killer.call_async(Kill.Request(name="turtle1")).done)
+    stage.spin_until(lambda: stage.turtlesim.sim.world.turtles["turtle1"].rotation)
+    asked = handle.get_result_async() if asked_before else None
+    call(stage, Kill, "/kill", name="turtle1")
     assert stage.turtlesim.sim.world.turtles == {}
-    spawner = stage.user.create_client(Spawn, "/spawn")
-    again = spawner.call_async(Spawn.Request(name="turtle1"))
-    stage.spin_until(again.done)
+    answer = goals.wait(asked or handle.get_result_async())
+    assert answer.status == GoalStatus.STATUS_ABORTED
+    assert not goals.send(0.1).accepted, "there is no turtle to turn"
+    stage.spin_until(lambda: not actions_of(stage))
+    assert stage.turtlesim._rotations["turtle1"].is_destroyed
+    assert call(stage, Spawn, "/spawn", name="turtle1").name == "turtle1"
     assert goals.result(goals.send(0.1))[0] == GoalStatus.STATUS_SUCCEEDED
+
+
+def test_a_reset_aborts_goals_and_the_new_turtle_takes_others(stage: Any, goals: Goals) -> None:
+    handle = goals.send(3.0)
+    asked = handle.get_result_async()
+    call(stage, Empty, "/reset")
+    assert goals.wait(asked).status == GoalStatus.STATUS_ABORTED
+    assert goals.result(goals.send(0.3))[0] == GoalStatus.STATUS_SUCCEEDED
+    end = time.monotonic() + FAREWELL_S
+    stage.spin_until(lambda: time.monotonic() > end)
+    assert len(actions_of(stage)) == 3, "it outlives the farewell of the one before it"
+
+
+def test_a_turtle_without_goals_takes_its_action_with_it(stage: Any, goals: Goals) -> None:
+    assert len(actions_of(stage)) == 3
+    call(stage, Kill, "/kill", name="turtle1")
+    assert actions_of(stage) == []
 
 
 @pytest.mark.parametrize("theta", [math.nan, math.inf])

@@ -21,9 +21,10 @@ class TurtleEndpoints:
     Args:
         node: The node that has them.
         turtle: The turtle.
+        rotations: Serves the action under the turtle's name.
     """
 
-    def __init__(self, node: TurtlesimNode, turtle: Turtle) -> None:
+    def __init__(self, node: TurtlesimNode, turtle: Turtle, rotations: RotationServer) -> None:
         self._node = node
         self._turtle = turtle
         name = turtle.name
@@ -35,16 +36,17 @@ class TurtleEndpoints:
             node.create_service(TeleportRelative, f"{name}/teleport_relative", self._on_teleport_relative),
             node.create_service(TeleportAbsolute, f"{name}/teleport_absolute", self._on_teleport_absolute),
         ]
-        self._rotations = RotationServer(node, turtle)
+        self._rotations = rotations
+        rotations.serve(turtle)
 
     def destroy(self) -> None:
-        """Take all of it off the wire."""
+        """Take all of it off the wire, the action once its goals have ended."""
         for publisher in (self._pose, self._color):
             self._node.destroy_publisher(publisher)
         self._node.destroy_subscription(self._cmd_vel)
         for service in self._services:
             self._node.destroy_service(service)
-        self._rotations.destroy()
+        self._rotations.release()
 
     def publish(self) -> None:
         """Tell where the turtle is, what it was commanded [m, rad, m/s, rad/s], and what it sees under it."""

@@ -21,6 +21,7 @@ from tfloom.turtlesim import parameters
 from tfloom.turtlesim.endpoints import TurtleEndpoints
 from tfloom.turtlesim.messages import Kill, Spawn
 from tfloom.turtlesim.record import FRAME_MS, SIDE_PX, Recorder, RecordingError, open_recorder
+from tfloom.turtlesim.rotations import RotationServer
 from tfloom.turtlesim.simulation import TurtleSim
 from tfloom.turtlesim.world import STEP_S, Event, Moved, RotationStep, Turtle, WallHit, is_usable
 
@@ -42,6 +43,7 @@ class TurtlesimNode(Node):
         self.get_logger().info(f"Starting turtlesim with node name {self.get_fully_qualified_name()}")
         self.sim = TurtleSim(lambda: self.get_clock().now().nanoseconds)
         self._endpoints: dict[str, TurtleEndpoints] = {}
+        self._rotations: dict[str, RotationServer] = {}
         for turtle in self.sim.world.turtles.values():
             self._show(turtle)
         self.create_service(Empty, "clear", self._on_clear)
@@ -91,7 +93,10 @@ class TurtlesimNode(Node):
         self.get_logger().info(
             f"Spawning turtle [{turtle.name}] at x=[{turtle.x:f}], y=[{turtle.y:f}], theta=[{turtle.theta:f}]"
         )
-        self._endpoints[turtle.name] = TurtleEndpoints(self, turtle)
+        rotations = self._rotations.get(turtle.name)
+        if rotations is None or rotations.is_destroyed:
+            rotations = self._rotations[turtle.name] = RotationServer(self, turtle.name)
+        self._endpoints[turtle.name] = TurtleEndpoints(self, turtle, rotations)
 
     def _on_clear(self, _: Any, response: Any) -> Any:
         self.get_logger().info("Clearing turtlesim.")

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from collections import deque
 from typing import Any, NamedTuple
 
 from tfloom.node.action.server import ActionServer, CancelResponse, GoalResponse, ServerGoalHandle
+from tfloom.node.clock import Clock, ClockType
 from tfloom.node.node import Node
 from tfloom.node.task import Future
+from tfloom.node.timer import Timer
 from tfloom.turtlesim.messages import RotateAbsolute
 from tfloom.turtlesim.world import Rotation, Turtle, is_usable
+
+FAREWELL_S = 1.0
+"""How long goals of a turtle that is gone can still be asked for their results [s]."""
 
 
 class _Running(NamedTuple):
@@ -20,30 +26,57 @@ class _Running(NamedTuple):
 class RotationServer:
     """Accepts every goal and every cancel; a new goal aborts the one before it.
 
+    It belongs to a turtle's name: a turtle that comes while the one before it takes its leave is served on.
+
     Args:
         node: The node that serves.
-        turtle: The turtle that turns.
+        name: The turtle's name.
     """
 
-    def __init__(self, node: Node, turtle: Turtle) -> None:
+    def __init__(self, node: Node, name: str) -> None:
         self._node = node
-        self._turtle = turtle
+        self._turtle: Turtle | None = None
         self._running: _Running | None = None
+        self._unfinished = 0
+        # Whom the accepted goals that have not begun are for, in their order.
+        self._meant_for: deque[Turtle] = deque()
+        self._farewell: Timer | None = None
+        self.is_destroyed = False
         self._server = ActionServer(
             node,
             RotateAbsolute,
-            f"{turtle.name}/rotate_absolute",
+            f"{name}/rotate_absolute",
             self._execute,
             goal_callback=self._on_goal,
             cancel_callback=self._on_cancel,
         )
 
-    def destroy(self) -> None:
-        """Abort the goal, if there is one, and serve no more."""
+    def serve(self, turtle: Turtle) -> None:
+        """Turn this turtle from now on."""
+        self._turtle = turtle
+        self._stop_farewell()
+
+    def release(self) -> None:
+        """Turn the turtle no more. Goals on their way are aborted, and then there is time to ask for their results."""
+        self._turtle = None
         if self._running is not None:
             self._running.rotation.state = "aborted"
             self._settle()
+        if self._unfinished:
+            real_time = Clock(clock_type=ClockType.STEADY_TIME)
+            self._farewell = self._node.create_timer(FAREWELL_S, self._destroy, clock=real_time)
+        else:
+            self._destroy()
+
+    def _stop_farewell(self) -> None:
+        if self._farewell is not None:
+            self._node.destroy_timer(self._farewell)
+            self._farewell = None
+
+    def _destroy(self) -> None:
+        self._stop_farewell()
         self._server.destroy()
+        self.is_destroyed = True
 
     def tell(self, rotation: Rotation) -> None:
         """Tell how the turtle's turn stands after a step."""
@@ -64,7 +97,11 @@ class RotationServer:
         self._settle()
 
     def _on_goal(self, goal: Any) -> GoalResponse:
+        if self._turtle is None:
+            return GoalResponse.REJECT
         if is_usable(goal.theta):
+            self._unfinished += 1
+            self._meant_for.append(self._turtle)
             return GoalResponse.ACCEPT
         self._node.get_logger().warning(f"Rejecting a rotation goal that is no number: theta=[{goal.theta}]")
         return GoalResponse.REJECT
@@ -75,7 +112,17 @@ class RotationServer:
         return CancelResponse.ACCEPT
 
     async def _execute(self, handle: ServerGoalHandle) -> Any:
-        rotation, aborted = self._turtle.rotate_to(handle.request.theta)
+        try:
+            return await self._turn(handle)
+        finally:
+            self._unfinished -= 1
+
+    async def _turn(self, handle: ServerGoalHandle) -> Any:
+        turtle = self._meant_for.popleft()
+        if turtle is not self._turtle:
+            handle.abort()
+            return RotateAbsolute.Result()
+        rotation, aborted = turtle.rotate_to(handle.request.theta)
         if aborted is not None:
             self._node.get_logger().warning(
                 "Rotation goal received before a previous goal finished. Aborting previous goal"
