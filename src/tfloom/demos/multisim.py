@@ -1,0 +1,82 @@
+"""multisim: two turtlesims side by side, in the namespaces turtlesim1 and turtlesim2.
+
+Each is a program of its own with its window; one may be closed before the other.
+"""
+
+from __future__ import annotations
+
+import argparse
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Sequence
+
+from tfloom.node.utilities import remove_ros_args
+
+NAMESPACES = ("turtlesim1", "turtlesim2")
+GRACE_S = 5.0
+"""How long they have to end by themselves [s]."""
+
+Process = subprocess.Popen[bytes]
+
+
+class Stopped(Exception):  # noqa: N818  # no error
+    """The program is asked to end."""
+
+
+def command_line(namespace: str, args: Sequence[str]) -> list[str]:
+    """Return what runs one turtlesim: in `namespace`, whatever `args` say of one, and with them."""
+    program = [sys.executable, "-m", "tfloom.demos.child", "tfloom.turtlesim.node:main"]
+    return [*program, "--ros-args", "-r", f"__ns:=/{namespace}", "--", *args]
+
+
+def run(args: Sequence[str]) -> int:
+    """Run both until they have ended, or until Stopped; return the first exit code that isn't 0, or 0."""
+    processes: list[Process] = []
+    try:
+        for namespace in NAMESPACES:
+            process = subprocess.Popen(command_line(namespace, args), stdin=subprocess.PIPE)
+            # One by one: if the second can't start, the first is there to be ended.
+            processes.append(process)
+        for process in processes:
+            process.wait()
+    except (Stopped, KeyboardInterrupt):
+        pass
+    finally:
+        codes = end(processes)
+    return next((code for code in codes if code), 0)
+
+
+def end(processes: Sequence[Process]) -> list[int]:
+    """Ask those that still run to end, make them if they don't in time, and return all exit codes."""
+    for process in processes:
+        if process.stdin is not None:
+            process.stdin.close()
+    until = time.monotonic() + GRACE_S
+    return [_wait(process, until) for process in processes]
+
+
+def _wait(process: Process, until: float) -> int:
+    try:
+        return process.wait(max(0.0, until - time.monotonic()))
+    except subprocess.TimeoutExpired:
+        process.kill()
+        return process.wait()
+
+
+def _stop(*_: object) -> None:
+    raise Stopped
+
+
+def main(args: list[str] | None = None) -> int:
+    """Run both until stopped; return the exit code."""
+    args = sys.argv[1:] if args is None else args
+    parser = argparse.ArgumentParser(
+        prog="multisim",
+        description="Run two turtlesims, in the namespaces turtlesim1 and turtlesim2. ROS arguments go to both.",
+    )
+    parser.add_argument("--headless", action="store_true", help="open no windows")
+    parser.parse_args(remove_ros_args(args))
+    signal.signal(signal.SIGTERM, _stop)
+    return run(args)
