@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -30,6 +31,26 @@ def test_a_signal_ends_it_cleanly(domain_id: int, start_program: Callable[..., A
     program.wait_for("Running headless: ")
     program.signal(number)
     assert program.wait() == 0
+    assert "Traceback" not in program.output
+
+
+def test_a_signal_amid_a_step_ends_it_cleanly(domain_id: int, start_program: Callable[..., Any]) -> None:
+    """The signal comes while the node steps; what it would publish then has nowhere to go."""
+    text = """
+import os, signal, sys
+from tfloom.turtlesim import node
+
+class Struck(node.TurtlesimNode):
+    def _step(self):
+        os.kill(os.getpid(), signal.SIGTERM)
+        super()._step()
+        super()._step()  # the first only sets the clock
+
+node.TurtlesimNode = Struck
+sys.exit(node.main(["--headless"]))
+"""
+    program = start_program(Path(sys.executable).name, "-c", text, env=environment())
+    assert program.wait() == 0, program.output
     assert "Traceback" not in program.output
 
 

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.rcl_interfaces.msg import SetParametersResult
 from tfloom.interfaces.std_srvs.srv import Empty
-from tfloom.node import init, spin
+from tfloom.node import init, ok, spin
 from tfloom.node.clock import Clock, ClockType
-from tfloom.node.exceptions import NameValidationException
+from tfloom.node.exceptions import NameValidationException, RCLError
 from tfloom.node.executor import ExternalShutdownException
 from tfloom.node.names import validate_topic_name
 from tfloom.node.node import Node
@@ -209,6 +209,9 @@ def run(args: list[str], recorder: Recorder | None, *, headless: bool) -> None:
         spin(node)
     except (KeyboardInterrupt, ExternalShutdownException):
         pass
+    except RCLError:  # a signal amid a step: what is left of it can't be published
+        if ok():
+            raise
     finally:
         try_shutdown()
         if recorder is not None:
