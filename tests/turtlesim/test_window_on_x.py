@@ -1,0 +1,259 @@
+"""The window on a real X server that nobody sees: what it shows, how it is driven, resized and closed.
+
+Xvfb is the server; pictures are taken from its screen by ImageMagick's `import`.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import ctypes.util
+import os
+import pty
+import shutil
+import subprocess
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PIL import Image, ImageChops
+
+from tfloom.interfaces.turtlesim.msg import Pose
+from tfloom.node import init
+from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.node import Node
+from tfloom.node.utilities import try_shutdown
+from tfloom.turtlesim.simulation import TurtleSim
+
+pygame = pytest.importorskip("pygame", reason="the extra `turtlesim` isn't installed")
+MISSING = [name for name in ("Xvfb", "xdotool", "xwininfo", "import") if shutil.which(name) is None]
+pytestmark = [
+    pytest.mark.wire,
+    pytest.mark.skipif(
+        bool(MISSING), reason=f"not installed: {', '.join(MISSING)}; the window isn't looked at"
+    ),
+]
+TURTLESIM = ("tfloom", "run", "turtlesim", "turtlesim_node")
+TELEOP = ("tfloom", "run", "turtlesim", "turtle_teleop_key")
+STEADY = 20
+"""How often in a row a window must be found to be the one that stays."""
+BACKGROUND = (69, 86, 255)
+PEN = (179, 184, 255)
+
+
+class Screen:
+    """An X server of our own."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+
+    @property
+    def environment(self) -> dict[str, str]:
+        kept = {
+            n: value for n, value in os.environ.items() if n not in {"WAYLAND_DISPLAY", "SDL_VIDEODRIVER"}
+        }
+        return kept | {"DISPLAY": self.name}
+
+    def run(self, *command: str) -> str:
+        done = subprocess.run(
+            command, env=self.environment, capture_output=True, text=True, check=False, timeout=10
+        )
+        return done.stdout.strip()
+
+    def find(self) -> str:
+        """Return the window's id, or '' while there is none."""
+        return self.run("xdotool", "search", "--onlyvisible", "--class", "turtlesim_node").partition("\n")[0]
+
+    def size(self, window: str) -> tuple[int, int]:
+        lines = self.run("xdotool", "getwindowgeometry", "--shell", window).splitlines()
+        values = dict(line.partition("=")[::2] for line in lines)
+        return int(values["WIDTH"]), int(values["HEIGHT"])
+
+    def picture(self, window: str, path: Path) -> Image.Image:
+        subprocess.run(["import", "-window", window, path], env=self.environment, check=True, timeout=10)
+        with Image.open(path) as picture:
+            return picture.convert("RGB")
+
+
+@pytest.fixture
+def screen() -> Iterator[Screen]:
+    reading, writing = os.pipe()
+    command = ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1280x1024x24", "-nolisten", "tcp"]
+    server = subprocess.Popen(command, pass_fds=[writing], stderr=subprocess.DEVNULL)
+    os.close(writing)
+    with os.fdopen(reading, encoding="ascii") as numbers:
+        number = numbers.readline().strip()
+    try:
+        assert number, "Xvfb didn't start"
+        yield Screen(f":{number}")
+    finally:
+        server.terminate()
+        server.wait()
+
+
+class Watcher:
+    """Hears the turtle's pose."""
+
+    def __init__(self) -> None:
+        init(args=[])
+        self.poses: list[Pose] = []
+        self._node = Node("watcher")
+        self._node.create_subscription(Pose, "/turtle1/pose", self.poses.append, 10)
+        self._executor = SingleThreadedExecutor()
+        self._executor.add_node(self._node)
+
+    def sees(self, condition: Callable[[], object]) -> Callable[[], object]:
+        def look() -> object:
+            self._executor.spin_once(timeout_sec=0.01)
+            return condition()
+
+        return look
+
+    def is_at_rest(self) -> bool:
+        last = self.poses[-2:]
+        return len(last) == 2 and last[0] == last[1] and not last[0].linear_velocity
+
+    def end(self) -> None:
+        self._executor.shutdown()
+        self._node.destroy_node()
+        try_shutdown()
+
+
+@pytest.fixture
+def watcher(domain_id: int) -> Iterator[Watcher]:
+    watcher = Watcher()
+    yield watcher
+    watcher.end()
+
+
+@pytest.fixture
+def turtlesim(screen: Screen, domain_id: int, start_program: Callable[..., Any]) -> Any:
+    return start_program(*TURTLESIM, env=screen.environment)
+
+
+@pytest.fixture
+def window(turtlesim: Any, screen: Screen, wait_until: Callable[..., None]) -> str:
+    """The window's id. The toolkit may make one or two before that, which go at once."""
+    turtlesim.wait_for("Spawning turtle [turtle1]")
+    seen: list[str] = []
+
+    def stays() -> bool:
+        seen.append(screen.find())
+        return "" not in seen[-STEADY:] and len(set(seen[-STEADY:])) == 1 and len(seen) >= STEADY
+
+    wait_until(stays)
+    return seen[-1]
+
+
+def expected(pose: Pose, size_px: int) -> Image.Image:
+    """Paint the scene: the turtle is where it is, and has come there straight from the middle."""
+    sim = TurtleSim()
+    turtle = sim.world.turtles["turtle1"]
+    turtle.teleport(pose.x, pose.y, pose.theta)
+    sim.step()
+    return sim.render(size_px)
+
+
+def unlike(picture: Image.Image, other: Image.Image) -> float:
+    """Return the part of the pixels that differ clearly."""
+    assert picture.size == other.size
+    difference = ImageChops.difference(picture, other).convert("L").point(lambda value: 255 * (value > 40))
+    return difference.histogram()[255] / (picture.width * picture.height)
+
+
+def test_it_shows_what_keys_make_the_turtle_do(
+    turtlesim: Any,
+    window: str,
+    screen: Screen,
+    watcher: Watcher,
+    start_program: Callable[..., Any],
+    wait_until: Callable[..., None],
+    tmp_path: Path,
+) -> None:
+    assert '"TurtleSim"' in screen.run("xwininfo", "-id", window)
+    assert screen.size(window) == (500, 500)
+    ours, theirs = pty.openpty()
+    teleop = start_program(*TELEOP, stdin=theirs)
+    teleop.wait_for("'Q' to quit.")
+
+    def driven() -> bool:
+        os.write(ours, b"\x1b[A")
+        return watcher.poses[-1].x > 7.5 if watcher.poses else False
+
+    wait_until(watcher.sees(driven))
+    wait_until(watcher.sees(watcher.is_at_rest))
+    os.write(ours, b"q")
+    assert teleop.wait() == 0
+    scene = expected(watcher.poses[-1], 500)
+    path = tmp_path / "window.png"
+    wait_until(lambda: unlike(screen.picture(window, path), scene) < 0.002)
+    picture = screen.picture(window, path)
+    assert picture.getpixel((5, 5)) == BACKGROUND
+    assert picture.getpixel((270, 250)) == PEN
+    assert unlike(picture, expected(Pose(x=5.5, y=5.5), 500)) > 0.004, (
+        "the comparison sees a turtle elsewhere"
+    )
+
+
+@pytest.mark.parametrize("size", [(1000, 800), (300, 420)])
+def test_it_is_as_sharp_as_it_is_large(
+    turtlesim: Any,
+    window: str,
+    screen: Screen,
+    wait_until: Callable[..., None],
+    tmp_path: Path,
+    size: tuple[int, int],
+) -> None:
+    screen.run("xdotool", "windowmove", window, "0", "0")
+    screen.run("xdotool", "windowsize", window, *map(str, size))
+    side = min(size)
+    left, top = (size[0] - side) // 2, (size[1] - side) // 2
+    scene = TurtleSim().render(side)
+    path = tmp_path / "window.png"
+
+    def is_shown() -> bool:
+        picture = screen.picture(window, path)
+        if picture.size != size:
+            return False
+        shown = picture.crop((left, top, left + side, top + side))
+        return ImageChops.difference(shown, scene).getbbox() is None
+
+    wait_until(is_shown)
+
+
+def ask_to_close(display: str, window: int) -> None:
+    """Send what a desktop sends when the user clicks on a window's cross: WM_DELETE_WINDOW."""
+    x11 = ctypes.CDLL(ctypes.util.find_library("X11"))
+    x11.XOpenDisplay.restype = ctypes.c_void_p
+    x11.XInternAtom.restype = ctypes.c_ulong
+
+    class ClientMessage(ctypes.Structure):
+        _fields_ = (
+            ("type", ctypes.c_int),
+            ("serial", ctypes.c_ulong),
+            ("send_event", ctypes.c_int),
+            ("display", ctypes.c_void_p),
+            ("window", ctypes.c_ulong),
+            ("message_type", ctypes.c_ulong),
+            ("format", ctypes.c_int),
+            ("data", ctypes.c_long * 5),
+            ("padding", ctypes.c_long * 24),  # XEvent is a union of 24 longs
+        )
+
+    connection = ctypes.c_void_p(x11.XOpenDisplay(display.encode()))
+    protocols = x11.XInternAtom(connection, b"WM_PROTOCOLS", 0)
+    delete = x11.XInternAtom(connection, b"WM_DELETE_WINDOW", 0)
+    client_message, bits = 33, 32
+    event = ClientMessage(
+        type=client_message, window=window, message_type=protocols, format=bits, data=(delete, 0, 0, 0, 0)
+    )
+    x11.XSendEvent(connection, ctypes.c_ulong(window), 0, ctypes.c_long(0), ctypes.byref(event))
+    x11.XSync(connection, 0)
+    x11.XCloseDisplay(connection)
+
+
+@pytest.mark.skipif(ctypes.util.find_library("X11") is None, reason="no libX11 to ask a window to close with")
+def test_closing_it_ends_the_node(turtlesim: Any, window: str, screen: Screen) -> None:
+    ask_to_close(screen.name, int(window))
+    assert turtlesim.wait() == 0
+    assert "Traceback" not in turtlesim.output
