@@ -35,6 +35,8 @@ DOORS = {
     "catkin_pkg": "workspace/",
     "reportlab": "tf2_tools/",
     "argcomplete": "cli/main.py",
+    "PIL": "turtlesim/",
+    "transforms3d": "tf2_ros/transformations.py",
     "nanobind": "nowhere in Python",
     "cyclonedds": "nowhere in Python",
 }
