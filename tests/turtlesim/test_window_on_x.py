@@ -55,9 +55,13 @@ class Screen:
         return kept | {"DISPLAY": self.name}
 
     def run(self, *command: str) -> str:
-        done = subprocess.run(
-            command, env=self.environment, capture_output=True, text=True, check=False, timeout=10
-        )
+        """Return what a tool printed; nothing where a window went while it was being asked, and it hangs."""
+        try:
+            done = subprocess.run(
+                command, env=self.environment, capture_output=True, text=True, check=False, timeout=5
+            )
+        except subprocess.TimeoutExpired:
+            return ""
         return done.stdout.strip()
 
     def find(self) -> str:
@@ -71,8 +75,9 @@ class Screen:
 
     def picture(self, window: str, path: Path) -> Image.Image:
         subprocess.run(["import", "-window", window, path], env=self.environment, check=True, timeout=10)
-        with Image.open(path) as picture:
-            return picture.convert("RGB")
+        with Image.open(path) as file:
+            picture: Image.Image = file.convert("RGB")
+        return picture
 
 
 @pytest.fixture
@@ -141,7 +146,7 @@ def window(turtlesim: Any, screen: Screen, wait_until: Callable[..., None]) -> s
         seen.append(screen.find())
         return "" not in seen[-STEADY:] and len(set(seen[-STEADY:])) == 1 and len(seen) >= STEADY
 
-    wait_until(stays)
+    wait_until(stays, timeout_s=60)
     return seen[-1]
 
 
