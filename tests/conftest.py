@@ -15,9 +15,21 @@ from pathlib import Path
 
 import pytest
 
-# By the RTPS port formula, domains up to 100 keep clear of Linux's ephemeral ports.
-DOMAINS = range(1, 101)
+# By the RTPS port formula, domains up to 100 keep clear of Linux's ephemeral ports; the rest of them is for
+# programs that a person starts while the tests run.
+DOMAINS = range(1, 71)
 TIMEOUT_S = 30.0
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """In the CI, give a test of real processes on a real wire a second try, which the summary names.
+
+    There a machine that stalls for seconds is a fact of life. On a desk the first failure counts.
+    """
+    if os.environ.get("CI"):
+        for item in items:
+            if "domain_id" in getattr(item, "fixturenames", ()):
+                item.add_marker(pytest.mark.flaky(reruns=1))
 
 
 def wait_until(condition: Callable[[], object], timeout_s: float = TIMEOUT_S, what: str = "") -> None:
