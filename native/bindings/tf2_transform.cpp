@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "bindings/tf2_buffer.hpp"
 #include "tf2/transform.hpp"
@@ -37,14 +38,23 @@ Transform from_rpy(double roll, double pitch, double yaw, const Triple& p) {
                   cr * cp * cy + sr * sp * sy});
 }
 
+double wrapped(double angle) {  // to (-π, π]
+  if (angle > std::numbers::pi) return angle - 2 * std::numbers::pi;
+  return angle <= -std::numbers::pi ? angle + 2 * std::numbers::pi : angle;
+}
+
+// By half the sum and half the difference of yaw and roll (E. Bernardes and S. Viollet, "Quaternion to Euler angles
+// conversion", 2022): no digits are lost near ±π/2, as they are in the asin of a matrix's element.
 nb::tuple rpy(const Transform& t) {
-  const auto m = tf2::rotation_matrix(t.rotation);
-  const double sine = -m[6];
-  constexpr double locked = 1.0 - 1e-12;  // gimbal lock: yaw and roll turn about one axis, roll takes all
-  if (std::abs(sine) >= locked) {
-    return nb::make_tuple(std::atan2(-m[5], m[4]), std::copysign(std::acos(0.0), sine), 0.0);
-  }
-  return nb::make_tuple(std::atan2(m[7], m[8]), std::asin(sine), std::atan2(m[3], m[0]));
+  const Quaternion& q = t.rotation;
+  const double down = std::hypot(q.w + q.y, q.z - q.x), up = std::hypot(q.w - q.y, q.z + q.x);
+  const double half_sum = std::atan2(q.z + q.x, q.w - q.y), half_difference = std::atan2(q.z - q.x, q.w + q.y);
+  constexpr double locked = 1e-12;  // gimbal lock: yaw and roll turn about one axis, roll takes all
+  constexpr double right_angle = std::numbers::pi / 2;
+  if (up < locked) return nb::make_tuple(wrapped(-2 * half_difference), right_angle, 0.0);
+  if (down < locked) return nb::make_tuple(wrapped(2 * half_sum), -right_angle, 0.0);
+  return nb::make_tuple(wrapped(half_sum - half_difference), 2 * std::atan2(down, up) - right_angle,
+                        wrapped(half_sum + half_difference));
 }
 
 Transform from_axis_angle(const Triple& axis, double angle, const Triple& p) {

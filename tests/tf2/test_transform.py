@@ -48,22 +48,43 @@ def test_matrix_and_points(a: Transform, b: Transform, point: tuple[float, ...])
 @given(transforms)
 def test_other_forms(a: Transform) -> None:
     assert is_close(Transform.from_axis_angle(*a.axis_angle, a.translation), a)
-    assert np.allclose(Transform.from_rpy(*a.rpy_rad, a.translation).matrix(), a.matrix(), atol=1e-6)
+    assert is_close(Transform.from_rpy(*a.rpy_rad, a.translation), a)
     assert pickle.loads(pickle.dumps(a)) == a or is_close(pickle.loads(pickle.dumps(a)), a)
 
 
 @given(angles, st.floats(-1.57, 1.57), angles)
 def test_rpy(roll: float, pitch: float, yaw: float) -> None:
     back = Transform.from_rpy(roll, pitch, yaw).rpy_rad
-    assert np.allclose(np.sin(back), np.sin([roll, pitch, yaw]), atol=1e-6)
+    assert np.allclose(np.sin(back), np.sin([roll, pitch, yaw]), atol=1e-9)
+    assert np.allclose(np.cos(back), np.cos([roll, pitch, yaw]), atol=1e-9)
 
 
 @pytest.mark.parametrize("pitch", [math.pi / 2, -math.pi / 2])
 def test_rpy_in_gimbal_lock(pitch: float) -> None:
     turned = Transform.from_rpy(0.3, pitch, 0.8)
     roll, same_pitch, yaw = turned.rpy_rad
-    assert (yaw, same_pitch) == (0, pytest.approx(pitch, abs=1e-6))
-    assert np.allclose(Transform.from_rpy(roll, same_pitch, 0).matrix(), turned.matrix(), atol=1e-6)
+    assert (yaw, same_pitch) == (0, pytest.approx(pitch, abs=1e-12))
+    assert is_close(Transform.from_rpy(roll, same_pitch, 0), turned)
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize("away", [10.0**-power for power in range(1, 17)])
+def test_rpy_near_gimbal_lock_loses_nothing(away: float, sign: int) -> None:
+    turned = Transform.from_rpy(0.3, sign * (math.pi / 2 - away), 0.8)
+    assert np.allclose(Transform.from_rpy(*turned.rpy_rad).matrix(), turned.matrix(), rtol=0, atol=2e-12)
+
+
+@pytest.mark.parametrize(
+    ("rotation", "rpy"),
+    [
+        ((1, 0, 0, 0), (math.pi, 0, 0)),
+        ((0, 1, 0, 0), (math.pi, 0, math.pi)),
+        ((0, 0, 1, 0), (0, 0, math.pi)),
+        ((0, 1, 0, 1), (0, math.pi / 2, 0)),
+    ],
+)
+def test_rpy_of_half_and_quarter_turns(rotation: tuple, rpy: tuple) -> None:
+    assert Transform((0, 0, 0), rotation).rpy_rad == pytest.approx(rpy, abs=1e-12)
 
 
 @given(transforms, transforms, st.floats(0, 1))
