@@ -183,7 +183,7 @@ def test_a_request_that_cannot_be_read_is_dropped(
     node.create_service(AddTwoInts, "add", add)
     client = node.create_client(AddTwoInts, "add")
     assert client.wait_for_service(timeout_sec=5)
-    client._requester.send(b"\0\1\0\0\1")
+    client._endpoint.send(b"\0\1\0\0\1")
     good = client.call_async(AddTwoInts.Request(a=1))
     executor.spin_until_future_complete(good, timeout_sec=5)
     assert good.result().sum == 1

@@ -9,24 +9,17 @@ from typing import TYPE_CHECKING, Any
 
 from tfloom._native import ReadyQueue
 from tfloom.node.constants import S_TO_NS
-from tfloom.node.entity import Entity
-from tfloom.node.exceptions import InvalidHandle
+from tfloom.node.endpoint import UNREADABLE
 from tfloom.node.qos import QoSProfile
-from tfloom.node.service import SrvType, SrvTypeRequest, SrvTypeResponse
-from tfloom.node.service_introspection import Introspection, ServiceIntrospectionState
+from tfloom.node.service import ServiceEnd, SrvType, SrvTypeRequest, SrvTypeResponse
+from tfloom.node.service_introspection import Introspection
 from tfloom.node.task import Future
-from tfloom.node.throttled_warning import ThrottledWarning
 from tfloom.rmw.base import RequestId
 from tfloom.rosidl import cdr
 from tfloom.rosidl.service import Service as ServiceType
 
 if TYPE_CHECKING:
-    from types import TracebackType
-
-    from typing_extensions import Self
-
     from tfloom.node.callback_groups import CallbackGroup
-    from tfloom.node.clock import Clock
     from tfloom.node.context import Context
     from tfloom.node.executor import Executor
     from tfloom.node.rcutils_logger import RcutilsLogger
@@ -36,14 +29,16 @@ __all__ = ["Client", "SrvType", "SrvTypeRequest", "SrvTypeResponse"]
 
 # Readiness is told, but for a few causes of it on other processes' side.
 _LOOK_AGAIN_NS = S_TO_NS // 10
-_UNREADABLE = object()
 
 
-class Client(Entity):
+class Client(ServiceEnd["Requester"]):
     """Calls a service; `Node.create_client` makes one.
 
     Responses are taken in by the executor that spins the node.
     """
+
+    _kind = "client"
+    _incoming = ("a response", "from")
 
     # What it runs is no callback of the program's, but the end of a wait that a callback of its group may be in.
     goes_by_group = False
@@ -61,36 +56,22 @@ class Client(Entity):
         introspection: Introspection,
         logger: RcutilsLogger,
     ) -> None:
-        self._requester = client_impl
+        super().__init__(
+            client_impl,
+            srv_type,
+            srv_name,
+            qos_profile,
+            callback_group,
+            srv_type.Response,
+            introspection,
+            logger,
+        )
         self._context = context
         self._executor = executor
-        self._introspection = introspection
-        self._warning = ThrottledWarning(logger)
         self._logger = logger
         self._told_obstacle = ""
-        self._destroyed = False
         self._lock = threading.Lock()
         self._pending: dict[int, Future[Any]] = {}
-        self.srv_type = srv_type
-        self.srv_name = srv_name
-        self.qos_profile = qos_profile
-        self.callback_group = callback_group
-
-    @property
-    def service_name(self) -> str:
-        """The service's full name, after remapping."""
-        return self.srv_name
-
-    @property
-    def handle(self) -> Self:
-        """What stands for the library's own client: this object.
-
-        Raises:
-            InvalidHandle: the client was destroyed.
-        """
-        if self._destroyed:
-            raise InvalidHandle(f"cannot use the client of {self.srv_name}: it was destroyed")
-        return self
 
     def call(self, request: Any, timeout_sec: float | None = None) -> Any:
         """Send a request and wait for the response, which another thread, that spins the node, takes in.
@@ -139,10 +120,10 @@ class Client(Entity):
         data = cdr.encode(request)
         future: Future[Any] = Future()
         with self.handle._lock:  # a response may be here before `send` has returned  # noqa: SLF001
-            number = self._requester.send(data)
+            number = self._endpoint.send(data)
             self._pending[number] = future
         future.when_complete(lambda: self.remove_pending_request(future))
-        self._introspection.request_sent(request, RequestId(self._requester.gid, number))
+        self._introspection.request_sent(request, RequestId(self._endpoint.gid, number))
         return future
 
     def get_pending_request(self, sequence_number: int) -> Future[Any]:
@@ -164,9 +145,9 @@ class Client(Entity):
         """Return whether a server is there that will hear a request sent now."""
         if self._destroyed:
             return False
-        if self._requester.is_ready():
+        if self._endpoint.is_ready():
             return True
-        obstacle = self._requester.obstacle()
+        obstacle = self._endpoint.obstacle()
         if obstacle and obstacle != self._told_obstacle:
             self._told_obstacle = obstacle
             self._logger.warning(obstacle)
@@ -184,7 +165,7 @@ class Client(Entity):
         end_ns = None if timeout_sec is None else time.monotonic_ns() + int(timeout_sec * S_TO_NS)
         queue = ReadyQueue()
         self._context.add_queue(queue)
-        self._requester.notify_ready(queue, 1)
+        self._endpoint.notify_ready(queue, 1)
         try:
             while self._context.ok():
                 if self.service_is_ready():
@@ -194,45 +175,19 @@ class Client(Entity):
                     return False
                 queue.wait(min(left_ns, _LOOK_AGAIN_NS))
         finally:
-            self._requester.notify_ready(None)
+            self._endpoint.notify_ready(None)
             self._context.remove_queue(queue)
         return False
 
-    def configure_introspection(
-        self,
-        clock: Clock,
-        service_event_qos_profile: QoSProfile,
-        introspection_state: ServiceIntrospectionState,
-    ) -> None:
-        """Publish what goes and comes on `<service>/_service_event`; see `Service.configure_introspection`."""
-        self._introspection.configure(clock, service_event_qos_profile, introspection_state)
-
-    def attach(self, queue: ReadyQueue, token: int) -> None:
-        """Post `token` when responses have come."""
-        if not self._destroyed:
-            self._requester.notify(queue, token)
-
-    def detach(self) -> None:
-        """Post no more."""
-        if not self._destroyed:
-            self._requester.notify(None)
-
-    def take(self) -> Any:
-        """Return the oldest response and whose it is, or None."""
-        response = None if self._destroyed else self._requester.take()
-        if response is None:
-            return None
-        try:
-            message = cdr.decode(self.srv_type.Response, response.data)
-        except cdr.DecodeError as error:
-            self._warn(response, error)
-            return _UNREADABLE
-        self._introspection.response_received(message, response.id)
-        return message, response.id.sequence_number
+    def _read(self, came: Response) -> Any:
+        """Return a response and the number of its request."""
+        message = cdr.decode(self.srv_type.Response, came.data)
+        self._introspection.response_received(message, came.id)
+        return message, came.id.sequence_number
 
     def run(self, taken: Any) -> Any:
         """Complete the future of the request that is answered."""
-        if taken is _UNREADABLE:
+        if taken is UNREADABLE:
             return
         message, number = taken
         with self._lock:
@@ -240,24 +195,3 @@ class Client(Entity):
         if future is not None and not future.cancelled():
             future.set_executor(self._executor())
             future.set_result(message)
-
-    def _warn(self, response: Response, error: cdr.DecodeError) -> None:
-        name = self.srv_type.Response._TYPE_NAME  # ours
-        self._warning.log(
-            f"Dropped a response of {len(response.data)} bytes from {self.srv_name} that is no valid {name}: {error}"
-        )
-
-    def destroy(self) -> None:
-        """Call no more. Destroying again does nothing. `Node.destroy_client` does it too."""
-        if not self._destroyed:
-            self._destroyed = True
-            self._introspection.close()
-            self._requester.close()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, t: type[BaseException] | None, v: BaseException | None, tb: TracebackType | None
-    ) -> None:
-        self.destroy()

@@ -27,7 +27,7 @@ UnsupportedEventTypeError = UnsupportedEventError
 StatusCallback = Callable[[Any], Any]
 
 
-class Endpoint(Protocol):
+class Watched(Protocol):
     """The end of a topic whose events are watched."""
 
     gid: bytes
@@ -48,7 +48,7 @@ class EventHandler(Entity):
         callback_group: CallbackGroup,
         callback: StatusCallback,
         event_type: Event,
-        parent_impl: Endpoint,
+        parent_impl: Watched,
     ) -> None:
         self.callback_group = callback_group
         self.callback = callback
@@ -84,15 +84,39 @@ class _EventCallbacks:
     """The callbacks of one publisher or subscription, and what stands in for the one that isn't given."""
 
     is_publisher: bool
+    _liveliness: Event
 
-    def __init__(self, callbacks: dict[Event, StatusCallback | None], use_default_callbacks: bool) -> None:
-        self._callbacks = {event: callback for event, callback in callbacks.items() if callback is not None}
+    def __init__(
+        self,
+        *,
+        deadline: StatusCallback | None = None,
+        liveliness: StatusCallback | None = None,
+        incompatible_qos: StatusCallback | None = None,
+        incompatible_type: StatusCallback | None = None,
+        matched: StatusCallback | None = None,
+        use_default_callbacks: bool = True,
+    ) -> None:
+        if incompatible_type is not None:
+            raise UnsupportedEventTypeError("incompatible_type: no wire here tells of peers of another type")
+        self.deadline = deadline
+        self.liveliness = liveliness
+        self.incompatible_qos = incompatible_qos
+        self.incompatible_type = incompatible_type
+        self.matched = matched
         self.use_default_callbacks = use_default_callbacks
+
+    def _by_event(self) -> dict[Event, StatusCallback | None]:
+        return {
+            Event.DEADLINE_MISSED: self.deadline,
+            Event.INCOMPATIBLE_QOS: self.incompatible_qos,
+            self._liveliness: self.liveliness,
+            Event.MATCHED: self.matched,
+        }
 
     def create_event_handlers(
         self,
         callback_group: CallbackGroup,
-        endpoint: Endpoint,
+        endpoint: Watched,
         topic_name: str,
         *,
         logger: RcutilsLogger,
@@ -105,8 +129,8 @@ class _EventCallbacks:
         Raises:
             UnsupportedEventTypeError: the wire doesn't know an event that there is a callback for.
         """
-        callbacks = dict(self._callbacks)
-        if self.use_default_callbacks and Event.INCOMPATIBLE_QOS not in callbacks:
+        callbacks = self._by_event()
+        if self.use_default_callbacks and self.incompatible_qos is None:
             callbacks[Event.INCOMPATIBLE_QOS] = lambda status: logger.warning(
                 mismatch_text(status, topic_name, endpoint.gid, graph, is_publisher=self.is_publisher)
             )
@@ -115,12 +139,8 @@ class _EventCallbacks:
                 callback_group=callback_group, callback=callback, event_type=event, parent_impl=endpoint
             )
             for event, callback in callbacks.items()
+            if callback is not None
         ]
-
-
-def _refuse_incompatible_type(callback: StatusCallback | None) -> None:
-    if callback is not None:
-        raise UnsupportedEventTypeError("incompatible_type: no wire here tells of peers of another type")
 
 
 class PublisherEventCallbacks(_EventCallbacks):
@@ -139,29 +159,7 @@ class PublisherEventCallbacks(_EventCallbacks):
     """
 
     is_publisher = True
-
-    def __init__(
-        self,
-        *,
-        deadline: StatusCallback | None = None,
-        liveliness: StatusCallback | None = None,
-        incompatible_qos: StatusCallback | None = None,
-        incompatible_type: StatusCallback | None = None,
-        matched: StatusCallback | None = None,
-        use_default_callbacks: bool = True,
-    ) -> None:
-        _refuse_incompatible_type(incompatible_type)
-        self.deadline = deadline
-        self.liveliness = liveliness
-        self.incompatible_qos = incompatible_qos
-        self.matched = matched
-        callbacks = {
-            Event.DEADLINE_MISSED: deadline,
-            Event.LIVELINESS_LOST: liveliness,
-            Event.INCOMPATIBLE_QOS: incompatible_qos,
-            Event.MATCHED: matched,
-        }
-        super().__init__(callbacks, use_default_callbacks)
+    _liveliness = Event.LIVELINESS_LOST
 
 
 class SubscriptionEventCallbacks(_EventCallbacks):
@@ -181,6 +179,7 @@ class SubscriptionEventCallbacks(_EventCallbacks):
     """
 
     is_publisher = False
+    _liveliness = Event.LIVELINESS_CHANGED
 
     def __init__(
         self,
@@ -193,17 +192,15 @@ class SubscriptionEventCallbacks(_EventCallbacks):
         matched: StatusCallback | None = None,
         use_default_callbacks: bool = True,
     ) -> None:
-        _refuse_incompatible_type(incompatible_type)
-        self.deadline = deadline
-        self.incompatible_qos = incompatible_qos
-        self.liveliness = liveliness
+        super().__init__(
+            deadline=deadline,
+            liveliness=liveliness,
+            incompatible_qos=incompatible_qos,
+            incompatible_type=incompatible_type,
+            matched=matched,
+            use_default_callbacks=use_default_callbacks,
+        )
         self.message_lost = message_lost
-        self.matched = matched
-        callbacks = {
-            Event.DEADLINE_MISSED: deadline,
-            Event.INCOMPATIBLE_QOS: incompatible_qos,
-            Event.LIVELINESS_CHANGED: liveliness,
-            Event.MESSAGE_LOST: message_lost,
-            Event.MATCHED: matched,
-        }
-        super().__init__(callbacks, use_default_callbacks)
+
+    def _by_event(self) -> dict[Event, StatusCallback | None]:
+        return {**super()._by_event(), Event.MESSAGE_LOST: self.message_lost}

@@ -5,16 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Generic, TypeVar
 
 from tfloom.node.duration import Duration
+from tfloom.node.endpoint import Endpoint
 from tfloom.node.exceptions import InvalidHandle, RCLError
 from tfloom.node.qos import QoSProfile
 from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
 
 if TYPE_CHECKING:
-    from types import TracebackType
-
-    from typing_extensions import Self
-
     from tfloom.node.callback_groups import CallbackGroup
     from tfloom.node.context import Context
     from tfloom.node.event_handler import EventHandler
@@ -25,8 +22,10 @@ __all__ = ["MsgType", "Publisher"]
 MsgType = TypeVar("MsgType", bound=Message)
 
 
-class Publisher(Generic[MsgType]):
+class Publisher(Endpoint["Writer"], Generic[MsgType]):
     """Publishes messages of one type on one topic; `Node.create_publisher` makes one."""
+
+    _kind = "publisher"
 
     def __init__(
         self,
@@ -39,9 +38,8 @@ class Publisher(Generic[MsgType]):
         *,
         context: Context,
     ) -> None:
-        self._writer = publisher_impl
+        super().__init__(publisher_impl, topic)
         self._context = context
-        self._destroyed = False
         self.msg_type = msg_type
         self.topic = topic
         self.qos_profile = qos_profile
@@ -67,11 +65,11 @@ class Publisher(Generic[MsgType]):
             raise InvalidHandle(f"cannot publish on {self.topic}: the publisher was destroyed")
         if not self._context.ok():
             raise RCLError("Failed to publish: publisher's context is invalid")
-        self._writer.write(data)
+        self._endpoint.write(data)
 
     def get_subscription_count(self) -> int:
         """Return how many subscriptions are connected now."""
-        return 0 if self._destroyed else self._writer.matched_count()
+        return 0 if self._destroyed else self._endpoint.matched_count()
 
     @property
     def topic_name(self) -> str:
@@ -79,30 +77,13 @@ class Publisher(Generic[MsgType]):
         return self.topic
 
     @property
-    def handle(self) -> Self:
-        """What stands for the library's own publisher: this object.
-
-        Raises:
-            InvalidHandle: the publisher was destroyed.
-        """
-        if self._destroyed:
-            raise InvalidHandle(f"cannot use the publisher on {self.topic}: it was destroyed")
-        return self
-
-    @property
     def gid(self) -> bytes:
         """Who it is on the wire: 16 octets."""
-        return self._writer.gid
-
-    def destroy(self) -> None:
-        """Leave the topic. Destroying again does nothing. `Node.destroy_publisher` does it too."""
-        if not self._destroyed:
-            self._destroyed = True
-            self._writer.close()
+        return self._endpoint.gid
 
     def assert_liveliness(self) -> None:
         """Say that the publisher lives; with AUTOMATIC liveliness the wire says so by itself."""
-        self.handle._writer.assert_liveliness()  # noqa: SLF001
+        self.handle._endpoint.assert_liveliness()  # noqa: SLF001
 
     def wait_for_all_acked(self, timeout: Duration = Duration(seconds=-1)) -> bool:  # noqa: B008  # immutable
         """Wait until every connected reliable subscription has all that was published.
@@ -113,12 +94,4 @@ class Publisher(Generic[MsgType]):
         Returns:
             False after the timeout.
         """
-        return self.handle._writer.wait_for_acks(timeout.nanoseconds)  # noqa: SLF001
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, t: type[BaseException] | None, v: BaseException | None, tb: TracebackType | None
-    ) -> None:
-        self.destroy()
+        return self.handle._endpoint.wait_for_acks(timeout.nanoseconds)  # noqa: SLF001

@@ -136,30 +136,37 @@ class Graph(Protocol):
         """Return a number that grows with each change, for "wait until it is quiet"."""
 
 
-class Writer(Protocol):
-    """The sending end of a topic."""
+class Endpoint(Protocol):
+    """What a writer and a reader have in common."""
 
     gid: bytes
 
-    def write(self, data: bytes) -> None:
-        """Send one sample: encapsulation header and CDR. Never blocks for longer than the wire's own limit."""
-
     def matched_count(self) -> int:
-        """Return how many readers are connected now."""
+        """Return how many peers are connected now."""
 
     def notify_event(self, event: Event, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` when `take_event(event)` may have news, once at the start too; None ends it.
 
         Raises:
-            UnsupportedEventError: this wire, or a writer, has no such event.
+            UnsupportedEventError: this wire, or a such an endpoint, has no such event.
         """
 
     def take_event(self, event: Event) -> Status | None:
         """Return what has become of `event` since it was taken last, or None if nothing has happened.
 
         Raises:
-            UnsupportedEventError: this wire, or a writer, has no such event.
+            UnsupportedEventError: this wire, or a such an endpoint, has no such event.
         """
+
+    def close(self) -> None:
+        """Leave the topic. Closing again does nothing; writing afterwards raises RuntimeError."""
+
+
+class Writer(Endpoint, Protocol):
+    """The sending end of a topic."""
+
+    def write(self, data: bytes) -> None:
+        """Send one sample: encapsulation header and CDR. Never blocks for longer than the wire's own limit."""
 
     def assert_liveliness(self) -> None:
         """Say that this writer is alive, as `LivelinessPolicy.MANUAL_BY_TOPIC` wants it; a write says so too."""
@@ -170,14 +177,9 @@ class Writer(Protocol):
         Does not wait with a timeout of 0, waits for ever with a negative one.
         """
 
-    def close(self) -> None:
-        """Leave the topic. Closing again does nothing; writing afterwards raises RuntimeError."""
 
-
-class Reader(Protocol):
+class Reader(Endpoint, Protocol):
     """The receiving end of a topic."""
-
-    gid: bytes
 
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` when there is something to take, at once if there may be already; None ends it.
@@ -194,26 +196,6 @@ class Reader(Protocol):
         Python never sees them: `take` returns None and `notify` posts nothing. The reader keeps the sink alive,
         and pushes nothing more once `close` has returned.
         """
-
-    def matched_count(self) -> int:
-        """Return how many writers are connected now."""
-
-    def notify_event(self, event: Event, queue: ReadyQueue | None, token: int = 0) -> None:
-        """Post `token` to `queue` when `take_event(event)` may have news, once at the start too; None ends it.
-
-        Raises:
-            UnsupportedEventError: this wire, or a reader, has no such event.
-        """
-
-    def take_event(self, event: Event) -> Status | None:
-        """Return what has become of `event` since it was taken last, or None if nothing has happened.
-
-        Raises:
-            UnsupportedEventError: this wire, or a reader, has no such event.
-        """
-
-    def close(self) -> None:
-        """Leave the topic. Closing again does nothing."""
 
 
 class Requester(Protocol):

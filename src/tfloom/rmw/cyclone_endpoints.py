@@ -86,6 +86,8 @@ def _status(event: Event, fields: tuple[int, int, int, int]) -> Status:
 class CycloneWriter(CycloneEndpoint):
     """The sending end; see `base.Writer`."""
 
+    native_type = DdsWriter
+
     def __init__(self, native: DdsWriter, topic_name: str, forget: Callable[[CycloneEndpoint], None]) -> None:
         super().__init__(native, topic_name, forget)
         self._native = native
@@ -138,6 +140,8 @@ class CycloneWriter(CycloneEndpoint):
 
 class CycloneReader(CycloneEndpoint):
     """The receiving end; see `base.Reader`."""
+
+    native_type = DdsReader
 
     def __init__(self, native: DdsReader, topic_name: str, forget: Callable[[CycloneEndpoint], None]) -> None:
         super().__init__(native, topic_name, forget)

@@ -13,7 +13,7 @@ from itertools import count
 from typing import TypeVar
 from weakref import WeakSet
 
-from tfloom._native import DdsParticipant, DdsReader, DdsWriter
+from tfloom._native import DdsParticipant, DdsWriter
 from tfloom.rmw import cyclone_config, node_lists
 from tfloom.rmw.base import NodeName, Participant, Service, Topic
 from tfloom.rmw.compatibility import best_available, is_best_available
@@ -35,7 +35,8 @@ from tfloom.rmw.topic_names import request_topic, response_topic, topic_to_dds, 
 
 _WRITE_LAST = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, depth=1)
 
-_Native = TypeVar("_Native", DdsWriter, DdsReader)
+_End = TypeVar("_End", CycloneWriter, CycloneReader)
+_End2 = TypeVar("_End2", CycloneWriter, CycloneReader)
 
 
 _open_participants: WeakSet[CycloneParticipant] = WeakSet()
@@ -125,10 +126,7 @@ class CycloneParticipant:
         Raises:
             WireError: the library refuses it; its text says why.
         """
-        best = self._best_available(topic.name, qos, is_writer=True)
-        writer = self._open_writer(topic_to_dds(topic.name), topic, best, _user_data(topic))
-        self._remember(node, writer)
-        return writer
+        return self._open_topic(CycloneWriter, node, topic, qos)
 
     def create_reader(self, node: NodeName, topic: Topic, qos: QoS) -> CycloneReader:
         """Ask for a topic on behalf of `node`.
@@ -136,10 +134,13 @@ class CycloneParticipant:
         Raises:
             WireError: the library refuses it; its text says why.
         """
-        best = self._best_available(topic.name, qos, is_writer=False)
-        reader = self._open_reader(topic_to_dds(topic.name), topic, best, _user_data(topic))
-        self._remember(node, reader)
-        return reader
+        return self._open_topic(CycloneReader, node, topic, qos)
+
+    def _open_topic(self, kind: type[_End], node: NodeName, topic: Topic, qos: QoS) -> _End:
+        best = self._best_available(topic.name, qos, is_writer=kind is CycloneWriter)
+        end = self._open(kind, topic_to_dds(topic.name), topic, best, _user_data(topic))
+        self._remember(node, end)
+        return end
 
     def create_requester(self, node: NodeName, service: Service, qos: QoS) -> HeaderRequester:
         """Become a client of a service on behalf of `node`.
@@ -147,16 +148,9 @@ class CycloneParticipant:
         Raises:
             WireError: the library refuses it; its text says why.
         """
-        asking, answering = request_topic(service), response_topic(service)
-        identifier = end_id(self._native.gid, next(self._service_end_numbers))
-        user_data = end_user_data(CLIENT_KEY, identifier, service.response_hash)
-        responses = self._open_reader(answering.name, answering, qos, user_data)
-        user_data = end_user_data(CLIENT_KEY, identifier, service.request_hash)
-        requests = self._open_writer(asking.name, asking, qos, user_data)
-        self._remember(node, requests, responses)
-        return HeaderRequester(
-            requests, responses, CycloneServers(requests, responses, service.name), os.urandom(8)
-        )
+        requests, responses = self._open_service(CLIENT_KEY, CycloneWriter, CycloneReader, node, service, qos)
+        servers = CycloneServers(requests, responses, service.name)
+        return HeaderRequester(requests, responses, servers, os.urandom(8))
 
     def create_responder(self, node: NodeName, service: Service, qos: QoS) -> HeaderResponder:
         """Serve a service on behalf of `node`.
@@ -164,14 +158,26 @@ class CycloneParticipant:
         Raises:
             WireError: the library refuses it; its text says why.
         """
-        asking, answering = request_topic(service), response_topic(service)
-        identifier = end_id(self._native.gid, next(self._service_end_numbers))
-        user_data = end_user_data(SERVER_KEY, identifier, service.response_hash)
-        responses = self._open_writer(answering.name, answering, qos, user_data)
-        user_data = end_user_data(SERVER_KEY, identifier, service.request_hash)
-        requests = self._open_reader(asking.name, asking, qos, user_data)
-        self._remember(node, requests, responses)
+        requests, responses = self._open_service(SERVER_KEY, CycloneReader, CycloneWriter, node, service, qos)
         return HeaderResponder(requests, responses, CycloneClients(requests, responses, service.name))
+
+    def _open_service(
+        self, key: str, asking: type[_End], answering: type[_End2], node: NodeName, service: Service, qos: QoS
+    ) -> tuple[_End, _End2]:
+        """Open the ends of a server or a client: that of requests, and that of responses."""
+        identifier = end_id(self._native.gid, next(self._service_end_numbers))
+        topic = response_topic(service)
+        user_data = end_user_data(key, identifier, service.response_hash)
+        responses = self._open(answering, topic.name, topic, qos, user_data)
+        topic = request_topic(service)
+        user_data = end_user_data(key, identifier, service.request_hash)
+        try:
+            requests = self._open(asking, topic.name, topic, qos, user_data)
+        except WireError:
+            responses.close()
+            raise
+        self._remember(node, requests, responses)
+        return requests, responses
 
     def _best_available(self, topic_name: str, qos: QoS, *, is_writer: bool) -> QoS:
         if not is_best_available(qos):
@@ -180,21 +186,16 @@ class CycloneParticipant:
         theirs = [end.qos for end in ends if end.topic.name == topic_name and end.is_writer != is_writer]
         return best_available(qos, theirs, is_writer=is_writer)
 
-    def _open_writer(self, dds_name: str, topic: Topic, qos: QoS, user_data: bytes) -> CycloneWriter:
-        native = self._open(DdsWriter, dds_name, topic, qos, user_data)
-        return CycloneWriter(native, topic.name, self._forget)
-
-    def _open_reader(self, dds_name: str, topic: Topic, qos: QoS, user_data: bytes) -> CycloneReader:
-        native = self._open(DdsReader, dds_name, topic, qos, user_data)
-        return CycloneReader(native, topic.name, self._forget)
-
-    def _open(self, kind: type[_Native], dds_name: str, topic: Topic, qos: QoS, user_data: bytes) -> _Native:
+    def _open(self, kind: type[_End], dds_name: str, topic: Topic, qos: QoS, user_data: bytes) -> _End:
         if self._closed:
             raise ClosedError(f"cannot open {topic.name}: its participant is closed")
         try:
-            return kind(self._native, dds_name, type_to_dds(topic.type_name), qos.resolved(), user_data)
+            native = kind.native_type(
+                self._native, dds_name, type_to_dds(topic.type_name), qos.resolved(), user_data
+            )
         except RuntimeError as error:
             raise WireError(str(error)) from None
+        return kind(native, topic.name, self._forget)
 
     def _remember(self, node: NodeName, *ends: CycloneEndpoint) -> None:
         with self._lock:
