@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import random
 import socket
@@ -80,8 +81,23 @@ def domain_id(monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
         monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
         with lock:
             yield domain
+            _expect_nobody_left(domain)
         return
     pytest.fail("all DDS domains are in use")
+
+
+def _expect_nobody_left(domain: int) -> None:
+    """Fail the test that leaves a participant on its domain: the next test to draw it would meet its nodes."""
+    wire = sys.modules.get("tfloom.rmw.cyclonedds")
+    if wire is None:
+        return
+
+    def left() -> list[object]:
+        return [each for each in wire._open_participants if each.domain_id == domain and not each._closed]
+
+    if left():
+        gc.collect()
+    assert not left(), "the test left a participant open"
 
 
 class Program:

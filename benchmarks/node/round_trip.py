@@ -15,7 +15,7 @@ from statistics import median
 
 from tfloom.rmw.cyclone_config import configuration
 
-DOMAIN_ID = 49
+DOMAIN_ID = 99
 WARM_UP = 200
 ROUND_TRIPS = 1000
 TURNS = 5

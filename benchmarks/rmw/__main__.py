@@ -18,7 +18,7 @@ PAYLOAD_SIZE = 1000
 WARM_UP = 200
 ROUND_TRIPS = 1000
 TURNS = 5
-DOMAIN_ID = 39
+DOMAIN_ID = 98
 
 Trip = Callable[[], None]
 

@@ -20,7 +20,7 @@ from tfloom.turtlesim.world import STEP_S
 COUNTS = (1, 10, 100)
 WARM_UP_S = 1.0
 MEASURED_S = 5.0
-DOMAIN_ID = 59
+DOMAIN_ID = 100
 
 
 class CrowdedNode(TurtlesimNode):

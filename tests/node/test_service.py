@@ -50,7 +50,7 @@ def test_many_clients_get_their_own_answers(make_node: MakeNode, executor: Singl
     server.create_service(AddTwoInts, "add", add)
     executor.add_node(server)
     clients: list[Client] = []
-    for index in range(8):  # as many as a service's default history holds
+    for index in range(20):
         node = make_node(f"client_{index}")
         executor.add_node(node)
         clients.append(node.create_client(AddTwoInts, "add"))

@@ -24,6 +24,7 @@ from tfloom.rmw.qos import (
     QoS,
     ReliabilityPolicy,
 )
+from tfloom.rmw.services import LEAST_WAITING
 from tfloom.rmw.topic_names import key_values, topic_from_dds, type_from_dds, type_to_dds
 
 pytestmark = pytest.mark.wire
@@ -73,7 +74,7 @@ def test_endpoints_look_as_those_of_a_real_ros(
 
 
 def test_service_ends_look_as_those_of_a_real_ros(
-    participant, node, domain_id, monkeypatch, start_program
+    participant, node, domain_id, monkeypatch, start_program, deviations
 ) -> None:
     recorded = {
         ("subscription", "rq/killRequest"): recorded_endpoint("subscription", "rq/killRequest"),
@@ -91,6 +92,9 @@ def test_service_ends_look_as_those_of_a_real_ros(
         got = seen[key]
         assert got["type_name"] == expected["type_name"]
         *policies, user_data = expected["qos"]
+        if "services-history" in deviations and key[0] == "subscription":
+            policies.remove("Policy.History.KeepLast(depth=10)")
+            policies.append(f"Policy.History.KeepLast(depth={LEAST_WAITING})")
         assert set(policies) <= set(got["qos"])
         (told,) = (policy for policy in got["qos"] if policy.startswith("Policy.Userdata"))
         prefix, server_id, rest = re.fullmatch(r"(.*serviceid=)([ 0-9a-f.]+)(;.*)", told).groups()

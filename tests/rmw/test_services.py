@@ -93,6 +93,29 @@ def test_each_client_gets_its_own_responses(wires: Wires, take, wait_until) -> N
     assert got == sent
 
 
+def test_many_requests_and_responses_wait_for_who_is_slow(wires: Wires, take, wait_until) -> None:
+    server = wires[1].create_responder(SERVER, KILL, QoS())
+    client, other = (wires[0].create_requester(CLIENT, KILL, QoS()) for _ in range(2))
+    wait_until(client.is_ready)
+    for number in range(50):
+        client.send(HEADER + bytes([number, 0, 0, 0]))
+    requests = [take(server) for _ in range(50)]
+    for request in requests:
+        server.send(request.id, request.data)
+    assert [take(client).data[4] for _ in range(50)] == list(range(50))
+    assert other.take() is None
+
+
+def test_a_server_may_wish_to_forget(wires: Wires, take, wait_until) -> None:
+    server = wires[1].create_responder(SERVER, KILL, QoS(depth=1))
+    client = wires[0].create_requester(CLIENT, KILL, QoS())
+    wait_until(client.is_ready)
+    for number in range(50):
+        client.send(HEADER + bytes([number, 0, 0, 0]))
+    wait_until(lambda: take(server).id.sequence_number == 50)
+    assert server.take() is None
+
+
 def test_tokens_are_posted_for_requests_responses_and_readiness(wires: Wires, take, wait_until) -> None:
     asked, answered, ready = ReadyQueue(), ReadyQueue(), ReadyQueue()
     client = wires[0].create_requester(CLIENT, KILL, QoS())

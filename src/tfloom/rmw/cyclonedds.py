@@ -30,7 +30,7 @@ from tfloom.rmw.cyclone_services import (
 )
 from tfloom.rmw.errors import ClosedError, WireError
 from tfloom.rmw.qos import DurabilityPolicy, QoS
-from tfloom.rmw.services import HeaderRequester, HeaderResponder
+from tfloom.rmw.services import HeaderRequester, HeaderResponder, waiting_qos
 from tfloom.rmw.topic_names import request_topic, response_topic, topic_to_dds, type_to_dds
 
 _WRITE_LAST = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, depth=1)
@@ -165,14 +165,19 @@ class CycloneParticipant:
         self, key: str, asking: type[_End], answering: type[_End2], node: NodeName, service: Service, qos: QoS
     ) -> tuple[_End, _End2]:
         """Open the ends of a server or a client: that of requests, and that of responses."""
+        waiting = waiting_qos(qos, is_client=key == CLIENT_KEY)
         identifier = end_id(self._native.gid, next(self._service_end_numbers))
         topic = response_topic(service)
         user_data = end_user_data(key, identifier, service.response_hash)
-        responses = self._open(answering, topic.name, topic, qos, user_data)
+        responses = self._open(
+            answering, topic.name, topic, waiting if answering is CycloneReader else qos, user_data
+        )
         topic = request_topic(service)
         user_data = end_user_data(key, identifier, service.request_hash)
         try:
-            requests = self._open(asking, topic.name, topic, qos, user_data)
+            requests = self._open(
+                asking, topic.name, topic, waiting if asking is CycloneReader else qos, user_data
+            )
         except WireError:
             responses.close()
             raise

@@ -16,7 +16,7 @@ from tfloom.rmw.errors import ClosedError
 from tfloom.rmw.local_endpoints import LocalReader, LocalWriter
 from tfloom.rmw.local_services import LocalClients, LocalServers
 from tfloom.rmw.qos import QoS
-from tfloom.rmw.services import HeaderRequester, HeaderResponder
+from tfloom.rmw.services import HeaderRequester, HeaderResponder, waiting_qos
 from tfloom.rmw.topic_names import request_topic, response_topic, service_from_request_topic
 
 _domains: dict[int, _Domain] = {}
@@ -189,14 +189,14 @@ class LocalParticipant:
 
     def create_requester(self, node: NodeName, service: Service, qos: QoS) -> HeaderRequester:
         """Become a client of a service on behalf of `node`."""
-        responses = self.create_reader(node, response_topic(service), qos)
+        responses = self.create_reader(node, response_topic(service), waiting_qos(qos, is_client=True))
         requests = self.create_writer(node, request_topic(service), qos)
         return HeaderRequester(requests, responses, LocalServers(requests, responses), requests.gid[-8:])
 
     def create_responder(self, node: NodeName, service: Service, qos: QoS) -> HeaderResponder:
         """Serve a service on behalf of `node`."""
         responses = self.create_writer(node, response_topic(service), qos)
-        requests = self.create_reader(node, request_topic(service), qos)
+        requests = self.create_reader(node, request_topic(service), waiting_qos(qos, is_client=False))
         return HeaderResponder(requests, responses, LocalClients())
 
     def _describe(self, node: NodeName, topic: Topic, qos: QoS, *, is_writer: bool) -> EndpointInfo:

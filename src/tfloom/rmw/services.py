@@ -15,9 +15,13 @@ from tfloom._native import ReadyQueue
 from tfloom.rmw.base import Reader, Request, RequestId, Response, Sample, Writer
 from tfloom.rmw.errors import ClosedError, ForeignPeerError
 from tfloom.rmw.events import Event
+from tfloom.rmw.qos import QoS
 
 CLIENT_WAIT_S = 0.1
 """How long a response waits for a client that can't hear it yet."""
+
+LEAST_WAITING = 1000
+"""How many requests, or responses, a reader keeps at least while nobody takes them."""
 
 _HEADER = struct.Struct("<8sq")
 _ENCAPSULATION_SIZE = 4
@@ -48,6 +52,17 @@ class Clients(Protocol):
 
     def hears(self, publisher_gid: bytes) -> bool | None:
         """Tell whether the client that wrote from here hears responses now; None if it has left."""
+
+
+def waiting_qos(qos: QoS, *, is_client: bool) -> QoS:
+    """Return what the reader of a service's end asks for.
+
+    All clients' requests meet in a server's one reader, and a client's is passed all clients' responses: with ROS's
+    default depth of 10, one is lost when eleven come at once. A server whose depth is below that is left its wish.
+    """
+    if is_client or qos.depth >= QoS().depth:
+        return qos._replace(depth=max(qos.depth, LEAST_WAITING))
+    return qos
 
 
 def _with_header(data: bytes, key: bytes, sequence_number: int) -> bytes:

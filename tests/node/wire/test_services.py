@@ -1,0 +1,124 @@
+"""Servers that are killed, many clients at once, and servers that must not be spoken to."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import threading
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from tests.conftest import Program, wait_until
+from tests.node.wire.conftest import LEASE_TIMEOUT_S, PROGRAMS
+
+from tfloom.interfaces.example_interfaces.srv import AddTwoInts
+from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.node import Node
+from tfloom.rmw import cyclone_services
+from tfloom.rmw.errors import ForeignPeerError
+
+pytestmark = pytest.mark.wire
+
+Start = Callable[..., Program]
+Finish = Callable[..., Any]
+
+
+def test_a_server_killed_in_mid_call(
+    node: Node, executor: SingleThreadedExecutor, start: Start, finish: Finish
+) -> None:
+    server = start("service_server")
+    client, hang = node.create_client(AddTwoInts, "add"), node.create_client(AddTwoInts, "hang")
+    assert client.wait_for_service(timeout_sec=20)
+    assert hang.wait_for_service(timeout_sec=20)
+    assert finish(client.call_async(AddTwoInts.Request(a=40, b=2))).sum == 42
+    lost = hang.call_async(AddTwoInts.Request())
+    outcome: list[BaseException] = []
+
+    def call() -> None:
+        try:
+            hang.call(AddTwoInts.Request(), timeout_sec=1.0)
+        except TimeoutError as error:
+            outcome.append(error)
+
+    waiting = threading.Thread(target=call)
+    waiting.start()
+    server.wait_for("hanging")
+    server.signal(signal.SIGKILL)
+    server.wait()
+    while waiting.is_alive():
+        executor.spin_once(timeout_sec=0.1)
+    assert str(outcome[0]) == "no response from /hang in 1.0 s"
+    wait_until(lambda: not hang.service_is_ready(), LEASE_TIMEOUT_S)
+    assert not hang.wait_for_service(timeout_sec=0.0)
+    assert not client.service_is_ready()
+    assert list(hang._pending.values()) == [lost]
+
+    start("service_server")
+    assert client.wait_for_service(timeout_sec=20)
+    assert finish(client.call_async(AddTwoInts.Request(a=1, b=2))).sum == 3
+    assert not lost.done()
+
+
+def test_a_server_that_is_back_at_once_is_called_at_once(node: Node, start: Start, finish: Finish) -> None:
+    client = node.create_client(AddTwoInts, "add")
+    server = start("service_server")
+    assert client.wait_for_service(timeout_sec=20)
+    server.signal(signal.SIGKILL)
+    server.wait()
+    start("service_server")
+    wait_until(lambda: client._endpoint._requests.matched_count() == 2)  # the dead one still has its lease
+    wait_until(lambda: client._endpoint._responses.matched_count() == 2)
+    assert finish(client.call_async(AddTwoInts.Request(a=1, b=2))).sum == 3
+
+
+def test_many_clients_in_many_processes_get_their_own_answers(
+    start: Start, start_program: Callable[..., Program]
+) -> None:
+    start("service_server")
+    callers = [
+        start_program(
+            "python",
+            PROGRAMS / "service_clients.py",
+            *map(str, (number, 4, 50)),
+            stdin=subprocess.PIPE,
+        )
+        for number in range(3)
+    ]
+    for caller in callers:
+        caller.wait_for("ready")
+    for caller in callers:
+        caller.process.stdin.write("go\n")
+        caller.process.stdin.flush()
+    for caller in callers:
+        assert caller.wait(60) == 0, caller.output
+        assert caller.lines[-1] == "right: 200"
+
+
+def test_a_server_of_another_vendor_is_not_called_and_the_log_says_once_what_to_do(
+    node: Node,
+    start: Start,
+    finish: Finish,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    server = start("service_server")
+    client = node.create_client(AddTwoInts, "hang")
+    assert client.wait_for_service(timeout_sec=20)
+    monkeypatch.setattr(cyclone_services, "CYCLONE_VENDOR", b"\x01\x0f")  # as if all others were of Fast DDS
+    assert not client.service_is_ready()
+    assert not client.wait_for_service(timeout_sec=0.3)
+    advice = (
+        "a server of /hang runs on another DDS vendor, whose form of services isn't ours (topics pass, "
+        "services don't): start it with RMW_IMPLEMENTATION=rmw_cyclonedds_cpp"
+    )
+    assert capsys.readouterr().err.count(advice) == 1
+    with pytest.raises(ForeignPeerError, match="runs on another DDS vendor"):
+        client.call_async(AddTwoInts.Request())
+    assert not client._pending
+    monkeypatch.undo()
+    assert client.service_is_ready()
+    adding = node.create_client(AddTwoInts, "add")
+    assert adding.wait_for_service(timeout_sec=20)
+    assert finish(adding.call_async(AddTwoInts.Request(a=1, b=1))).sum == 2
+    assert "hanging" not in server.output  # nothing of the refused call went out before
