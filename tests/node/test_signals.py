@@ -81,6 +81,64 @@ def test_sigterm_ends_a_spin_on_another_thread(start_program: StartProgram) -> N
     assert run(start_program, IN_THREAD, signal.SIGTERM) == ["ExternalShutdownException not ok", "end"]
 
 
+PUBLISHING = """
+import gc, os, random, sys, threading, time
+from collections import Counter
+import rclpy
+from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
+from std_msgs.msg import String
+
+gc.disable()  # Python itself prints and drops what is raised while it collects an object
+number, kind, times = int(sys.argv[1]), sys.argv[2], int(sys.argv[3])
+sys.setswitchinterval(1e-5)  # else the thread that strikes would wait until the other one does
+source = random.Random(7)
+endings = Counter()
+
+def strike(begun):
+    begun.wait()
+    time.sleep(source.random() * 0.005)
+    os.kill(os.getpid(), number)
+
+for _ in range(times):
+    rclpy.init()
+    node = rclpy.create_node("publisher")
+    publisher = node.create_publisher(String, "chatter", 10)
+    begun = threading.Event()
+
+    def work():
+        begun.set()
+        for _ in range(20):
+            publisher.publish(String(data="hello"))
+
+    node.create_timer(0.001, work)
+    executor = SingleThreadedExecutor() if kind == "single" else MultiThreadedExecutor(2)
+    executor.add_node(node)
+    threading.Thread(target=strike, args=(begun,)).start()
+    try:
+        executor.spin()
+        endings["returned"] += 1
+    except BaseException as error:
+        endings[type(error).__name__] += 1
+    executor.shutdown()
+    node.destroy_node()
+    rclpy.try_shutdown()
+print(sorted(endings))
+"""
+
+
+@pytest.mark.parametrize("kind", ["single", "multi"])
+@pytest.mark.parametrize(
+    ("number", "expected"),
+    [(signal.SIGTERM, {"ExternalShutdownException"}), (signal.SIGINT, {"KeyboardInterrupt"})],
+)
+def test_a_signal_amid_publishing_is_told_as_a_signal(
+    number: int, expected: set[str], kind: str, start_program: StartProgram
+) -> None:
+    program = start_program("python", "-c", PUBLISHING, str(int(number)), kind, "100")
+    assert program.wait(60) == 0, program.output
+    assert program.lines == [str(sorted(expected))]
+
+
 def test_handlers_are_given_back() -> None:
     from tfloom import node as rclpy
     from tfloom.node.signals import get_current_signal_handlers_options

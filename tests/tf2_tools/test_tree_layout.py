@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tfloom.tf2_tools.tree_layout import Layout, Size, arrange
@@ -102,6 +102,7 @@ def test_a_thousand_siblings() -> None:
     assert layout.size.breadth == pytest.approx(10_000.0)
 
 
+@settings(deadline=None)
 @given(st.data())
 def test_no_two_nodes_overlap(data: st.DataObject) -> None:
     names = [f"f{i}" for i in range(data.draw(st.integers(1, 40)))]

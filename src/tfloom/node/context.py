@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from tfloom._native import keep_other_threads_out
 from tfloom.node import log_output
 from tfloom.node.arguments import Arguments, parse_arguments
-from tfloom.node.exceptions import NotInitializedException, RCLError
+from tfloom.node.exceptions import NotInitializedException, RCLError, ROSInterruptException
 from tfloom.node.log_file import LogFile
 
 if TYPE_CHECKING:
@@ -109,6 +109,12 @@ class Context:
     def is_interrupted(self) -> bool:
         """Return whether it was a signal that shut it down."""
         return self._interrupted
+
+    def explains(self, error: BaseException) -> bool:
+        """Return whether an error says no more than that a signal has shut the context down amid its use."""
+        return self._interrupted and isinstance(
+            error, (RCLError, NotInitializedException, ROSInterruptException)
+        )
 
     def shutdown(self) -> None:
         """End: whatever spins stops, and the callbacks of `on_shutdown` are called, here.

@@ -287,11 +287,17 @@ class Executor:
 
     def _run(self, work: Work) -> None:
         """Run a callback to its end, or a coroutine to its next await; what it raises comes out."""
-        with self._running:
-            if work.entity is None:
-                self._run_task(work.taken)
-            else:
-                self._run_entity(work.entity, work.taken)
+        try:
+            with self._running:
+                if work.entity is None:
+                    self._run_task(work.taken)
+                else:
+                    self._run_entity(work.entity, work.taken)
+        except Exception as error:
+            # A signal came amid the callback, and what it did then needs a context, as publishing does.
+            if self._context.explains(error):
+                raise ExternalShutdownException from error
+            raise
 
     def _run_entity(self, entity: Entity, taken: Any) -> None:
         outcome: Any = None

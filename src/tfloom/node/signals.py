@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import signal
 import threading
+import time
 from enum import IntFlag
 from types import FrameType
 from typing import Any
@@ -27,13 +28,23 @@ class SignalHandlerOptions(IntFlag):
     ALL = 3
 
 
+ECHO_S = 0.5
+"""A Ctrl-C that follows one this soon is the same one: launchers send it to a process and to its group [s]."""
+
+_interrupted_at = -ECHO_S
 _previous: dict[signal.Signals, Any] = {}
 _handled_now: set[int] = set()
 _SIGNALS = {SignalHandlerOptions.SIGINT: signal.SIGINT, SignalHandlerOptions.SIGTERM: signal.SIGTERM}
 
 
 def _on_signal(number: int, frame: FrameType | None) -> None:
-    for context in live_contexts():
+    global _interrupted_at  # noqa: PLW0603  # this is its one place
+    contexts = live_contexts()
+    if contexts:
+        _interrupted_at = time.monotonic()
+    elif number == signal.SIGINT and time.monotonic() < _interrupted_at + ECHO_S:
+        return  # a KeyboardInterrupt now would strike amid the clean-up after the first
+    for context in contexts:
         context.interrupt()
     previous = _previous.get(signal.Signals(number))
     if callable(previous) and number not in _handled_now:
@@ -49,7 +60,8 @@ def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions
 
     A handler shuts all contexts down and then calls what handled the signal before: for SIGINT, Python's own
     raises KeyboardInterrupt in the main thread. SIGTERM, which by default would end the process, makes spins
-    raise ExternalShutdownException.
+    raise ExternalShutdownException. A second SIGINT right after the first changes nothing; a later one interrupts
+    whatever the program does then.
 
     Python lets only the main thread do this; on another nothing happens.
     """

@@ -8,12 +8,12 @@ import sys
 import time
 from typing import cast
 
-from tfloom.node import init, ok
+from tfloom.node import ok
 from tfloom.node.duration import Duration
-from tfloom.node.executor import ExternalShutdownException
 from tfloom.node.node import Node
+from tfloom.node.program import run_program
 from tfloom.node.time import Time
-from tfloom.node.utilities import remove_ros_args, try_shutdown
+from tfloom.node.utilities import remove_ros_args
 from tfloom.tf2.errors import TransformException
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener
@@ -130,11 +130,4 @@ def main(args: list[str] | None = None) -> int:
     except RateError as error:
         print(error, file=sys.stderr)
         return error.exit_code
-    init(args=args)
-    try:
-        Echo(Node("tf2_echo"), words[0], words[1]).run(rate_hz)
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        try_shutdown()
-    return 0
+    return run_program(args, lambda: Echo(Node("tf2_echo"), words[0], words[1]).run(rate_hz))

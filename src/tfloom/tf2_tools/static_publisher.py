@@ -8,11 +8,11 @@ import sys
 
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.interfaces.rcl_interfaces.msg import ParameterDescriptor
-from tfloom.node import init, spin
-from tfloom.node.executor import ExternalShutdownException
+from tfloom.node import spin
 from tfloom.node.logging import get_logger
 from tfloom.node.node import Node
-from tfloom.node.utilities import remove_ros_args, try_shutdown
+from tfloom.node.program import run_program
+from tfloom.node.utilities import remove_ros_args
 from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
 from tfloom.tf2_tools.static_arguments import USAGE, ArgumentsError, StaticTransform, parse
 
@@ -78,18 +78,16 @@ def main(args: list[str] | None = None) -> int:
     except ArgumentsError as error:
         print(f"error parsing command line arguments: {error}\n{USAGE}", file=sys.stderr)
         return 1
-    init(args=args)
-    try:
+
+    def publish() -> None:
         if transform.is_old_form:
             get_logger("static_transform_publisher").warning(
                 "Old-style arguments are deprecated; see --help for new-style arguments"
             )
         spin(StaticTransformPublisher(transform))
+
+    try:
+        return run_program(args, publish)
     except ValueError as error:
         print(error, file=sys.stderr)
         return 1
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        try_shutdown()
-    return 0

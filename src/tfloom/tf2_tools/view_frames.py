@@ -7,10 +7,10 @@ import sys
 import time
 from pathlib import Path
 
-from tfloom.node import init, spin_once
-from tfloom.node.executor import ExternalShutdownException
+from tfloom.node import spin_once
 from tfloom.node.node import Node
-from tfloom.node.utilities import ok, remove_ros_args, try_shutdown
+from tfloom.node.program import run_program
+from tfloom.node.utilities import ok, remove_ros_args
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener
 from tfloom.tf2_tools.frame_records import parse_frames_yaml, write_gv
@@ -102,10 +102,4 @@ def main(args: list[str] | None = None) -> int:
     """Draw the tree of frames; return the exit code."""
     args = sys.argv[1:] if args is None else args
     options = parse_arguments(remove_ros_args(args))
-    init(args=args)
-    try:
-        return run(Node("view_frames"), options)
-    except (KeyboardInterrupt, ExternalShutdownException):
-        return 1
-    finally:
-        try_shutdown()
+    return run_program(args, lambda: run(Node("view_frames"), options), if_stopped=1)

@@ -9,10 +9,10 @@ from typing import Any
 
 from tfloom.interfaces.geometry_msgs.msg import Twist
 from tfloom.interfaces.std_srvs.srv import Empty
-from tfloom.node import init, spin
-from tfloom.node.executor import ExternalShutdownException
+from tfloom.node import spin
 from tfloom.node.node import Node
-from tfloom.node.utilities import remove_ros_args, try_shutdown
+from tfloom.node.program import run_program
+from tfloom.node.utilities import remove_ros_args
 from tfloom.turtlesim.messages import Pose
 from tfloom.turtlesim.world import STEP_S, normalize_angle
 
@@ -116,11 +116,4 @@ def main(args: list[str] | None = None) -> int:
         description="Reset turtlesim, then let turtle1 draw a square, again and again.",
     )
     parser.parse_args(remove_ros_args(args))
-    init(args=args)
-    try:
-        spin(DrawSquare())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        try_shutdown()
-    return 0
+    return run_program(args, lambda: spin(DrawSquare()))

@@ -6,10 +6,10 @@ import argparse
 import sys
 
 from tfloom.interfaces.geometry_msgs.msg import Twist
-from tfloom.node import init, spin
-from tfloom.node.executor import ExternalShutdownException
+from tfloom.node import spin
 from tfloom.node.node import Node
-from tfloom.node.utilities import remove_ros_args, try_shutdown
+from tfloom.node.program import run_program
+from tfloom.node.utilities import remove_ros_args
 from tfloom.turtlesim.messages import Pose
 
 
@@ -37,11 +37,4 @@ def main(args: list[str] | None = None) -> int:
         "-r output/cmd_vel:=turtle2/cmd_vel.",
     )
     parser.parse_args(remove_ros_args(args))
-    init(args=args)
-    try:
-        spin(Mimic())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        try_shutdown()
-    return 0
+    return run_program(args, lambda: spin(Mimic()))

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.rcl_interfaces.msg import SetParametersResult
 from tfloom.interfaces.std_srvs.srv import Empty
-from tfloom.node import init, ok, spin
+from tfloom.node import spin
 from tfloom.node.clock import Clock, ClockType
-from tfloom.node.exceptions import NameValidationException, RCLError
-from tfloom.node.executor import ExternalShutdownException
+from tfloom.node.exceptions import NameValidationException
 from tfloom.node.names import validate_topic_name
 from tfloom.node.node import Node
 from tfloom.node.parameter import Parameter
+from tfloom.node.program import run_program
 from tfloom.node.utilities import remove_ros_args, try_shutdown
 from tfloom.turtlesim import parameters
 from tfloom.turtlesim.endpoints import TurtleEndpoints
@@ -185,34 +185,22 @@ def main(args: list[str] | None = None) -> int:
     options = parse_arguments(remove_ros_args(args))
     try:
         recorder = None if options.record is None else open_recorder(options.record)
-        run(args, recorder, headless=options.headless)
+        try:
+            return run_program(args, lambda: simulate(recorder, headless=options.headless))
+        finally:
+            if recorder is not None:
+                recorder.finish()
     except RecordingError as error:
         print(f"turtlesim_node: {error}", file=sys.stderr)
         return 1
-    return 0
 
 
-def run(args: list[str], recorder: Recorder | None, *, headless: bool) -> None:
-    """Simulate until stopped or the window is closed.
-
-    Raises:
-        RecordingError: the recording can't be written.
-    """
-    init(args=args)
-    try:
-        node = TurtlesimNode()
-        if recorder is not None:
-            node.record_to(recorder)
-        window = None if headless else open_window(node)
-        if window is not None:
-            node.show_in(window)
-        spin(node)
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    except RCLError:  # a signal amid a step: what is left of it can't be published
-        if ok():
-            raise
-    finally:
-        try_shutdown()
-        if recorder is not None:
-            recorder.finish()
+def simulate(recorder: Recorder | None, *, headless: bool) -> None:
+    """Simulate until stopped or the window is closed."""
+    node = TurtlesimNode()
+    if recorder is not None:
+        node.record_to(recorder)
+    window = None if headless else open_window(node)
+    if window is not None:
+        node.show_in(window)
+    spin(node)

@@ -9,11 +9,12 @@ from contextlib import suppress
 from typing import Any
 
 from tfloom.interfaces.geometry_msgs.msg import Twist
-from tfloom.node import init, ok, spin
+from tfloom.node import ok, spin
 from tfloom.node.action.client import ActionClient
 from tfloom.node.executor import ExternalShutdownException
 from tfloom.node.node import Node
-from tfloom.node.utilities import remove_ros_args, try_shutdown
+from tfloom.node.program import run_program
+from tfloom.node.utilities import remove_ros_args
 from tfloom.turtlesim.keyboard import Keyboard, NoTerminalError
 from tfloom.turtlesim.messages import RotateAbsolute
 
@@ -117,18 +118,16 @@ def main(args: list[str] | None = None) -> int:
         "-p scale_angular:=2.0 [rad/s].",
     )
     parser.parse_args(remove_ros_args(args))
-    init(args=args)
-    try:
+
+    def drive() -> None:
         with Keyboard() as keyboard:
             node = TeleopTurtle()
             # Keys keep this thread; answers to goals and parameters come on another.
             threading.Thread(target=spin_quietly, args=(node,), daemon=True).start()
             node.run(keyboard)
+
+    try:
+        return run_program(args, drive)
     except NoTerminalError:
         print(NO_TERMINAL, file=sys.stderr)
         return 1
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        try_shutdown()
-    return 0

@@ -6,10 +6,9 @@ import math
 
 from tfloom.demos.turtle_tf2_py.messages import Pose
 from tfloom.interfaces.geometry_msgs.msg import Twist
-from tfloom.node import init, spin
-from tfloom.node.executor import ExternalShutdownException
+from tfloom.node import spin
 from tfloom.node.node import Node
-from tfloom.node.utilities import try_shutdown
+from tfloom.node.program import run_program
 
 CENTRE_M = 5.544445
 RADIUS_M = 4.2
@@ -53,12 +52,6 @@ class CurveDriver(Node):
         self.publisher.publish(twist)
 
 
-def main(args: list[str] | None = None) -> None:
-    """Drive until stopped."""
-    init(args=args)
-    try:
-        spin(CurveDriver())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        try_shutdown()
+def main(args: list[str] | None = None) -> int:
+    """Drive until stopped; return the exit code."""
+    return run_program(args, lambda: spin(CurveDriver()))

@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
-from tfloom.node import init, spin
-from tfloom.node.executor import ExternalShutdownException
+from tfloom.node import spin
 from tfloom.node.node import Node
-from tfloom.node.utilities import try_shutdown
+from tfloom.node.program import run_program
 from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
 
 PERIOD_S = 0.1
@@ -36,12 +35,6 @@ class DynamicFrameBroadcaster(Node):
         self.broadcaster.sendTransform(turtle_from_carrot)
 
 
-def main(args: list[str] | None = None) -> None:
-    """Broadcast until stopped."""
-    init(args=args)
-    try:
-        spin(DynamicFrameBroadcaster())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        try_shutdown()
+def main(args: list[str] | None = None) -> int:
+    """Broadcast until stopped; return the exit code."""
+    return run_program(args, lambda: spin(DynamicFrameBroadcaster()))

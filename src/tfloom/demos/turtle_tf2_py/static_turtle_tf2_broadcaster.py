@@ -6,10 +6,10 @@ import math
 import sys
 
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
-from tfloom.node import init, spin
-from tfloom.node.executor import ExternalShutdownException
+from tfloom.node import spin
 from tfloom.node.node import Node
-from tfloom.node.utilities import remove_ros_args, try_shutdown
+from tfloom.node.program import run_program
+from tfloom.node.utilities import remove_ros_args
 from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
 
 USAGE = (
@@ -65,11 +65,4 @@ def main(args: list[str] | None = None) -> int:
     except ValueError as error:
         print(f"{error}\n{USAGE}", file=sys.stderr)
         return 1
-    init(args=args)
-    try:
-        spin(StaticFramePublisher(words[0], numbers))
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        try_shutdown()
-    return 0
+    return run_program(args, lambda: spin(StaticFramePublisher(words[0], numbers)))

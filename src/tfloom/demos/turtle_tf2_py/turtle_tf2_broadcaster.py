@@ -6,10 +6,9 @@ import math
 
 from tfloom.demos.turtle_tf2_py.messages import Pose
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
-from tfloom.node import init, spin
-from tfloom.node.executor import ExternalShutdownException
+from tfloom.node import spin
 from tfloom.node.node import Node
-from tfloom.node.utilities import try_shutdown
+from tfloom.node.program import run_program
 from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
 
 
@@ -35,12 +34,6 @@ class FramePublisher(Node):
         self.broadcaster.sendTransform(world_from_turtle)
 
 
-def main(args: list[str] | None = None) -> None:
-    """Broadcast until stopped."""
-    init(args=args)
-    try:
-        spin(FramePublisher())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        try_shutdown()
+def main(args: list[str] | None = None) -> int:
+    """Broadcast until stopped; return the exit code."""
+    return run_program(args, lambda: spin(FramePublisher()))

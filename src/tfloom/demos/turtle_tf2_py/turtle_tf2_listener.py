@@ -7,11 +7,10 @@ from typing import Any
 
 from tfloom.demos.turtle_tf2_py.messages import Spawn
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped, Twist
-from tfloom.node import init, spin
-from tfloom.node.executor import ExternalShutdownException
+from tfloom.node import spin
 from tfloom.node.node import Node
+from tfloom.node.program import run_program
 from tfloom.node.time import Time
-from tfloom.node.utilities import try_shutdown
 from tfloom.tf2.errors import TransformException
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener
@@ -75,12 +74,6 @@ class FrameListener(Node):
         self.publisher.publish(twist)
 
 
-def main(args: list[str] | None = None) -> None:
-    """Follow until stopped."""
-    init(args=args)
-    try:
-        spin(FrameListener())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        try_shutdown()
+def main(args: list[str] | None = None) -> int:
+    """Follow until stopped; return the exit code."""
+    return run_program(args, lambda: spin(FrameListener()))

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from tfloom.demos.turtle_tf2_py.messages import Pose
 from tfloom.interfaces.geometry_msgs.msg import PointStamped
-from tfloom.node import init, spin
-from tfloom.node.executor import ExternalShutdownException
+from tfloom.node import spin
 from tfloom.node.node import Node
-from tfloom.node.utilities import try_shutdown
+from tfloom.node.program import run_program
 
 
 class PointPublisher(Node):
@@ -27,12 +26,6 @@ class PointPublisher(Node):
         self.publisher.publish(point)
 
 
-def main(args: list[str] | None = None) -> None:
-    """Publish until stopped."""
-    init(args=args)
-    try:
-        spin(PointPublisher())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        try_shutdown()
+def main(args: list[str] | None = None) -> int:
+    """Publish until stopped; return the exit code."""
+    return run_program(args, lambda: spin(PointPublisher()))

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from tfloom.demos.turtle_tf2_py.turtle_tf2_listener import FOLLOWER, FrameListener
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
-from tfloom.node import init, spin
+from tfloom.node import spin
 from tfloom.node.duration import Duration
-from tfloom.node.executor import ExternalShutdownException
+from tfloom.node.program import run_program
 from tfloom.node.time import Time
-from tfloom.node.utilities import try_shutdown
 
 
 class TimeTraveller(FrameListener):
@@ -27,12 +26,6 @@ class TimeTraveller(FrameListener):
         return self.buffer.lookup_transform_full(FOLLOWER, Time(), self.target_frame, then, "world")
 
 
-def main(args: list[str] | None = None) -> None:
-    """Follow until stopped."""
-    init(args=args)
-    try:
-        spin(TimeTraveller())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        try_shutdown()
+def main(args: list[str] | None = None) -> int:
+    """Follow until stopped; return the exit code."""
+    return run_program(args, lambda: spin(TimeTraveller()))

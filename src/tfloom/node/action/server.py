@@ -219,7 +219,9 @@ class ActionServer:
     async def _execute(self, callback: Callable[[ServerGoalHandle], Any], handle: ServerGoalHandle) -> None:
         try:
             result = await await_or_execute(callback, handle)
-        except Exception as error:  # noqa: BLE001  # the goal fails, not the server
+        except Exception as error:  # the goal fails, not the server
+            if self._node.context.explains(error):
+                raise
             self._node.get_logger().error(f"Error raised in execute callback: {error}")
             traceback.print_exc()
             result = None

@@ -1,0 +1,42 @@
+"""What a program does around its own work: begin, and end quietly however it is stopped."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from tfloom.node import init
+from tfloom.node.executor import ExternalShutdownException
+from tfloom.node.utilities import get_default_context, try_shutdown
+
+__all__ = ["run_program"]
+
+
+def run_program(args: list[str] | None, body: Callable[[], int | None], *, if_stopped: int = 0) -> int:
+    """Initialise the default context, run `body()`, and shut down.
+
+    Ctrl-C, SIGTERM and a shutdown end the body quietly, wherever in it they come.
+
+    Args:
+        args: Command line, with its ROS arguments; None: `sys.argv`.
+        body: The program's work; it may return an exit code.
+        if_stopped: Exit code of a program that was stopped.
+
+    Returns:
+        The exit code.
+
+    Raises:
+        Exception: whatever the body raises for another reason than being stopped.
+    """
+    context = get_default_context()
+    try:
+        init(args=args)
+        return body() or 0
+    except (KeyboardInterrupt, ExternalShutdownException):
+        return if_stopped
+    except Exception as error:
+        # A signal came between two calls, and the second one needs a context.
+        if not context.explains(error):
+            raise
+        return if_stopped
+    finally:
+        try_shutdown()

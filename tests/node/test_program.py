@@ -1,0 +1,92 @@
+"""Programs that are stopped: at any moment, in any way, they end quietly."""
+
+from __future__ import annotations
+
+import random
+import signal
+import time
+from collections.abc import Callable
+
+import pytest
+from tests.conftest import Program
+
+from tfloom.node import get_default_context
+from tfloom.node.exceptions import RCLError
+from tfloom.node.program import run_program
+
+TALKATIVE = """
+import sys
+from tfloom.interfaces.std_msgs.msg import String
+from tfloom.node import spin
+from tfloom.node.node import Node
+from tfloom.node.program import run_program
+
+class Talkative(Node):
+    def __init__(self):
+        super().__init__("talkative")
+        self.publisher = self.create_publisher(String, "chatter", 10)
+        self.create_timer(0.001, self.talk)
+        print("up", flush=True)
+
+    def talk(self):
+        for _ in range(50):  # so that the program is amid this for most of its time
+            self.publisher.publish(String(data="hello"))
+
+sys.exit(run_program([], lambda: spin(Talkative())))
+"""
+
+
+@pytest.mark.parametrize(
+    "numbers",
+    [[signal.SIGINT], [signal.SIGTERM], [signal.SIGINT, signal.SIGINT], [signal.SIGINT, signal.SIGTERM]],
+    ids=["SIGINT", "SIGTERM", "twice", "both"],
+)
+def test_a_busy_program_ends_quietly_whenever_it_is_stopped(
+    numbers: list[int], start_program: Callable[..., Program]
+) -> None:
+    programs = [start_program("python", "-c", TALKATIVE) for _ in range(4)]
+    for program in programs:
+        program.wait_for("up")
+        time.sleep(random.random() * 0.01)  # a random moment is what is tested
+        for number in numbers:
+            program.signal(number)
+    for program in programs:
+        assert program.wait() == 0, program.output
+        assert program.lines == ["up"]
+
+
+@pytest.fixture(autouse=True)
+def _local(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+
+
+@pytest.mark.parametrize(("result", "code"), [(None, 0), (0, 0), (3, 3)])
+def test_the_body_gives_the_exit_code(result: int | None, code: int) -> None:
+    assert run_program([], lambda: result, if_stopped=1) == code
+
+
+def test_a_program_that_is_stopped_may_have_failed() -> None:
+    def body() -> int:
+        raise KeyboardInterrupt
+
+    assert run_program([], body, if_stopped=1) == 1
+
+
+def test_only_what_a_signal_explains_is_silent() -> None:
+    def refuse() -> int:
+        raise RCLError("refused")
+
+    def refuse_after_a_signal() -> int:
+        get_default_context().interrupt()
+        return refuse()
+
+    def fail_after_a_signal() -> int:
+        get_default_context().interrupt()
+        raise ValueError("a mistake")
+
+    with pytest.raises(RCLError, match="refused"):
+        run_program([], refuse)
+    assert run_program([], refuse_after_a_signal) == 0
+    with pytest.raises(ValueError, match="a mistake"):
+        run_program([], fail_after_a_signal)
+    assert not get_default_context().ok()
