@@ -1,102 +1,143 @@
-"""Nodes: imports, what an idle one costs, messages a second through callbacks, and round trips."""
+"""Nodes on loopback, each measurement between processes of its own, beside cyclonedds' own Python API in the same run.
+
+The last columns are what rclpy took in a real ROS 2 Jazzy (rmw_cyclonedds, another machine like this one), and what
+we aim at. A ratio above 1 says by how much tfloom is better.
+"""
 
 from __future__ import annotations
 
-import subprocess
+import argparse
 import sys
-import time
 from collections.abc import Callable
-from statistics import median
 
-from benchmarks.node import round_trip
+from benchmarks.node import listener, publishing, receiving, round_trip, start, timers
 
-IMPORTS = 15
-MESSAGES = 20_000
-BURST = 500
-IDLE_S = 3.0
+WIDTH = 52
 
 
-def import_ms() -> float:
-    """Return the time that `import rclpy` takes in a fresh process, beyond Python's own start [ms]."""
-    code = "import time; t = time.perf_counter(); import rclpy; print((time.perf_counter() - t) * 1e3)"
-    times = [
-        float(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout)
-        for _ in range(IMPORTS)
-    ]
-    return median(times)
+def head(title: str) -> None:
+    print(f"{title:<{WIDTH}}{'tfloom':>10}{'peer':>10}{'ratio':>7}{'rclpy':>8}{'aim':>8}", flush=True)
 
 
-def idle_cpu() -> float:
-    """Return the share of a core that a spinning node takes while nothing comes [%]."""
-    code = f"""
-import time, rclpy
-rclpy.init(domain_id={round_trip.DOMAIN_ID})
-node = rclpy.create_node("idle")
-rclpy.spin_until_future_complete(node, rclpy.Future(), timeout_sec=0.5)
-begin = time.process_time()
-rclpy.spin_until_future_complete(node, rclpy.Future(), timeout_sec={IDLE_S})
-print((time.process_time() - begin) / {IDLE_S} * 100)
-"""
-    return float(
-        subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
+def row(
+    what: str,
+    ours: float,
+    peers: float,
+    *,
+    is_more_better: bool = False,
+    rclpy: str = "",
+    aim: str = "",
+) -> None:
+    ratio = (ours / peers if is_more_better else peers / ours) if ours and peers else float("nan")
+    print(
+        f"  {what:<{WIDTH - 2}}{number(ours):>10}{number(peers):>10}{ratio:>7.1f}{rclpy:>8}{aim:>8}",
+        flush=True,
     )
 
 
-def messages_per_second(transforms: int) -> tuple[float, float]:
-    """Return how many TFMessages of some size a callback gets a second, in-process, and what publishing costs [us]."""
-    from geometry_msgs.msg import TransformStamped
-    from tf2_msgs.msg import TFMessage
-
-    import tfloom.node as rclpy
-    from tfloom.node.executors import SingleThreadedExecutor
-
-    context = rclpy.Context()
-    context.init([], domain_id=round_trip.DOMAIN_ID)
-    node = rclpy.create_node("burst", context=context)
-    executor = SingleThreadedExecutor(context=context)
-    executor.add_node(node)
-    heard = 0
-
-    def on_message(_: TFMessage) -> None:
-        nonlocal heard
-        heard += 1
-
-    publisher = node.create_publisher(TFMessage, "burst", BURST)
-    node.create_subscription(TFMessage, "burst", on_message, BURST)
-    message = TFMessage(transforms=[TransformStamped(child_frame_id=f"joint_{i}") for i in range(transforms)])
-    round_trip.wait_for(publisher.get_subscription_count)
-    publishing = spinning = 0.0
-    rounds = MESSAGES // BURST // (1 if transforms == 1 else 10)
-    for number in range(1, rounds + 1):
-        publishing += timed(lambda: [publisher.publish(message) for _ in range(BURST)])
-        spinning += timed(lambda end=number * BURST: spin_until(lambda: heard == end, executor))
-    node.destroy_node()
-    context.destroy()
-    count = rounds * BURST
-    return count / spinning, publishing / count * 1e6
+def number(value: float) -> str:
+    return f"{value:,.0f}" if value >= 1000 else f"{value:.1f}" if value >= 10 else f"{value:.2f}"
 
 
-def spin_until(condition: Callable[[], bool], executor: object) -> None:
-    while not condition():
-        executor.spin_once(timeout_sec=1.0)
-
-
-def timed(act: Callable[[], object]) -> float:
-    start = time.perf_counter()
-    act()
-    return time.perf_counter() - start
-
-
-def main() -> None:
-    print(f"import rclpy: {import_ms():.1f} ms")
-    print(f"a node that spins and hears nothing: {idle_cpu():.2f} % of a core")
-    for transforms in (1, 50):
-        rate, publish_us = messages_per_second(transforms)
-        print(
-            f"TFMessage x {transforms}: {rate:,.0f} a second into a callback; publishing one {publish_us:.1f} us"
+def round_trips() -> None:
+    head("to another process and back [us]")
+    references = {"String": (("158", "60"), ("267", "150"))}
+    for kind in round_trip.TRIPS:
+        times = round_trip.measure(kind)
+        name = (
+            "a service call" if kind == "service" else f"a message of {kind}" if " " in kind else f"a {kind}"
         )
-    sys.stdout.flush()
-    round_trip.main()
+        for index, percent in enumerate((50, 99)):
+            rclpy, aim = references.get(kind, (("", ""),) * 2)[index]
+            row(
+                f"{name}, p{percent}",
+                times["tfloom"][index],
+                times["cyclonedds"][index],
+                rclpy=rclpy,
+                aim=aim,
+            )
 
 
-main()
+def messages_received() -> None:
+    head("messages a second into a Python callback")
+    references = {"1": ("8,400", "60,000"), "50": ("1,150", "15,000")}
+    for kind in receiving.COUNTS:
+        received = receiving.measure(kind)
+        ours, peers = received["tfloom"], received["cyclonedds"]
+        name = f"of {kind}" if " " in kind else f"TFMessage x {kind}"
+        rclpy, aim = references.get(kind, ("", ""))
+        row(name, ours.per_second, peers.per_second, is_more_better=True, rclpy=rclpy, aim=aim)
+        row("  CPU of the receiver, a message [us]", ours.cpu_us, peers.cpu_us)
+
+
+def messages_published() -> None:
+    head("CPU a message published [us]")
+    for transforms, rclpy, aim in ((1, "", ""), (50, "200-400", "25")):
+        cost = publishing.measure(transforms)
+        row(f"TFMessage x {transforms}", cost["tfloom"], cost["cyclonedds"], rclpy=rclpy, aim=aim)
+
+
+def listeners() -> None:
+    head("a TransformListener, nobody looks up [% of a core]")
+    for transforms, rate_hz, rclpy, aim in ((50, 100, "14", "0.7"), (1, 1000, "35", "2")):
+        taken = listener.measure(transforms, rate_hz)
+        for api, each in taken.items():
+            if not 0.9 < each.rate_hz / rate_hz < 1.1:
+                print(f"  {api} heard {each.rate_hz:.0f} messages a second, not {rate_hz}: a busy machine")
+        ours = taken["tfloom"].percent
+        name = f"{rate_hz} Hz x {transforms} transforms"
+        row(name, ours, taken["cyclonedds"].percent, rclpy=rclpy, aim=aim)
+        if "bare C++" in taken:
+            row("  peer: a reader in C++ that drops what it takes", ours, taken["bare C++"].percent)
+
+
+def many_timers() -> None:
+    head(f"{timers.TIMERS} timers at {1 / timers.PERIOD_S:.0f} Hz; peer: asyncio's")
+    kept = timers.measure()
+    for what, field in (("% of a core", "percent"), ("jitter, p50 [ms]", "p50_ms"), ("p99 [ms]", "p99_ms")):
+        row(what, getattr(kept["tfloom"], field), getattr(kept["asyncio"], field))
+
+
+def starts() -> None:
+    head("a program's start")
+    started = start.measure()
+    ours, peers = started["tfloom"], started["cyclonedds"]
+    row("import [ms]", ours.import_ms, peers.import_ms)
+    row("init [ms]", ours.init_ms, peers.init_ms)
+    row("first node; peer: participant [ms]", ours.node_ms, peers.node_ms)
+    row("first publisher [ms]", ours.publisher_ms, peers.publisher_ms)
+    row("CPU of all that [ms]", ours.cpu_ms, peers.cpu_ms)
+    row("memory then, beyond Python's [MB]", ours.node_mb - ours.python_mb, peers.node_mb - peers.python_mb)
+
+
+def idle() -> None:
+    head("what spins and hears nothing [% of a core]")
+    share = start.measure_idle()
+    row("a node; peer: a participant", share["node"], share["cyclonedds"])
+    row("a TransformListener; peer: a participant", share["listener"], share["cyclonedds"])
+
+
+PARTS: dict[str, Callable[[], None]] = {
+    "trips": round_trips,
+    "receiving": messages_received,
+    "publishing": messages_published,
+    "listener": listeners,
+    "timers": many_timers,
+    "start": starts,
+    "idle": idle,
+}
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.node", description=__doc__)
+    parser.add_argument("parts", nargs="*", metavar="part", help=", ".join(PARTS))
+    asked = parser.parse_args().parts or list(PARTS)
+    if unknown := [part for part in asked if part not in PARTS]:
+        parser.error(f"there is no {', '.join(unknown)}; there are: {', '.join(PARTS)}")
+    for part in asked:
+        PARTS[part]()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

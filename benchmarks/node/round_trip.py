@@ -1,68 +1,92 @@
-"""Round trip of a small String between two processes: nodes with callbacks, and cyclonedds' own Python API.
+"""How long a message takes to another process and back, callbacks on both sides, and how long a service call takes.
 
-The two take turns, so that whatever else the machine does hits both. cyclonedds waits in a waitset on both sides and
-has no callbacks or executor to pay for.
+The two APIs take turns, so that whatever else the machine does hits both. cyclonedds waits in a waitset on both
+sides and has no callbacks or executor to pay for; it has no services, so it exchanges two structs.
 """
 
 from __future__ import annotations
 
-import os
-import subprocess
+import contextlib
+import json
 import sys
 import time
 from collections.abc import Callable
-from statistics import median
+from typing import Any
 
-from tfloom.rmw.cyclone_config import configuration
+from benchmarks.domain import DOMAIN_ID
+from benchmarks.node.messages import SIZES, TEXT, octets
+from benchmarks.node.processes import (
+    APIS,
+    background,
+    cyclone_reader,
+    cyclone_writer,
+    wait_for,
+)
 
-DOMAIN_ID = 99
 WARM_UP = 200
-ROUND_TRIPS = 1000
 TURNS = 5
-TEXT = "Hello World: 0"
+TRIPS = {"String": (1000, 1000), "64 kB": (300, 5), "1 MB": (40, 1), "service": (500, 500)}
+"""How many a turn: tfloom's, and cyclonedds', which goes through large arrays element by element."""
 
 MeasureUs = Callable[[int], list[float]]
 
 
-def wait_for(condition: Callable[[], object]) -> None:
-    while not condition():
-        time.sleep(0.005)
-
-
-def node_answers() -> None:
+def tfloom_node(name: str) -> Any:
     import rclpy
-    from std_msgs.msg import String
 
-    rclpy.init(domain_id=DOMAIN_ID)
-    node = rclpy.create_node("answers")
-    publisher = node.create_publisher(String, "node_back", 10)
-    node.create_subscription(String, "node_there", publisher.publish, 10)
+    rclpy.init()
+    return rclpy.create_node(name)
+
+
+def tfloom_answers(kind: str) -> None:
+    import rclpy
+
+    node = tfloom_node("answers")
+    if kind == "service":
+        from example_interfaces.srv import AddTwoInts
+
+        def add(request: AddTwoInts.Request, response: AddTwoInts.Response) -> AddTwoInts.Response:
+            response.sum = request.a + request.b
+            return response
+
+        node.create_service(AddTwoInts, "bench_add", add)
+    else:
+        message_type = type(tfloom_message(kind))
+        publisher = node.create_publisher(message_type, "bench_back", 10)
+        node.create_subscription(message_type, "bench_there", publisher.publish, 10)
     rclpy.spin(node)
 
 
-def node_asks() -> MeasureUs:
-    import rclpy
-    from rclpy.executors import SingleThreadedExecutor
+def tfloom_message(kind: str) -> Any:
     from std_msgs.msg import String
 
-    rclpy.init(domain_id=DOMAIN_ID, signal_handler_options=rclpy.SignalHandlerOptions.NO)
-    node = rclpy.create_node("asks")
+    return String(data=TEXT) if kind == "String" else octets(SIZES[kind])
+
+
+def tfloom_asks(kind: str) -> MeasureUs:
+    node = tfloom_node("asks")
+    return tfloom_calls(node) if kind == "service" else tfloom_sends(node, tfloom_message(kind))
+
+
+def tfloom_sends(node: Any, message: Any) -> MeasureUs:
+    from rclpy.executors import SingleThreadedExecutor
+
     executor = SingleThreadedExecutor()
     executor.add_node(node)
-    publisher = node.create_publisher(String, "node_there", 10)
+    publisher = node.create_publisher(type(message), "bench_there", 10)
     times: list[float] = []
     start = 0
 
     def ask() -> None:
         nonlocal start
         start = time.perf_counter_ns()
-        publisher.publish(String(data=TEXT))
+        publisher.publish(message)
 
-    def on_answer(_: String) -> None:
+    def on_answer(_: Any) -> None:
         times.append((time.perf_counter_ns() - start) / 1e3)
         ask()
 
-    subscription = node.create_subscription(String, "node_back", on_answer, 10)
+    subscription = node.create_subscription(type(message), "bench_back", on_answer, 10)
     wait_for(lambda: publisher.get_subscription_count() and subscription.get_publisher_count())
 
     def measure(count: int) -> list[float]:
@@ -76,85 +100,121 @@ def node_asks() -> MeasureUs:
     return measure
 
 
-def cyclonedds_ends(there: str, back: str) -> tuple[Callable[[str], None], Callable[[], str]]:
-    from cyclonedds.core import ReadCondition, SampleState, WaitSet
-    from cyclonedds.domain import DomainParticipant
-    from cyclonedds.pub import DataWriter
-    from cyclonedds.qos import Policy, Qos
-    from cyclonedds.sub import DataReader
-    from cyclonedds.topic import Topic
+def tfloom_calls(node: Any) -> MeasureUs:
+    import rclpy
+    from example_interfaces.srv import AddTwoInts
 
-    from benchmarks.node.string_type import String
-
-    qos = Qos(Policy.Reliability.Reliable(2**63 - 1), Policy.History.KeepLast(10))
-    participant = DomainParticipant(DOMAIN_ID)
-    writer = DataWriter(participant, Topic(participant, there, String), qos=qos)
-    reader = DataReader(participant, Topic(participant, back, String), qos=qos)
-    waitset = WaitSet(participant)
-    waitset.attach(ReadCondition(reader, SampleState.NotRead))
-
-    def receive() -> str:
-        while not (samples := reader.take(1)):
-            waitset.wait(1_000_000_000)
-        return str(samples[0].data)
-
-    wait_for(lambda: writer.get_matched_subscriptions() and reader.get_matched_publications())
-    return lambda text: writer.write(String(data=text)), receive
-
-
-def cyclonedds_answers() -> None:
-    send, receive = cyclonedds_ends("dds_back", "dds_there")
-    while True:
-        send(receive())
-
-
-def cyclonedds_asks() -> MeasureUs:
-    send, receive = cyclonedds_ends("dds_there", "dds_back")
+    client = node.create_client(AddTwoInts, "bench_add")
+    if not client.wait_for_service(60.0):
+        raise TimeoutError("the service has not come")
 
     def measure(count: int) -> list[float]:
         times = []
-        for _ in range(count):
+        for number in range(count):
             start = time.perf_counter_ns()
-            send(TEXT)
-            receive()
+            future = client.call_async(AddTwoInts.Request(a=number, b=1))
+            rclpy.spin_until_future_complete(node, future)
             times.append((time.perf_counter_ns() - start) / 1e3)
         return times
 
     return measure
 
 
-ANSWERS = {"node": node_answers, "cyclonedds": cyclonedds_answers}
-ASKS = {"node": node_asks, "cyclonedds": cyclonedds_asks}
+def cyclone_message(kind: str) -> Any:
+    from benchmarks.node import cyclone_types
+
+    if kind == "service":
+        return cyclone_types.Request(1, 2, 3, 4)
+    if kind == "String":
+        return cyclone_types.String(data=TEXT)
+    return cyclone_types.Bytes(data=bytes(SIZES[kind]))
+
+
+def cyclonedds_ends(there: str, there_type: type, back: str, back_type: type) -> tuple[Any, Any]:
+    from cyclonedds.domain import DomainParticipant
+
+    participant = DomainParticipant(DOMAIN_ID)
+    writer = cyclone_writer(participant, there, there_type)
+    reader, receive = cyclone_reader(participant, back, back_type)
+    wait_for(lambda: writer.get_matched_subscriptions() and reader.get_matched_publications())
+    return writer, receive
+
+
+def cyclonedds_answers(kind: str) -> None:
+    from benchmarks.node import cyclone_types
+
+    asked = type(cyclone_message(kind))
+    answer = cyclone_types.Response if kind == "service" else asked
+    writer, receive = cyclonedds_ends("dds_back", answer, "dds_there", asked)
+    while True:
+        question = receive(1)[0]
+        if kind == "service":
+            question = cyclone_types.Response(question.client, question.number, question.a + question.b)
+        writer.write(question)
+
+
+def cyclonedds_asks(kind: str) -> MeasureUs:
+    from benchmarks.node import cyclone_types
+
+    message = cyclone_message(kind)
+    answer = cyclone_types.Response if kind == "service" else type(message)
+    writer, receive = cyclonedds_ends("dds_there", type(message), "dds_back", answer)
+
+    def measure(count: int) -> list[float]:
+        times = []
+        for _ in range(count):
+            start = time.perf_counter_ns()
+            writer.write(message)
+            receive(1)
+            times.append((time.perf_counter_ns() - start) / 1e3)
+        return times
+
+    return measure
+
+
+ANSWERS = {"tfloom": tfloom_answers, "cyclonedds": cyclonedds_answers}
+ASKS = {"tfloom": tfloom_asks, "cyclonedds": cyclonedds_asks}
+
+
+def measure(kind: str) -> dict[str, tuple[float, float]]:
+    """Return the median and the 99th percentile of the trips of each API [us]."""
+    times: dict[str, list[float]] = {api: [] for api in APIS}
+    with contextlib.ExitStack() as stack:
+        asking = {}
+        for api in APIS:
+            stack.enter_context(background("round_trip", "answer", api, kind))
+            asking[api] = stack.enter_context(background("round_trip", "ask", api, kind))
+
+        def ask(api: str, count: int) -> list[float]:
+            asks, answers = asking[api].stdin, asking[api].stdout
+            assert asks is not None
+            assert answers is not None
+            asks.write(f"{count}\n")
+            asks.flush()
+            return json.loads(answers.readline())
+
+        counts = dict(zip(APIS, TRIPS[kind], strict=True))
+        for api, count in counts.items():
+            ask(api, min(WARM_UP, count))
+        for _ in range(TURNS):
+            for api, count in counts.items():
+                times[api] += ask(api, count)
+    return {api: (percentile(values, 50), percentile(values, 99)) for api, values in times.items()}
+
+
+def percentile(values: list[float], percent: int) -> float:
+    return sorted(values)[len(values) * percent // 100]
 
 
 def main() -> None:
-    os.environ["CYCLONEDDS_URI"] = configuration()
-    command = [sys.executable, "-m", "benchmarks.node.round_trip"]
-    partners = [subprocess.Popen([*command, name]) for name in ANSWERS]
-    try:
-        measure = {name: ask() for name, ask in ASKS.items()}
-        for each in measure.values():
-            each(WARM_UP)
-        times: dict[str, list[float]] = {name: [] for name in measure}
-        for _ in range(TURNS):
-            for name, each in measure.items():
-                times[name] += each(ROUND_TRIPS)
-    finally:
-        for partner in partners:
-            partner.kill()
-            partner.wait()
-    print(f"round trip of a String, {len(times['node'])} trips each [us]")
-    p50 = {name: median(values) for name, values in times.items()}
-    p99 = {name: sorted(values)[len(values) * 99 // 100] for name, values in times.items()}
-    for name in times:
-        print(f"  {name:12} p50 {p50[name]:7.1f}   p99 {p99[name]:7.1f}")
-    print(
-        f"  cyclonedds / node: p50 {p50['cyclonedds'] / p50['node']:.1f}, p99 {p99['cyclonedds'] / p99['node']:.1f}"
-    )
+    role, api, kind = sys.argv[1:]
+    if role == "answer":
+        ANSWERS[api](kind)
+        return
+    trips = ASKS[api](kind)
+    for line in sys.stdin:
+        print(json.dumps(trips(int(line))), flush=True)
 
 
 if __name__ == "__main__":
-    if len(sys.argv) > 1:
-        ANSWERS[sys.argv[1]]()
-    else:
-        main()
+    main()

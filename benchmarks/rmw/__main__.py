@@ -12,13 +12,13 @@ from collections.abc import Callable
 from statistics import median
 from time import perf_counter_ns
 
+from benchmarks.domain import DOMAIN_ID
 from tfloom.rmw.cyclone_config import configuration
 
 PAYLOAD_SIZE = 1000
 WARM_UP = 200
 ROUND_TRIPS = 1000
 TURNS = 5
-DOMAIN_ID = 98
 
 Trip = Callable[[], None]
 

@@ -11,6 +11,7 @@ import subprocess
 import sys
 import time
 
+from benchmarks.domain import DOMAIN_ID
 from tfloom.node import init
 from tfloom.node.executors import SingleThreadedExecutor
 from tfloom.node.utilities import try_shutdown
@@ -20,7 +21,6 @@ from tfloom.turtlesim.world import STEP_S
 COUNTS = (1, 10, 100)
 WARM_UP_S = 1.0
 MEASURED_S = 5.0
-DOMAIN_ID = 100
 
 
 class CrowdedNode(TurtlesimNode):
