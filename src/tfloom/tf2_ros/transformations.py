@@ -3,8 +3,7 @@
 Quaternions are x, y, z, w. Matrices are homogeneous, (4, 4). Angles are in radians. Axes of Euler angles are four
 letters: `s` for fixed or `r` for turning axes, then the three axes: `sxyz` is roll, pitch, yaw.
 
-What transforms3d doesn't have isn't here: Arcball, clip_matrix, projection_matrix and projection_from_matrix,
-superimposition_matrix and affine_matrix_from_points.
+`projections` and `arcball` have the rest of them.
 """
 
 from __future__ import annotations
@@ -40,6 +39,7 @@ __all__ = [
     "quaternion_slerp",
     "random_quaternion",
     "random_rotation_matrix",
+    "random_vector",
     "reflection_from_matrix",
     "reflection_matrix",
     "rotation_from_matrix",
@@ -138,8 +138,20 @@ def quaternion_matrix(quaternion: ArrayLike) -> Matrix:
 
 
 def quaternion_from_matrix(matrix: ArrayLike) -> Matrix:
-    """Return the unit quaternion of a matrix's rotation, w ≥ 0; ValueError if it's none."""
-    q = np.array(Transform.from_matrix(matrix).rotation_xyzw)
+    """Return the unit quaternion of a matrix's rotation, w ≥ 0; of one that scales or shears too, as it's decomposed.
+
+    Raises:
+        ValueError: the matrix has no rotation.
+    """
+    affine = np.array(matrix, np.float64)
+    try:
+        rotation = Transform.from_matrix(affine)
+    except ValueError:
+        if affine.shape != (4, 4):
+            raise
+        affine[:3, :3] = _transforms3d("affines").decompose(affine)[1]
+        rotation = Transform.from_matrix(affine)
+    q = np.array(rotation.rotation_xyzw)
     return -q if q[3] < 0 else q
 
 
@@ -172,8 +184,10 @@ def quaternion_inverse(quaternion: ArrayLike) -> Matrix:
 def quaternion_about_axis(angle: float, axis: ArrayLike) -> Matrix:
     """Return the unit quaternion that turns by `angle` about `axis`."""
     unit = np.asarray(axis, np.float64)[:3]
-    unit = unit / np.linalg.norm(unit)
-    return np.append(math.sin(angle / 2) * unit, math.cos(angle / 2))
+    length = np.linalg.norm(unit)
+    if not length > 0:
+        raise ValueError("axis has no direction: it's zero, or not finite")
+    return np.append(math.sin(angle / 2) / length * unit, math.cos(angle / 2))
 
 
 def quaternion_slerp(
@@ -181,17 +195,22 @@ def quaternion_slerp(
 ) -> Matrix:
     """Return what is between two quaternions on the arc from one (fraction 0) to the other (1).
 
-    `spin` adds half turns; without `shortestpath` the arc may be the longer one.
+    A fraction below 0 or above 1 goes on beyond the ends. `spin` adds half turns; without `shortestpath` the arc may
+    be the longer one.
     """
-    first, second = unit_vector(_four(quat0)), unit_vector(_four(quat1))
-    cosine = float(first @ second)
-    if shortestpath and cosine < 0:
-        second, cosine = -second, -cosine
+    first: Matrix = unit_vector(_four(quat0))
+    second: Matrix = unit_vector(_four(quat1))
+    if fraction in (0.0, 1.0):
+        return second if fraction == 1.0 else first
+    if shortestpath and float(first @ second) < 0:
+        second = -second
     angle = 2 * math.atan2(float(np.linalg.norm(first - second)), float(np.linalg.norm(first + second)))
+    if spin % 2:  # half a turn further on is the same rotation with the other sign
+        second = -second
     angle += spin * math.pi
     sine = math.sin(angle)
-    if fraction in (0.0, 1.0) or abs(sine) < np.finfo(float).eps * 4:
-        return second if fraction == 1.0 else first
+    if abs(sine) < np.finfo(float).eps * 4:
+        return first
     mixed: Matrix = (math.sin((1 - fraction) * angle) * first + math.sin(fraction * angle) * second) / sine
     return mixed
 
@@ -265,7 +284,10 @@ def compose_matrix(
     translate: ArrayLike | None = None,
     perspective: ArrayLike | None = None,
 ) -> Matrix:
-    """Return the matrix that scales, shears, turns by fixed-axis Euler angles, moves, and projects, in this order."""
+    """Return the matrix that shears, scales, turns by fixed-axis Euler angles, moves, and projects, in this order.
+
+    `perspective` is the last row (4,) of what projects.
+    """
     matrix = _transforms3d("affines").compose(
         np.zeros(3) if translate is None else np.asarray(translate, np.float64)[:3],
         np.identity(3) if angles is None else euler_matrix(*np.asarray(angles, np.float64))[:3, :3],
@@ -281,11 +303,17 @@ def compose_matrix(
 
 
 def decompose_matrix(matrix: ArrayLike) -> tuple[Matrix, Matrix, tuple[float, float, float], Matrix, Matrix]:
-    """Return scale, shear, fixed-axis Euler angles, translation and perspective of a matrix."""
+    """Return scale, shear, fixed-axis Euler angles, translation and perspective: what `compose_matrix` takes.
+
+    Raises:
+        ValueError: the matrix is degenerate.
+    """
     given = np.asarray(matrix, np.float64)
-    perspective = given[3, :].copy()
     affine = given.copy()
     affine[3, :] = 0.0, 0.0, 0.0, 1.0
+    if np.linalg.matrix_rank(affine) < 4:
+        raise ValueError("the matrix is degenerate: it takes space to a plane, a line or a point")
+    perspective: Matrix = given[3] @ np.linalg.inv(affine)
     translate, turn, scale, shear = _transforms3d("affines").decompose(affine)
     return scale, shear, _angles(_transforms3d("euler").mat2euler(turn)), translate, perspective
 
@@ -306,18 +334,26 @@ def random_rotation_matrix(rand: ArrayLike | None = None) -> Matrix:
     return quaternion_matrix(random_quaternion(rand))
 
 
-def vector_norm(data: ArrayLike, axis: int | None = None) -> Any:
-    """Return the length of a vector, or of each along an axis."""
-    values = np.asarray(data, np.float64)
-    return np.sqrt((values * values).sum(axis=axis))
+def random_vector(size: int | tuple[int, ...]) -> Matrix:
+    """Return numbers from 0 to 1, 1 excluded, of a shape."""
+    return np.random.default_rng().random(size)
 
 
-def unit_vector(data: ArrayLike, axis: int | None = None) -> Matrix:
-    """Return a vector of length one in the same direction, or each along an axis."""
+def vector_norm(data: ArrayLike, axis: int | None = None, out: Matrix | None = None) -> Any:
+    """Return the length of a vector, or of each along an axis; None where it's written to `out`."""
     values = np.asarray(data, np.float64)
-    length = vector_norm(values, axis)
-    unit: Matrix = values / (length if axis is None else np.expand_dims(length, axis))
-    return unit
+    if out is None:
+        return np.sqrt((values * values).sum(axis=axis))
+    np.sqrt(np.sum(values * values, axis=axis, out=out), out=out)
+    return None
+
+
+def unit_vector(data: ArrayLike, axis: int | None = None, out: Matrix | None = None) -> Any:
+    """Return a vector of length one in the same direction, or each along an axis; None where it's written to `out`."""
+    values = np.asarray(data, np.float64)
+    length = np.sqrt((values * values).sum(axis=axis))
+    unit: Matrix = np.divide(values, length if axis is None else np.expand_dims(length, axis), out=out)
+    return unit if out is None else None
 
 
 def _three(vector: ArrayLike) -> Matrix:
