@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import random
+from types import SimpleNamespace
+
 import pytest
 
 from tfloom.interfaces.geometry_msgs.msg import PointStamped
 from tfloom.interfaces.std_msgs.msg import Header, String
+from tfloom.node.clock_type import ClockType
 from tfloom.node.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.time import Time
 from tfloom.tf2_ros.message_filters import (
     ApproximateTimeSynchronizer,
     Cache,
+    Chain,
     SimpleFilter,
     Subscriber,
     TimeSynchronizer,
@@ -51,6 +56,116 @@ def test_the_same_stamp() -> None:
     for at in range(5):
         right.signalMessage(point(at))
     assert pairs == [(2, 2, "tag"), (3, 3, "tag"), (4, 4, "tag")]  # the first two no longer fitted
+
+
+def test_a_caches_times_can_be_compared_with_a_nodes(node: Node) -> None:
+    cache = Cache(SimpleFilter())
+    cache.add(point(7))
+    assert cache.getLastestTime() == Time(seconds=7, clock_type=ClockType.ROS_TIME)
+    assert (node.get_clock().now() - cache.getOldestTime()).nanoseconds > 0
+
+
+def test_a_stamp_may_be_an_rclpy_time_and_a_message_of_any_class() -> None:
+    left, right = SimpleFilter(), SimpleFilter()
+    pairs: list[tuple[object, object]] = []
+    for synchronizer in (
+        TimeSynchronizer([left, right], 3),
+        ApproximateTimeSynchronizer([left, right], 3, 0.1),
+    ):
+        synchronizer.registerCallback(lambda *pair: pairs.append(pair))
+    cache = Cache(left)
+    one = SimpleNamespace(header=SimpleNamespace(stamp=Time(seconds=3)))
+    other = SimpleNamespace(header=SimpleNamespace(stamp=SimpleNamespace(sec=3, nanosec=0)))
+    left.signalMessage(one)
+    right.signalMessage(other)
+    assert pairs == [(one, other)] * 2
+    assert cache.getLastestTime() is one.header.stamp
+
+
+def test_callbacks_that_are_taken_back() -> None:
+    source = SimpleFilter()
+    got: list[str] = []
+    first = source.registerCallback(lambda _: got.append("first"))
+    second = source.registerCallback(lambda _: got.append("second"))
+    source.unregisterCallback(first)
+    assert source.registerCallback(lambda _: got.append("third")) not in (first, second)
+    source.signalMessage(point(1))
+    assert got == ["second", "third"]
+
+
+def test_a_chain() -> None:
+    source, chain = SimpleFilter(), Chain()
+    got: list[float] = []
+    chain.registerCallback(lambda message: got.append(seconds(message)))
+    chain.connectInput(source)
+    with pytest.raises(RuntimeError, match="Already connected"):
+        chain.connectInput(source)
+    source.signalMessage(point(1))
+    first, second = Cache(None, 5), Cache(None, 5)
+    for number, each in enumerate((first, second)):
+        chain.addFilter(each)
+        assert chain.getFilter(number) is each
+        source.signalMessage(point(2 + number))
+    assert got == [1, 2, 3]
+    assert [len(cache.cache_msgs) for cache in (first, second)] == [2, 1]
+    with pytest.raises(KeyError):
+        chain.getFilter(2)
+    Chain(source).registerCallback(lambda message: got.append(-seconds(message)))
+    source.signalMessage(point(4))
+    assert got == [1, 2, 3, 4, -4]
+
+
+@pytest.mark.parametrize("count", [1, 2, 5, 9])
+def test_scrambled_sequences_come_together(count: int) -> None:
+    left, right = SimpleFilter(), SimpleFilter()
+    pairs: list[tuple[float, float]] = []
+    ApproximateTimeSynchronizer([left, right], count, 0.1).registerCallback(
+        lambda a, b: pairs.append((seconds(a), seconds(b)))
+    )
+    source = random.Random(count)
+    for each in (left, right):
+        for at in source.sample(range(count), count):
+            each.signalMessage(point(at))
+    assert sorted(pairs) == [(at, at) for at in range(count)]
+
+
+def test_a_message_older_than_a_full_queue_is_dropped() -> None:
+    left, right = SimpleFilter(), SimpleFilter()
+    pairs: list[tuple[float, float]] = []
+    synchronizer = ApproximateTimeSynchronizer([left, right], 1, 0.1)
+    synchronizer.registerCallback(lambda a, b: pairs.append((seconds(a), seconds(b))))
+    right.signalMessage(point(1))
+    left.signalMessage(point(5))
+    left.signalMessage(point(1))
+    assert pairs == []
+    assert [len(queue) for queue in synchronizer.queues] == [1, 1]
+
+
+def test_stamps_that_differ_by_just_the_slop_are_apart() -> None:
+    left, right = SimpleFilter(), SimpleFilter()
+    pairs: list[tuple[float, float]] = []
+    ApproximateTimeSynchronizer([left, right], 5, 0.5).registerCallback(lambda *pair: pairs.append(pair))
+    left.signalMessage(point(1))
+    right.signalMessage(point(1.5))
+    assert pairs == []
+    right.signalMessage(point(1.499999999))
+    assert len(pairs) == 1
+
+
+def test_messages_without_a_header_get_simulated_time(node: Node) -> None:
+    clock = node.get_clock()
+    clock.set_ros_time_is_active(True)
+    clock.set_ros_time_override(Time(seconds=50, clock_type=clock.clock_type))
+    points, words = Subscriber(node, PointStamped, "points"), Subscriber(node, String, "words")
+    pairs: list[str] = []
+    ApproximateTimeSynchronizer([points, words], 5, 0.5, allow_headerless=True).registerCallback(
+        lambda message, word: pairs.append(f"{seconds(message)} {word.data}")
+    )
+    cache = Cache(words, allow_headerless=True)
+    points.signalMessage(point(50.2))
+    words.signalMessage(String(data="now"))
+    assert pairs == ["50.2 now"]
+    assert cache.getLastestTime() == Time(seconds=50, clock_type=ClockType.ROS_TIME)
 
 
 @pytest.mark.parametrize("slop", [0.05, 0.2])

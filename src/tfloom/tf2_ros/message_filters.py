@@ -6,31 +6,41 @@ import threading
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Sequence
 from itertools import product
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from tfloom.node.clock_type import ClockType
 from tfloom.node.duration import Duration
 from tfloom.node.time import Time
+from tfloom.tf2_ros.buffer_core import time_ns
 
-__all__ = ["ApproximateTimeSynchronizer", "Cache", "SimpleFilter", "Subscriber", "TimeSynchronizer"]
+if TYPE_CHECKING:
+    from tfloom.node.clock import Clock
 
-S_TO_NS = 1_000_000_000
+__all__ = ["ApproximateTimeSynchronizer", "Cache", "Chain", "SimpleFilter", "Subscriber", "TimeSynchronizer"]
 
 
 class SimpleFilter:
     """Hands messages on to callbacks."""
+
+    _clock: Clock | None = None
+    """What gives the time of arrival to messages without a header; None: the system's clock."""
 
     def __init__(self) -> None:
         self.callbacks: dict[int, tuple[Callable[..., Any], tuple[Any, ...]]] = {}
 
     def registerCallback(self, cb: Callable[..., Any], *args: Any) -> int:  # noqa: N802, message_filters' name
         """Have `cb(*messages, *args)` called; returns a number for it."""
-        number = len(self.callbacks)
+        number = max(self.callbacks, default=-1) + 1
         self.callbacks[number] = cb, args
         return number
 
+    def unregisterCallback(self, conn: int) -> None:  # noqa: N802, message_filters' name
+        """Have a callback called no more, by its number."""
+        self.callbacks.pop(conn, None)
+
     def signalMessage(self, *msg: Any) -> None:  # noqa: N802, message_filters' name
         """Call all callbacks."""
-        for callback, args in self.callbacks.values():
+        for callback, args in list(self.callbacks.values()):
             callback(*msg, *args)
 
 
@@ -48,6 +58,7 @@ class Subscriber(SimpleFilter):
         kwargs.setdefault("qos_profile", 10)
         if others:
             kwargs["qos_profile"] = others[0]
+        self._clock = self.node.get_clock()
         self.sub = self.node.create_subscription(self.type, self.topic, self.callback, **kwargs)
 
     def callback(self, msg: Any) -> None:
@@ -71,7 +82,8 @@ class Cache(SimpleFilter):
     Args:
         f: The filter whose messages to keep; None: those of `add`.
         cache_size: How many.
-        allow_headerless: Whether a message without a header gets the time of its arrival.
+        allow_headerless: Whether a message without a header gets the time of its arrival, by the subscriber's node's
+            clock.
     """
 
     def __init__(self, f: Any, cache_size: int = 1, allow_headerless: bool = False) -> None:
@@ -85,15 +97,18 @@ class Cache(SimpleFilter):
     def connectInput(self, f: Any) -> None:  # noqa: N802, message_filters' name
         """Take the messages of a filter."""
         if f is not None:
+            self._clock = getattr(f, "_clock", None)
             self.incoming_connection = f.registerCallback(self.add)
 
     def add(self, msg: Any) -> None:
         """Keep a message, and hand it on."""
-        stamp = _stamp_ns(msg, self.allow_headerless)
+        stamp = _stamp(msg, self.allow_headerless, self._clock)
         if stamp is None:
             return
-        place = bisect_right([time.nanoseconds for time in self.cache_times], stamp)
-        self.cache_times.insert(place, Time(nanoseconds=stamp))
+        if not hasattr(stamp, "nanoseconds"):
+            stamp = Time(nanoseconds=time_ns(stamp), clock_type=ClockType.ROS_TIME)
+        place = bisect_right([time.nanoseconds for time in self.cache_times], stamp.nanoseconds)
+        self.cache_times.insert(place, stamp)
         self.cache_msgs.insert(place, msg)
         if len(self.cache_msgs) > self.cache_size:
             del self.cache_msgs[0], self.cache_times[0]
@@ -129,6 +144,54 @@ class Cache(SimpleFilter):
         return self.cache_msgs[-1] if self.cache_msgs else None
 
 
+class Chain(SimpleFilter):
+    """Several filters one after the other, as one: what goes into the first comes out of the last.
+
+    Args:
+        message_filter: The filter whose messages to take; None: those of `add`.
+    """
+
+    def __init__(self, message_filter: Any = None) -> None:
+        super().__init__()
+        self.incoming_connection: int | None = None
+        self._filters: dict[int, Any] = {}
+        self._output: int | None = None
+        if message_filter is not None:
+            self.connectInput(message_filter)
+
+    def connectInput(self, message_filter: Any) -> None:  # noqa: N802, message_filters' name
+        """Take the messages of a filter.
+
+        Raises:
+            RuntimeError: the chain takes those of another already.
+        """
+        if self.incoming_connection is not None:
+            raise RuntimeError("Already connected")
+        self._clock = getattr(message_filter, "_clock", None)
+        self.incoming_connection = message_filter.registerCallback(self.add)
+
+    def add(self, message: Any) -> None:
+        """Put a message into the first filter; it comes out at once if there is none."""
+        if self._filters:
+            self._filters[0].add(message)
+        else:
+            self.signalMessage(message)
+
+    def addFilter(self, message_filter: Any) -> None:  # noqa: N802, message_filters' name
+        """Append a filter, which has `add` and `registerCallback`."""
+        number = len(self._filters)
+        if number > 0:
+            last = self._filters[number - 1]
+            last.callbacks.pop(self._output)
+            last.registerCallback(message_filter.add)
+        self._filters[number] = message_filter
+        self._output = message_filter.registerCallback(self.signalMessage)
+
+    def getFilter(self, index: int) -> Any:  # noqa: N802, message_filters' name
+        """Return a filter by its place, from 0; KeyError if there is none."""
+        return self._filters[index]
+
+
 class TimeSynchronizer(SimpleFilter):
     """Hands on messages of several filters that have the very same stamp, together.
 
@@ -146,6 +209,7 @@ class TimeSynchronizer(SimpleFilter):
     def connectInput(self, fs: Sequence[Any]) -> None:  # noqa: N802, message_filters' name
         """Take the messages of these filters, in this order."""
         self.queues: list[dict[int, Any]] = [{} for _ in fs]
+        self._clock = next((f._clock for f in fs if getattr(f, "_clock", None) is not None), None)  # noqa: SLF001
         self.input_connections = [
             f.registerCallback(self.add, queue, index)
             for index, (f, queue) in enumerate(zip(fs, self.queues, strict=True))
@@ -153,13 +217,14 @@ class TimeSynchronizer(SimpleFilter):
 
     def add(self, msg: Any, my_queue: dict[int, Any], my_queue_index: int | None = None) -> None:  # noqa: ARG002
         """Keep a message, and hand on what is complete."""
+        stamp = _stamp(msg, False, self._clock)
+        if stamp is None:
+            return
+        at = time_ns(stamp)
         with self.lock:
-            stamp = _stamp_ns(msg, allow_headerless=False)
-            if stamp is None:
-                return
-            _keep(my_queue, stamp, msg, self.queue_size)
-            complete = stamp if all(stamp in queue for queue in self.queues) else None
-            matched = [] if complete is None else [queue.pop(stamp) for queue in self.queues]
+            _keep(my_queue, at, msg, self.queue_size)
+            is_complete = all(at in queue for queue in self.queues)
+            matched = [queue.pop(at) for queue in self.queues] if is_complete else []
         if matched:
             self.signalMessage(*matched)
 
@@ -170,8 +235,9 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
     Args:
         fs: The filters.
         queue_size: How many messages of each to keep.
-        slop: By how much the stamps may differ [s].
-        allow_headerless: Whether a message without a header gets the time of its arrival.
+        slop: The stamps must differ by less than this [s].
+        allow_headerless: Whether a message without a header gets the time of its arrival, by the subscribers' node's
+            clock.
     """
 
     def __init__(
@@ -181,29 +247,31 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
         self.slop = Duration(seconds=slop)
         self.allow_headerless = allow_headerless
 
-    def add(self, msg: Any, my_queue: dict[int, Any], my_queue_index: int | None = None) -> None:
+    def add(self, msg: Any, my_queue: dict[int, Any], my_queue_index: int | None = None) -> None:  # noqa: ARG002
         """Keep a message, and hand on the nearest to it of each other filter, if all are near enough."""
-        stamp = _stamp_ns(msg, self.allow_headerless)
+        stamp = _stamp(msg, self.allow_headerless, self._clock)
         if stamp is None:
             return
+        at = time_ns(stamp)
         with self.lock:
-            _keep(my_queue, stamp, msg, self.queue_size)
-            index = self.queues.index(my_queue) if my_queue_index is None else my_queue_index
-            chosen = self._match(index, stamp)
-            matched = [queue.pop(at) for queue, at in zip(self.queues, chosen, strict=True)] if chosen else []
+            _keep(my_queue, at, msg, self.queue_size)
+            chosen = self._match(my_queue, at) if at in my_queue else None
+            matched = (
+                [queue.pop(each) for queue, each in zip(self.queues, chosen, strict=True)] if chosen else []
+            )
         if matched:
             self.signalMessage(*matched)
 
-    def _match(self, index: int, stamp: int) -> tuple[int, ...] | None:
+    def _match(self, own: dict[int, Any], stamp: int) -> tuple[int, ...] | None:
         slop = self.slop.nanoseconds
         choices = [
             [stamp]
-            if other == index
-            else sorted((at for at in queue if abs(at - stamp) <= slop), key=lambda at: abs(at - stamp))
-            for other, queue in enumerate(self.queues)
+            if queue is own
+            else sorted((at for at in queue if abs(at - stamp) < slop), key=lambda at: abs(at - stamp))
+            for queue in self.queues
         ]
         # The nearest of each first; any two of the set have to be near each other.
-        return next((stamps for stamps in product(*choices) if max(stamps) - min(stamps) <= slop), None)
+        return next((stamps for stamps in product(*choices) if max(stamps) - min(stamps) < slop), None)
 
 
 def _keep(queue: dict[int, Any], stamp: int, msg: Any, size: int) -> None:
@@ -212,11 +280,11 @@ def _keep(queue: dict[int, Any], stamp: int, msg: Any, size: int) -> None:
         del queue[min(queue)]
 
 
-def _stamp_ns(msg: Any, allow_headerless: bool) -> int | None:
+def _stamp(msg: Any, allow_headerless: bool, clock: Clock | None) -> Any:
     """Return a message's stamp; the time now for one without a header, or None with a warning."""
-    header = getattr(msg, "header", None)
-    if header is not None and hasattr(header, "stamp"):
-        return int(header.stamp.sec) * S_TO_NS + int(header.stamp.nanosec)
+    stamp = getattr(getattr(msg, "header", None), "stamp", None)
+    if stamp is not None:
+        return stamp
     if not allow_headerless:
         from tfloom.node.logging import get_logger
 
@@ -226,4 +294,4 @@ def _stamp_ns(msg: Any, allow_headerless: bool) -> int | None:
         return None
     from tfloom.node.clock import ROSClock
 
-    return ROSClock().now_ns()
+    return (clock or ROSClock()).now()
