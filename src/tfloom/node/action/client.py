@@ -134,6 +134,8 @@ class ActionClient:
         self._lock = threading.Lock()
         self._feedback_callbacks: dict[bytes, Callable[[Any], Any]] = {}
         self._ended: deque[bytes] = deque()
+        self._unanswered: dict[bytes, int] = {}
+        """What has been told already of the states of goals whose answer isn't in yet."""
         self._goals: weakref.WeakValueDictionary[bytes, ClientGoalHandle] = weakref.WeakValueDictionary()
 
         def client(srv_type: Any, suffix: str, qos: QoSProfile) -> Client:
@@ -202,8 +204,9 @@ class ActionClient:
             raise TypeError(f"Expected {self._action_type.Goal}, got {type(goal)}")
         goal_id = new_goal_id() if goal_uuid is None else goal_uuid
         key = key_of(goal_id)
-        if feedback_callback is not None:
-            with self._lock:
+        with self._lock:
+            self._unanswered[key] = GoalStatus.STATUS_UNKNOWN
+            if feedback_callback is not None:
                 self._feedback_callbacks[key] = feedback_callback
         request = self._action_type.Impl.SendGoalService.Request(goal_id=goal_id, goal=goal)
         future: Future[ClientGoalHandle] = Future()
@@ -211,12 +214,21 @@ class ActionClient:
         def on_response(response: Any) -> ClientGoalHandle:
             handle = ClientGoalHandle(self, goal_id, response)
             if response.accepted:
-                self._goals[key] = handle
+                with self._lock:
+                    handle.status = self._unanswered.pop(key, GoalStatus.STATUS_UNKNOWN)
+                    self._goals[key] = handle
             else:
                 self._forget(key)
             return handle
 
-        self._chain(self._send.call_async(request), future, on_response)
+        try:
+            answer = self._send.call_async(request)
+        except BaseException:
+            self._unanswered.pop(key, None)
+            self._feedback_callbacks.pop(key, None)
+            raise
+        self._chain(answer, future, on_response)
+        answer.when_complete(lambda: self._forget_answered(key))
         return future
 
     def send_goal(self, goal: Any, **kwargs: Any) -> Any:
@@ -276,6 +288,10 @@ class ActionClient:
 
         first.when_complete(complete)
 
+    def _forget_answered(self, key: bytes) -> None:
+        with self._lock:
+            self._unanswered.pop(key, None)
+
     def _forget(self, key: bytes) -> None:
         """Drop the feedback callback of a goal that has ended, but not at once: feedback may still be on its way."""
         with self._lock:
@@ -290,7 +306,10 @@ class ActionClient:
     def _on_status(self, message: GoalStatusArray) -> None:
         for each in message.status_list:
             key = key_of(each.goal_info.goal_id)
-            handle = self._goals.get(key)
+            with self._lock:
+                if key in self._unanswered:
+                    self._unanswered[key] = each.status
+                handle = self._goals.get(key)
             # The result's own word on the state is the last one.
             if handle is not None and (handle.status in ACTIVE or handle.status == GoalStatus.STATUS_UNKNOWN):
                 handle.status = each.status

@@ -6,6 +6,7 @@ import threading
 import time
 import traceback
 from collections.abc import Callable
+from contextlib import suppress
 from enum import Enum
 from typing import TYPE_CHECKING, Any
 
@@ -24,7 +25,7 @@ from tfloom.node.action.names import (
 )
 from tfloom.node.action.server_goal_handle import ServerGoalHandle
 from tfloom.node.constants import S_TO_NS
-from tfloom.node.exceptions import RCLError
+from tfloom.node.exceptions import InvalidHandle, RCLError
 from tfloom.node.executors import await_or_execute
 from tfloom.node.qos import (
     QoSProfile,
@@ -237,7 +238,9 @@ class ActionServer:
                 f"The execute callback returned a {type(result).__name__}, not a {self._action_type.Result.__name__}"
             )
         handle.result_future.set_result(response)
-        self._note_end(key_of(handle.goal_id))
+        key = key_of(handle.goal_id)
+        if self._goals.get(key) is handle:  # else it, or the server, was destroyed
+            self._note_end(key)
 
     def _on_result(self, request: Any, response: Any) -> Any:
         handle = self._goals.get(key_of(request.goal_id))
@@ -253,7 +256,7 @@ class ActionServer:
     ) -> CancelGoal_Response:
         wanted = self._to_cancel(request)
         key = key_of(request.goal_info.goal_id)
-        if not wanted and key != _NO_ID:
+        if not wanted and key != _NO_ID and not _stamp_ns(request.goal_info):
             known = key in self._goals
             response.return_code = response.ERROR_GOAL_TERMINATED if known else response.ERROR_UNKNOWN_GOAL_ID
             return response
@@ -293,7 +296,8 @@ class ActionServer:
         if not isinstance(feedback, self._action_type.Feedback):
             raise TypeError(f"Expected {self._action_type.Feedback}, got {type(feedback)}")
         message = self._action_type.Impl.FeedbackMessage(goal_id=goal_id, feedback=feedback)
-        self._feedback.publish(message)
+        with suppress(InvalidHandle):
+            self._feedback.publish(message)
 
     def notify_goal_done(self) -> None:
         """Tell that the state of a goal has changed; goal handles call it."""
@@ -302,7 +306,9 @@ class ActionServer:
     def _publish_status(self) -> None:
         with self._lock:
             goals = list(self._goals.values())
-        if self._node.context.ok():
+        if not self._node.context.ok():
+            return
+        with suppress(InvalidHandle):  # the node was destroyed under it
             self._status.publish(
                 GoalStatusArray(
                     status_list=[GoalStatus(goal_info=goal.goal_info, status=goal.status) for goal in goals]
@@ -341,7 +347,11 @@ class ActionServer:
         self._expiry.reset()
 
     def destroy(self) -> None:
-        """Serve no more."""
+        """Serve no more. Goals that are being executed go on, and nobody hears of them."""
+        with self._lock:
+            goals = list(self._goals.values())
+        for goal in goals:
+            goal.destroy()
         for service in self._services:
             self._node.destroy_service(service)
         self._node.destroy_publisher(self._feedback)

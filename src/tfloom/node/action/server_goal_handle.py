@@ -19,7 +19,10 @@ __all__ = ["ServerGoalHandle"]
 
 
 class ServerGoalHandle:
-    """A goal that was accepted: what was asked for, how it stands, and the ways to end it."""
+    """A goal that was accepted: what was asked for, how it stands, and the ways to end it.
+
+    Once it is destroyed, with its server or by itself, its state is unknown and nothing is told any more.
+    """
 
     def __init__(self, action_server: ActionServer, goal_info: GoalInfo, goal_request: Any) -> None:
         self._server = action_server
@@ -27,6 +30,7 @@ class ServerGoalHandle:
         self._request = goal_request
         self._status: int = GoalStatus.STATUS_ACCEPTED
         self._lock = threading.Lock()
+        self._destroyed = False
         self.result_future: Future[Any] = Future()
         """Of the response that goes to whoever asks for the result."""
 
@@ -54,25 +58,27 @@ class ServerGoalHandle:
     @property
     def status(self) -> int:
         """Its state, a constant of `action_msgs/msg/GoalStatus`."""
-        return self._status
+        return GoalStatus.STATUS_UNKNOWN if self._destroyed else self._status
 
     @property
     def is_active(self) -> bool:
         """Whether it has not ended."""
-        return self._status in ACTIVE
+        return self.status in ACTIVE
 
     @property
     def is_cancel_requested(self) -> bool:
         """Whether it is to be cancelled: call `canceled` once that is done."""
-        return self._status == GoalStatus.STATUS_CANCELING
+        return self.status == GoalStatus.STATUS_CANCELING
 
     def update(self, event: GoalEvent) -> None:
-        """Go on to the next state, and tell everybody.
+        """Go on to the next state, and tell everybody; nothing happens to a goal that is destroyed.
 
         Raises:
             RCLError: the event can't happen in this state.
         """
         with self._lock:
+            if self._destroyed:
+                return
             self._status = next_state(self._status, event)
         self._server.notify_goal_done()
 
@@ -82,6 +88,8 @@ class ServerGoalHandle:
         Raises:
             RCLError: it is being executed, or has ended.
         """
+        if self._destroyed:
+            return
         # A goal may be cancelled before it begins; the callback is to see that.
         if not self.is_cancel_requested:
             self.update(GoalEvent.EXECUTE)
@@ -93,7 +101,8 @@ class ServerGoalHandle:
         Raises:
             TypeError: `feedback` isn't of the action's feedback type.
         """
-        self._server.publish_feedback(self.goal_id, feedback)
+        if not self._destroyed:
+            self._server.publish_feedback(self.goal_id, feedback)
 
     def succeed(self) -> None:
         """End as SUCCEEDED; RCLError if it isn't executing or canceling."""
@@ -109,4 +118,5 @@ class ServerGoalHandle:
 
     def destroy(self) -> None:
         """Forget the goal: who asks for its result is told that it is unknown."""
+        self._destroyed = True
         self._server.forget(self)

@@ -1,0 +1,205 @@
+"""Actions between processes: every way a goal may go, and ends that die under it."""
+
+from __future__ import annotations
+
+import signal
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from tests.conftest import Program, wait_until
+from tests.node.wire.conftest import LEASE_TIMEOUT_S
+
+from tfloom.interfaces.action_msgs.msg import GoalInfo, GoalStatus, GoalStatusArray
+from tfloom.interfaces.action_msgs.srv import CancelGoal
+from tfloom.interfaces.example_interfaces.action import Fibonacci
+from tfloom.node.action.client import ActionClient
+from tfloom.node.action.names import new_goal_id
+from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.node import Node
+from tfloom.node.qos import qos_profile_action_status_default
+from tfloom.node.task import Future
+
+pytestmark = pytest.mark.wire
+
+Start = Callable[..., Program]
+Finish = Callable[..., Any]
+SpinUntil = Callable[..., None]
+
+WAITS, WAITS_ON = 100, 101  # goals: one that may be cancelled, one that may not
+
+
+@pytest.fixture
+def server(start: Start) -> Program:
+    return start("action_server", 900)
+
+
+@pytest.fixture
+def client(node: Node, server: Program) -> ActionClient:
+    client = ActionClient(node, Fibonacci, "fibonacci")
+    assert client.wait_for_server(timeout_sec=20)
+    return client
+
+
+def send(client: ActionClient, order: int, **options: Any) -> Future[Any]:
+    return client.send_goal_async(Fibonacci.Goal(order=order), **options)
+
+
+def test_a_goal_is_accepted_tells_how_far_it_is_and_succeeds(
+    client: ActionClient, finish: Finish, spin_until: SpinUntil
+) -> None:
+    feedback: list[list[int]] = []
+    sent = send(client, 5, feedback_callback=lambda message: feedback.append(list(message.feedback.sequence)))
+    handle = finish(sent)
+    assert handle.accepted
+    assert handle.stamp.sec > 0
+    for _ in range(2):  # the result is kept
+        response = finish(handle.get_result_async())
+        assert response.status == handle.status == GoalStatus.STATUS_SUCCEEDED
+        assert list(response.result.sequence) == [0, 1, 1, 2, 3, 5]
+    spin_until(lambda: len(feedback) == 4)
+    assert feedback[-1] == [0, 1, 1, 2, 3, 5]
+
+
+def test_a_goal_is_refused(client: ActionClient, server: Program, finish: Finish) -> None:
+    handle = finish(send(client, -1))
+    assert not handle.accepted
+    assert finish(handle.get_result_async()).status == GoalStatus.STATUS_UNKNOWN
+    assert "executing -1" not in server.output
+
+
+def test_goals_that_fail_are_aborted_and_the_server_lives(
+    client: ActionClient, server: Program, finish: Finish
+) -> None:
+    for order in (50, 60):
+        handle = finish(send(client, order))
+        assert finish(handle.get_result_async()).status == GoalStatus.STATUS_ABORTED
+    server.wait_for("Error raised in execute callback: sixty")
+    server.wait_for("ValueError: sixty")
+    assert finish(send(client, 1)).accepted
+
+
+def test_one_goal_is_cancelled(client: ActionClient, finish: Finish, spin_until: SpinUntil) -> None:
+    handle = finish(send(client, WAITS))
+    spin_until(lambda: handle.status == GoalStatus.STATUS_EXECUTING)
+    response = finish(handle.cancel_goal_async())
+    assert response.return_code == CancelGoal.Response.ERROR_NONE
+    assert [each.goal_id for each in response.goals_canceling] == [handle.goal_id]
+    assert finish(handle.get_result_async()).status == GoalStatus.STATUS_CANCELED
+    again = finish(handle.cancel_goal_async())
+    assert again.return_code == CancelGoal.Response.ERROR_GOAL_TERMINATED
+    unknown = finish(client.cancel(new_goal_id()))
+    assert unknown.return_code == CancelGoal.Response.ERROR_UNKNOWN_GOAL_ID
+
+
+def test_a_cancel_may_be_refused(client: ActionClient, finish: Finish) -> None:
+    handle = finish(send(client, WAITS_ON))
+    response = finish(handle.cancel_goal_async())
+    assert response.return_code == CancelGoal.Response.ERROR_REJECTED
+    assert not response.goals_canceling
+
+
+def test_goals_are_cancelled_by_time_and_all(client: ActionClient, finish: Finish) -> None:
+    handles = [finish(send(client, WAITS)) for _ in range(4)]
+    by_time = CancelGoal.Request(goal_info=GoalInfo(stamp=handles[1].stamp))
+    assert len(finish(client._cancel.call_async(by_time)).goals_canceling) == 2
+    results = [finish(handle.get_result_async()).status for handle in handles[:2]]
+    assert results == [GoalStatus.STATUS_CANCELED] * 2
+    by_time_and_id = CancelGoal.Request(
+        goal_info=GoalInfo(stamp=handles[1].stamp, goal_id=handles[3].goal_id)
+    )
+    response = finish(client._cancel.call_async(by_time_and_id))
+    assert [each.goal_id for each in response.goals_canceling] == [handles[3].goal_id]
+    response = finish(client._cancel.call_async(CancelGoal.Request()))
+    assert [each.goal_id for each in response.goals_canceling] == [handles[2].goal_id]
+    assert finish(handles[2].get_result_async()).status == GoalStatus.STATUS_CANCELED
+
+
+def test_several_goals_of_several_clients_run_at_once(
+    client: ActionClient, make_node: Callable[..., Node], executor: SingleThreadedExecutor, finish: Finish
+) -> None:
+    other_node = make_node("other")
+    executor.add_node(other_node)
+    other = ActionClient(other_node, Fibonacci, "fibonacci")
+    assert other.wait_for_server(timeout_sec=20)
+    waiting = finish(send(client, WAITS))
+    handles = [finish(each) for order in (3, 5, 7) for each in (send(client, order), send(other, order + 1))]
+    results = [handle.get_result_async() for handle in handles]
+    lengths = [len(finish(result).result.sequence) for result in results]
+    assert lengths == [4, 5, 6, 7, 8, 9]
+    assert waiting.status == GoalStatus.STATUS_EXECUTING
+    finish(waiting.cancel_goal_async())
+
+
+def test_who_comes_late_is_told_the_states_of_all_goals(
+    client: ActionClient, node: Node, finish: Finish, spin_until: SpinUntil
+) -> None:
+    done, waiting = (finish(send(client, order)) for order in (2, WAITS))
+    finish(done.get_result_async())
+    spin_until(lambda: waiting.status == GoalStatus.STATUS_EXECUTING)
+    told: list[GoalStatusArray] = []
+    qos = qos_profile_action_status_default
+    node.create_subscription(GoalStatusArray, "fibonacci/_action/status", told.append, qos)
+    spin_until(lambda: told)
+    states = {bytes(each.goal_info.goal_id.uuid): each.status for each in told[0].status_list}
+    assert states == {
+        bytes(done.goal_id.uuid): GoalStatus.STATUS_SUCCEEDED,
+        bytes(waiting.goal_id.uuid): GoalStatus.STATUS_EXECUTING,
+    }
+
+
+def test_results_are_kept_for_as_long_as_the_server_wants(
+    node: Node, start: Start, finish: Finish, spin_until: SpinUntil
+) -> None:
+    start("action_server", 0.3)
+    client = ActionClient(node, Fibonacci, "fibonacci")
+    assert client.wait_for_server(timeout_sec=20)
+    handle = finish(send(client, 2))
+    assert finish(handle.get_result_async()).status == GoalStatus.STATUS_SUCCEEDED
+    spin_until(lambda: finish(handle.get_result_async()).status == GoalStatus.STATUS_UNKNOWN)
+    assert finish(client.cancel(handle.goal_id)).return_code == CancelGoal.Response.ERROR_UNKNOWN_GOAL_ID
+
+
+def test_a_client_killed_in_mid_goal_leaves_the_server_well(
+    client: ActionClient, server: Program, start: Start, finish: Finish
+) -> None:
+    other = start("action_client")
+    assert other.lines == ["accepted ready"]
+    server.wait_for("executing 100")
+    other.signal(signal.SIGKILL)
+    other.wait()
+    assert finish(finish(send(client, 3)).get_result_async()).status == GoalStatus.STATUS_SUCCEEDED
+    response = finish(client._cancel.call_async(CancelGoal.Request()))
+    assert len(response.goals_canceling) == 1
+    assert finish(finish(send(client, 4)).get_result_async()).status == GoalStatus.STATUS_SUCCEEDED
+
+
+def test_a_server_killed_in_mid_goal(
+    client: ActionClient, server: Program, start: Start, finish: Finish
+) -> None:
+    handle = finish(send(client, WAITS))
+    result = handle.get_result_async()
+    server.wait_for("executing 100")
+    server.signal(signal.SIGKILL)
+    server.wait()
+    wait_until(lambda: not client.server_is_ready(), LEASE_TIMEOUT_S)
+    assert not client.wait_for_server(timeout_sec=0.0)
+    assert not result.done()
+    start("action_server", 900)
+    assert client.wait_for_server(timeout_sec=20)
+    assert finish(finish(send(client, 4)).get_result_async()).status == GoalStatus.STATUS_SUCCEEDED
+    assert not result.done()
+    assert (
+        finish(handle.get_result_async()).status == GoalStatus.STATUS_UNKNOWN
+    )  # the new one never heard of it
+
+
+def test_a_server_may_be_destroyed_under_a_goal_and_made_anew(
+    client: ActionClient, server: Program, finish: Finish
+) -> None:
+    finish(send(client, 70))
+    server.wait_for("destroyed False 0")
+    assert client.wait_for_server(timeout_sec=20)
+    response = finish(finish(send(client, 4)).get_result_async())
+    assert response.status == GoalStatus.STATUS_SUCCEEDED
+    assert "Traceback" not in server.output
