@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from tfloom.node.context import Context
@@ -127,6 +129,17 @@ def get_global_executor() -> Executor:
     return get()
 
 
+@contextmanager
+def _added(node: Node, executor: Executor) -> Iterator[None]:
+    """Have a node in an executor; who is in it already, and may be spun right now, stays there."""
+    is_new = executor.add_node(node)
+    try:
+        yield
+    finally:
+        if is_new:
+            executor.remove_node(node)
+
+
 def spin(node: Node, executor: Executor | None = None) -> None:
     """Run a node's callbacks until its context is shut down.
 
@@ -136,21 +149,15 @@ def spin(node: Node, executor: Executor | None = None) -> None:
         Exception: whatever a callback raises.
     """
     executor = executor or get_global_executor()
-    try:
-        executor.add_node(node)
+    with _added(node, executor):
         executor.spin()
-    finally:
-        executor.remove_node(node)
 
 
 def spin_once(node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
     """Wait for one callback and run it; return without one after `timeout_sec` [s] (None: never)."""
     executor = executor or get_global_executor()
-    try:
-        executor.add_node(node)
+    with _added(node, executor):
         executor.spin_once(timeout_sec=timeout_sec)
-    finally:
-        executor.remove_node(node)
 
 
 def spin_until_future_complete(
@@ -158,8 +165,5 @@ def spin_until_future_complete(
 ) -> None:
     """Run a node's callbacks until a future is done, or `timeout_sec` [s] are over (None: never)."""
     executor = executor or get_global_executor()
-    try:
-        executor.add_node(node)
+    with _added(node, executor):
         executor.spin_until_future_complete(future, timeout_sec)
-    finally:
-        executor.remove_node(node)

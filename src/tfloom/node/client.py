@@ -119,7 +119,7 @@ class Client(ServiceEnd["Requester"]):
             raise TypeError(f"Expected {self.srv_type.Request}, got {type(request)}")
         data = cdr.encode(request)
         future: Future[Any] = Future()
-        with self.handle._lock:  # a response may be here before `send` has returned  # noqa: SLF001
+        with self._alive()._lock:  # a response may be here before `send` has returned  # noqa: SLF001
             number = self._endpoint.send(data)
             self._pending[number] = future
         future.when_complete(lambda: self.remove_pending_request(future))

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from tfloom.node.clock_type import ClockType
 from tfloom.node.duration import Duration
+from tfloom.node.handle import Handle
 from tfloom.node.time import Time, make_time
 
 if TYPE_CHECKING:
@@ -142,6 +143,11 @@ class Clock:
     def clock_type(self) -> ClockType:
         """What kind of clock it is."""
         return self._clock_type
+
+    @property
+    def handle(self) -> Handle:
+        """What stands for the library's own clock."""
+        return Handle(self)
 
     def __repr__(self) -> str:
         return f"Clock(clock_type={self._clock_type.name})"

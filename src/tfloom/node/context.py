@@ -15,6 +15,7 @@ from tfloom._native import keep_other_threads_out
 from tfloom.node import log_output
 from tfloom.node.arguments import Arguments, parse_arguments
 from tfloom.node.exceptions import NotInitializedException, RCLError, ROSInterruptException
+from tfloom.node.handle import Handle
 from tfloom.node.log_file import LogFile
 
 if TYPE_CHECKING:
@@ -86,9 +87,9 @@ class Context:
         return self._arguments
 
     @property
-    def handle(self) -> Self:
-        """What stands for the library's own context: this object."""
-        return self
+    def handle(self) -> Handle:
+        """What stands for the library's own context."""
+        return Handle(self)
 
     def get_domain_id(self) -> int:
         """Return the domain the context is on.

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
 from tfloom.node.entity import Entity
 from tfloom.node.exceptions import InvalidHandle
+from tfloom.node.handle import Handle
 from tfloom.node.throttled_warning import ThrottledWarning
 from tfloom.rosidl import cdr
 
@@ -65,8 +66,16 @@ class Endpoint(Generic[End]):
         self._destroyed = False
 
     @property
-    def handle(self) -> Self:
-        """What stands for the library's own object: this one.
+    def handle(self) -> Handle:
+        """What stands for the library's own object.
+
+        Raises:
+            InvalidHandle: it was destroyed.
+        """
+        return Handle(self._alive())
+
+    def _alive(self) -> Self:
+        """Return this.
 
         Raises:
             InvalidHandle: it was destroyed.

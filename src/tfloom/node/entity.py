@@ -22,6 +22,9 @@ class Entity:
     is_timed = False
     """Whether `deadline_ns` tells when to take, rather than a post."""
 
+    is_polled = False
+    """Whether to take whenever the executor wakes, whatever woke it, too."""
+
     goes_by_group = True
     """Whether `run` waits its turn in the callback group; else it is called at once, by the thread that spins."""
 

@@ -37,6 +37,7 @@ __all__ = [
     "InvalidTopicNameException",
     "NameValidationException",
     "NoTypeSupportImportedException",
+    "NodeNameNonExistentError",
     "NotInitializedException",
     "ParameterAlreadyDeclaredException",
     "ParameterException",
@@ -46,6 +47,7 @@ __all__ = [
     "RCLError",
     "RCLInvalidROSArgsError",
     "ROSInterruptException",
+    "TimerCancelledError",
     "UnknownROSArgsError",
 ]
 
@@ -193,6 +195,14 @@ class InvalidHandle(Exception):
 
 class RCLError(RuntimeError):
     """The library below refused, for example because its context is shut down."""
+
+
+class NodeNameNonExistentError(RCLError):
+    """A node was asked about that isn't on the graph."""
+
+
+class TimerCancelledError(RCLError):
+    """A timer was called that is cancelled."""
 
 
 class RCLInvalidROSArgsError(RCLError):

@@ -25,8 +25,10 @@ from tfloom.node.utilities import get_default_context, timeout_sec_to_nsec
 if TYPE_CHECKING:
     from typing_extensions import Self
 
+    from tfloom.node.callback_groups import CallbackGroup
     from tfloom.node.entity import Entity
     from tfloom.node.node import Node
+    from tfloom.node.waitable import Waitable
 
 __all__ = [
     "ConditionReachedException",
@@ -34,6 +36,7 @@ __all__ = [
     "ExternalShutdownException",
     "ShutdownException",
     "TimeoutException",
+    "TimeoutObject",
     "Work",
 ]
 
@@ -63,6 +66,22 @@ class ConditionReachedException(Exception):
     """What was waited for has come true."""
 
 
+class TimeoutObject:
+    """A timeout [s] that may be changed between two waits; None and negative ones are for ever."""
+
+    def __init__(self, timeout: float | None) -> None:
+        self._timeout = timeout
+
+    @property
+    def timeout(self) -> float | None:
+        """The timeout [s]."""
+        return self._timeout
+
+    @timeout.setter
+    def timeout(self, timeout: float | None) -> None:
+        self._timeout = timeout
+
+
 class Work(NamedTuple):
     """A callback that may begin: its group has been told so."""
 
@@ -89,6 +108,7 @@ class Executor:
         self._nodes: list[Node] = []
         self._entities: dict[int, Entity] = {}
         self._tokens: dict[Entity, int] = {}
+        self._polled: list[int] = []
         self._tasks: dict[int, Task[Any]] = {}
         self._numbers = count(WAKE + 1)
         self._ready: deque[int] = deque()
@@ -141,6 +161,8 @@ class Executor:
             token = next(self._numbers)
             self._tokens[entity] = token
             self._entities[token] = entity
+            if entity.is_polled:
+                self._polled = [*self._polled, token]
         entity.attach(self._queue, token)
 
     def remove_entity(self, entity: Entity) -> None:
@@ -150,6 +172,8 @@ class Executor:
             if token is None:
                 return
             del self._entities[token]
+            if entity.is_polled:
+                self._polled = [each for each in self._polled if each != token]
             entity.detach()
 
     def create_task(
@@ -163,12 +187,25 @@ class Executor:
         self._start_task(task)
         return task
 
+    def create_future(self) -> Future[Any]:
+        """Return a future whose callbacks run as tasks of this executor."""
+        return Future(executor=self)
+
     def _start_task(self, task: Task[Any]) -> None:
+        self._queue.post(self._keep_task(task))
+
+    def _keep_task(self, task: Task[Any]) -> int:
+        """Have a task go on here whenever it can, until it is complete; return its token."""
         token = next(self._numbers)
-        queue = self._queue
+        queue, tasks = self._queue, self._tasks
+
+        def forget() -> None:
+            tasks.pop(token, None)
+
         task.on_resume(lambda: queue.post(token))
-        self._tasks[token] = task
-        queue.post(token)
+        tasks[token] = task
+        task.when_complete(forget)
+        return token
 
     # Waiting
 
@@ -184,6 +221,40 @@ class Executor:
     def would_wait_for_itself(self) -> bool:
         """Return whether this is called from a callback, while nothing else takes in what comes."""
         return self._running.is_this_thread()
+
+    def wait_for_ready_callbacks(
+        self, timeout_sec: float | None = None, condition: Callable[[], bool] | None = None
+    ) -> tuple[Task[Any], Entity | Waitable | None, Node | None]:
+        """Wait for a callback that may begin; for executors of a program's own, which then call the task.
+
+        The callback's group counts it as begun. A task that awaits comes again when it can go on.
+
+        Args:
+            timeout_sec: The longest wait [s]; None, negative: for ever.
+            condition: Asked each time the executor wakes; where it returns True the wait ends.
+
+        Returns:
+            The task; what it is a callback of, and the node of that, or None and None for a task.
+
+        Raises:
+            TimeoutException: none came in time.
+            ConditionReachedException: `condition()` is true.
+            ShutdownException: the executor was shut down.
+            ExternalShutdownException: its context was.
+        """
+        entity, taken = self._wait_for_work(timeout_sec, condition)
+        if entity is None:
+            return taken, None, None
+
+        def run() -> Any:
+            with self._running:
+                return entity.run(taken)
+
+        task: Task[Any] = Task(run, executor=self)
+        self._keep_task(task)
+        task.when_complete(lambda: self._end(entity))
+        node = next((node for node in self.get_nodes() if entity in node.entities()), None)
+        return task, getattr(entity, "waitable", entity), node
 
     def _next(self, timeout_sec: float | None, condition: Callable[[], bool] | None = None) -> Work:
         """Wait for a callback that may begin.
@@ -235,6 +306,8 @@ class Executor:
             elif token != WAKE:
                 self._ready.append(token)
         self._ready.extend(self._timers.take_due(time.monotonic_ns()))
+        if self._polled:
+            self._ready.extend(token for token in self._polled if token not in tokens)
         self._pass_left = len(self._ready)
 
     def _run_here(self, entity: Entity, token: int) -> None:
@@ -259,9 +332,7 @@ class Executor:
             return None if task is None else Work(None, task)
         group = entity.callback_group
         if group is not None and not group.beginning_execution(entity):
-            group.park(lambda: self._queue.post(token))
-            if group.can_execute(entity):  # it ended in between
-                group.release_parked()
+            self._park(group, entity, token)
             return None
         try:
             taken = entity.take()
@@ -276,6 +347,12 @@ class Executor:
         if not entity.is_timed:
             self._ready.append(token)
         return Work(entity, taken)
+
+    def _park(self, group: CallbackGroup, entity: Entity, token: int) -> None:
+        """Look at an entity again when its group may let it."""
+        group.park(lambda: self._queue.post(token))
+        if group.can_execute(entity):  # it ended in between
+            group.release_parked()
 
     def _end(self, entity: Entity) -> None:
         group = entity.callback_group
@@ -307,17 +384,19 @@ class Executor:
             if not isinstance(outcome, CoroutineType):
                 self._end(entity)
         if isinstance(outcome, CoroutineType):
-            task: Task[Any] = Task(outcome, executor=self)
-            task.when_complete(lambda: self._end(entity))
-            self._start_task(task)
+            self._go_on_with(entity, outcome)
+
+    def _go_on_with(self, entity: Entity, outcome: CoroutineType[Any, Any, Any]) -> None:
+        """Run the coroutine that a callback is up to where it waits; its group counts it until its end."""
+        task: Task[Any] = Task(outcome, executor=self)
+        task.when_complete(lambda: self._end(entity))
+        self._keep_task(task)
+        self._run_task(task)
 
     def _run_task(self, task: Task[Any]) -> None:
         task()
         if not task.done() and not task.cancelled():
             return
-        for token, each in list(self._tasks.items()):
-            if each is task:
-                del self._tasks[token]
         exception = task.exception() if task.done() else None
         if exception is not None:
             raise exception
@@ -331,9 +410,14 @@ class Executor:
             ExternalShutdownException: the context was shut down by a signal, or while this waited.
             KeyboardInterrupt: Ctrl-C, on the main thread.
             Exception: whatever a callback raises.
+            RuntimeError: another thread spins this executor.
         """
-        while self._context.ok() and not self._is_shutdown:
-            self.spin_once()
+        self._begin_spin()
+        try:
+            while self._context.ok() and not self._is_shutdown:
+                self.spin_once()
+        finally:
+            self._spinning.release()
         if self._context.is_interrupted():  # by a signal that came while a callback ran
             raise ExternalShutdownException
 
@@ -343,17 +427,27 @@ class Executor:
 
     def spin_until_future_complete(self, future: Future[Any], timeout_sec: float | None = None) -> None:
         """Run callbacks until a future is done, or `timeout_sec` [s] are over (None, negative: never)."""
-        future.when_complete(self.wake)
+        self._begin_spin()
+        try:
+            self._spin_until(future, timeout_sec)
+        finally:
+            self._spinning.release()
+
+    def _spin_until(self, future: Future[Any], timeout_sec: float | None) -> None:
         end_s = None if timeout_sec is None or timeout_sec < 0 else time.monotonic() + timeout_sec
         while self._context.ok() and not self._is_shutdown and not future.done() and not future.cancelled():
             left_s = None if end_s is None else max(0.0, end_s - time.monotonic())
-            self._spin_once(left_s, lambda: future.done() or future.cancelled())
+            self.spin_once_until_future_complete(future, left_s)
             if end_s is not None and time.monotonic() >= end_s:
                 return
 
-    def spin_once_until_future_complete(self, future: Future[Any], timeout_sec: float | None = None) -> None:
+    def spin_once_until_future_complete(
+        self, future: Future[Any], timeout_sec: float | TimeoutObject | None = None
+    ) -> None:
         """Wait for one callback and run it, or return when a future is done or after `timeout_sec` [s]."""
         future.when_complete(self.wake)
+        if isinstance(timeout_sec, TimeoutObject):
+            timeout_sec = timeout_sec.timeout
         self._spin_once(timeout_sec, lambda: future.done() or future.cancelled())
 
     def _spin_once(self, timeout_sec: float | None, condition: Callable[[], bool] | None = None) -> None:
@@ -361,12 +455,20 @@ class Executor:
             self._run(self._wait_for_work(timeout_sec, condition))
 
     def _wait_for_work(self, timeout_sec: float | None, condition: Callable[[], bool] | None) -> Work:
-        if not self._spinning.acquire(blocking=False):
-            raise RuntimeError("Executor is already spinning, on another thread")
+        self._begin_spin()
         try:
             return self._next(timeout_sec, condition)
         finally:
             self._spinning.release()
+
+    def _begin_spin(self) -> None:
+        """Keep other threads from spinning.
+
+        Raises:
+            RuntimeError: one does.
+        """
+        if not self._spinning.acquire(blocking=False):
+            raise RuntimeError("Executor is already spinning, on another thread")
 
     # The end
 
@@ -385,6 +487,8 @@ class Executor:
             self.remove_node(node)
         for entity in list(self._tokens):
             self.remove_entity(entity)
+        for task in list(self._tasks.values()):
+            task.abandon()
         self._tasks.clear()
         return True
 

@@ -6,7 +6,7 @@ import threading
 from collections import deque
 from collections.abc import Callable, Coroutine
 from contextlib import suppress
-from typing import Any
+from typing import Any, TypeVar
 
 from tfloom.node.context import Context
 from tfloom.node.executor import (
@@ -15,6 +15,7 @@ from tfloom.node.executor import (
     ExternalShutdownException,
     ShutdownException,
     TimeoutException,
+    TimeoutObject,
     Work,
 )
 from tfloom.node.utilities import get_default_context
@@ -27,9 +28,14 @@ __all__ = [
     "ShutdownException",
     "SingleThreadedExecutor",
     "TimeoutException",
+    "TimeoutObject",
+    "WaitableEntityType",
     "await_or_execute",
     "get_global_executor",
 ]
+
+
+WaitableEntityType = TypeVar("WaitableEntityType")
 
 
 async def await_or_execute(callback: Callable[..., Any] | Coroutine[Any, Any, Any], *args: Any) -> Any:

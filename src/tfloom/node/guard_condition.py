@@ -6,10 +6,9 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from tfloom.node.entity import Entity
+from tfloom.node.handle import Handle
 
 if TYPE_CHECKING:
-    from typing_extensions import Self
-
     from tfloom._native import ReadyQueue
     from tfloom.node.callback_groups import CallbackGroup
     from tfloom.node.context import Context
@@ -33,9 +32,9 @@ class GuardCondition(Entity):
         self._token = 0
 
     @property
-    def handle(self) -> Self:
-        """What stands for the library's own guard condition: this object."""
-        return self
+    def handle(self) -> Handle:
+        """What stands for the library's own guard condition."""
+        return Handle(self)
 
     def trigger(self) -> None:
         """Have the callback run. From any thread, and from a signal handler."""
@@ -43,6 +42,14 @@ class GuardCondition(Entity):
         queue = self._queue
         if queue is not None:
             queue.post(self._token)
+
+    def trigger_guard_condition(self) -> None:
+        """Do as `trigger`, by the name it has on the `handle`."""
+        self.trigger()
+
+    def becomes_ready(self) -> bool:
+        """Return True once after any number of triggers, for a wait set."""
+        return self.take() is not None
 
     def destroy(self) -> None:
         """Trigger no more."""

@@ -10,6 +10,7 @@ from tfloom.node.arguments import Arguments, parse_arguments
 from tfloom.node.clock import Clock, ROSClock
 from tfloom.node.constants import S_TO_NS
 from tfloom.node.entity import Entity
+from tfloom.node.handle import Handle
 from tfloom.node.logging_service import LoggingService
 from tfloom.node.names import validate_namespace, validate_node_name
 from tfloom.node.node_entities import NodeEntities
@@ -147,9 +148,9 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         return self.__context
 
     @property
-    def handle(self) -> Self:
-        """What stands for the library's own node: this object."""
-        return self
+    def handle(self) -> Handle:
+        """What stands for the library's own node."""
+        return Handle(self)
 
     @property
     def executor(self) -> Executor | None:

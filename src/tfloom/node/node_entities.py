@@ -20,20 +20,24 @@ from tfloom.node.service_introspection import Introspection
 from tfloom.node.subscription import Subscription
 from tfloom.node.timer import Rate, Timer
 from tfloom.node.type_support import check_is_valid_msg_type, check_is_valid_srv_type, service_of, topic_of
+from tfloom.node.wait_set import WaitableEntity
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.service import Service as ServiceType
 
 if TYPE_CHECKING:
     from tfloom.node.clock import Clock
     from tfloom.node.context import Context
+    from tfloom.node.endpoint import Endpoint
     from tfloom.node.executor import Executor
     from tfloom.node.rcutils_logger import RcutilsLogger
+    from tfloom.node.waitable import Waitable
     from tfloom.rmw.base import NodeName, Participant, Reader, Writer
 
 __all__ = ["NodeEntities"]
 
 MsgType = TypeVar("MsgType", bound=Message)
 AnyEntity = TypeVar("AnyEntity", bound=Entity)
+WireEnd = TypeVar("WireEnd")
 
 
 class NodeEntities:
@@ -46,6 +50,7 @@ class NodeEntities:
         self.__entities: list[Entity] = []
         self.__publishers: list[Publisher[Any]] = []
         self.__rates: list[Rate] = []
+        self.__unspun: list[Endpoint[Any]] = []
         self.__default_callback_group = MutuallyExclusiveCallbackGroup()
 
     @property
@@ -107,6 +112,33 @@ class NodeEntities:
     def guards(self) -> Iterator[GuardCondition]:
         """The guard conditions it created."""
         return (each for each in self.entities() if isinstance(each, GuardCondition))
+
+    @property
+    def waitables(self) -> Iterator[Waitable]:
+        """The waitables that were added."""
+        return (each.waitable for each in self.entities() if isinstance(each, WaitableEntity))
+
+    def add_waitable(self, waitable: Waitable) -> None:
+        """Have the node's executor wait for a waitable, too."""
+        self.__add(WaitableEntity(waitable, lambda: self.executor))
+
+    def remove_waitable(self, waitable: Waitable) -> None:
+        """Wait for a waitable no more.
+
+        Raises:
+            ValueError: it was never added.
+        """
+        for each in self.entities():
+            if isinstance(each, WaitableEntity) and each.waitable is waitable:
+                self.__destroy(each)
+                return
+        raise ValueError(f"{waitable!r} is no waitable of this node")
+
+    def _open(self, end: Endpoint[Any], make: Callable[[Participant, NodeName], WireEnd]) -> WireEnd:
+        """Return an end on the wire for `end`, which no executor runs; it is destroyed with the node."""
+        made = make(self.__participant, self.__node_name)
+        self.__unspun.append(end)
+        return made
 
     def __add(self, entity: AnyEntity) -> AnyEntity:
         if entity.callback_group is not None:
@@ -385,6 +417,9 @@ class NodeEntities:
             self.__destroy(entity)
         for publisher in list(self.__publishers):
             self.destroy_publisher(publisher)
+        for end in self.__unspun:
+            end.destroy()
+        self.__unspun.clear()
 
     def __unwatch(self, handlers: list[EventHandler]) -> None:
         for handler in handlers:

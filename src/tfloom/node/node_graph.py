@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from tfloom.node.exceptions import NodeNameNonExistentError
 from tfloom.node.names import expand_topic_name, validate_full_topic_name, validate_topic_name
 from tfloom.node.topic_endpoint_info import TopicEndpointInfo
 from tfloom.rmw.base import NodeName
@@ -71,7 +72,7 @@ class NodeGraph:
         """Return the topics that a node publishes, with their types.
 
         Raises:
-            RuntimeError: there is no such node.
+            NodeNameNonExistentError: there is no such node.
             NotImplementedError: `no_demangle` is True.
         """
         return self.__of_node(node_name, node_namespace, True, no_demangle)
@@ -82,7 +83,7 @@ class NodeGraph:
         """Return the topics that a node subscribes to, with their types.
 
         Raises:
-            RuntimeError: there is no such node.
+            NodeNameNonExistentError: there is no such node.
             NotImplementedError: `no_demangle` is True.
         """
         return self.__of_node(node_name, node_namespace, False, no_demangle)
@@ -147,7 +148,7 @@ class NodeGraph:
 
     def __check_node(self, name: str, namespace: str) -> None:
         if (name, namespace) not in self.get_node_names_and_namespaces():
-            raise RuntimeError(f"no node '{namespace.rstrip('/')}/{name}' on the graph")
+            raise NodeNameNonExistentError(f"no node '{namespace.rstrip('/')}/{name}' on the graph")
 
     def count_publishers(self, topic_name: str) -> int:
         """Return how many publishers a topic has, anybody's; the name is expanded and remapped.

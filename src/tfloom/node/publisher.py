@@ -83,7 +83,7 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
 
     def assert_liveliness(self) -> None:
         """Say that the publisher lives; with AUTOMATIC liveliness the wire says so by itself."""
-        self.handle._endpoint.assert_liveliness()  # noqa: SLF001
+        self._alive()._endpoint.assert_liveliness()  # noqa: SLF001
 
     def wait_for_all_acked(self, timeout: Duration = Duration(seconds=-1)) -> bool:  # noqa: B008  # immutable
         """Wait until every connected reliable subscription has all that was published.
@@ -94,4 +94,4 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
         Returns:
             False after the timeout.
         """
-        return self.handle._endpoint.wait_for_acks(timeout.nanoseconds)  # noqa: SLF001
+        return self._alive()._endpoint.wait_for_acks(timeout.nanoseconds)  # noqa: SLF001

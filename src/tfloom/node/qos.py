@@ -229,6 +229,10 @@ class QoSProfile:
         if self.history == HistoryPolicy.KEEP_LAST and "depth" not in kwargs:
             raise InvalidQoSProfileException("History set to KEEP_LAST without a depth setting.")
 
+    def get_c_qos_profile(self) -> QoSProfile:
+        """Return what stands for the library's own profile: this object."""
+        return self
+
     def to_wire(self) -> wire.QoS:
         """Return the profile as a backend takes it, with the wire's choice for each SYSTEM_DEFAULT.
 

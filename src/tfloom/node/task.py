@@ -110,13 +110,14 @@ class Future(Generic[T]):
                 self._callbacks.remove(callback)
 
     def when_complete(self, resume: Callable[[], None]) -> None:
-        """Have `resume()` called on completion, at once if it has come, on the completing thread.
+        """Have `resume()` called on completion, at once if it has come, on the completing thread; once if asked twice.
 
         For executors and tasks, which must not wait for a task of their own; programs use `add_done_callback`.
         """
         with self._lock:
             if not self._done and not self._cancelled:
-                self._resumers.append(resume)
+                if resume not in self._resumers:
+                    self._resumers.append(resume)
                 return
         resume()
 
@@ -194,6 +195,10 @@ class Task(Future[T]):
     def cancel(self) -> None:
         """Give up on the task: a coroutine is closed where it waits."""
         super().cancel()
+        self.abandon()
+
+    def abandon(self) -> None:
+        """Go on no more: a coroutine is closed where it waits, and the future stays as it is."""
         if self._step_lock.acquire(blocking=False):
             try:
                 if self._coroutine is not None:

@@ -11,10 +11,9 @@ from tfloom.node.clock import Clock, ClockChange, JumpHandle, JumpThreshold, ROS
 from tfloom.node.duration import Duration
 from tfloom.node.entity import Entity
 from tfloom.node.exceptions import InvalidHandle, ROSInterruptException
+from tfloom.node.handle import Handle
 
 if TYPE_CHECKING:
-    from typing_extensions import Self
-
     from tfloom._native import ReadyQueue
     from tfloom.node.callback_groups import CallbackGroup
     from tfloom.node.context import Context
@@ -82,15 +81,15 @@ class Timer(Entity):
         return self._clock.now_ns() if self._is_simulated() else time.monotonic_ns()
 
     @property
-    def handle(self) -> Self:
-        """What stands for the library's own timer: this object.
+    def handle(self) -> Handle:
+        """What stands for the library's own timer.
 
         Raises:
             InvalidHandle: the timer was destroyed.
         """
         if self._destroyed:
             raise InvalidHandle("cannot use a timer that was destroyed")
-        return self
+        return Handle(self)
 
     @property
     def clock(self) -> Clock:
@@ -157,6 +156,10 @@ class Timer(Entity):
     def deadline_ns(self) -> int | None:
         """Return when the next call is due, by the steady clock; None with simulated time, and if cancelled."""
         return None if self._canceled or self._is_simulated() else self._next_ns
+
+    def becomes_ready(self) -> bool:
+        """Return whether the period is over, for a wait set."""
+        return self.is_ready()
 
     def take(self) -> Any:
         """Return True, and begin the next period, if the callback is due."""

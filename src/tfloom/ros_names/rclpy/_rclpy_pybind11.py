@@ -1,5 +1,4 @@
 """What programs import of the compiled half of rclpy."""
 
-from tfloom.node.exceptions import InvalidHandle, RCLError, RCLInvalidROSArgsError, UnknownROSArgsError
-
-__all__ = ["InvalidHandle", "RCLError", "RCLInvalidROSArgsError", "UnknownROSArgsError"]
+from tfloom.node.implementation import *
+from tfloom.node.implementation import __all__

@@ -1,0 +1,82 @@
+"""The executor with the least between an event and its callback."""
+
+from __future__ import annotations
+
+from types import CoroutineType
+from typing import TYPE_CHECKING
+
+from tfloom.node.executor import Executor, ExternalShutdownException
+
+if TYPE_CHECKING:
+    from tfloom.node.entity import Entity
+
+__all__ = ["EventsExecutor"]
+
+
+class EventsExecutor(Executor):
+    """Runs callbacks on the thread that spins, in the order of the events that brought them about.
+
+    All executors here wait for events rather than for sets of entities. This one's `spin` runs all that has come in
+    one go: it looks between two callbacks neither at a timeout nor at a condition, and what a callback that shuts
+    down leaves undone stays undone. Timers run in order of their deadlines.
+    """
+
+    def spin(self) -> None:
+        """Run callbacks until the context, or the executor, is shut down.
+
+        Raises:
+            ExternalShutdownException: the context was shut down by a signal, or while this waited.
+            KeyboardInterrupt: Ctrl-C, on the main thread.
+            Exception: whatever a callback raises; what has come and wasn't run is run by the next spin.
+            RuntimeError: another thread spins this executor.
+        """
+        self._begin_spin()
+        try:
+            with self._running:
+                self._run_until_shutdown()
+        finally:
+            self._spinning.release()
+        if self._context.is_interrupted():  # by a signal that came while a callback ran
+            raise ExternalShutdownException
+
+    def _run_until_shutdown(self) -> None:
+        while self._context.ok() and not self._is_shutdown:
+            self._collect(None)
+            if self._is_shutdown:
+                return
+            if not self._context.ok():
+                raise ExternalShutdownException
+            self._run_pass()
+
+    def _run_pass(self) -> None:
+        """Run one thing of each entity that has posted; who had one stays ready."""
+        while self._pass_left:
+            self._pass_left -= 1
+            token = self._ready.popleft()
+            entity = self._entities.get(token)
+            if entity is not None:
+                self._run_one(entity, token)
+            elif (task := self._tasks.get(token)) is not None:
+                self._run_task(task)
+            if self._is_shutdown or not self._context.ok():
+                return
+
+    def _run_one(self, entity: Entity, token: int) -> None:
+        group = entity.callback_group
+        if group is not None and not group.beginning_execution(entity):
+            self._park(group, entity, token)
+            return
+        outcome = None
+        try:
+            taken = entity.take()
+            if entity.is_timed:
+                self._timers.set(token, entity.deadline_ns())
+            elif taken is not None:
+                self._ready.append(token)
+            if taken is not None:
+                outcome = entity.run(taken)
+        finally:
+            if not isinstance(outcome, CoroutineType):
+                self._end(entity)
+        if isinstance(outcome, CoroutineType):
+            self._go_on_with(entity, outcome)

@@ -1,0 +1,7 @@
+"""The name under which programs import what rclpy has compiled."""
+
+from __future__ import annotations
+
+from tfloom.node import implementation as rclpy_implementation
+
+__all__ = ["rclpy_implementation"]

@@ -1,0 +1,4 @@
+"""What can be destroyed."""
+
+from tfloom.node.destroyable import *
+from tfloom.node.destroyable import __all__

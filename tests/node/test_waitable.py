@@ -1,0 +1,273 @@
+"""Waitables as programs for rclpy write them, in every executor."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import pytest
+
+from tfloom.interfaces.example_interfaces.srv import AddTwoInts
+from tfloom.interfaces.std_msgs.msg import Int32
+from tfloom.node.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
+from tfloom.node.context import Context
+from tfloom.node.exceptions import TimerCancelledError
+from tfloom.node.executor import Executor
+from tfloom.node.executors import MultiThreadedExecutor, SingleThreadedExecutor
+from tfloom.node.experimental import EventsExecutor
+from tfloom.node.implementation_singleton import rclpy_implementation as _rclpy
+from tfloom.node.node import Node
+from tfloom.node.qos import QoSProfile
+from tfloom.node.task import Future
+from tfloom.node.waitable import NumberOfEntities, Waitable
+
+MakeNode = Callable[..., Node]
+
+
+class Collects(Waitable):
+    """Waits for one thing of one kind, latches, takes and keeps what it took."""
+
+    def __init__(self, kind: str, waited: Any, take: Callable[[], Any], group: Any = None) -> None:
+        super().__init__(group or ReentrantCallbackGroup())
+        self.kind = kind
+        self.waited = waited
+        self.take = take
+        self.index: int | None = None
+        self.latched = False
+        self.collected: list[Any] = []
+        self.future: Future[Any] = Future()
+        self.add_future(self.future)
+
+    def is_ready(self, wait_set: Any) -> bool:
+        if wait_set.is_ready(self.kind, self.index):
+            self.latched = True
+        return self.latched
+
+    def take_data(self) -> Any:
+        self.latched = False
+        return self.take()
+
+    async def execute(self, taken_data: Any) -> None:
+        self.collected.append(taken_data)
+        if not self.future.done():
+            self.future.set_result(taken_data)
+
+    def get_num_entities(self) -> NumberOfEntities:
+        return NumberOfEntities(num_gcs=1)
+
+    def add_to_wait_set(self, wait_set: Any) -> None:
+        self.index = getattr(wait_set, f"add_{self.kind}")(self.waited)
+
+
+@pytest.fixture(params=[SingleThreadedExecutor, MultiThreadedExecutor, EventsExecutor])
+def executor(request: pytest.FixtureRequest, context: Context) -> Iterator[Executor]:
+    with request.param(context=context) as executor:
+        yield executor
+
+
+def test_a_guard_condition_runs_a_waitable_from_another_thread(node: Node, executor: Executor) -> None:
+    guard = _rclpy.GuardCondition(node.context.handle)
+    waitable = Collects("guard_condition", guard, lambda: "triggered")
+    node.add_waitable(waitable)
+    executor.add_node(node)
+    assert list(node.waitables) == [waitable]
+    executor.spin_once(timeout_sec=0)
+    assert waitable.collected == []
+    threading.Timer(0.01, guard.trigger_guard_condition).start()
+    executor.spin_until_future_complete(waitable.future, timeout_sec=10)
+    assert waitable.collected == ["triggered"]
+    executor.spin_once(timeout_sec=0.01)
+    assert waitable.collected == ["triggered"]
+
+
+def test_a_waitable_added_while_it_spins_runs_in_spin_itself(node: Node, executor: Executor) -> None:
+    executor.add_node(node)
+    guard = node.create_guard_condition(lambda: None).handle
+    own = _rclpy.GuardCondition(node.context)
+    waitable = Collects("guard_condition", own, lambda: 1)
+    waitable.future.add_done_callback(lambda _: executor.shutdown(0))
+
+    def add() -> None:
+        timer.cancel()
+        node.add_waitable(waitable)
+        guard.trigger_guard_condition()
+        own.trigger()
+
+    timer = node.create_timer(0.0, add)
+    executor.spin()
+    assert waitable.collected == [1]
+
+
+def test_a_trigger_before_it_was_added_counts(node: Node, executor: Executor) -> None:
+    guard = _rclpy.GuardCondition(node.context)
+    guard.trigger_guard_condition()
+    waitable = Collects("guard_condition", guard, lambda: 1)
+    executor.add_node(node)
+    node.add_waitable(waitable)
+    executor.spin_until_future_complete(waitable.future, timeout_sec=10)
+    assert waitable.collected == [1]
+
+
+def test_a_waitable_takes_messages_of_its_own_subscription(node: Node, executor: Executor) -> None:
+    profile = QoSProfile(depth=10)
+    subscription = _rclpy.Subscription(node.handle, Int32, "numbers", profile.get_c_qos_profile())
+    waitable = Collects("subscription", subscription, lambda: subscription.take_message(Int32, False))
+    node.add_waitable(waitable)
+    executor.add_node(node)
+    publisher = node.create_publisher(Int32, "numbers", 10)
+    for number in range(3):
+        publisher.publish(Int32(data=number))
+    end = time.monotonic() + 10
+    while len(waitable.collected) < 3 and time.monotonic() < end:
+        executor.spin_once(timeout_sec=0.1)
+    assert [message.data for message, _ in waitable.collected] == [0, 1, 2]
+    assert all(info["source_timestamp"] > 0 for _, info in waitable.collected)
+    publisher.publish(Int32(data=7))
+    raw, _ = subscription.take_message(Int32, True)
+    assert raw[:4] == bytes([0, 1, 0, 0])
+    assert subscription.take_message(Int32, False) is None
+    node.destroy_node()
+    with pytest.raises(_rclpy.InvalidHandle):
+        subscription.take_message(Int32, False)
+
+
+def test_a_call_between_waitables(make_node: MakeNode, executor: Executor) -> None:
+    node = make_node()
+    profile = QoSProfile(depth=10)
+    service = _rclpy.Service(node.handle, AddTwoInts, "add", profile)
+    client = _rclpy.Client(node.handle, AddTwoInts, "add", profile)
+    serving = Collects("service", service, lambda: service.service_take_request(AddTwoInts.Request))
+    calling = Collects("client", client, lambda: client.take_response(AddTwoInts.Response))
+
+    def answer(future: Future[Any]) -> None:
+        request, header = future.result()
+        service.service_send_response(AddTwoInts.Response(sum=request.a + request.b), header)
+
+    serving.future.add_done_callback(answer)
+    node.add_waitable(serving)
+    node.add_waitable(calling)
+    executor.add_node(node)
+    assert client.service_server_is_available()
+    number = client.send_request(AddTwoInts.Request(a=40, b=2))
+    executor.spin_until_future_complete(calling.future, timeout_sec=10)
+    header, response = calling.future.result()
+    assert response.sum == 42
+    assert header.request_id.sequence_number == number
+    assert client.take_response(AddTwoInts.Response) == (None, None)
+
+
+def test_a_timer_in_a_waitable_is_called_once_a_period(node: Node, executor: Executor) -> None:
+    timer = _rclpy.Timer(node.get_clock().handle, node.context.handle, 10_000_000)
+    waitable = Collects("timer", timer, timer.call_timer)
+    node.add_waitable(waitable)
+    executor.add_node(node)
+    start = time.monotonic()
+    while len(waitable.collected) < 3:
+        executor.spin_once(timeout_sec=1)
+        assert time.monotonic() < start + 10
+    assert time.monotonic() - start > 0.02
+    timer.cancel_timer()
+    with pytest.raises(TimerCancelledError):
+        timer.call_timer()
+
+
+def test_a_waitable_that_is_ready_by_itself_needs_but_a_wake(node: Node, executor: Executor) -> None:
+    class Queue(Waitable):
+        """Waits for nothing an executor knows of."""
+
+        def __init__(self) -> None:
+            super().__init__(MutuallyExclusiveCallbackGroup())
+            self.waiting: list[int] = []
+            self.ran: list[int] = []
+            self.done: Future[None] = Future()
+
+        def is_ready(self, wait_set: Any) -> bool:
+            return bool(self.waiting)
+
+        def take_data(self) -> int:
+            return self.waiting.pop(0)
+
+        def execute(self, taken_data: int) -> None:  # type: ignore[override]
+            self.ran.append(taken_data)
+            if not self.waiting:
+                self.done.set_result(None)
+
+        def get_num_entities(self) -> NumberOfEntities:
+            return NumberOfEntities()
+
+        def add_to_wait_set(self, wait_set: Any) -> None:
+            pass
+
+    waitable = Queue()
+    node.add_waitable(waitable)
+    executor.add_node(node)
+    executor.spin_once(timeout_sec=0)
+
+    def fill() -> None:
+        waitable.waiting += [1, 2, 3]
+        executor.wake()
+
+    threading.Timer(0.01, fill).start()
+    executor.spin_until_future_complete(waitable.done, timeout_sec=10)
+    assert waitable.ran == [1, 2, 3]
+
+
+def test_a_removed_waitable_runs_no_more(node: Node, executor: Executor) -> None:
+    guard = _rclpy.GuardCondition(node.context)
+    waitable = Collects("guard_condition", guard, lambda: 1)
+    node.add_waitable(waitable)
+    executor.add_node(node)
+    node.remove_waitable(waitable)
+    guard.trigger_guard_condition()
+    executor.spin_once(timeout_sec=0.01)
+    assert waitable.collected == []
+    assert list(node.waitables) == []
+    with pytest.raises(ValueError, match="no waitable of this node"):
+        node.remove_waitable(waitable)
+
+
+def test_an_error_in_a_waitable_comes_out_of_spin(node: Node, executor: Executor) -> None:
+    def fail() -> None:
+        raise KeyError("mine")
+
+    guard = _rclpy.GuardCondition(node.context)
+    node.add_waitable(Collects("guard_condition", guard, fail))
+    executor.add_node(node)
+    guard.trigger_guard_condition()
+    with pytest.raises(KeyError, match="mine"):
+        executor.spin()
+
+
+def test_it_takes_no_time_while_it_waits(node: Node, executor: Executor) -> None:
+    guard = _rclpy.GuardCondition(node.context)
+    node.add_waitable(Collects("guard_condition", guard, lambda: 1))
+    executor.add_node(node)
+    executor.spin_once(timeout_sec=0)
+    before = time.process_time()
+    executor.spin_until_future_complete(Future(), timeout_sec=0.3)
+    assert time.process_time() - before < 0.05
+
+
+def test_a_wait_set_says_what_it_does_not_know(node: Node) -> None:
+    wait_set = _rclpy.WaitSet()
+    with pytest.raises(TypeError, match="a wait set can't wait for 'x'"):
+        wait_set.add_subscription("x")
+    with pytest.raises(ValueError, match="'topic' is no kind of entity; known are subscription, guard_"):
+        wait_set.is_ready("topic", 0)
+    with pytest.raises(IndexError, match="there is no timer 0 in the wait set"):
+        wait_set.is_ready("timer", 0)
+    guard = _rclpy.GuardCondition(node.context)
+    wait_set.add_guard_condition(guard)
+    guard.trigger()
+    wait_set.look()
+    assert wait_set.get_ready_entities("guard_condition") == [guard]
+
+
+def test_numbers_of_entities_add_up() -> None:
+    total = NumberOfEntities(1, 2, 3, 4, 5, 6) + NumberOfEntities(num_subs=1, num_events=1)
+    total += NumberOfEntities(num_timers=2)
+    assert (total.num_subscriptions, total.num_guard_conditions, total.num_timers) == (2, 2, 5)
+    assert (total.num_clients, total.num_services, total.num_events) == (4, 5, 7)
+    assert "num_timers=5" in repr(total)
