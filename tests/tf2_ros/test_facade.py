@@ -11,6 +11,11 @@ from tfloom.tf2_ros import buffer, transform_listener
 def test_submodules_come_with_the_package() -> None:
     assert tf2_ros.buffer.Buffer is tf2_ros.Buffer is buffer.Buffer
     assert tf2_ros.transform_listener.TransformListener is transform_listener.TransformListener
+    assert tf2_ros.static_transform_listener.StaticTransformListener is tf2_ros.StaticTransformListener
+    assert (tf2_ros.transform_listener.DEFAULT_TF_TOPIC, tf2_ros.DEFAULT_STATIC_TF_TOPIC) == (
+        "/tf",
+        "/tf_static",
+    )
 
 
 def test_the_exceptions_are_one_family() -> None:

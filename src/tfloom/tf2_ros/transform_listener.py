@@ -17,8 +17,10 @@ from tfloom.tf2_ros.buffer_core import BufferCore
 if TYPE_CHECKING:
     from tfloom.node.subscription import Subscription
 
-__all__ = ["StaticTransformListener", "TransformListener"]
+__all__ = ["DEFAULT_STATIC_TF_TOPIC", "DEFAULT_TF_TOPIC", "StaticTransformListener", "TransformListener"]
 
+DEFAULT_TF_TOPIC = "/tf"
+DEFAULT_STATIC_TF_TOPIC = "/tf_static"
 AUTHORITY = "default_authority"
 DEPTH = 100
 JOIN_TIMEOUT_S = 2.0
@@ -52,8 +54,8 @@ class TransformListener:
         spin_thread: bool = False,
         qos: QoSProfile | int | None = None,
         static_qos: QoSProfile | int | None = None,
-        tf_topic: str = "/tf",
-        tf_static_topic: str = "/tf_static",
+        tf_topic: str = DEFAULT_TF_TOPIC,
+        tf_static_topic: str = DEFAULT_STATIC_TF_TOPIC,
         static_only: bool = False,
     ) -> None:
         self._owns_node = node is None
@@ -156,7 +158,7 @@ class StaticTransformListener(TransformListener):
         *,
         spin_thread: bool = False,
         static_qos: QoSProfile | int | None = None,
-        tf_static_topic: str = "/tf_static",
+        tf_static_topic: str = DEFAULT_STATIC_TF_TOPIC,
     ) -> None:
         super().__init__(
             buffer,

@@ -7,6 +7,7 @@ claim("tf2_ros")
 import tf2_ros.buffer
 import tf2_ros.buffer_interface
 import tf2_ros.static_transform_broadcaster
+import tf2_ros.static_transform_listener
 import tf2_ros.transform_broadcaster
 import tf2_ros.transform_listener
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped

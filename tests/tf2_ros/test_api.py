@@ -1,0 +1,106 @@
+"""The public names of a ROS 2 Jazzy's tf2 packages are there, and take the same arguments in the same order."""
+
+from __future__ import annotations
+
+import importlib
+import inspect
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+GOLDEN = Path(__file__).parents[1] / "golden" / "api_tf2.json"
+API: dict[str, dict[str, Any]] = json.loads(GOLDEN.read_text("utf-8"))
+ELSEWHERE = {"tf2_ros.buffer_client", "tf2_ros.BufferClient"}
+"""What has a test of its own."""
+
+
+def recorded(signature: str) -> list[tuple[str, str | None]]:
+    """Return each parameter's name, with its stars, and its default as text."""
+    inside = signature[1 : signature.rindex(") ->" if ") ->" in signature else ")")]
+    parts, depth = [""], 0
+    for character in inside:
+        depth += (character in "[(") - (character in "])")
+        if character == "," and depth == 0:
+            parts.append("")
+        else:
+            parts[-1] += character
+    found = []
+    for part in filter(None, map(str.strip, parts)):
+        name = re.match(r"\**\w*", part)[0]
+        default = re.search(r" = (.*)$" if part[len(name) :].startswith(":") else r"=(.*)$", part)
+        found.append((name, default and default[1].replace('"', "'")))
+    return found
+
+
+def ours(function: object) -> list[tuple[str, str | None]]:
+    found = []
+    is_named_only = False
+    for each in inspect.signature(function).parameters.values():
+        if each.kind is each.KEYWORD_ONLY and not is_named_only:
+            is_named_only = True
+            found.append(("*", None))
+        stars = {each.VAR_POSITIONAL: "*", each.VAR_KEYWORD: "**"}.get(each.kind, "")
+        found.append((stars + each.name, None if each.default is each.empty else repr(each.default)))
+    return found
+
+
+def calls() -> Iterator[tuple[str, str]]:
+    """Each function, method and constructor, as dotted names from the module on, and its signature."""
+    for module, names in API.items():
+        for name, what in names.items():
+            if module in ELSEWHERE or f"{module}.{name}" in ELSEWHERE:
+                continue
+            if what["kind"] == "function":
+                yield f"{module}:{name}", what["signature"]
+            elif what["kind"] == "class":
+                if what["init"] is not None:
+                    yield f"{module}:{name}.__init__", what["init"]
+                for member, signature in what["members"].items():
+                    yield f"{module}:{name}.{member}", signature
+
+
+def find(place: str) -> Any:
+    module, _, path = place.partition(":")
+    found = importlib.import_module(module)
+    for name in path.split("."):
+        found = getattr(found, name)
+    return found
+
+
+CALLS = dict(calls())
+
+
+@pytest.mark.parametrize("place", CALLS)
+def test_takes_what_the_reference_takes(place: str) -> None:
+    theirs, mine = recorded(CALLS[place]), ours(find(place))
+    names = [name for name, _ in theirs]
+    assert [name for name, _ in mine if name in names] == names
+    defaults = dict(mine)
+    assert {name: defaults[name] for name, default in theirs if default is not None} == {
+        name: default for name, default in theirs if default is not None
+    }
+    # We may take more, if it need not be given.
+    assert all(default is not None or name == "*" for name, default in mine if name not in names)
+
+
+def test_classes_have_the_same_bases() -> None:
+    checked = 0
+    for module, names in API.items():
+        for name, what in names.items():
+            if what["kind"] != "class" or module in ELSEWHERE or f"{module}.{name}" in ELSEWHERE:
+                continue
+            kinds = {kind.__name__ for kind in find(f"{module}:{name}").__mro__}
+            assert set(what["bases"]) <= kinds, (module, name)
+            checked += 1
+    assert checked > 20
+
+
+def test_the_recording_is_whole() -> None:
+    assert len(CALLS) > 130
+    assert recorded('(a: X[b, c] = Duration(nanoseconds=0), *, d="unsafe") -> None') == [
+        ("a", "Duration(nanoseconds=0)"), ("*", None), ("d", "'unsafe'")
+    ]  # fmt: skip
