@@ -184,7 +184,7 @@ class Executor:
         An exception in it is raised from `spin` too, as a callback's is.
         """
         task: Task[T] = Task(callback, args, kwargs, executor=self)
-        self._start_task(task)
+        self._queue.post(self._keep_task(task))
         return task
 
     def create_future(self) -> Future[Any]:
@@ -366,7 +366,10 @@ class Executor:
         """Run a callback to its end, or a coroutine to its next await; what it raises comes out."""
         try:
             with self._running:
-                if work.entity is None:
+                if self._is_shutdown:  # meanwhile: its nodes are let go of, or are about to be
+                    if work.entity is not None:
+                        self._end(work.entity)
+                elif work.entity is None:
                     self._run_task(work.taken)
                 else:
                     self._run_entity(work.entity, work.taken)

@@ -103,6 +103,7 @@ class ActionServer:
         feedback_pub_qos_profile: QoS of the feedback.
         status_pub_qos_profile: QoS of the goals' states.
         result_timeout: How long the result of a goal that has ended is kept [s]; negative: for ever.
+        forget_told_results: Whether a goal is forgotten as soon as its result was told to one who asked.
 
     Raises:
         NoTypeSupportImportedException: `action_type` is no action class.
@@ -126,11 +127,13 @@ class ActionServer:
         feedback_pub_qos_profile: QoSProfile = QoSProfile(depth=10),  # noqa: B008  # never changed
         status_pub_qos_profile: QoSProfile = qos_profile_action_status_default,
         result_timeout: float = 900,
+        forget_told_results: bool = False,
     ) -> None:
         check_is_valid_action_type(action_type)
         self._node = node
         self._action_type = action_type
         self._result_timeout_ns = int(result_timeout * S_TO_NS)
+        self._forgets_told_results = forget_told_results
         self._lock = threading.RLock()
         self._goals: dict[bytes, ServerGoalHandle] = {}
         self._ended_ns: dict[bytes, int] = {}
@@ -244,10 +247,12 @@ class ActionServer:
 
     def _on_result(self, request: Any, response: Any) -> Any:
         handle = self._goals.get(key_of(request.goal_id))
-        if handle is not None:
-            return handle.result_future
-        response.status = GoalStatus.STATUS_UNKNOWN
-        return response
+        if handle is None:
+            response.status = GoalStatus.STATUS_UNKNOWN
+            return response
+        if self._forgets_told_results:
+            handle.result_future.when_complete(handle.destroy)
+        return handle.result_future
 
     # Cancelling
 
@@ -328,6 +333,8 @@ class ActionServer:
         if self._result_timeout_ns < 0:
             return
         with self._lock:
+            if key not in self._goals:  # forgotten already
+                return
             self._ended_ns[key] = time.monotonic_ns()
         self._expire()
 

@@ -33,6 +33,8 @@ class ServerGoalHandle:
         self._destroyed = False
         self.result_future: Future[Any] = Future()
         """Of the response that goes to whoever asks for the result."""
+        self.cancel_future: Future[None] = Future()
+        """Done once the goal is to be cancelled: what a callback that waits may wait for, too."""
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, ServerGoalHandle) and key_of(self.goal_id) == key_of(other.goal_id)
@@ -81,6 +83,8 @@ class ServerGoalHandle:
                 return
             self._status = next_state(self._status, event)
         self._server.notify_goal_done()
+        if event is GoalEvent.CANCEL_GOAL:
+            self.cancel_future.set_result(None)
 
     def execute(self, execute_callback: Callable[[ServerGoalHandle], Any] | None = None) -> None:
         """Have the goal executed, by the server's callback or another one.
