@@ -86,6 +86,7 @@ import gc, os, random, sys, threading, time
 from collections import Counter
 import rclpy
 from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
+from rclpy.experimental import EventsExecutor
 from std_msgs.msg import String
 
 gc.disable()  # Python itself prints and drops what is raised while it collects an object
@@ -111,7 +112,8 @@ for _ in range(times):
             publisher.publish(String(data="hello"))
 
     node.create_timer(0.001, work)
-    executor = SingleThreadedExecutor() if kind == "single" else MultiThreadedExecutor(2)
+    kinds = {"single": SingleThreadedExecutor, "multi": MultiThreadedExecutor, "events": EventsExecutor}
+    executor = kinds[kind]()
     executor.add_node(node)
     threading.Thread(target=strike, args=(begun,)).start()
     try:
@@ -126,7 +128,7 @@ print(sorted(endings))
 """
 
 
-@pytest.mark.parametrize("kind", ["single", "multi"])
+@pytest.mark.parametrize("kind", ["single", "multi", "events"])
 @pytest.mark.parametrize(
     ("number", "expected"),
     [(signal.SIGTERM, {"ExternalShutdownException"}), (signal.SIGINT, {"KeyboardInterrupt"})],

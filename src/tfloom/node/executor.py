@@ -191,9 +191,6 @@ class Executor:
         """Return a future whose callbacks run as tasks of this executor."""
         return Future(executor=self)
 
-    def _start_task(self, task: Task[Any]) -> None:
-        self._queue.post(self._keep_task(task))
-
     def _keep_task(self, task: Task[Any]) -> int:
         """Have a task go on here whenever it can, until it is complete; return its token."""
         token = next(self._numbers)

@@ -232,7 +232,8 @@ class Buffer(BufferCore, BufferInterface):
 
         future.add_done_callback(lambda ended: ended.cancelled() and self.cancel_request(handle))
         if timeout is not None:
-            call_after(duration_ns(timeout) / 1e9, expire)
+            deadline = call_after(duration_ns(timeout) / 1e9, expire)
+            future.when_complete(deadline.call_off)
         return future
 
 

@@ -8,23 +8,45 @@ import time
 from collections.abc import Callable
 from itertools import count
 
-__all__ = ["call_after"]
+__all__ = ["Deadline", "call_after"]
 
-_waiting: list[tuple[float, int, Callable[[], None]]] = []
+MOST_CALLED_OFF = 1000
+"""How many calls that were called off may wait for their time to be forgotten."""
+
+_waiting: list[tuple[float, int]] = []
+_functions: dict[int, Callable[[], None]] = {}
 _numbers = count()
 _changed = threading.Condition()
 _thread: threading.Thread | None = None
 
 
-def call_after(delay_s: float, function: Callable[[], None]) -> None:
+class Deadline:
+    """A call that is to come; `call_after` makes one."""
+
+    def __init__(self, number: int) -> None:
+        self._number = number
+
+    def call_off(self) -> None:
+        """Let the function not be called, unless it has been."""
+        with _changed:
+            _functions.pop(self._number, None)
+            if len(_waiting) > 2 * len(_functions) + MOST_CALLED_OFF:
+                _waiting[:] = [entry for entry in _waiting if entry[1] in _functions]
+                heapq.heapify(_waiting)
+
+
+def call_after(delay_s: float, function: Callable[[], None]) -> Deadline:
     """Have `function()` called once, after `delay_s` by the steady clock, on a thread that all such calls share."""
     global _thread  # noqa: PLW0603, one for the process
     with _changed:
-        heapq.heappush(_waiting, (time.monotonic() + delay_s, next(_numbers), function))
+        number = next(_numbers)
+        _functions[number] = function
+        heapq.heappush(_waiting, (time.monotonic() + delay_s, number))
         if _thread is None or not _thread.is_alive():
             _thread = threading.Thread(target=_run, name="tf2_deadlines", daemon=True)
             _thread.start()
         _changed.notify()
+    return Deadline(number)
 
 
 def _run() -> None:
@@ -32,5 +54,6 @@ def _run() -> None:
         with _changed:
             while not _waiting or _waiting[0][0] > time.monotonic():
                 _changed.wait(_waiting[0][0] - time.monotonic() if _waiting else None)
-            function = heapq.heappop(_waiting)[2]
-        function()
+            function = _functions.pop(heapq.heappop(_waiting)[1], None)
+        if function is not None:
+            function()

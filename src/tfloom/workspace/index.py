@@ -17,8 +17,10 @@ RESOURCE_INDEX = "share/ament_index/resource_index"
 
 PROGRAMS: dict[str, dict[str, str]] = {
     "tf2_ros": {
+        "buffer_server": "tfloom.tf2_tools.buffer_server:main",
         "static_transform_publisher": "tfloom.tf2_tools.static_publisher:main",
         "tf2_echo": "tfloom.tf2_tools.echo:main",
+        "tf2_monitor": "tfloom.tf2_tools.monitor:main",
     },
     "tf2_tools": {
         "view_frames": "tfloom.tf2_tools.view_frames:main",

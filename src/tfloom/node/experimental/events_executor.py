@@ -34,6 +34,10 @@ class EventsExecutor(Executor):
         try:
             with self._running:
                 self._run_until_shutdown()
+        except Exception as error:
+            if self._context.explains(error):  # as in the other executors
+                raise ExternalShutdownException from error
+            raise
         finally:
             self._spinning.release()
         if self._context.is_interrupted():  # by a signal that came while a callback ran

@@ -5,7 +5,9 @@ from tfloom.ros_guard import claim
 claim("tf2_ros")
 
 import tf2_ros.buffer
+import tf2_ros.buffer_client
 import tf2_ros.buffer_interface
+import tf2_ros.buffer_server
 import tf2_ros.static_transform_broadcaster
 import tf2_ros.static_transform_listener
 import tf2_ros.transform_broadcaster
@@ -16,8 +18,10 @@ from tfloom.node.duration import Duration
 from tfloom.node.time import Time
 from tfloom.tf2.errors import *
 from tfloom.tf2_ros.buffer import *
+from tfloom.tf2_ros.buffer_client import *
 from tfloom.tf2_ros.buffer_core import BufferCore
 from tfloom.tf2_ros.buffer_interface import *
+from tfloom.tf2_ros.buffer_server import *
 from tfloom.tf2_ros.static_transform_broadcaster import *
 from tfloom.tf2_ros.transform_broadcaster import *
 from tfloom.tf2_ros.transform_listener import *

@@ -1,0 +1,4 @@
+"""Answers lookups of other programs from one buffer."""
+
+from tfloom.tf2_ros.buffer_server import *
+from tfloom.tf2_ros.buffer_server import __all__

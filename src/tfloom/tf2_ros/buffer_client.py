@@ -1,0 +1,261 @@
+"""Looks transforms up in a buffer that another program keeps."""
+
+from __future__ import annotations
+
+import threading
+import time as steady
+import weakref
+from typing import TYPE_CHECKING, Any
+
+from tfloom.interfaces.builtin_interfaces.msg import Duration as DurationMessage
+from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMessage
+from tfloom.interfaces.tf2_msgs.msg import TF2Error
+from tfloom.node.duration import Duration
+from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.task import Future
+from tfloom.tf2.errors import (
+    ConnectivityException,
+    ExtrapolationException,
+    InvalidArgumentException,
+    LookupException,
+    TimeoutException,
+    TransformException,
+)
+from tfloom.tf2_ros.buffer_core import S_TO_NS, duration_ns, time_ns
+from tfloom.tf2_ros.buffer_interface import NO_WAIT, BufferInterface
+
+# Actions are imported by those who use them: `import tf2_ros` is quick without.
+if TYPE_CHECKING:
+    from tfloom.interfaces.geometry_msgs.msg import TransformStamped
+    from tfloom.interfaces.tf2_msgs.action import LookupTransform_Goal
+    from tfloom.node.action.client import ClientGoalHandle
+    from tfloom.node.node import Node
+
+__all__ = ["BufferClient"]
+
+PADDING = Duration(seconds=2.0)
+WRONG = "Something is likely wrong with the server."
+ERRORS: dict[int, type[TransformException]] = {
+    TF2Error.LOOKUP_ERROR: LookupException,
+    TF2Error.CONNECTIVITY_ERROR: ConnectivityException,
+    TF2Error.EXTRAPOLATION_ERROR: ExtrapolationException,
+    TF2Error.INVALID_ARGUMENT_ERROR: InvalidArgumentException,
+    TF2Error.TIMEOUT_ERROR: TimeoutException,
+}
+"""What is raised for an answer's code; for any other: TransformException."""
+LOOK_AGAIN_S = 0.1
+"""How often a query that others spin for looks whether they still do [s]."""
+
+_lock = threading.Lock()
+_spinning: weakref.WeakKeyDictionary[Node, threading.Lock] = weakref.WeakKeyDictionary()
+
+
+class BufferClient(BufferInterface):
+    """The queries of a buffer, answered by the `BufferServer` of another program, or tf2's own.
+
+    They may be called from any thread. Where the node is in an executor, this must spin on another thread
+    meanwhile; where it is in none, the query itself spins the node.
+
+    Args:
+        node: The node that asks.
+        ns: Name of the server's action, as `tf2_buffer_server`.
+        check_frequency: Taken for the sake of tf2's signature: answers come by themselves, nothing looks for them.
+        timeout_padding: How much longer than a query's own timeout its answer may take; a Duration, or seconds.
+    """
+
+    def __init__(
+        self, node: Node, ns: str, check_frequency: float = 10.0, timeout_padding: Any = PADDING
+    ) -> None:
+        from tfloom.interfaces.tf2_msgs.action import LookupTransform
+        from tfloom.node.action.client import ActionClient
+
+        super().__init__()
+        self.node = node
+        self.action_client = ActionClient(node, LookupTransform, action_name=ns)
+        self._goal_type = LookupTransform.Goal
+        self.check_frequency = check_frequency
+        self.timeout_padding = timeout_padding
+
+    def wait_for_server(self, timeout_sec: float | None = None) -> bool:
+        """Wait until the server is there; False if it isn't after `timeout_sec` [s] (None: never), or at shutdown."""
+        return self.action_client.wait_for_server(timeout_sec)
+
+    def lookup_transform(
+        self, target_frame: str, source_frame: str, time: Any, timeout: Any = NO_WAIT
+    ) -> TransformStamped:
+        """Return the transform that takes data in `source_frame` into `target_frame`.
+
+        Args:
+            target_frame: Frame to express the data in.
+            source_frame: Frame the data is in now.
+            time: Time of the transform, as a Time or a stamp; zero is the newest at which the whole chain is known.
+            timeout: How long the server is to wait for it.
+
+        Raises:
+            TimeoutException: there is no server; the transform didn't come in time; or the server's answer didn't.
+            LookupException, ConnectivityException, ExtrapolationException, InvalidArgumentException: as
+                `Buffer.lookup_transform` raises them, at the server.
+            TransformException: the server gave no answer, or one with an unknown error.
+            TypeError: `time` is no time.
+            RuntimeError: called in a callback of the executor that would have to take in the answer.
+        """
+        goal = self._goal_type(
+            target_frame=target_frame,
+            source_frame=source_frame,
+            source_time=_time_message(time),
+            timeout=_duration_message(timeout),
+        )
+        return self._ask(goal)
+
+    def lookup_transform_full(
+        self,
+        target_frame: str,
+        target_time: Any,
+        source_frame: str,
+        source_time: Any,
+        fixed_frame: str,
+        timeout: Any = NO_WAIT,
+    ) -> TransformStamped:
+        """Return the transform of data at `source_time`, by way of `fixed_frame`, to the target at `target_time`.
+
+        `fixed_frame` is one that does not move between the two times. Raises as `lookup_transform` does.
+        """
+        goal = self._goal_type(
+            target_frame=target_frame,
+            source_frame=source_frame,
+            source_time=_time_message(source_time),
+            timeout=_duration_message(timeout),
+            target_time=_time_message(target_time),
+            fixed_frame=fixed_frame,
+            advanced=True,
+        )
+        return self._ask(goal)
+
+    def can_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Any = NO_WAIT) -> bool:
+        """Return whether `lookup_transform` gets a transform."""
+        try:
+            self.lookup_transform(target_frame, source_frame, time, timeout)
+        except TransformException:
+            return False
+        return True
+
+    def can_transform_full(
+        self,
+        target_frame: str,
+        target_time: Any,
+        source_frame: str,
+        source_time: Any,
+        fixed_frame: str,
+        timeout: Any = NO_WAIT,
+    ) -> bool:
+        """Return whether `lookup_transform_full` gets a transform."""
+        try:
+            self.lookup_transform_full(
+                target_frame, target_time, source_frame, source_time, fixed_frame, timeout
+            )
+        except TransformException:
+            return False
+        return True
+
+    def destroy(self) -> None:
+        """Ask no more."""
+        self.action_client.destroy()
+
+    def _ask(self, goal: LookupTransform_Goal) -> TransformStamped:
+        if not self.action_client.server_is_ready():
+            raise TimeoutException("The BufferServer is not ready.")
+        padding = self.timeout_padding
+        padding_s = float(padding) if isinstance(padding, (int, float)) else duration_ns(padding) / 1e9
+        end_s = steady.monotonic() + duration_ns(goal.timeout) / 1e9 + padding_s
+        handle: ClientGoalHandle = self._wait(self.action_client.send_goal_async(goal), end_s)
+        if not handle.accepted:
+            raise TimeoutException(
+                f"The LookupTransform goal sent to the BufferServer did not come back with accepted status. {WRONG}"
+            )
+        try:
+            response = self._wait(handle.get_result_async(), end_s)
+        except BaseException:
+            if self.node.context.ok():
+                handle.cancel_goal_async()
+            raise
+        return _transform_of(response, goal)
+
+    def _wait(self, future: Future[Any], end_s: float) -> Any:
+        """Return the result of a future once the node's executor has completed it.
+
+        Raises:
+            TimeoutException: it isn't there by `end_s`, by the steady clock, or at shutdown.
+        """
+        ended = threading.Event()
+        future.when_complete(ended.set)
+        context = self.node.context
+        context.add_shutdown_hook(ended.set)
+        try:
+            while context.ok() and not future.done() and (left_s := end_s - steady.monotonic()) > 0.0:
+                executor = self.node.executor
+                if executor is not None and executor.would_wait_for_itself():
+                    raise RuntimeError(
+                        "Waiting for the BufferServer in a callback would last for ever: its executor takes in the "
+                        "answer on this very thread. Use a MultiThreadedExecutor, or a Buffer of your own"
+                    )
+                if executor is not None or not self._spin_alone(future, left_s):
+                    ended.wait(min(left_s, LOOK_AGAIN_S))
+        finally:
+            context.remove_shutdown_hook(ended.set)
+        if not future.done():
+            raise TimeoutException(
+                f"The LookupTransform goal sent to the BufferServer did not come back in the specified time. {WRONG}"
+            )
+        return future.result()
+
+    def _spin_alone(self, future: Future[Any], timeout_s: float) -> bool:
+        """Spin the node, which is in no executor, until a future is complete; False if another query does."""
+        with _lock:
+            alone = _spinning.setdefault(self.node, threading.Lock())
+        if not alone.acquire(blocking=False):
+            return False
+        try:
+            with SingleThreadedExecutor(context=self.node.context) as executor:
+                executor.add_node(self.node)
+                executor.spin_until_future_complete(future, timeout_s)
+        finally:
+            alone.release()
+        return True
+
+
+def _transform_of(response: Any, goal: LookupTransform_Goal) -> TransformStamped:
+    """Return the transform of a server's answer, or raise its error."""
+    from tfloom.interfaces.action_msgs.msg import GoalStatus
+
+    result = None if response is None else response.result
+    if result is None or result.error is None:
+        raise TransformException(f"The BufferServer returned None for result or result.error!  {WRONG}")
+    error: TF2Error = result.error
+    if error.error != TF2Error.NO_ERROR:
+        raise ERRORS.get(error.error, TransformException)(error.error_string)
+    if response.status == GoalStatus.STATUS_ABORTED:
+        # tf2's own server ends so what it has waited for in vain, with an empty transform that looks like an answer.
+        raise TimeoutException(
+            f"Timed out after {duration_ns(goal.timeout) / 1e9:g} s waiting for the transform from "
+            f"{goal.source_frame} to {goal.target_frame}"
+        )
+    if response.status != GoalStatus.STATUS_SUCCEEDED:
+        raise TransformException(
+            f"The BufferServer gave no transform from {goal.source_frame} to {goal.target_frame}: "
+            "the lookup was canceled, or is unknown to it"
+        )
+    transform: TransformStamped = result.transform
+    return transform
+
+
+def _time_message(time: Any) -> TimeMessage:
+    try:
+        sec, nanosec = divmod(time_ns(time), S_TO_NS)
+    except TypeError:
+        raise TypeError("Must pass a rclpy.time.Time object.") from None
+    return TimeMessage(sec=sec, nanosec=nanosec)
+
+
+def _duration_message(duration: Any) -> DurationMessage:
+    sec, nanosec = divmod(duration_ns(duration), S_TO_NS)
+    return DurationMessage(sec=sec, nanosec=nanosec)

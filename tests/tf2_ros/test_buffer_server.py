@@ -1,0 +1,370 @@
+"""A server and clients in one process: what each query is answered, and how it waits."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
+from typing import Any
+
+import pytest
+from tests.tf2_ros.conftest import SECOND, transform_stamped
+
+from tfloom.interfaces.action_msgs.msg import GoalStatus
+from tfloom.interfaces.builtin_interfaces.msg import Duration as DurationMessage
+from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMessage
+from tfloom.interfaces.geometry_msgs.msg import PointStamped
+from tfloom.interfaces.tf2_msgs.action import LookupTransform
+from tfloom.interfaces.tf2_msgs.msg import TF2Error
+from tfloom.node.action.client import ActionClient
+from tfloom.node.action.server import ActionServer
+from tfloom.node.duration import Duration
+from tfloom.node.executors import ExternalShutdownException, MultiThreadedExecutor, SingleThreadedExecutor
+from tfloom.node.node import Node
+from tfloom.node.time import Time
+from tfloom.tf2.errors import (
+    ConnectivityException,
+    ExtrapolationException,
+    InvalidArgumentException,
+    LookupException,
+    TimeoutException,
+    TransformException,
+)
+from tfloom.tf2_ros import buffer_server, deadlines, geometry  # noqa: F401, geometry registers its types
+from tfloom.tf2_ros.buffer import Buffer
+from tfloom.tf2_ros.buffer_client import BufferClient
+from tfloom.tf2_ros.buffer_server import BufferServer
+
+ACTION = "tf2_buffer_server"
+LATEST = Time()
+PATIENCE = Duration(seconds=20)
+MakeNode = Callable[..., Node]
+
+
+def at(seconds: float) -> Time:
+    return Time(nanoseconds=int(seconds * SECOND))
+
+
+class Spinner:
+    """An executor that spins on a thread of its own."""
+
+    def __init__(self, executor: Any) -> None:
+        self.executor = executor
+        self._thread = threading.Thread(target=self._run)
+        self._thread.start()
+
+    def _run(self) -> None:
+        with suppress(ExternalShutdownException):
+            self.executor.spin()
+
+    def end(self) -> None:
+        self.executor.shutdown()
+        self._thread.join()
+
+
+@pytest.fixture(params=[SingleThreadedExecutor, MultiThreadedExecutor])
+def server_node(request: pytest.FixtureRequest, make_node: MakeNode) -> Iterator[Node]:
+    """A node that spins."""
+    node = make_node("tf_buffer")
+    executor = request.param(context=node.context)
+    executor.add_node(node)
+    spinner = Spinner(executor)
+    yield node
+    spinner.end()
+
+
+@pytest.fixture
+def buffer(server_node: Node) -> Buffer:
+    """What the server answers from: the world, a robot that moves in it from 1 to 3 s, and an island."""
+    buffer = Buffer()
+    for stamp in range(1, 4):
+        buffer.set_transform(transform_stamped("world", "robot", stamp * SECOND, (stamp, 0.0, 0.0)), "test")
+    buffer.set_transform_static(transform_stamped("robot", "laser", 0, (0.0, 0.0, 0.5)), "test")
+    buffer.set_transform(transform_stamped("island", "palm", 2 * SECOND), "test")
+    BufferServer(buffer, server_node)
+    return buffer
+
+
+@pytest.fixture
+def client(buffer: Buffer, make_node: MakeNode) -> BufferClient:
+    client = BufferClient(make_node("asker"), ACTION)
+    assert client.wait_for_server(10)
+    return client
+
+
+@pytest.fixture
+def goals(buffer: Buffer, make_node: MakeNode) -> Iterator[ActionClient]:
+    """A plain action client whose node spins."""
+    node = make_node("goals")
+    executor = SingleThreadedExecutor(context=node.context)
+    executor.add_node(node)
+    spinner = Spinner(executor)
+    goals = ActionClient(node, LookupTransform, ACTION)
+    assert goals.wait_for_server(10)
+    yield goals
+    spinner.end()
+
+
+def where(transform: Any) -> tuple[float, float, float]:
+    translation = transform.transform.translation
+    return translation.x, translation.y, translation.z
+
+
+def test_an_answer_at_once(client: BufferClient) -> None:
+    found = client.lookup_transform("world", "laser", at(2.5))
+    assert where(found) == (2.5, 0.0, 0.5)
+    assert (found.header.frame_id, found.child_frame_id) == ("world", "laser")
+    assert found.header.stamp == TimeMessage(sec=2, nanosec=500_000_000)
+    assert client.lookup_transform("world", "robot", LATEST).header.stamp.sec == 3
+    assert client.can_transform("world", "laser", at(2.5)) is True
+
+
+def test_a_message_s_time_and_a_message_s_duration(client: BufferClient) -> None:
+    found = client.lookup_transform("world", "robot", TimeMessage(sec=2), DurationMessage(sec=1))
+    assert where(found) == (2.0, 0.0, 0.0)
+    with pytest.raises(TypeError, match=r"^Must pass a rclpy\.time\.Time object\.$"):
+        client.lookup_transform("world", "robot", 2.0)
+
+
+def test_the_full_form(client: BufferClient) -> None:
+    query = ("robot", at(3), "robot", at(1), "world")
+    assert where(client.lookup_transform_full(*query)) == (-2.0, 0.0, 0.0)
+    assert client.can_transform_full(*query) is True
+    assert client.can_transform_full("robot", at(3), "robot", at(1), "nowhere") is False
+
+
+def test_whole_objects(client: BufferClient) -> None:
+    point = PointStamped()
+    point.header.frame_id, point.header.stamp, point.point.x = "laser", TimeMessage(sec=2), 1.0
+    moved = client.transform(point, "world")
+    assert (moved.point.x, moved.point.z) == (3.0, 0.5)
+    assert client.transform_full(point, "robot", at(3), "world").point.x == 0.0
+
+
+@pytest.mark.parametrize(
+    ("target", "source", "time", "kind"),
+    [
+        ("world", "nowhere", LATEST, LookupException),
+        ("world", "palm", LATEST, ConnectivityException),
+        ("world", "robot", at(9), ExtrapolationException),
+        ("world", "robot", at(0.5), ExtrapolationException),
+        ("/world", "robot", LATEST, InvalidArgumentException),
+    ],
+)
+def test_errors_arrive_as_they_are_raised_there(
+    client: BufferClient, buffer: Buffer, target: str, source: str, time: Time, kind: type[TransformException]
+) -> None:
+    with pytest.raises(kind) as there:
+        buffer.lookup_transform(target, source, time)
+    with pytest.raises(kind) as here:
+        client.lookup_transform(target, source, time)
+    assert str(here.value) == str(there.value)
+    assert client.can_transform(target, source, time) is False
+
+
+def test_an_answer_as_soon_as_it_comes(
+    client: BufferClient, buffer: Buffer, wait_until: Callable[..., None]
+) -> None:
+    with ThreadPoolExecutor(1) as pool:
+        answer = pool.submit(client.lookup_transform, "world", "robot", at(3.5), PATIENCE)
+        wait_until(lambda: waiting(buffer) == 1)
+        buffer.set_transform(transform_stamped("world", "robot", 3 * SECOND + 1), "test")
+        assert not answer.done()
+        buffer.set_transform(transform_stamped("world", "robot", 4 * SECOND, (4.0, 0.0, 0.0)), "test")
+        assert answer.result(10).header.stamp.nanosec == 500_000_000
+
+
+def waiting(buffer: Buffer) -> int:
+    """How many lookups with a timeout a server has waiting, in this process."""
+    return len(deadlines._functions)
+
+
+def test_a_timeout_is_an_error(client: BufferClient, buffer: Buffer) -> None:
+    started = time.monotonic()
+    with pytest.raises(TimeoutException) as raised:
+        client.lookup_transform("world", "robot", at(9), Duration(seconds=0.3))
+    assert time.monotonic() - started >= 0.3
+    assert str(raised.value).startswith(
+        "Timed out after 0.3 s waiting for the transform from robot to world: Lookup"
+    )
+    assert client.can_transform("world", "robot", at(9), Duration(seconds=0.1)) is False
+    assert waiting(buffer) == 0
+
+
+def test_what_can_never_come_is_not_waited_for(client: BufferClient, buffer: Buffer) -> None:
+    for stamp in (100, 101):  # old samples go with the insert after the one that makes them old
+        buffer.set_transform(transform_stamped("world", "robot", stamp * SECOND), "test")
+    with pytest.raises(ExtrapolationException):
+        client.lookup_transform("world", "robot", at(1), PATIENCE)
+
+
+def test_the_server_times_out_in_time(goals: ActionClient) -> None:
+    goal = LookupTransform.Goal(
+        target_frame="world",
+        source_frame="robot",
+        source_time=TimeMessage(sec=9),
+        timeout=DurationMessage(sec=1),
+    )
+    handle = goals.wait_for(goals.send_goal_async(goal))
+    started = time.monotonic()
+    response = handle.get_result()
+    assert time.monotonic() - started >= 0.9
+    assert response.status == GoalStatus.STATUS_ABORTED
+    assert response.result.error.error == TF2Error.TIMEOUT_ERROR
+
+
+@pytest.mark.parametrize(
+    ("goal", "code"),
+    [
+        (LookupTransform.Goal(target_frame="world", source_frame="robot"), TF2Error.NO_ERROR),
+        (LookupTransform.Goal(target_frame="world", source_frame="nowhere"), TF2Error.LOOKUP_ERROR),
+        (
+            LookupTransform.Goal(target_frame="world", source_frame="x", timeout=DurationMessage(sec=-1)),
+            TF2Error.LOOKUP_ERROR,
+        ),
+    ],
+)
+def test_what_does_not_wait_succeeds_even_with_an_error(
+    goals: ActionClient, goal: LookupTransform.Goal, code: int
+) -> None:
+    response = goals.send_goal(goal)
+    assert response.status == GoalStatus.STATUS_SUCCEEDED
+    assert response.result.error.error == code
+
+
+def test_what_waits_can_be_cancelled(
+    goals: ActionClient, buffer: Buffer, wait_until: Callable[..., None]
+) -> None:
+    goal = LookupTransform.Goal(
+        target_frame="world",
+        source_frame="robot",
+        source_time=TimeMessage(sec=9),
+        timeout=DurationMessage(sec=60),
+    )
+    handles = [goals.wait_for(goals.send_goal_async(goal)) for _ in range(2)]
+    wait_until(lambda: waiting(buffer) == 2)
+    assert len(handles[0].cancel_goal().goals_canceling) == 1
+    response = handles[0].get_result()
+    assert response.status == GoalStatus.STATUS_CANCELED
+    assert response.result.error.error == TF2Error.TRANSFORM_ERROR
+    assert waiting(buffer) == 1
+    buffer.set_transform(transform_stamped("world", "robot", 9 * SECOND, (9.0, 0.0, 0.0)), "test")
+    response = handles[1].get_result()
+    assert where(response.result.transform) == (9.0, 0.0, 0.0)
+    assert not handles[1].cancel_goal().goals_canceling
+    assert waiting(buffer) == 0
+
+
+def test_many_at_once(client: BufferClient, buffer: Buffer, wait_until: Callable[..., None]) -> None:
+    with ThreadPoolExecutor(30) as pool:
+        answers = [
+            pool.submit(client.lookup_transform, "world", "robot", at(4 + n / 10), PATIENCE)
+            for n in range(30)
+        ]
+        wait_until(lambda: waiting(buffer) == 30)
+        buffer.set_transform(transform_stamped("world", "robot", 14 * SECOND, (14.0, 0.0, 0.0)), "test")
+        for n, answer in enumerate(answers):
+            assert where(answer.result(20))[0] == pytest.approx(4 + n / 10)
+
+
+def test_no_server(make_node: MakeNode) -> None:
+    client = BufferClient(make_node("asker"), "nobody")
+    with pytest.raises(TimeoutException, match=r"^The BufferServer is not ready\.$"):
+        client.lookup_transform("world", "robot", LATEST, PATIENCE)
+    assert client.can_transform("world", "robot", LATEST) is False
+    assert client.wait_for_server(0.01) is False
+    client.destroy()
+
+
+def padded(node: Node) -> BufferClient:
+    client = BufferClient(node, ACTION, timeout_padding=Duration(seconds=0.1))
+    assert client.wait_for_server(10)
+    return client
+
+
+def test_a_server_that_stays_silent(server_node: Node, make_node: MakeNode) -> None:
+    asked = threading.Event()
+
+    async def never(_handle: Any) -> Any:
+        asked.set()
+        await buffer_server.Future()
+
+    ActionServer(server_node, LookupTransform, ACTION, never)
+    text = r"did not come back in the specified time\. Something is likely wrong with the server\.$"
+    with pytest.raises(TimeoutException, match=text):
+        padded(make_node("asker")).lookup_transform("world", "robot", LATEST, Duration(seconds=0.1))
+    assert asked.is_set()
+
+
+def test_a_server_that_refuses(server_node: Node, make_node: MakeNode) -> None:
+    from tfloom.node.action.server import GoalResponse
+
+    ActionServer(
+        server_node, LookupTransform, ACTION, lambda _: None, goal_callback=lambda _: GoalResponse.REJECT
+    )
+    with pytest.raises(TimeoutException, match="did not come back with accepted status"):
+        padded(make_node("asker")).lookup_transform("world", "robot", LATEST)
+
+
+def test_tf2_s_own_server_times_out_without_an_error(server_node: Node, make_node: MakeNode) -> None:
+    """The reference's server aborts with an empty answer that says NO_ERROR."""
+
+    def give_up(handle: Any) -> LookupTransform.Result:
+        handle.abort()
+        return LookupTransform.Result()
+
+    ActionServer(server_node, LookupTransform, ACTION, give_up)
+    with pytest.raises(
+        TimeoutException, match=r"Timed out after 0\.5 s waiting for the transform from robot to world"
+    ):
+        padded(make_node("asker")).lookup_transform("world", "robot", LATEST, Duration(seconds=0.5))
+
+
+def test_an_error_of_no_known_kind(server_node: Node, make_node: MakeNode) -> None:
+    def fail(handle: Any) -> LookupTransform.Result:
+        handle.succeed()
+        return LookupTransform.Result(error=TF2Error(error=77, error_string="odd"))
+
+    ActionServer(server_node, LookupTransform, ACTION, fail)
+    with pytest.raises(TransformException, match=r"^odd$") as raised:
+        padded(make_node("asker")).lookup_transform("world", "robot", LATEST)
+    assert type(raised.value) is TransformException
+
+
+def test_a_client_whose_node_spins_elsewhere(goals: ActionClient, buffer: Buffer) -> None:
+    client = BufferClient(goals._node, ACTION)
+    assert client.wait_for_server(10)
+    assert where(client.lookup_transform("world", "robot", at(2)))[0] == 2.0
+
+
+def test_a_query_in_a_callback_of_the_only_thread_is_an_error(buffer: Buffer, make_node: MakeNode) -> None:
+    node = make_node("asker")
+    client = BufferClient(node, ACTION)
+    assert client.wait_for_server(10)
+    with SingleThreadedExecutor(context=node.context) as executor:
+        executor.add_node(node)
+        task = executor.create_task(client.lookup_transform, "world", "robot", LATEST, PATIENCE)
+        with pytest.raises(RuntimeError, match="Use a MultiThreadedExecutor, or a Buffer of your own"):
+            executor.spin_until_future_complete(task, 10)
+
+
+def test_a_query_in_a_callback_of_one_of_several_threads(buffer: Buffer, make_node: MakeNode) -> None:
+    node = make_node("asker")
+    client = BufferClient(node, ACTION)
+    assert client.wait_for_server(10)
+    with MultiThreadedExecutor(2, context=node.context) as executor:
+        executor.add_node(node)
+        task = executor.create_task(client.lookup_transform, "world", "robot", at(2), PATIENCE)
+        executor.spin_until_future_complete(task, 10)
+        assert where(task.result())[0] == 2.0
+
+
+def test_shutdown_ends_a_query(client: BufferClient, buffer: Buffer, wait_until: Callable[..., None]) -> None:
+    with ThreadPoolExecutor(1) as pool:
+        answer = pool.submit(client.lookup_transform, "world", "robot", at(9), Duration(seconds=600))
+        wait_until(lambda: waiting(buffer) == 1)
+        client.node.context.shutdown()
+        with pytest.raises((TimeoutException, ExternalShutdownException)):
+            answer.result(20)

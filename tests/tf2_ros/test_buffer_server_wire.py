@@ -1,0 +1,174 @@
+"""The program `buffer_server` and its clients, each in a process of its own, over DDS."""
+
+from __future__ import annotations
+
+import signal
+from collections.abc import Callable
+
+import pytest
+from tests.conftest import Program
+
+pytestmark = pytest.mark.wire
+
+SERVER = ("tfloom", "run", "tf2_ros", "buffer_server")
+STATIC = ("tfloom", "run", "tf2_ros", "static_transform_publisher")
+MOVING = """
+import sys
+import rclpy
+from geometry_msgs.msg import TransformStamped
+from rclpy.node import Node
+from tf2_ros import TransformBroadcaster
+
+rclpy.init()
+node = Node("broadcaster")
+broadcaster = TransformBroadcaster(node)
+
+def tell():
+    t = TransformStamped(child_frame_id="robot")
+    t.header.frame_id = "world"
+    t.header.stamp = node.get_clock().now().to_msg()
+    t.transform.translation.x = 1.5
+    broadcaster.sendTransform(t)
+
+node.create_timer(0.02, tell)
+print("broadcasting", flush=True)
+try:
+    rclpy.spin(node)
+except (KeyboardInterrupt, rclpy.executors.ExternalShutdownException):
+    pass
+"""
+CLIENT = """
+import sys
+import rclpy
+from rclpy.duration import Duration
+from rclpy.node import Node
+from rclpy.time import Time
+from tf2_ros import BufferClient, TransformException
+
+rclpy.init()
+node = Node("asker")
+client = BufferClient(node, "tf2_buffer_server", timeout_padding=Duration(seconds=1))
+print("server", client.wait_for_server(20), flush=True)
+
+def ask(target, source, time, timeout_s):
+    try:
+        t = client.lookup_transform(target, source, time, Duration(seconds=timeout_s))
+        print("x", t.transform.translation.x, "from", t.child_frame_id, flush=True)
+    except TransformException as error:
+        print(type(error).__name__, error, flush=True)
+"""
+SOON = "node.get_clock().now() + Duration(seconds=0.3)"
+
+
+@pytest.fixture
+def start(start_program: Callable[..., Program], domain_id: int) -> Callable[..., Program]:
+    return start_program
+
+
+def client(start: Callable[..., Program], *lines: str) -> Program:
+    return start("python", "-c", CLIENT + "\n".join(lines))
+
+
+def test_answers_waits_and_errors(start: Callable[..., Program]) -> None:
+    server = start(*SERVER)
+    asker = client(
+        start,
+        "ask('world', 'camera', Time(), 20)",
+        "ask('world', 'robot', Time(), 20)",
+        f"ask('camera', 'robot', {SOON}, 20)",
+        "ask('world', 'robot', Time(seconds=1), 0)",
+        "ask('world', 'nowhere', Time(), 0)",
+        "ask('world', 'nowhere', Time(), 0.2)",
+        "ask('/world', 'robot', Time(), 0)",
+        "now = node.get_clock().now()",
+        "t = client.lookup_transform_full('camera', now, 'robot', now, 'world', Duration(seconds=20))",
+        "print('full', t.transform.translation.x)",
+        "print('can', client.can_transform('world', 'robot', Time()))",
+    )
+    asker.wait_for("server True")
+    start("python", "-c", MOVING)
+    start(*STATIC, "--x", "1", "--frame-id", "world", "--child-frame-id", "camera")
+    assert asker.wait() == 0, asker.output
+    lines = asker.lines
+    assert lines[:4] == ["server True", "x 1.0 from camera", "x 1.5 from robot", "x 0.5 from robot"]
+    assert lines[4].startswith("ExtrapolationException Lookup would require extrapolation into the past.")
+    assert lines[5].startswith('LookupException "nowhere" passed to lookupTransform argument source_frame')
+    assert lines[6].startswith(
+        "TimeoutException Timed out after 0.2 s waiting for the transform from nowhere"
+    )
+    assert lines[7].startswith('InvalidArgumentException Invalid argument "/world" passed to')
+    assert lines[8:] == ["full 0.5", "can True"]
+    server.signal(signal.SIGINT)
+    assert server.wait() == 0
+    assert server.lines == []
+
+
+def test_no_server_and_one_that_dies(start: Callable[..., Program]) -> None:
+    lonely = start(
+        "python",
+        "-c",
+        CLIENT.replace("wait_for_server(20)", "wait_for_server(0.2)") + "ask('world', 'robot', Time(), 5)",
+    )
+    assert lonely.wait() == 0
+    assert lonely.lines == ["server False", "TimeoutException The BufferServer is not ready."]
+
+    server = start(*SERVER)
+    asker = client(
+        start,
+        "from action_msgs.msg import GoalStatusArray",
+        "print('asking', flush=True)",
+        "ask('world', 'robot', Time(), 1)",
+        "ask('world', 'robot', Time(), 2)",
+    )
+    asker.wait_for("TimeoutException Timed out after 1 s")  # a second query waits now
+    server.signal(signal.SIGKILL)
+    assert asker.wait() == 0
+    assert asker.lines[-1] == (
+        "TimeoutException The LookupTransform goal sent to the BufferServer did not come back in the specified time. "
+        "Something is likely wrong with the server."
+    )
+
+
+def test_many_clients_at_once(start: Callable[..., Program]) -> None:
+    server = start(*SERVER)
+    threads = (
+        "from concurrent.futures import ThreadPoolExecutor",
+        "with ThreadPoolExecutor(10) as pool:",
+        "    found = [pool.submit(client.lookup_transform, 'world', 'robot', Time(), Duration(seconds=25))",
+        "             for _ in range(10)]",
+        "    print('sum', sum(each.result().transform.translation.x for each in found))",
+    )
+    askers = [client(start, *threads) for _ in range(4)]
+    for asker in askers:
+        asker.wait_for("server True")
+    start("python", "-c", MOVING)
+    for asker in askers:
+        assert asker.wait() == 0, asker.output
+        assert asker.lines[-1] == "sum 15.0"
+    server.signal(signal.SIGTERM)
+    assert server.wait() == 0
+    assert server.lines == []
+
+
+@pytest.mark.parametrize(
+    ("argument", "text"),
+    [
+        (
+            "buffer_size:=abc",
+            "buffer_server: Trying to set parameter 'buffer_size' to 'abc' of type 'STRING'",
+        ),
+        ("buffer_size:=-1.0", "buffer_server: the parameter buffer_size must be a number of seconds from 0"),
+        ("buffer_size:=.inf", "buffer_server: the parameter buffer_size must be a number of seconds from 0"),
+    ],
+)
+def test_a_size_that_is_none(start: Callable[..., Program], argument: str, text: str) -> None:
+    server = start(*SERVER, "--ros-args", "-p", argument)
+    assert server.wait() == 1
+    assert server.lines[0].startswith(text)
+    assert len(server.lines) == 2  # the last says that the program failed
+
+
+def test_words_that_mean_nothing(start: Callable[..., Program]) -> None:
+    server = start(*SERVER, "tf2_buffer_server")
+    assert server.wait() == 2
+    assert server.lines[0] == "buffer_server takes no argument like 'tf2_buffer_server'"
