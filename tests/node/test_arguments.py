@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from tfloom.node.arguments import parse_arguments, remove_ros_args
-from tfloom.node.exceptions import RCLInvalidROSArgsError, UnknownROSArgsError
+from tfloom.node.context import Context
+from tfloom.node.exceptions import RCLError, RCLInvalidROSArgsError, UnknownROSArgsError
 from tfloom.node.logging_severity import LoggingSeverity
 from tfloom.node.scalars import parse_value
 
@@ -114,6 +115,56 @@ def test_bad_arguments_say_what_is_wrong(arguments: list[str], text: str) -> Non
 def test_unknown_arguments_are_all_named() -> None:
     with pytest.raises(UnknownROSArgsError, match=r"\['--nope', 'x'\]"):
         parse_arguments(["--ros-args", "--nope", "x"])
+
+
+FLAGS = {
+    "-r": ("a:=b", "nothing"),
+    "--remap": ("a:=b", ":=b"),
+    "-p": ("x:=1", "x"),
+    "--param": ("x:=1", ":=1"),
+    "--params-file": (None, "/not/there.yaml"),
+    "--log-level": ("debug", "loud"),
+    "--log-file-name": ("mine", "a/b"),
+    "--log-config-file": ("spdlog.conf", ""),
+    "-e": ("/robot", "robot"),
+    "--enclave": ("/robot", "/a//b"),
+}
+SWITCHES = [
+    f"--{to}able-{what}-logs" for to in ("en", "dis") for what in ("rosout", "stdout", "external-lib")
+]
+
+
+@pytest.mark.parametrize("flag", FLAGS)
+def test_each_flag_takes_its_value_or_says_what_it_wants(flag: str, tmp_path: Path) -> None:
+    good, bad = FLAGS[flag]
+    if good is None:
+        (tmp_path / "p.yaml").write_text("/**:\n  ros__parameters:\n    x: 1\n")
+        good = str(tmp_path / "p.yaml")
+    parse_arguments(["prog", "--ros-args", flag, good])
+    with pytest.raises(RCLInvalidROSArgsError, match=f"cannot understand '{flag} "):
+        parse_arguments(["prog", "--ros-args", flag, bad])
+    with pytest.raises(RCLInvalidROSArgsError, match=f"{flag} needs a value: "):
+        parse_arguments(["prog", "--ros-args", flag])
+
+
+@pytest.mark.parametrize("switch", SWITCHES)
+def test_each_switch_is_taken(switch: str) -> None:
+    attribute = switch.removeprefix("--enable-").removeprefix("--disable-").replace("-", "_")
+    parsed = parse_arguments(["prog", "--ros-args", switch])
+    assert getattr(parsed, attribute) is switch.startswith("--enable")
+    assert parsed.rest == ["prog"]
+
+
+def test_a_log_configuration_is_refused_where_it_would_be_used() -> None:
+    line = ["prog", "--ros-args", "--log-config-file", "spdlog.conf"]
+    context = Context()
+    with pytest.raises(
+        RCLError, match=r"failed to initialize logging: --log-config-file spdlog\.conf: the logg"
+    ):
+        context.init(line)
+    assert not context.ok()
+    context.init([*line, "--disable-external-lib-logs"])
+    context.destroy()
 
 
 def test_log_levels() -> None:

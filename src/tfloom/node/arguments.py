@@ -63,6 +63,7 @@ class Arguments:
         self.parameters: list[ParameterRule] = []
         self.log_levels: list[tuple[str, LoggingSeverity]] = []
         self.log_file_name: str | None = None
+        self.log_config_file: str | None = None
         self.enclave: str | None = None
         self.rosout_logs = True
         self.stdout_logs = True
@@ -149,8 +150,6 @@ def _parse_ros_part(parsed: Arguments, words: Iterator[str]) -> None:
             if value is None:
                 raise RCLInvalidROSArgsError(f"{word} needs a value: {_EXPECTED[_TAKES_VALUE[word]]}")
             _PARSERS[_TAKES_VALUE[word]](parsed, word, value)
-        elif word.startswith("--log-config-file="):
-            _parse_log_config_file(parsed, *word.split("=", 1))
         elif word != "--ros-args":
             parsed.unknown.append(word)
 
@@ -236,10 +235,9 @@ def _parse_log_file_name(parsed: Arguments, flag: str, value: str) -> None:
 
 
 def _parse_log_config_file(parsed: Arguments, flag: str, value: str) -> None:
-    raise NotImplementedError(
-        f"{flag} {value}: there is no external logging library here to configure; "
-        "use --log-level, RCUTILS_CONSOLE_OUTPUT_FORMAT and ROS_LOG_DIR"
-    )
+    if not value:
+        raise _fail(flag, value, "expected a file's name")
+    parsed.log_config_file = value
 
 
 def _parse_enclave(parsed: Arguments, flag: str, value: str) -> None:

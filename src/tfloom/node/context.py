@@ -67,10 +67,13 @@ class Context:
             RuntimeError: it was initialised before; or `domain_id` is negative.
             RCLInvalidROSArgsError: a ROS argument makes no sense.
             UnknownROSArgsError: a ROS argument isn't known.
+            RCLError: a configuration file for logging is given, which has no use here.
         """
         if domain_id is not None and domain_id < 0:
             raise RuntimeError(f"Domain id ({domain_id}) should not be lower than zero.")
         arguments = parse_arguments(sys.argv if args is None else args)
+        if initialize_logging:
+            _check_logging(arguments)
         with self._lock:
             if self._initialized:
                 raise RuntimeError("Context.init() must only be called once")
@@ -256,6 +259,16 @@ class Context:
         self, t: type[BaseException] | None, v: BaseException | None, tb: TracebackType | None
     ) -> None:
         self.destroy()
+
+
+def _check_logging(arguments: Arguments) -> None:
+    # The reference's logging backend can't be configured by a file either, and refuses one in the same place.
+    if arguments.log_config_file is not None and arguments.external_lib_logs:
+        raise RCLError(
+            f"failed to initialize logging: --log-config-file {arguments.log_config_file}: the logging backend "
+            "doesn't support a configuration file; use --log-level, --log-file-name, ROS_LOG_DIR and "
+            "RCUTILS_CONSOLE_OUTPUT_FORMAT, or --disable-external-lib-logs"
+        )
 
 
 def _set_up_logging(arguments: Arguments) -> None:

@@ -46,6 +46,10 @@ class NodeGraph:
         """Return names and namespaces of all nodes."""
         return [(node.name, node.namespace) for node in self.__graph.nodes()]
 
+    def get_node_names_and_namespaces_with_enclaves(self) -> list[tuple[str, str, str]]:
+        """Return names, namespaces and enclaves of all nodes."""
+        return [(node.name, node.namespace, enclave) for node, enclave in self.__graph.enclaves()]
+
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
         """Wait until a node is there; False if it isn't after `timeout` [s]."""
         end = time.monotonic() + timeout
@@ -61,30 +65,29 @@ class NodeGraph:
     def get_topic_names_and_types(self, no_demangle: bool = False) -> NamesAndTypes:
         """Return all topics, and the types they are written or read as.
 
-        Raises:
-            NotImplementedError: `no_demangle` is True.
+        Args:
+            no_demangle: Whether to return all topics on the wire, those of services and of other programs too, by
+                the names of topics and types that DDS knows, such as `rt/pose` and `turtlesim::msg::dds_::Pose_`.
         """
         return self.__names_and_types(lambda _: True, no_demangle)
 
     def get_publisher_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> NamesAndTypes:
-        """Return the topics that a node publishes, with their types.
+        """Return the topics that a node publishes, with their types; `no_demangle` as in the above.
 
         Raises:
             NodeNameNonExistentError: there is no such node.
-            NotImplementedError: `no_demangle` is True.
         """
         return self.__of_node(node_name, node_namespace, True, no_demangle)
 
     def get_subscriber_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> NamesAndTypes:
-        """Return the topics that a node subscribes to, with their types.
+        """Return the topics that a node subscribes to, with their types; `no_demangle` as in the above.
 
         Raises:
             NodeNameNonExistentError: there is no such node.
-            NotImplementedError: `no_demangle` is True.
         """
         return self.__of_node(node_name, node_namespace, False, no_demangle)
 
@@ -100,10 +103,8 @@ class NodeGraph:
         )
 
     def __names_and_types(self, wanted: Callable[[EndpointInfo], bool], no_demangle: bool) -> NamesAndTypes:
-        if no_demangle:
-            raise NotImplementedError("no_demangle=True: the graph knows ROS names only")
         found: dict[str, set[str]] = {}
-        for info in self.__graph.endpoints():
+        for info in self.__graph.raw_endpoints() if no_demangle else self.__graph.endpoints():
             if wanted(info):
                 found.setdefault(info.topic.name, set()).add(info.topic.type_name)
         return [(name, sorted(types)) for name, types in sorted(found.items())]
@@ -169,36 +170,40 @@ class NodeGraph:
     def get_publishers_info_by_topic(
         self, topic_name: str, no_mangle: bool = False
     ) -> list[TopicEndpointInfo]:
-        """Return the publishers of a topic; the name is expanded and remapped.
+        """Return the publishers of a topic.
+
+        Args:
+            topic_name: Its name, which is expanded and remapped.
+            no_mangle: Whether it is DDS's own name, taken as it is; types are then DDS's own, too.
 
         Raises:
             InvalidTopicNameException: the name isn't valid.
-            NotImplementedError: `no_mangle` is True.
         """
         return self.__infos(topic_name, True, no_mangle)
 
     def get_subscriptions_info_by_topic(
         self, topic_name: str, no_mangle: bool = False
     ) -> list[TopicEndpointInfo]:
-        """Return the subscriptions of a topic; the name is expanded and remapped.
+        """Return the subscriptions of a topic.
+
+        Args:
+            topic_name: Its name, which is expanded and remapped.
+            no_mangle: Whether it is DDS's own name, taken as it is; types are then DDS's own, too.
 
         Raises:
             InvalidTopicNameException: the name isn't valid.
-            NotImplementedError: `no_mangle` is True.
         """
         return self.__infos(topic_name, False, no_mangle)
 
     def __infos(self, topic_name: str, is_writer: bool, no_mangle: bool) -> list[TopicEndpointInfo]:
-        if no_mangle:
-            raise NotImplementedError("no_mangle=True: the graph knows ROS names only")
-        full_name = self.resolve_topic_name(topic_name)
-        return [TopicEndpointInfo(info) for info in self.__endpoints_of(full_name, is_writer)]
+        name = topic_name if no_mangle else self.resolve_topic_name(topic_name)
+        return [TopicEndpointInfo(info) for info in self.__endpoints_of(name, is_writer, no_mangle)]
 
-    def __endpoints_of(self, full_name: str, is_writer: bool) -> list[EndpointInfo]:
+    def __endpoints_of(self, name: str, is_writer: bool, no_mangle: bool = False) -> list[EndpointInfo]:
         return [
             info
-            for info in self.__graph.endpoints()
-            if info.topic.name == full_name and info.is_writer == is_writer
+            for info in (self.__graph.raw_endpoints() if no_mangle else self.__graph.endpoints())
+            if info.topic.name == name and info.is_writer == is_writer
         ]
 
 

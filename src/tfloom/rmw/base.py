@@ -126,8 +126,14 @@ class Graph(Protocol):
     def endpoints(self) -> list[EndpointInfo]:
         """Return writers and readers of ROS topics (`rt/…` on DDS), in order of topic name."""
 
+    def raw_endpoints(self) -> list[EndpointInfo]:
+        """Return all writers and readers, by the names that topics and types have on DDS, in order of these."""
+
     def service_ends(self) -> list[ServiceEndInfo]:
         """Return servers and clients, in order of service name."""
+
+    def enclaves(self) -> list[tuple[NodeName, str]]:
+        """Return the nodes as `nodes` does, each with the enclave it is in; empty if that isn't known."""
 
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` whenever the graph has changed; None ends it."""

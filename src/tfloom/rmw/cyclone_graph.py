@@ -26,7 +26,8 @@ class _View(NamedTuple):
     """What was known at one count of changes."""
 
     changes: int
-    nodes: list[NodeName]
+    enclaves: list[tuple[NodeName, str]]
+    raw_endpoints: list[EndpointInfo]
     endpoints: list[EndpointInfo]
     service_ends: list[ServiceEndInfo]
 
@@ -43,11 +44,19 @@ class CycloneGraph:
             NODE_LIST_USER_DATA,
         )
         self._lock = threading.Lock()
-        self._view = _View(-1, [], [], [])
+        self._view = _View(-1, [], [], [], [])
 
     def nodes(self) -> list[NodeName]:
         """Return the nodes, one entry for each, in order of their full names."""
-        return list(self._current().nodes)
+        return [node for node, _ in self._current().enclaves]
+
+    def enclaves(self) -> list[tuple[NodeName, str]]:
+        """Return the nodes as `nodes` does, each with the enclave it is in; empty if that isn't known."""
+        return list(self._current().enclaves)
+
+    def raw_endpoints(self) -> list[EndpointInfo]:
+        """Return all writers and readers, by DDS's names of topics and types, in order of these."""
+        return list(self._current().raw_endpoints)
 
     def endpoints(self) -> list[EndpointInfo]:
         """Return writers and readers of ROS topics, in order of topic name."""
@@ -78,30 +87,34 @@ class CycloneGraph:
 
     def _read(self, changes: int) -> _View:
         participants, endpoints = self._native.snapshot()
-        nodes: list[NodeName] = []
+        enclaves: list[tuple[NodeName, str]] = []
         node_of: dict[bytes, NodeName] = {}
-        for _, _, node_list in participants:
+        for _, participant_data, node_list in participants:
+            enclave = key_values(participant_data).get("enclave", "")
             for ends in _decoded(node_list):
-                nodes.append(ends.name)
+                enclaves.append((ends.name, enclave))
                 node_of.update(dict.fromkeys((*ends.reader_gids, *ends.writer_gids), ends.name))
+        raw: list[EndpointInfo] = []
         infos: list[EndpointInfo] = []
         service_ends: list[ServiceEndInfo] = []
         for gid, _, is_writer, dds_topic, dds_type, user_data, qos in endpoints:
             dds_name = dds_topic.decode("utf-8", "replace")
-            type_name = type_from_dds(dds_type.decode("utf-8", "replace"))
+            dds_topic_type = dds_type.decode("utf-8", "replace")
+            type_name = type_from_dds(dds_topic_type)
+            topic = Topic(dds_name, dds_topic_type, key_values(user_data).get("typehash", ""))
+            info = EndpointInfo(topic, node_of.get(gid), is_writer, gid, _qos(*qos))
+            raw.append(info)
             if name := topic_from_dds(dds_name):
-                topic = Topic(name, type_name, key_values(user_data).get("typehash", ""))
-                infos.append(EndpointInfo(topic, node_of.get(gid), is_writer, gid, _qos(*qos)))
+                infos.append(info._replace(topic=topic._replace(name=name, type_name=type_name)))
             elif service := service_from_request_topic(dds_name, type_name):
                 service_ends.append(
-                    ServiceEndInfo(
-                        *service, node_of.get(gid), is_server=not is_writer, gid=gid, qos=_qos(*qos)
-                    )
+                    ServiceEndInfo(*service, info.node, is_server=not is_writer, gid=gid, qos=info.qos)
                 )
-        nodes.sort(key=lambda node: node.full)
+        enclaves.sort(key=lambda node: node[0].full)
+        raw.sort(key=lambda info: info.topic.name)
         infos.sort(key=lambda info: info.topic.name)
         service_ends.sort(key=lambda end: end.name)
-        return _View(changes, nodes, infos, service_ends)
+        return _View(changes, enclaves, raw, infos, service_ends)
 
 
 def _decoded(node_list: bytes) -> list[node_lists.NodeEnds]:

@@ -17,7 +17,13 @@ from tfloom.rmw.local_endpoints import LocalReader, LocalWriter
 from tfloom.rmw.local_services import LocalClients, LocalServers
 from tfloom.rmw.qos import QoS
 from tfloom.rmw.services import HeaderRequester, HeaderResponder, waiting_qos
-from tfloom.rmw.topic_names import request_topic, response_topic, service_from_request_topic
+from tfloom.rmw.topic_names import (
+    request_topic,
+    response_topic,
+    service_from_request_topic,
+    topic_to_dds,
+    type_to_dds,
+)
 
 _domains: dict[int, _Domain] = {}
 _domains_lock = threading.Lock()
@@ -25,7 +31,7 @@ _participant_numbers = count(1)
 
 
 def open_participant(domain_id: int, enclave: str = "/") -> Participant:
-    """Join a domain of this process. The enclave means nothing here."""
+    """Join a domain of this process."""
     with _domains_lock:
         domain = _domains.setdefault(domain_id, _Domain())
         participant = LocalParticipant(domain_id, enclave, domain)
@@ -39,7 +45,7 @@ class _Domain:
     def __init__(self) -> None:
         self.lock = threading.Lock()
         self.participants: list[LocalParticipant] = []
-        self.nodes: list[NodeName] = []
+        self.nodes: list[tuple[NodeName, str]] = []
         self.writers: list[LocalWriter] = []
         self.readers: list[LocalReader] = []
         self.changes = 0
@@ -85,14 +91,14 @@ class _Domain:
             ends: list[LocalWriter | LocalReader] = [*self.writers, *self.readers]
         return [end for end in ends if end.gid.startswith(gid_prefix)]
 
-    def add_node(self, node: NodeName) -> None:
+    def add_node(self, node: NodeName, enclave: str) -> None:
         with self.lock:
-            self.nodes.append(node)
+            self.nodes.append((node, enclave))
             self._changed()
 
-    def remove_node(self, node: NodeName) -> None:
+    def remove_node(self, node: NodeName, enclave: str) -> None:
         with self.lock:
-            self.nodes.remove(node)
+            self.nodes.remove((node, enclave))
             self._changed()
 
     def _changed(self) -> None:
@@ -110,12 +116,21 @@ class LocalGraph:
 
     def nodes(self) -> list[NodeName]:
         """Return the nodes, one entry for each, in order of their full names."""
+        return [node for node, _ in self.enclaves()]
+
+    def enclaves(self) -> list[tuple[NodeName, str]]:
+        """Return the nodes as `nodes` does, each with the enclave it is in."""
         with self._domain.lock:
-            return sorted(self._domain.nodes, key=lambda node: node.full)
+            return sorted(self._domain.nodes, key=lambda node: node[0].full)
 
     def endpoints(self) -> list[EndpointInfo]:
         """Return writers and readers of topics, in order of topic name."""
         infos = [info for info in self._infos() if info.topic.name.startswith("/")]
+        return sorted(infos, key=lambda info: info.topic.name)
+
+    def raw_endpoints(self) -> list[EndpointInfo]:
+        """Return all writers and readers, by the names that topics and types have on DDS, in order of these."""
+        infos = [info._replace(topic=_on_dds(info.topic)) for info in self._infos()]
         return sorted(infos, key=lambda info: info.topic.name)
 
     def service_ends(self) -> list[ServiceEndInfo]:
@@ -148,6 +163,11 @@ class LocalGraph:
             listener[0].post(listener[1])
 
 
+def _on_dds(topic: Topic) -> Topic:
+    name = topic_to_dds(topic.name) if topic.name.startswith("/") else topic.name
+    return topic._replace(name=name, type_name=type_to_dds(topic.type_name))
+
+
 class LocalParticipant:
     """This process on one domain; see `base.Participant`."""
 
@@ -164,7 +184,7 @@ class LocalParticipant:
     def add_node(self, node: NodeName) -> None:
         """Show a node on the graph."""
         self._nodes.append(node)
-        self._domain.add_node(node)
+        self._domain.add_node(node, self.enclave)
 
     def remove_node(self, node: NodeName) -> None:
         """Take a node off the graph.
@@ -173,7 +193,7 @@ class LocalParticipant:
             ValueError: this participant has no such node.
         """
         self._nodes.remove(node)
-        self._domain.remove_node(node)
+        self._domain.remove_node(node, self.enclave)
 
     def create_writer(self, node: NodeName, topic: Topic, qos: QoS) -> LocalWriter:
         """Offer a topic on behalf of `node`."""
@@ -217,7 +237,7 @@ class LocalParticipant:
         for end in self._domain.ends_of(self._gid_prefix):
             end.close()
         for node in self._nodes:
-            self._domain.remove_node(node)
+            self._domain.remove_node(node, self.enclave)
         with _domains_lock:
             if self._domain.remove_participant(self):
                 del _domains[self.domain_id]

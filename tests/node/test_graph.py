@@ -1,0 +1,74 @@
+"""What a node sees of the graph, on both wires."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Iterator
+
+import pytest
+from tests.conftest import wait_until
+
+from tfloom.interfaces.example_interfaces.srv import AddTwoInts
+from tfloom.interfaces.std_msgs.msg import String
+from tfloom.node.context import Context
+from tfloom.node.exceptions import NodeNameNonExistentError
+from tfloom.node.node import Node
+
+MakeNode = Callable[..., Node]
+WIRES = ["tfloom_local", pytest.param("rmw_cyclonedds_cpp", marks=pytest.mark.wire)]
+
+
+@pytest.fixture(params=WIRES)
+def context(
+    request: pytest.FixtureRequest, local_wire: None, monkeypatch: pytest.MonkeyPatch
+) -> Iterator[Context]:
+    if request.param != "tfloom_local":
+        request.getfixturevalue("domain_id")
+    monkeypatch.setenv("RMW_IMPLEMENTATION", request.param)
+    context = Context()
+    context.init(["program"])
+    yield context
+    context.destroy()
+
+
+def test_names_as_the_wire_has_them(make_node: MakeNode) -> None:
+    node = make_node("me", namespace="/here", start_parameter_services=False)
+    node.create_publisher(String, "chatter", 10)
+    node.create_subscription(String, "chatter", lambda msg: None, 10)
+    node.create_client(AddTwoInts, "add")
+    everything = dict(node.get_topic_names_and_types(no_demangle=True))
+    assert everything["rt/here/chatter"] == ["std_msgs::msg::dds_::String_"]
+    assert everything["rq/here/addRequest"] == ["example_interfaces::srv::dds_::AddTwoInts_Request_"]
+    written = dict(node.get_publisher_names_and_types_by_node("me", "/here", no_demangle=True))
+    assert {"rt/here/chatter", "rt/rosout", "rq/here/addRequest"} <= written.keys()
+    assert "rr/here/addReply" not in written
+    assert "rr/here/addReply" in dict(node.get_subscriber_names_and_types_by_node("me", "/here", True))
+    [info] = node.get_publishers_info_by_topic("rt/here/chatter", no_mangle=True)
+    assert (info.node_name, info.topic_type) == ("me", "std_msgs::msg::dds_::String_")
+    assert node.get_subscriptions_info_by_topic("chatter", no_mangle=True) == []
+    with pytest.raises(NodeNameNonExistentError, match="no node '/nobody' on the graph"):
+        node.get_client_names_and_types_by_node("nobody", "/")
+
+
+def test_enclaves_are_on_the_graph(context: Context, make_node: MakeNode) -> None:
+    node = make_node("plain")
+    assert ("plain", "/", "/") in node.get_node_names_and_namespaces_with_enclaves()
+    guarded_context = Context()
+    guarded_context.init(["prog", "--ros-args", "--enclave", "/robot/arm"])
+    try:
+        make_node("guarded", context=guarded_context)
+        wanted = ("guarded", "/", "/robot/arm")
+        wait_until(lambda: wanted in node.get_node_names_and_namespaces_with_enclaves())
+    finally:
+        guarded_context.destroy()
+
+
+def test_waiting_for_a_node(make_node: MakeNode) -> None:
+    node = make_node("me", namespace="/here")
+    assert node.wait_for_node("/here/me", timeout=1.0)
+    assert node.wait_for_node("here/me", timeout=0.0)
+    assert not node.wait_for_node("/me", timeout=0.05)
+    thread = threading.Timer(0.05, lambda: make_node("late"))
+    thread.start()
+    assert node.wait_for_node("late", timeout=20.0)
+    thread.join()
