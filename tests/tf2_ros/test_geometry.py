@@ -109,6 +109,29 @@ def test_a_twist_and_a_velocity() -> None:
         assert numbers(moved.angular) == pytest.approx([0, 0, 3])
 
 
+def test_what_has_no_stamp() -> None:
+    for kind in (g.Point, g.Point32):
+        moved = geometry.do_transform_point(kind(x=1.0, y=2.0, z=3.0), TRANSFORM)
+        assert type(moved) is kind
+        assert numbers(moved) == pytest.approx([11, 18, 27])
+    assert numbers(geometry.do_transform_vector3(g.Vector3(x=1.0, y=2.0, z=3.0), TRANSFORM)) == [1, -2, -3]
+    half = math.sqrt(0.5)
+    turned = geometry.do_transform_quaternion(g.Quaternion(x=0.0, y=-half, z=0.0, w=half), TRANSFORM)
+    assert numbers(turned) == pytest.approx([half, 0, -half, 0])
+
+
+def test_a_transform_goes_before_another() -> None:
+    a_from_c = transform_stamped("A", "C", SECOND, (1.0, 2.0, 3.0), (0.0, 0.0, 1.0, 0.0))
+    b_from_c = geometry.do_transform_transform_stamped(a_from_c, TRANSFORM)
+    assert (b_from_c.header, b_from_c.child_frame_id) == (TRANSFORM.header, "C")
+    assert numbers(b_from_c.transform.translation) == pytest.approx([11, 18, 27])
+    point = g.PointStamped(point=g.Point(x=0.3, y=-2.0, z=7.0))
+    two_steps = geometry.do_transform_point(geometry.do_transform_point(point, a_from_c), TRANSFORM)
+    assert numbers(geometry.do_transform_point(point, b_from_c).point) == pytest.approx(
+        numbers(two_steps.point)
+    )
+
+
 def test_a_polygon() -> None:
     polygon = g.PolygonStamped(polygon=g.Polygon(points=[g.Point32(x=1.0, y=2.0, z=3.0)]))
     moved = geometry.do_transform_polygon_stamped(polygon, TRANSFORM)

@@ -201,9 +201,21 @@ def convert(a: Any, b_type: Any) -> Any:
 
 
 def _get(table: dict[Any, Callable[..., Any]], key: Any) -> Callable[..., Any]:
-    try:
-        return table[key]
-    except KeyError:
-        raise TypeException(
-            f"Type {key if isinstance(key, str) else str(key)} is not loaded or supported"
-        ) from None
+    found = table.get(key) or table.get(_twin(table, key))
+    if found is None:
+        raise TypeException(f"Type {key if isinstance(key, str) else str(key)} is not loaded or supported")
+    return found
+
+
+def _twin(table: dict[Any, Callable[..., Any]], key: Any) -> Any:
+    """Return the message class of the table that has the same ROS name: messages of a real ROS install have others."""
+    name = _ros_name(key)
+    return next((each for each in table if name is not None and _ros_name(each) == name), None)
+
+
+def _ros_name(kind: Any) -> Any:
+    if isinstance(kind, tuple):
+        names = tuple(_ros_name(each) for each in kind)
+        return None if None in names else names
+    package, dot_msg, _ = f"{getattr(kind, '__module__', '')}.".partition(".msg.")
+    return (package.rpartition(".")[2], kind.__name__) if dot_msg else None

@@ -5,7 +5,6 @@ What is passed in is left as it is. Messages may be of any class that has the fi
 
 from __future__ import annotations
 
-from copy import deepcopy
 from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.geometry_msgs.msg import (
@@ -14,6 +13,7 @@ from tfloom.interfaces.geometry_msgs.msg import (
     PoseStamped,
     PoseWithCovarianceStamped,
     QuaternionStamped,
+    TransformStamped,
     TwistStamped,
     Vector3Stamped,
     VelocityStamped,
@@ -28,11 +28,16 @@ if TYPE_CHECKING:
 
 __all__ = [
     "do_transform_point",
+    "do_transform_polygon",
     "do_transform_polygon_stamped",
     "do_transform_pose",
     "do_transform_pose_stamped",
+    "do_transform_pose_with_covariance",
     "do_transform_pose_with_covariance_stamped",
+    "do_transform_quaternion",
     "do_transform_quaternion_stamped",
+    "do_transform_transform",
+    "do_transform_transform_stamped",
     "do_transform_twist",
     "do_transform_twist_stamped",
     "do_transform_vector3",
@@ -67,16 +72,25 @@ def value_of(transform: Any) -> Transform:
 
 
 def do_transform_point(point: Any, transform: Any) -> Any:
-    """Return a PointStamped through a TransformStamped, whose header it gets."""
+    """Return a PointStamped through a TransformStamped, whose header it gets; or a Point or Point32 through either."""
+    value = value_of(transform)
+    if not hasattr(point, "point"):
+        return _with(point, value.apply(_xyz(point)))
     result = _headed(point, transform)
-    _put(result.point, value_of(transform).apply(_xyz(point.point)))
+    _put(result.point, value.apply(_xyz(point.point)))
     return result
 
 
 def do_transform_vector3(vector3: Any, transform: Any) -> Any:
-    """Return a Vector3Stamped, turned by a TransformStamped, whose header it gets; a vector has no place."""
+    """Return a Vector3Stamped, turned by a TransformStamped, whose header it gets; or a Vector3.
+
+    A vector has no place, so it isn't moved.
+    """
+    value = value_of(transform)
+    if not hasattr(vector3, "vector"):
+        return _with(vector3, _turned(value, _xyz(vector3)))
     result = _headed(vector3, transform)
-    _put(result.vector, _turned(value_of(transform), _xyz(vector3.vector)))
+    _put(result.vector, _turned(value, _xyz(vector3.vector)))
     return result
 
 
@@ -100,32 +114,65 @@ def do_transform_pose_stamped(pose: Any, transform: Any) -> Any:
     return result
 
 
+def do_transform_pose_with_covariance(pose: Any, transform: Any) -> Any:
+    """Return a PoseWithCovariance through a TransformStamped."""
+    result = type(pose)()
+    result.pose = do_transform_pose(pose.pose, transform)
+    result.covariance = transform_covariance(pose.covariance, transform)
+    return result
+
+
 def do_transform_pose_with_covariance_stamped(pose: Any, transform: Any) -> Any:
     """Return a PoseWithCovarianceStamped through a TransformStamped, whose header it gets."""
     result = _headed(pose, transform)
-    result.pose.pose = do_transform_pose(pose.pose.pose, transform)
-    result.pose.covariance = transform_covariance(pose.pose.covariance, transform)
+    result.pose = do_transform_pose_with_covariance(pose.pose, transform)
+    return result
+
+
+def do_transform_polygon(polygon: Any, transform: Any) -> Any:
+    """Return a Polygon through a TransformStamped."""
+    result = type(polygon)()
+    value = value_of(transform)
+    result.points = [_with(point, value.apply(_xyz(point))) for point in polygon.points]
     return result
 
 
 def do_transform_polygon_stamped(polygon: Any, transform: Any) -> Any:
     """Return a PolygonStamped through a TransformStamped, whose header it gets."""
     result = _headed(polygon, transform)
-    value = value_of(transform)
-    points = []
-    for point in polygon.polygon.points:
-        moved = type(point)()
-        _put(moved, value.apply(_xyz(point)))
-        points.append(moved)
-    result.polygon.points = points
+    result.polygon = do_transform_polygon(polygon.polygon, transform)
+    return result
+
+
+def do_transform_quaternion(quaternion: Any, transform: Any) -> Any:
+    """Return a Quaternion turned by a TransformStamped."""
+    result = type(quaternion)()
+    q = quaternion
+    _put_quaternion(result, _product(value_of(transform).rotation_xyzw, (q.x, q.y, q.z, q.w)))
     return result
 
 
 def do_transform_quaternion_stamped(quaternion: Any, transform: Any) -> Any:
     """Return a QuaternionStamped turned by a TransformStamped, whose header it gets."""
     result = _headed(quaternion, transform)
-    q = quaternion.quaternion
-    _put_quaternion(result.quaternion, _product(_xyzw(transform), (q.x, q.y, q.z, q.w)))
+    result.quaternion = do_transform_quaternion(quaternion.quaternion, transform)
+    return result
+
+
+def do_transform_transform(moved: Any, transform: Any) -> Any:
+    """Return target_from_child, a Transform, of source_from_child and a TransformStamped target_from_source."""
+    result = type(moved)()
+    value = value_of(transform) @ value_of(moved)
+    _put(result.translation, value.translation)
+    _put_quaternion(result.rotation, value.rotation_xyzw)
+    return result
+
+
+def do_transform_transform_stamped(moved: Any, transform: Any) -> Any:
+    """Return a TransformStamped of the same child with another before it, whose header it gets."""
+    result = _headed(moved, transform)
+    result.child_frame_id = moved.child_frame_id
+    result.transform = do_transform_transform(moved.transform, transform)
     return result
 
 
@@ -185,17 +232,23 @@ def transform_covariance(cov_in: ArrayLike, transform: Any) -> NDArray[np.float6
 
 
 def _headed(message: Any, transform: Any) -> Any:
+    """Return a new message of the same class with the transform's header, number by number: of any class, too."""
     result = type(message)()
-    result.header = deepcopy(transform.header)
+    header, given = result.header, transform.header
+    header.frame_id = given.frame_id
+    header.stamp.sec, header.stamp.nanosec = given.stamp.sec, given.stamp.nanosec
+    return result
+
+
+def _with(part: Any, xyz: Triple) -> Any:
+    """Return a new point or vector of the same class."""
+    result = type(part)()
+    _put(result, xyz)
     return result
 
 
 def _xyz(part: Any) -> Triple:
     return part.x, part.y, part.z
-
-
-def _xyzw(transform: Any) -> tuple[float, float, float, float]:
-    return value_of(transform).rotation_xyzw
 
 
 def _put(part: Any, xyz: Triple) -> None:
@@ -238,6 +291,7 @@ _REGISTERED = {
     PoseWithCovarianceStamped: do_transform_pose_with_covariance_stamped,
     PolygonStamped: do_transform_polygon_stamped,
     QuaternionStamped: do_transform_quaternion_stamped,
+    TransformStamped: do_transform_transform_stamped,
     WrenchStamped: do_transform_wrench_stamped,
     TwistStamped: do_transform_twist_stamped,
     VelocityStamped: do_transform_velocity_stamped,
