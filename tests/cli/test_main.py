@@ -63,6 +63,21 @@ def test_a_flag_that_a_verb_does_not_know_is_told_by_the_top() -> None:
     assert answer.text.endswith("ros2: error: unrecognized arguments: --no-such")
 
 
+@pytest.mark.parametrize(
+    ("words", "near"),
+    [
+        (("topc", "list"), "topic"),
+        (("topic", "ecko"), "echo"),
+        (("topic", "list", "--show-typs"), "--show-types"),
+        (("topic", "echo", "--qos-reliability", "relable", "/x"), "reliable"),
+    ],
+)
+def test_a_misspelt_verb_flag_or_choice_names_the_nearest(words: tuple[str, ...], near: str) -> None:
+    answer = transcript.run(*words)
+    assert answer.exit_code == 2
+    assert answer.text.endswith(f"\ndid you mean {near}?")
+
+
 def test_an_unknown_wire_is_a_sentence() -> None:
     answer = transcript.run("topic", "list", env={**os.environ, "RMW_IMPLEMENTATION": "rmw_none"})
     assert answer.exit_code == 1

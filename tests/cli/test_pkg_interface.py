@@ -42,7 +42,7 @@ def test_proto_prints_what_is_sent(name: str, values: str) -> None:
 
 def test_proto_names_the_nearest_service() -> None:
     answer = transcript.run("interface", "proto", "turtlesim/srv/Spwn")
-    assert answer.text.endswith("did you mean 'turtlesim/srv/Spawn'?")
+    assert answer.text.endswith("\ndid you mean turtlesim/srv/Spawn?")
     assert answer.exit_code == 1
 
 

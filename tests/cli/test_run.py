@@ -44,6 +44,19 @@ def test_what_is_not_there_is_told_as_ros2_tells_it(name: str) -> None:
     assert transcript.run(*recorded.command) == recorded
 
 
+def test_a_misspelt_package_or_program_names_the_nearest(add_program: Callable[..., Path]) -> None:
+    add_program("my_program", "")
+    for words, said in (
+        (("turtlesm", "x"), "Package 'turtlesm' not found\ndid you mean turtlesim"),
+        (("my_pk", "x"), "Package 'my_pk' not found\ndid you mean my_pkg?"),
+        (("turtlesim", "turtlesim_nod"), "No executable found\ndid you mean turtlesim_node"),
+        (("my_pkg", "my_progam"), "No executable found\ndid you mean my_program?"),
+    ):
+        answer = transcript.run("run", *words)
+        assert answer.exit_code == 1
+        assert answer.text.startswith(said)
+
+
 def test_arguments_reach_the_program_untouched(add_program: Callable[..., Path]) -> None:
     add_program("show", "import sys; print(sys.argv[1:])")
     words = ["-h", "--prefix", "--ros-args", "-p", "a:=1", "two words", "--", "x"]

@@ -10,7 +10,10 @@ from contextlib import contextmanager
 from typing import Any
 
 from tfloom._native import ReadyQueue
+from tfloom.cli.action.common import GOAL_SERVICE
 from tfloom.cli.errors import CommandError
+from tfloom.cli.listen import PATIENCE_S
+from tfloom.cli.names import did_you_mean
 from tfloom.rmw.base import NodeName, Participant, Service
 from tfloom.rmw.qos import QoS
 from tfloom.rosidl import cdr
@@ -25,6 +28,7 @@ class Client:
     def __init__(self, participant: Participant, node: NodeName, name: str, service_class: type[Any]) -> None:
         self.name = name
         self._class = service_class
+        self._graph = participant.graph
         hashes = (service_class.Request._TYPE_HASH, service_class.Response._TYPE_HASH)
         self._requester = participant.create_requester(
             node, Service(name, service_class._TYPE_NAME, *hashes), QoS()
@@ -37,10 +41,13 @@ class Client:
     ) -> None:
         """Wait until a server is there; `while_waiting` is called once if none is there at the start.
 
+        After a second the user is told on stderr what is waited for, with the services of nearly the same name.
+
         Raises:
             CommandError: there is none within `timeout_s`, or only one that can't be called, and why.
         """
         end_s = time.monotonic() + timeout_s
+        told_s = time.monotonic() + PATIENCE_S
         while not self._requester.is_ready():
             if obstacle := self._requester.obstacle():
                 raise CommandError(obstacle)
@@ -49,7 +56,20 @@ class Client:
             if while_waiting is not None:
                 while_waiting()
                 while_waiting = None
+            if time.monotonic() > told_s:
+                told_s = math.inf
+                print(f"nobody serves {self._nearest()}", file=sys.stderr)
             time.sleep(0.005)
+
+    def _nearest(self) -> str:
+        """Return the name of the service or its action, and a line with the nearest that are served."""
+        is_action = self.name.endswith(GOAL_SERVICE)
+        served = {end.name for end in self._graph.service_ends() if end.is_server}
+        names = {
+            name.removesuffix(GOAL_SERVICE) for name in served if name.endswith(GOAL_SERVICE) == is_action
+        }
+        name = self.name.removesuffix(GOAL_SERVICE)
+        return f"{name} yet{did_you_mean(name, sorted(names))}"
 
     def send(self, request: Any) -> int:
         """Send a request and return its number, for `receive`."""

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Sequence
+
 
 class CommandError(Exception):
     """The command can't do what was asked; its text, for the user, says why."""
@@ -9,3 +12,10 @@ class CommandError(Exception):
     def __init__(self, text: str, exit_code: int = 1) -> None:
         super().__init__(text)
         self.exit_code = exit_code
+
+
+def refuse_bytes(words: Sequence[str]) -> None:
+    """Raise CommandError if a word isn't text; Python puts lone surrogates for what it can't decode."""
+    for word in words:
+        if any("\ud800" <= letter <= "\udfff" for letter in word):
+            raise CommandError(f"the argument {os.fsencode(word)!r} isn't text in this terminal's encoding")

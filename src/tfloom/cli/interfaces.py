@@ -16,38 +16,46 @@ from tfloom.rosidl.parse import ParseError
 T = TypeVar("T")
 
 
-def message_class(name: str) -> type[Message]:
+def message_class(name: str, *, ask_graph: bool = False) -> type[Message]:
     """Return the class of a message type's name.
 
     Raises:
-        CommandError: there is none, and which is the nearest, or its definition can't be read.
+        CommandError: there is none, and which are the nearest, or its definition can't be read. With `ask_graph`,
+            what is on the graph now is the nearest.
     """
-    return _class(registry.get_message_class, name, "message")
+    return _class(registry.get_message_class, name, "msg", ask_graph=ask_graph)
 
 
-def service_class(name: str) -> type[Any]:
+def service_class(name: str, *, ask_graph: bool = False) -> type[Any]:
     """Return the class of a service type's name.
 
     Raises:
         CommandError: as `message_class`.
     """
-    return _class(registry.get_service_class, name, "service")
+    return _class(registry.get_service_class, name, "srv", ask_graph=ask_graph)
 
 
-def action_class(name: str) -> type[Any]:
+def action_class(name: str, *, ask_graph: bool = False) -> type[Any]:
     """Return the class of an action type's name.
 
     Raises:
         CommandError: as `message_class`.
     """
-    return _class(registry.get_action_class, name, "action")
+    return _class(registry.get_action_class, name, "action", ask_graph=ask_graph)
 
 
-def _class(find: Callable[[str], type[T]], name: str, what: str) -> type[T]:
+def _class(find: Callable[[str], type[T]], name: str, kind: str, *, ask_graph: bool) -> type[T]:
+    what = {"msg": "message", "srv": "service"}.get(kind, kind)
     try:
         return find(name)
+    except registry.UnknownTypeError:
+        from tfloom.cli.type_names import did_you_mean_type, types_on_graph
+
+        live = types_on_graph(kind) if ask_graph else ()
+        reason = f"there is no {what} type '{name}'{did_you_mean_type(name, kind, live)}"
     except (LookupError, ParseError) as error:
-        raise CommandError(f"The passed {what} type is invalid\n{error}") from None
+        reason = str(error)
+    raise CommandError(f"The passed {what} type is invalid\n{reason}")
 
 
 def yaml_documents(lines: Iterable[str]) -> Iterator[str]:

@@ -6,16 +6,19 @@ import math
 import os
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from typing import Any
 
 from tfloom._native import ReadyQueue
 from tfloom.cli.errors import CommandError
 from tfloom.cli.graph import topic_types
 from tfloom.cli.names import did_you_mean
 from tfloom.rmw.base import EndpointInfo, Graph, NodeName, Participant, Reader, Sample, Topic, Writer
-from tfloom.rmw.events import Event, IncompatibleQoS
+from tfloom.rmw.errors import UnsupportedEventError
+from tfloom.rmw.events import Count, Event, IncompatibleQoS
 from tfloom.rmw.qos import QoS
+from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
 
 PATIENCE_S = 1.0
@@ -58,7 +61,8 @@ def wait_for_publishers(graph: Graph, name: str, end_s: float) -> list[EndpointI
             if now_s >= end_s:
                 return []
             if now_s >= told_s:
-                print(f"waiting for a publisher of {name}", file=sys.stderr)
+                near = did_you_mean(name, {end.topic.name for end in graph.endpoints() if end.is_writer})
+                print(f"waiting for a publisher of {name}{near}", file=sys.stderr)
                 told_s = math.inf
             _wait(queue, min(end_s, told_s))
         return publishers
@@ -81,11 +85,28 @@ def shown_node(participant: Participant, node: NodeName) -> Iterator[NodeName]:
         participant.remove_node(node)
 
 
+def decoded(cls: type[Message], sample: Sample) -> Any:
+    """Return a sample's message, or None, and say so on stderr, where the bytes are none of its type."""
+    try:
+        return cdr.decode(cls, sample.data)
+    except cdr.DecodeError as error:
+        print(f"a message that can't be decoded was left out: {error}", file=sys.stderr)
+        return None
+
+
 def samples(
-    participant: Participant, name: str, message_class: type[Message], qos: QoS, end_s: float = math.inf
+    participant: Participant,
+    name: str,
+    message_class: type[Message],
+    qos: QoS,
+    end_s: float = math.inf,
+    on_lost: Callable[[Count], None] | None = None,
 ) -> Iterator[Sample]:
-    """Yield the samples of a topic as they come, until `end_s` on the monotonic clock."""
-    for sample in samples_and_ticks(participant, name, message_class, qos, end_s=end_s):
+    """Yield the samples of a topic as they come, until `end_s` on the monotonic clock.
+
+    `on_lost` is told of samples that will never come, where the wire counts them.
+    """
+    for sample in samples_and_ticks(participant, name, message_class, qos, end_s=end_s, on_lost=on_lost):
         if sample is not None:
             yield sample
 
@@ -98,8 +119,9 @@ def samples_and_ticks(
     *,
     tick_s: float = math.inf,
     end_s: float = math.inf,
+    on_lost: Callable[[Count], None] | None = None,
 ) -> Iterator[Sample | None]:
-    """Yield the samples of a topic as they come and None every `tick_s`, until `end_s` on the monotonic clock."""
+    """Yield the samples of a topic as they come and None every `tick_s`; `end_s` and `on_lost` as `samples`."""
     topic = Topic(name, message_class._TYPE_NAME, message_class._TYPE_HASH)
     with shown_node(participant, cli_node()) as node:
         reader = participant.create_reader(node, topic, qos)
@@ -107,20 +129,43 @@ def samples_and_ticks(
             queue = ReadyQueue()
             reader.notify(queue)
             reader.notify_event(Event.INCOMPATIBLE_QOS, queue)
+            if on_lost is not None:
+                on_lost = _if_counted(reader, queue, on_lost)
             next_tick_s = time.monotonic() + tick_s
             while time.monotonic() < end_s:
                 while sample := reader.take():
+                    if on_lost is not None:
+                        _tell_of_losses(reader, on_lost)
                     yield sample
-                    if time.monotonic() >= next_tick_s:
+                    if time.monotonic() >= min(next_tick_s, end_s):
                         break
                 else:
                     _wait(queue, min(end_s, next_tick_s))
+                    if on_lost is not None:
+                        _tell_of_losses(reader, on_lost)
                     warn_of_mismatch(reader, participant.graph, name, is_publisher=False)
                 if time.monotonic() >= next_tick_s:
                     next_tick_s += tick_s
                     yield None
         finally:
             reader.close()
+
+
+def _if_counted(
+    reader: Reader, queue: ReadyQueue, on_lost: Callable[[Count], None]
+) -> Callable[[Count], None] | None:
+    """Watch for losses and return who is told of them: nobody where the wire doesn't count them."""
+    try:
+        reader.notify_event(Event.MESSAGE_LOST, queue)
+    except UnsupportedEventError:
+        return None
+    return on_lost
+
+
+def _tell_of_losses(reader: Reader, on_lost: Callable[[Count], None]) -> None:
+    status = reader.take_event(Event.MESSAGE_LOST)
+    if isinstance(status, Count):
+        on_lost(status)
 
 
 def warn_of_mismatch(end: Reader | Writer, graph: Graph, name: str, *, is_publisher: bool) -> None:

@@ -12,7 +12,7 @@ import sys
 from collections.abc import Sequence
 from types import FrameType
 
-from tfloom.cli.errors import CommandError
+from tfloom.cli.errors import CommandError, refuse_bytes
 from tfloom.cli.parser import Group, build_parser
 
 COMMANDS: dict[str, str | Group] = {
@@ -173,6 +173,8 @@ def _run(argv: Sequence[str] | None, prog: str) -> int:
         )
     args = parser.parse_args(argv)
     args.prog = prog
+    if args.run_verb.__module__ != "tfloom.cli.run":
+        refuse_bytes(sys.argv[1:] if argv is None else argv)
     if sys.stdout is not None:  # It may have been closed: `>&-`.
         # A letter that the terminal's encoding lacks is spelled out.
         sys.stdout.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]

@@ -28,22 +28,43 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def message_text(args: argparse.Namespace) -> Callable[[Any], str]:
-    """Return what turns a message, or a field of one, into the text to print."""
+    """Return what turns a message, a field of one, or several fields by their paths into the text to print."""
     options = text_options(args)
+    of_csv = {name: options[name] for name in ("truncate_length", "no_arr", "no_str")}
+
+    def csv(value: Any) -> str:
+        from tfloom.rosidl import yaml_text
+
+        if isinstance(value, dict):
+            return ",".join(csv(each) for each in value.values())
+        return yaml_text.message_to_csv(value, **of_csv) if isinstance(value, Message) else f"{value}"
 
     def text(value: Any) -> str:
         from tfloom.rosidl import yaml_text
 
-        if args.json and not args.raw:
-            return _json(value)
-        if not isinstance(value, Message):
-            return f"{value}" if args.csv else f"{value}\n---"
+        if args.json:
+            from tfloom.cli.json_text import json_text
+
+            return json_text(value)
         if args.csv:
-            flags = {name: options[name] for name in ("truncate_length", "no_arr", "no_str")}
-            return yaml_text.message_to_csv(value, **flags)
-        return f"{yaml_text.message_to_yaml(value, **options)}---"
+            return csv(value)
+        if isinstance(value, dict):
+            return "\n".join(_titled(path, each, options) for path, each in value.items()) + "\n---"
+        if isinstance(value, Message):
+            return f"{yaml_text.message_to_yaml(value, **options)}---"
+        return f"{value}\n---"
 
     return text
+
+
+def _titled(path: str, value: Any, options: dict[str, Any]) -> str:
+    """Return a field under its path."""
+    from tfloom.rosidl.yaml_text import message_to_yaml
+
+    if not isinstance(value, Message):
+        return f"{path}: {value}"
+    lines = message_to_yaml(value, **options).splitlines()
+    return "\n  ".join([f"{path}:", *lines])
 
 
 def text_options(args: argparse.Namespace) -> dict[str, Any]:
@@ -54,24 +75,3 @@ def text_options(args: argparse.Namespace) -> dict[str, Any]:
         "no_str": args.no_str,
         "flow_style": args.flow_style,
     }
-
-
-def _json(value: Any) -> str:
-    import json
-
-    from tfloom.rosidl.yaml_text import message_to_ordereddict
-
-    return json.dumps(
-        message_to_ordereddict(value) if isinstance(value, Message) else value,
-        default=_plain,
-        ensure_ascii=False,
-    )
-
-
-def _plain(value: Any) -> Any:
-    """Return what JSON can hold of an array, bytes or a message inside an array."""
-    if isinstance(value, Message):
-        from tfloom.rosidl.yaml_text import message_to_ordereddict
-
-        return message_to_ordereddict(value)
-    return list(value)

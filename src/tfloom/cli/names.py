@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from tfloom.cli.errors import CommandError
 
@@ -27,4 +27,9 @@ def full_topic_name(name: str, what: str = "topic") -> str:
 def did_you_mean(name: str, known: Iterable[str]) -> str:
     """Return a line that names up to three known names near to `name`, or nothing."""
     near = difflib.get_close_matches(name, list(known), 3, 0.5)
-    return f"\ndid you mean {' or '.join(near)}?" if near else ""
+    return f"\ndid you mean {or_list(near)}?" if near else ""
+
+
+def or_list(names: Sequence[str]) -> str:
+    """Return names as a sentence lists them: `a, b or c`."""
+    return " or ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)

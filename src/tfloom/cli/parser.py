@@ -34,8 +34,31 @@ class VerbParser(argparse.ArgumentParser):
             verb = import_module(self._module)
             self._module = ""
             verb.add_arguments(self)
-            self.set_defaults(run_verb=verb.main)
+            self.set_defaults(run_verb=verb.main, verb_parser=self)
             self.description = self.description or verb.__doc__
+
+    def parse_args(  # type: ignore[override]
+        self, args: Sequence[str] | None = None, namespace: argparse.Namespace | None = None
+    ) -> argparse.Namespace:
+        """Parse as argparse does; a flag that the verb doesn't have names the nearest that it has."""
+        parsed, unknown = self.parse_known_args(args, namespace)
+        if unknown:
+            verb = getattr(parsed, "verb_parser", self)
+            flags = [flag for flag in verb.flags() if flag.startswith("--")]
+            near = _did_you_mean(next((word for word in unknown if word.startswith("--")), ""), flags)
+            self.error(f"unrecognized arguments: {' '.join(unknown)}{near}")
+        return parsed
+
+    def flags(self) -> list[str]:
+        """Return the flags that have been added."""
+        return list(self._option_string_actions)
+
+    def _check_value(self, action: argparse.Action, value: Any) -> None:
+        try:
+            super()._check_value(action, value)
+        except argparse.ArgumentError as error:
+            error.message += _did_you_mean(str(value), [str(choice) for choice in action.choices or ()])
+            raise
 
     def parse_known_args(  # type: ignore[override]
         self, args: Sequence[str] | None = None, namespace: argparse.Namespace | None = None
@@ -100,6 +123,13 @@ def _fill_group(parser: VerbParser, prog: str, word: str, group: Group) -> None:
             prog=f"{prog} {verb}",
             module=f"tfloom.cli.{word}.{verb}",
         )
+
+
+def _did_you_mean(word: str, known: Sequence[str]) -> str:
+    import difflib
+
+    near = difflib.get_close_matches(word, known, 1, 0.6)
+    return f"\ndid you mean {near[0]}?" if near else ""
 
 
 def _print_help(parser: argparse.ArgumentParser) -> Any:

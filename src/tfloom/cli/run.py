@@ -9,7 +9,8 @@ import sys
 from importlib import import_module
 from pathlib import Path
 
-from tfloom.cli.errors import CommandError
+from tfloom.cli.errors import CommandError, refuse_bytes
+from tfloom.cli.names import did_you_mean
 from tfloom.workspace import index
 
 
@@ -54,13 +55,15 @@ def find_command(package: str, program: str) -> list[str] | str:
     prefix = index.find_package(package)
     if prefix is None:
         if package not in index.PROGRAMS:
-            raise CommandError(f"Package '{package}' not found")
+            near = did_you_mean(package, {*index.workspace_packages(), *index.PROGRAMS})
+            raise CommandError(f"Package '{package}' not found{near}")
         if program not in index.PROGRAMS[package]:
-            raise CommandError("No executable found")
+            raise CommandError(f"No executable found{did_you_mean(program, index.PROGRAMS[package])}")
         return index.PROGRAMS[package][program]
-    paths = [path for path in index.package_programs(package, prefix) if index.program_name(path) == program]
+    programs = index.package_programs(package, prefix)
+    paths = [path for path in programs if index.program_name(path) == program]
     if not paths:
-        raise CommandError("No executable found")
+        raise CommandError(f"No executable found{did_you_mean(program, map(index.program_name, programs))}")
     if len(paths) > 1:
         listed = "".join(f"\n- {path}" for path in paths)
         raise CommandError(f"Multiple executables found:{listed}")
@@ -79,9 +82,7 @@ def run_here(target: str, name: str, argv: list[str]) -> int:
     Raises:
         CommandError: its arguments can't be used.
     """
-    for word in argv:
-        if not word.isprintable() and any("\ud800" <= letter <= "\udfff" for letter in word):
-            raise CommandError(f"the argument {os.fsencode(word)!r} isn't text in this terminal's encoding")
+    refuse_bytes(argv)
     module, _, function = target.partition(":")
     sys.argv = [name, *argv]
     # How a signal ends it is the program's own affair, as in a process of its own.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from tfloom.cli.errors import CommandError
@@ -32,14 +32,23 @@ def message_filter(expression: str | None) -> Callable[[Message], bool]:
     return wanted
 
 
-def field_picker(path: str | None) -> Callable[[Message], Any]:
-    """Return what gives a message's field, `header.stamp` or `transforms[0].header`; None gives the whole message.
+def field_picker(paths: Sequence[str]) -> Callable[[Message], Any]:
+    """Return what gives a message's field, `header.stamp` or `transforms[0].header`.
+
+    With no path it gives the whole message, with several a mapping of each path to its field.
 
     Raises:
-        CommandError: it isn't a path; the picker raises it where a message has no such field.
+        CommandError: one isn't a path; the picker raises it where a message has no such field.
     """
-    if path is None:
+    if not paths:
         return lambda message: message
+    picks = {path: _one_field_picker(path) for path in paths}
+    if len(picks) == 1:
+        return picks[paths[0]]
+    return lambda message: {path: pick(message) for path, pick in picks.items()}
+
+
+def _one_field_picker(path: str) -> Callable[[Message], Any]:
     if not re.fullmatch(r"[A-Za-z_]\w*(\[-?\d+\])*(\.[A-Za-z_]\w*(\[-?\d+\])*)*", path):
         raise CommandError(f"--field is like header.stamp or transforms[0].header, not '{path}'")
     steps = re.findall(r"\w+|\[-?\d+\]", path)
@@ -48,12 +57,19 @@ def field_picker(path: str | None) -> Callable[[Message], Any]:
         value: Any = message
         try:
             for step in steps:
-                value = value[int(step[1:-1])] if step.startswith("[") else getattr(value, step)
+                value = value[int(step[1:-1])] if step.startswith("[") else _field(value, step)
         except (AttributeError, IndexError, TypeError) as error:
             raise CommandError(f"Invalid field '{path}': {error}{_there_are(value)}") from None
         return value
 
     return pick
+
+
+def _field(value: Any, name: str) -> Any:
+    """Return a message's field; what else Python finds by that name is none."""
+    if isinstance(value, Message) and name not in type(value).get_fields_and_field_types():
+        raise AttributeError(f"'{type(value).__name__}' object has no attribute '{name}'")
+    return getattr(value, name)
 
 
 def _there_are(value: Any) -> str:

@@ -8,10 +8,10 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 from tfloom._native import ReadyQueue
+from tfloom.cli.listen import decoded
 from tfloom.interfaces.rosgraph_msgs.msg import Clock
 from tfloom.rmw.base import NodeName, Participant, Reader, Topic
 from tfloom.rmw.qos import QoS, ReliabilityPolicy
-from tfloom.rosidl import cdr
 
 NowNs = Callable[[], int]
 """Returns the time [ns]; 0 before it is known."""
@@ -52,6 +52,6 @@ class _SimulatedTime:
 
     def now_ns(self) -> int:
         while sample := self._reader.take():
-            stamp = cdr.decode(Clock, sample.data).clock
-            self._now_ns = stamp.sec * 1_000_000_000 + stamp.nanosec
+            if (message := decoded(Clock, sample)) is not None:
+                self._now_ns = message.clock.sec * 1_000_000_000 + message.clock.nanosec
         return self._now_ns

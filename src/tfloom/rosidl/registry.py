@@ -14,6 +14,11 @@ if TYPE_CHECKING:
 
     T = TypeVar("T")
 
+
+class UnknownTypeError(LookupError):
+    """There is no interface of this name."""
+
+
 _BASES = (Message, Service, Action)
 _classes: dict[str, Any] = {}
 
@@ -107,7 +112,7 @@ def _find(name: str) -> Any:
         found = _load_definition(name)
         if found is not None:
             return found
-    raise LookupError(f"there is no {_word(parts)} type '{name}'{_nearest(name)}")
+    raise UnknownTypeError(f"there is no {_word(parts)} type '{name}'{_nearest(name)}")
 
 
 def _load_definition(name: str) -> Any:

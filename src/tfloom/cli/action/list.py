@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 
 from tfloom.cli.action.common import settled_ends
+from tfloom.cli.listing import print_json
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -20,9 +21,7 @@ def main(args: argparse.Namespace) -> int:
     for end in settled_ends():
         types.setdefault(end.name, set()).add(end.type_name)
     if args.json:
-        import json
-
-        print(json.dumps([{"name": name, "types": sorted(each)} for name, each in types.items()], indent=2))
+        print_json([{"name": name, "types": sorted(each)} for name, each in types.items()])
     elif args.count_actions:
         print(len(types))
     else:

@@ -11,11 +11,10 @@ from typing import Any
 from tfloom.cli import graph
 from tfloom.cli.calls import Client, service_client
 from tfloom.cli.interfaces import action_class, fill_message, parse_yaml
-from tfloom.cli.listen import cli_node, shown_node
+from tfloom.cli.listen import cli_node, decoded, shown_node
 from tfloom.cli.names import full_topic_name
 from tfloom.rmw.base import NodeName, Participant, Reader, Topic
 from tfloom.rmw.qos import QoS
-from tfloom.rosidl import cdr
 from tfloom.rosidl.yaml_text import message_to_yaml
 
 STATUS = ("UNKNOWN", "ACCEPTED", "EXECUTING", "CANCELING", "SUCCEEDED", "CANCELED", "ABORTED")
@@ -38,7 +37,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(args: argparse.Namespace) -> int:
     """Send the goal and wait for its end; Ctrl-C cancels it. 1 where it didn't succeed."""
     name = full_topic_name(args.action_name, "action")
-    cls = action_class(args.action_type)
+    cls = action_class(args.action_type, ask_graph=True)
     goal = cls.Goal()
     fill_message(goal, parse_yaml(sys.stdin.read() if args.stdin else args.goal))
     with ExitStack() as ends:
@@ -61,8 +60,9 @@ def main(args: argparse.Namespace) -> int:
             print(client.cancel())
             raise
         print(f"Result:\n    {_indented(response.result)}")
-        print(f"Goal finished with status: {STATUS[response.status]}")
-        return int(STATUS[response.status] != "SUCCEEDED")
+        status = STATUS[response.status] if 0 <= response.status < len(STATUS) else f"{response.status}"
+        print(f"Goal finished with status: {status}")
+        return int(status != "SUCCEEDED")
 
 
 def _indented(message: Any) -> str:
@@ -135,6 +135,6 @@ class _ActionClient:
 
     def _print_feedback(self) -> None:
         while self._feedback and (sample := self._feedback.take()):
-            message: Any = cdr.decode(self._class.Impl.FeedbackMessage, sample.data)
-            if bytes(message.goal_id.uuid) == bytes(self.goal_id.uuid):
+            message = decoded(self._class.Impl.FeedbackMessage, sample)
+            if message is not None and bytes(message.goal_id.uuid) == bytes(self.goal_id.uuid):
                 print(f"Feedback:\n    {_indented(message.feedback)}")

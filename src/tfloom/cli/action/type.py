@@ -5,15 +5,17 @@ from __future__ import annotations
 import argparse
 
 from tfloom.cli.action.common import ends_of_action
+from tfloom.cli.listing import print_names
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what `action type` takes."""
     parser.add_argument("action_name", help="name of the action")
+    parser.add_argument("--json", action="store_true", help="print a JSON list for programs")
 
 
 def main(args: argparse.Namespace) -> int:
     """Print each of its types on a line."""
     _, ends = ends_of_action(args.action_name)
-    print("\n".join(sorted({end.type_name for end in ends})))
+    print_names(sorted({end.type_name for end in ends}), as_json=args.json)
     return 0

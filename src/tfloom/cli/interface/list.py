@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 
 from tfloom.cli.interface.common import TITLES, add_kind_flags, asked_kinds
+from tfloom.cli.listing import print_json
 from tfloom.workspace.interfaces import interface_packages, interfaces_of
 
 
@@ -25,9 +26,7 @@ def main(args: argparse.Namespace) -> int:
         for kind in asked_kinds(args)
     }
     if args.json:
-        import json
-
-        print(json.dumps(names, indent=2))
+        print_json(names)
         return 0
     for kind, of_kind in names.items():
         print(f"{TITLES[kind]}:")

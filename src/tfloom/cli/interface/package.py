@@ -6,6 +6,7 @@ import argparse
 
 from tfloom.cli.errors import CommandError
 from tfloom.cli.interface.common import add_kind_flags, asked_kinds
+from tfloom.cli.listing import print_names
 from tfloom.cli.names import did_you_mean
 from tfloom.workspace.interfaces import interface_packages, interfaces_of
 
@@ -29,11 +30,5 @@ def main(args: argparse.Namespace) -> int:
         for kind in asked_kinds(args)
         for name in interfaces_of(folder, kind)
     ]
-    if args.json:
-        import json
-
-        print(json.dumps(names, indent=2))
-        return 0
-    for name in names:
-        print(name)
+    print_names(names, as_json=args.json)
     return 0

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 
 from tfloom.cli.interface.common import add_kind_flags, asked_kinds
+from tfloom.cli.listing import print_names
 from tfloom.workspace.interfaces import interface_packages, interfaces_of
 
 
@@ -21,11 +22,5 @@ def main(args: argparse.Namespace) -> int:
         for package, folder in interface_packages().items()
         if any(interfaces_of(folder, kind) for kind in kinds)
     ]
-    if args.json:
-        import json
-
-        print(json.dumps(names, indent=2))
-        return 0
-    for name in names:
-        print(name)
+    print_names(names, as_json=args.json)
     return 0

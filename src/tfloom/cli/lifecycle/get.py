@@ -6,19 +6,24 @@ import argparse
 
 from tfloom.cli.lifecycle.common import add_arguments as add_common_arguments
 from tfloom.cli.lifecycle.common import lifecycles
+from tfloom.cli.listing import print_json
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what `lifecycle get` takes."""
     add_common_arguments(parser)
     parser.add_argument("node_name", nargs="?", help="full name of the node")
+    parser.add_argument("--json", action="store_true", help="print JSON for programs")
 
 
 def main(args: argparse.Namespace) -> int:
     """Print label and number of the state, after the node's name where all are asked."""
     with lifecycles(args, args.node_name) as nodes:
-        for node in nodes:
-            state = node.state()
-            name = f"{node.node}: " if args.node_name is None else ""
-            print(f"{name}{state.label} [{state.id}]")
+        states = {node.node: node.state() for node in nodes}
+    if args.json:
+        print_json(states)
+        return 0
+    for node_name, state in states.items():
+        name = f"{node_name}: " if args.node_name is None else ""
+        print(f"{name}{state.label} [{state.id}]")
     return 0

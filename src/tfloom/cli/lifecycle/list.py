@@ -6,6 +6,7 @@ import argparse
 
 from tfloom.cli.lifecycle.common import add_arguments as add_common_arguments
 from tfloom.cli.lifecycle.common import lifecycles
+from tfloom.cli.listing import print_json
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -15,13 +16,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "-a", "--all", action="store_true", help="list those of all states, not only of this one"
     )
     parser.add_argument("node_name", help="full name of the node")
+    parser.add_argument("--json", action="store_true", help="print a JSON list for programs")
 
 
 def main(args: argparse.Namespace) -> int:
     """Print each transition with the states it leads from and to."""
     with lifecycles(args, args.node_name) as nodes:
-        for each in nodes[0].transitions(of_all_states=args.all):
-            print(f"- {each.transition.label} [{each.transition.id}]")
-            print(f"\tStart: {each.start_state.label}")
-            print(f"\tGoal: {each.goal_state.label}")
+        transitions = nodes[0].transitions(of_all_states=args.all)
+    if args.json:
+        print_json(transitions)
+        return 0
+    for each in transitions:
+        print(f"- {each.transition.label} [{each.transition.id}]")
+        print(f"\tStart: {each.start_state.label}")
+        print(f"\tGoal: {each.goal_state.label}")
     return 0

@@ -6,6 +6,7 @@ import argparse
 
 from tfloom.cli import graph
 from tfloom.cli.lifecycle.common import lifecycle_nodes
+from tfloom.cli.listing import print_names
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -22,13 +23,5 @@ def main(args: argparse.Namespace) -> int:
     """Print the nodes' full names in order."""
     with graph.settled_graph(args) as found:
         names = lifecycle_nodes(found, hidden=args.all)
-    if args.json:
-        import json
-
-        print(json.dumps(names, indent=2))
-    elif args.count_nodes:
-        print(len(names))
-    else:
-        for name in names:
-            print(name)
+    print_names(names, as_json=args.json, only_count=args.count_nodes)
     return 0

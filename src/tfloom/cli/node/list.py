@@ -7,6 +7,7 @@ import sys
 
 from tfloom.cli.graph import add_arguments as add_graph_arguments
 from tfloom.cli.graph import is_hidden, settled_graph
+from tfloom.cli.listing import print_names
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -25,18 +26,9 @@ def main(args: argparse.Namespace) -> int:
         names = [node.full for node in graph.nodes()]
     if not args.all:
         names = [name for name in names if not is_hidden(name)]
-    if args.json:
-        import json
-
-        print(json.dumps(names, indent=2))
-    elif args.count_nodes:
-        print(len(names))
-    else:
-        if len(set(names)) < len(names):
-            print(
-                "WARNING: several nodes have the same name, which confuses whoever asks for one",
-                file=sys.stderr,
-            )
-        for name in names:
-            print(name)
+    if len(set(names)) < len(names) and not args.count_nodes:
+        print(
+            "WARNING: several nodes have the same name, which confuses whoever asks for one", file=sys.stderr
+        )
+    print_names(names, as_json=args.json, only_count=args.count_nodes)
     return 0

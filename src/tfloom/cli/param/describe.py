@@ -6,6 +6,7 @@ import argparse
 from collections.abc import Iterator
 from typing import Any
 
+from tfloom.cli.listing import print_json
 from tfloom.cli.param.common import TYPES, asked_node, unknown_parameter
 from tfloom.cli.param.common import add_arguments as add_common_arguments
 from tfloom.interfaces.rcl_interfaces.msg import ParameterDescriptor
@@ -16,6 +17,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_common_arguments(parser)
     parser.add_argument("node_name", help="full name of the node")
     parser.add_argument("parameter_names", nargs="+", help="names of the parameters")
+    parser.add_argument("--json", action="store_true", help="print a JSON list for programs")
 
 
 def main(args: argparse.Namespace) -> int:
@@ -26,6 +28,9 @@ def main(args: argparse.Namespace) -> int:
             if name not in known:
                 raise unknown_parameter(services, name)
         descriptors = services.descriptors(args.parameter_names)
+    if args.json:
+        print_json(descriptors)
+        return 0
     for descriptor in descriptors:
         print("\n".join(description_lines(descriptor)))
     return 0

@@ -6,6 +6,7 @@ import argparse
 from collections.abc import Mapping
 from typing import Any
 
+from tfloom.cli.listing import print_json
 from tfloom.cli.param.common import add_arguments as add_common_arguments
 from tfloom.cli.param.common import nodes_with_parameters
 
@@ -14,6 +15,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what `param dump` takes."""
     add_common_arguments(parser)
     parser.add_argument("node_name", help="full name of the node")
+    parser.add_argument("--json", action="store_true", help="print JSON in place of YAML, for programs")
 
 
 def main(args: argparse.Namespace) -> int:
@@ -31,7 +33,11 @@ def main(args: argparse.Namespace) -> int:
         for name, message in zip(names, messages, strict=True)
         if message.type
     }
-    print(yaml.safe_dump({node: {"ros__parameters": nested(values)}}, default_flow_style=False))
+    tree = {node: {"ros__parameters": nested(values)}}
+    if args.json:
+        print_json(tree)
+    else:
+        print(yaml.safe_dump(tree, default_flow_style=False))
     return 0
 
 

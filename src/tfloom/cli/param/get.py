@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 
+from tfloom.cli.json_text import json_text
 from tfloom.cli.param.common import add_arguments as add_common_arguments
 from tfloom.cli.param.common import asked_node, unknown_parameter
 
@@ -40,9 +41,7 @@ def main(args: argparse.Namespace) -> int:
             raise unknown_parameter(services, args.parameter_name)
     value = parameter_value_to_python(message)
     if args.json:
-        import json
-
-        print(json.dumps(value, default=list))
+        print(json_text(value))
     else:
         print(value if args.hide_type else f"{LABELS[message.type]} {value}")
     return 0

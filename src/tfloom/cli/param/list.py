@@ -6,6 +6,7 @@ import argparse
 import re
 
 from tfloom.cli.errors import CommandError
+from tfloom.cli.listing import print_json
 from tfloom.cli.param.common import TYPES, ParameterServices, nodes_with_parameters
 from tfloom.cli.param.common import add_arguments as add_common_arguments
 
@@ -31,9 +32,7 @@ def main(args: argparse.Namespace) -> int:
     with nodes_with_parameters(args, args.node_name) as nodes:
         found = {node: _names(services, pattern, args) for node, services in nodes}
     if args.json:
-        import json
-
-        print(json.dumps(found, indent=2))
+        print_json(found)
         return 0
     for node, names in found.items():
         if args.node_name is None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 
+from tfloom.cli.listing import print_json
 from tfloom.cli.pkg.common import package_prefix
 from tfloom.workspace import index
 
@@ -26,9 +27,7 @@ def main(args: argparse.Namespace) -> int:
         packages = [args.package_name]
     programs = [(package, name, target) for package in packages for name, target in _programs(package)]
     if args.json:
-        import json
-
-        print(json.dumps([{"package": p, "executable": e, "target": t} for p, e, t in programs], indent=2))
+        print_json([{"package": p, "executable": e, "target": t} for p, e, t in programs])
         return 0
     for package, name, target in programs:
         print(target if args.full_path else f"{package} {name}")

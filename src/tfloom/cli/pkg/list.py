@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 
+from tfloom.cli.listing import print_names
 from tfloom.workspace import index
 
 
@@ -15,10 +16,5 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(args: argparse.Namespace) -> int:
     """Print the packages in order of their names."""
     names = sorted({*index.workspace_packages(), *index.own_packages()})
-    if args.json:
-        import json
-
-        print(json.dumps(names, indent=2))
-    else:
-        print("\n".join(names))
+    print_names(names, as_json=args.json)
     return 0

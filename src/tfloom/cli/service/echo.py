@@ -8,12 +8,11 @@ import sys
 from tfloom.cli import graph, message_text
 from tfloom.cli.errors import CommandError
 from tfloom.cli.interfaces import service_class
-from tfloom.cli.listen import publishers_of, samples, wait_for_publishers
+from tfloom.cli.listen import decoded, publishers_of, samples, wait_for_publishers
 from tfloom.cli.names import full_topic_name
 from tfloom.cli.qos import suiting_qos
 from tfloom.cli.service.common import service_types
 from tfloom.rmw.base import Graph
-from tfloom.rosidl import cdr
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -41,7 +40,8 @@ def main(args: argparse.Namespace) -> int:
             print(f"nobody publishes the events of {name} yet (see service introspection)", file=sys.stderr)
         publishers = wait_for_publishers(participant.graph, events, float("inf"))
         for sample in samples(participant, events, cls, suiting_qos(publishers)):
-            print(text(cdr.decode(cls, sample.data)))
+            if (event := decoded(cls, sample)) is not None:
+                print(text(event))
     return 0
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 
 from tfloom.cli import graph
+from tfloom.cli.listing import print_names
 from tfloom.cli.service.common import add_hidden_flag, service_types
 
 
@@ -26,13 +27,5 @@ def main(args: argparse.Namespace) -> int:
         for name, types in services.items()
         if args.service_type in types and (args.include_hidden_services or not graph.is_hidden(name))
     ]
-    if args.json:
-        import json
-
-        print(json.dumps(names, indent=2))
-    elif args.count_services:
-        print(len(names))
-    else:
-        for name in names:
-            print(name)
+    print_names(names, as_json=args.json, only_count=args.count_services)
     return 0

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 
 from tfloom.cli import graph
+from tfloom.cli.listing import print_json
 from tfloom.cli.service.common import add_hidden_flag, service_types
 
 
@@ -24,9 +25,7 @@ def main(args: argparse.Namespace) -> int:
     shown = [end for end in ends if args.include_hidden_services or not graph.is_hidden(end.name)]
     services = service_types(shown)
     if args.json:
-        import json
-
-        print(json.dumps([{"name": name, "types": types} for name, types in services.items()], indent=2))
+        print_json([{"name": name, "types": types} for name, types in services.items()])
     elif args.count_services:
         print(len(services))
     else:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 
 from tfloom.cli import graph
+from tfloom.cli.listing import print_names
 from tfloom.cli.service.common import ends_of_service, service_types
 
 
@@ -12,10 +13,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what `service type` takes."""
     parser.set_defaults(spin_time=graph.MOST_S)
     parser.add_argument("service_name", help="name of the service")
+    parser.add_argument("--json", action="store_true", help="print a JSON list for programs")
 
 
 def main(args: argparse.Namespace) -> int:
     """Print each of its types on a line."""
     name, ends = ends_of_service(args)
-    print("\n".join(service_types(ends)[name]))
+    print_names(service_types(ends)[name], as_json=args.json)
     return 0

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import argparse
-from typing import Any
 
 from tfloom.cli.errors import CommandError
+from tfloom.cli.listen import decoded
 from tfloom.cli.topic import rates
 from tfloom.rmw.base import Sample
-from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
 
 
@@ -23,7 +22,8 @@ def main(args: argparse.Namespace) -> int:
     delays = rates.Window(args.window)
 
     def on_sample(sample: Sample, cls: type[Message], came_s: float) -> None:
-        message: Any = cdr.decode(cls, sample.data)
+        if (message := decoded(cls, sample)) is None:
+            return
         stamp = message.header.stamp
         delays.add(came_s - stamp.sec - stamp.nanosec * 1e-9)
 

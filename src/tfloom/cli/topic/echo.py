@@ -11,12 +11,12 @@ from typing import Any
 from tfloom.cli import graph, message_text, qos
 from tfloom.cli.errors import CommandError
 from tfloom.cli.interfaces import message_class
-from tfloom.cli.listen import find_type, samples, wait_for_publishers
+from tfloom.cli.listen import decoded, find_type, samples, wait_for_publishers
 from tfloom.cli.names import full_topic_name
 from tfloom.cli.selection import field_picker, message_filter
 from tfloom.rmw.base import Participant, Sample
+from tfloom.rmw.events import Count
 from tfloom.rmw.qos import QoS, ReliabilityPolicy
-from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
 
 SENSOR_DATA = QoS(reliability=ReliabilityPolicy.BEST_EFFORT, depth=5)
@@ -29,19 +29,28 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("topic_name", help="topic to listen to")
     parser.add_argument("message_type", nargs="?", help="its type; found out where somebody has the topic")
     parser.add_argument("--csv", action="store_true", help="print the values alone, with commas between")
-    parser.add_argument("--field", help="print this field alone, as in header.stamp or transforms[0].header")
+    parser.add_argument(
+        "--field",
+        action="append",
+        default=[],
+        help="print this field alone, as in header.stamp or transforms[0].header; may be given several times",
+    )
     message_text.add_arguments(parser)
     parser.add_argument(
-        "--no-lost-messages", action="store_true", help="accepted; lost messages aren't reported"
+        "--no-lost-messages", action="store_true", help="don't tell of messages that were lost"
     )
     parser.add_argument("--raw", action="store_true", help="print the bytes as they came")
     parser.add_argument(
-        "--filter", dest="filter_expr", help="print only if this Python expression over the message m is true"
+        "--filter",
+        dest="filter_expr",
+        help="print only if this Python expression is true; m is the message, or the field of --field",
     )
     parser.add_argument("--once", action="store_true", help="end after the first message")
     parser.add_argument("--timeout", metavar="N", type=float, help="end after so many seconds")
     parser.add_argument(
-        "--include-message-info", action="store_true", help="print when it was sent and by whom"
+        "--include-message-info",
+        action="store_true",
+        help="print before it when it was sent and when it came",
     )
     parser.add_argument(
         "--json", action="store_true", help="print a line of JSON for each message, for programs"
@@ -53,12 +62,13 @@ def main(args: argparse.Namespace) -> int:
     name = full_topic_name(args.topic_name)
     end_s = float("inf") if args.timeout is None else time.monotonic() + args.timeout
     show = _printer(args)
+    on_lost = None if args.no_lost_messages else _tell_of_losses
     with graph.joined_participant() as participant:
-        asked_class = message_class(args.message_type) if args.message_type else None
+        asked_class = message_class(args.message_type, ask_graph=True) if args.message_type else None
         graph.wait_until_quiet(participant.graph, args.spin_time)
         listen_to = asked_class or message_class(find_type(participant.graph, name))
         quality = qos.asked_qos(args, SENSOR_DATA) or _suiting_qos(participant, name, end_s)
-        for sample in samples(participant, name, listen_to, quality, end_s):
+        for sample in samples(participant, name, listen_to, quality, end_s, on_lost):
             if show(sample, listen_to) and args.once:
                 return 0
     if args.once:
@@ -70,35 +80,50 @@ def _suiting_qos(participant: Participant, name: str, end_s: float) -> QoS:
     return qos.suiting_qos(wait_for_publishers(participant.graph, name, end_s))
 
 
+def _tell_of_losses(lost: Count) -> None:
+    """Tell on stderr: a program that reads the messages isn't to read this as one."""
+    print(
+        f"A message was lost!!!\n\ttotal count change:{lost.total_count_change}\n"
+        f"\ttotal count: {lost.total_count}---",
+        file=sys.stderr,
+    )
+
+
 def _printer(args: argparse.Namespace) -> Callable[[Sample, type[Message]], bool]:
     """Return what prints a sample and tells whether the filter let it through."""
+    if args.raw and args.field:
+        raise CommandError("--raw prints the bytes of whole messages, and --field a part of them")
     wanted = message_filter(args.filter_expr)
     fields = field_picker(args.field)
     text = message_text.message_text(args)
 
     def show(sample: Sample, listen_to: type[Message]) -> bool:
+        value: Any = None
+        if args.filter_expr is not None or not args.raw:
+            message = decoded(listen_to, sample)
+            if message is None or not wanted(value := fields(message)):
+                return False
         if args.raw:
-            value: Any = sample.data
+            value = sample.data.hex() if args.json else sample.data
+        info = _info(sample) if args.include_message_info else {}
+        if not info:
+            print(text(value))
+        elif args.json:
+            print(text({"message_info": info, "message": value}))
+        elif args.csv:
+            print(",".join([*map(str, info.values()), text(value)]))
         else:
-            try:
-                value = cdr.decode(listen_to, sample.data)
-            except cdr.DecodeError as error:
-                print(f"a message that can't be decoded was left out: {error}", file=sys.stderr)
-                return False
-            if not wanted(value):
-                return False
-            value = fields(value)
-        if args.include_message_info:
-            print(_info(sample))
-        print(text(value))
+            lines = [f"{name}: {'null' if info[name] is None else info[name]}" for name in sorted(info)]
+            print("\n".join([*lines, "---", text(value)]))
         return True
 
     return show
 
 
-def _info(sample: Sample) -> dict[str, object]:
+def _info(sample: Sample) -> dict[str, int | None]:
     return {
         "source_timestamp": sample.source_stamp_ns,
         "received_timestamp": sample.received_stamp_ns,
-        "publisher_gid": ".".join(f"{octet:02x}" for octet in sample.publisher_gid),
+        "publication_sequence_number": None,
+        "reception_sequence_number": None,
     }

@@ -6,6 +6,7 @@ import argparse
 
 from tfloom.cli.graph import add_arguments as add_graph_arguments
 from tfloom.cli.graph import is_hidden, settled_graph, topic_types
+from tfloom.cli.listing import print_names
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -31,13 +32,5 @@ def main(args: argparse.Namespace) -> int:
         for name, types in topics.items()
         if args.topic_type in types and (args.include_hidden_topics or not is_hidden(name))
     ]
-    if args.json:
-        import json
-
-        print(json.dumps(names, indent=2))
-    elif args.count_topics:
-        print(len(names))
-    else:
-        for name in names:
-            print(name)
+    print_names(names, as_json=args.json, only_count=args.count_topics)
     return 0

@@ -5,10 +5,10 @@ from __future__ import annotations
 import argparse
 from itertools import pairwise
 
+from tfloom.cli.listen import decoded
 from tfloom.cli.selection import message_filter
 from tfloom.cli.topic import rates
 from tfloom.rmw.base import Sample
-from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
 
 
@@ -32,7 +32,7 @@ def main(args: argparse.Namespace) -> int:
     def on_sample(sample: Sample, cls: type[Message], came_s: float) -> None:
         if arrivals.is_beyond(came_s):
             arrivals.values.clear()
-        if args.filter is None or wanted(cdr.decode(cls, sample.data)):
+        if args.filter is None or ((message := decoded(cls, sample)) is not None and wanted(message)):
             arrivals.add(came_s)
 
     def report(_: float) -> None:

@@ -7,6 +7,7 @@ from collections import Counter
 
 from tfloom.cli.graph import add_arguments as add_graph_arguments
 from tfloom.cli.graph import is_hidden, settled_graph, topic_types
+from tfloom.cli.listing import print_json
 from tfloom.rmw.base import EndpointInfo
 
 
@@ -56,8 +57,6 @@ def _print_side(title: str, noun: str, endpoints: list[EndpointInfo]) -> None:
 
 
 def _print_json(endpoints: list[EndpointInfo]) -> None:
-    import json
-
     counts = Counter((endpoint.topic.name, endpoint.is_writer) for endpoint in endpoints)
     topics = [
         {
@@ -68,4 +67,4 @@ def _print_json(endpoints: list[EndpointInfo]) -> None:
         }
         for name, types in topic_types(endpoints).items()
     ]
-    print(json.dumps(topics, indent=2))
+    print_json(topics)

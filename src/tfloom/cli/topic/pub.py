@@ -66,7 +66,7 @@ def main(args: argparse.Namespace) -> int:
     name = full_topic_name(args.topic_name)
     if not args.rate > 0:
         raise CommandError("rate must be greater than zero")
-    cls = message_class(args.message_type)
+    cls = message_class(args.message_type, ask_graph=True)
     quality = qos.asked_qos(args, QoS()) or QoS()
     # The mistakes in values are told before anything is on the wire.
     drafts = (

@@ -7,6 +7,7 @@ import argparse
 from tfloom.cli.errors import CommandError
 from tfloom.cli.graph import add_arguments as add_graph_arguments
 from tfloom.cli.graph import settled_graph, topic_types
+from tfloom.cli.listing import print_names
 from tfloom.cli.names import did_you_mean, full_topic_name
 
 
@@ -14,6 +15,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what `topic type` takes."""
     add_graph_arguments(parser)
     parser.add_argument("topic_name", help="name of the topic")
+    parser.add_argument("--json", action="store_true", help="print a JSON list for programs")
 
 
 def main(args: argparse.Namespace) -> int:
@@ -23,5 +25,5 @@ def main(args: argparse.Namespace) -> int:
         topics = topic_types(graph.endpoints())
     if name not in topics:
         raise CommandError(f"Unknown topic '{name}'{did_you_mean(name, topics)}")
-    print("\n".join(topics[name]))
+    print_names(topics[name], as_json=args.json)
     return 0

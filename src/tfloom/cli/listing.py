@@ -1,0 +1,24 @@
+"""Lists as people read them, and as programs do."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from typing import Any
+
+from tfloom.cli.json_text import json_text
+
+
+def print_names(names: Collection[str], *, as_json: bool = False, only_count: bool = False) -> None:
+    """Print a name a line, or all as a JSON list, or how many there are."""
+    if as_json:
+        print_json(list(names))
+    elif only_count:
+        print(len(names))
+    else:
+        for name in names:
+            print(name)
+
+
+def print_json(value: Any) -> None:
+    """Print a value as JSON, indented."""
+    print(json_text(value, indent=2))

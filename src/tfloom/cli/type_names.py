@@ -1,0 +1,82 @@
+"""The types that a user may have meant by a name that is none."""
+
+from __future__ import annotations
+
+import argparse
+import difflib
+from collections.abc import Collection, Iterable
+
+from tfloom.cli import graph
+from tfloom.cli.names import or_list
+from tfloom.rmw.errors import WireError
+from tfloom.workspace.interfaces import interface_packages, interfaces_of
+
+FAMILIAR = ("std_msgs", "geometry_msgs", "sensor_msgs", "nav_msgs", "tf2_msgs", "std_srvs", "turtlesim")
+"""Packages that are meant more often than others that have an interface of the same name."""
+NEAR = 0.7
+"""Likeness, from 0 to 1, from which on a name counts as near."""
+SPREAD = 0.03
+"""What is this much less near than the nearest isn't named."""
+SAME_BASE = 0.95
+"""Likeness of names that differ only before the last slash, or in upper and lower case."""
+LIVE_S = 0.5
+"""How long to look at most for what is on the graph [s]."""
+
+
+def did_you_mean_type(name: str, kind: str, live: Collection[str] = ()) -> str:
+    """Return a line that names the types of a kind (msg, srv, action) nearest to a name, or nothing.
+
+    Of types that are equally near, those in `live` come first, then those of familiar packages.
+    """
+    near = nearest_types(name, known_types(kind) + list(live), live)
+    return f"\ndid you mean {or_list(near)}?" if near else ""
+
+
+def known_types(kind: str) -> list[str]:
+    """Return the names of all interfaces of a kind, the workspaces' and our own."""
+    return [
+        f"{package}/{kind}/{base}"
+        for package, folder in interface_packages().items()
+        for base in interfaces_of(folder, kind)
+    ]
+
+
+def nearest_types(name: str, known: Iterable[str], live: Collection[str] = ()) -> list[str]:
+    """Return up to three known names near to a name, the nearest first; see `did_you_mean_type`."""
+    likeness = {each: _likeness(name, each) for each in known}
+    best = max(likeness.values(), default=0.0)
+    near = [each for each, like in likeness.items() if like >= max(NEAR, best - SPREAD)]
+    return sorted(near, key=lambda each: (each not in live, -likeness[each], _rank(each), each))[:3]
+
+
+def types_on_graph(kind: str) -> set[str]:
+    """Return the types of a kind that somebody writes, reads, serves or calls now; none where there is no wire."""
+    try:
+        with graph.settled_graph(argparse.Namespace(spin_time=LIVE_S)) as found:
+            if kind == "msg":
+                return {end.topic.type_name for end in found.endpoints()}
+            if kind == "srv":
+                return {end.type_name for end in found.service_ends()}
+            from tfloom.cli.action.common import action_ends
+
+            return {end.type_name for end in action_ends(found)}
+    except WireError:
+        return set()
+
+
+def _likeness(name: str, known: str) -> float:
+    name, known = name.lower(), known.lower()
+    base, known_base = name.rpartition("/")[2], known.rpartition("/")[2]
+    if name == known or base == known_base:
+        return 1.0 if "/" not in name or name == known else SAME_BASE
+    if "/" not in name:
+        return SAME_BASE * difflib.SequenceMatcher(None, base, known_base).ratio()
+    if name.count("/") == 1:
+        package, _, last = known.partition("/")
+        known = f"{package}/{last.rpartition('/')[2]}"
+    return SAME_BASE * difflib.SequenceMatcher(None, name, known).ratio()
+
+
+def _rank(name: str) -> int:
+    package = name.partition("/")[0]
+    return FAMILIAR.index(package) if package in FAMILIAR else len(FAMILIAR)

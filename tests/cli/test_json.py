@@ -1,0 +1,105 @@
+"""`--json`: on every verb that lists or shows, and JSON that a strict reader takes."""
+
+from __future__ import annotations
+
+import json
+import math
+from array import array
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+import transcript
+from test_usage import VERBS
+
+from tfloom.cli.json_text import json_text
+from tfloom.interfaces.geometry_msgs.msg import Vector3
+from tfloom.interfaces.sensor_msgs.msg import LaserScan
+
+POSE = "/turtle1/pose"
+ROTATE = "/turtle1/rotate_absolute"
+ASKED = {
+    "action info": (ROTATE,),
+    "action list": (),
+    "action type": (ROTATE,),
+    "doctor": (),
+    "interface list": (),
+    "interface package": ("geometry_msgs",),
+    "interface packages": (),
+    "lifecycle get": (),
+    "lifecycle list": ("/a_node",),
+    "lifecycle nodes": (),
+    "node info": ("/turtlesim",),
+    "node list": (),
+    "param describe": ("/turtlesim", "background_r"),
+    "param dump": ("/turtlesim",),
+    "param get": ("/turtlesim", "background_r"),
+    "param list": (),
+    "pkg executables": (),
+    "pkg list": (),
+    "service find": ("turtlesim/srv/Spawn",),
+    "service info": ("/spawn",),
+    "service list": (),
+    "service type": ("/spawn",),
+    "topic echo": ("--once", POSE),
+    "topic find": ("turtlesim/msg/Pose",),
+    "topic info": (POSE,),
+    "topic list": (),
+    "topic type": (POSE,),
+}
+"""What each verb is asked; its answer is never empty."""
+ELSEWHERE = {"service echo": "tests/cli/test_service.py"}
+WITHOUT = {
+    **dict.fromkeys(["action send_goal", "service call", "topic pub", "demo", "run"], "does something"),
+    **dict.fromkeys(
+        ["param delete", "param load", "param set", "lifecycle set", "pkg create"], "changes something"
+    ),
+    **dict.fromkeys(["topic bw", "topic delay", "topic hz"], "reports until Ctrl-C"),
+    **dict.fromkeys(["daemon start", "daemon status", "daemon stop", "component"], "prints a sentence"),
+    **dict.fromkeys(
+        ["interface proto", "interface show", "pkg prefix", "pkg xml"], "prints a text of its own form"
+    ),
+    **dict.fromkeys(["multicast receive", "multicast send"], "tries a network"),
+}
+"""Verbs that have no --json, each with its reason."""
+
+
+def strictly(text: str) -> Any:
+    def refuse(constant: str) -> None:
+        pytest.fail(f"{constant} is not JSON")
+
+    return json.loads(text, parse_constant=refuse)
+
+
+def test_each_verb_has_json_or_its_reason() -> None:
+    with_json = {verb for verb, parser in VERBS.items() if "--json" in parser.flags()}
+    assert with_json == {*ASKED, *ELSEWHERE}
+    assert set(VERBS) - with_json == {*WITHOUT} & set(VERBS)
+
+
+@pytest.mark.wire
+def test_each_answer_is_json(domain_id: int, start_program: Callable[..., Any]) -> None:
+    start_program("python", Path(__file__).with_name("a_lifecycle_node.py")).wait_for("ready")
+    start_program("tfloom", "run", "turtlesim", "turtlesim_node").wait_for("Spawning turtle [turtle1]")
+    for verb, words in ASKED.items():
+        answer = transcript.run(*verb.split(), "--json", *words)
+        assert answer.exit_code == 0, answer
+        assert strictly(answer.text), verb
+
+
+def test_what_json_lacks_is_null() -> None:
+    scan = LaserScan(ranges=[1.5, math.inf, math.nan], range_max=math.inf)
+    message = strictly(json_text(scan))
+    assert message["ranges"] == [1.5, None, None]
+    assert message["range_max"] is None
+
+
+def test_all_that_a_field_can_hold_is_json() -> None:
+    values = {"a": array("d", [1.0]), "b": b"\x01\xff", "v": [Vector3(x=2.0)], "t": ("é", True, None)}
+    assert strictly(json_text(values)) == {
+        "a": [1.0],
+        "b": [1, 255],
+        "v": [{"x": 2.0, "y": 0.0, "z": 0.0}],
+        "t": ["é", True, None],
+    }

@@ -1,0 +1,62 @@
+"""The types that a mistyped name may have meant."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+import transcript
+
+from tfloom.cli.type_names import did_you_mean_type, known_types, nearest_types
+
+
+@pytest.mark.parametrize(
+    ("name", "kind", "first"),
+    [
+        ("String", "msg", "std_msgs/msg/String"),
+        ("string", "msg", "std_msgs/msg/String"),
+        ("std_msgs/msg/string", "msg", "std_msgs/msg/String"),
+        ("nav_msgs/msg/Twist", "msg", "geometry_msgs/msg/Twist"),
+        ("geometry_msgs/Twst", "msg", "geometry_msgs/msg/Twist"),
+        ("geometry_msg/msg/Twist", "msg", "geometry_msgs/msg/Twist"),
+        ("LaserScn", "msg", "sensor_msgs/msg/LaserScan"),
+        ("Poze", "msg", "geometry_msgs/msg/Pose"),
+        ("SetBol", "srv", "std_srvs/srv/SetBool"),
+        ("RotateAbsolut", "action", "turtlesim/action/RotateAbsolute"),
+    ],
+)
+def test_the_nearest_comes_first(name: str, kind: str, first: str) -> None:
+    assert nearest_types(name, known_types(kind))[0] == first
+
+
+@pytest.mark.parametrize("name", ["no_such/msg/Type", "tf", "", "/"])
+def test_what_is_far_from_all_is_not_guessed(name: str) -> None:
+    assert did_you_mean_type(name, "srv") == ""
+
+
+def test_what_is_live_comes_before_what_is_familiar() -> None:
+    assert did_you_mean_type("Pose", "msg", {"turtlesim/msg/Pose"}).startswith(
+        "\ndid you mean turtlesim/msg/Pose, geometry_msgs/msg/Pose or "
+    )
+    assert nearest_types("Pos", ["a/msg/Pose"], {"a/msg/Pose"}) == ["a/msg/Pose"]
+
+
+@pytest.mark.wire
+@pytest.mark.parametrize(
+    ("words", "meant"),
+    [
+        (("topic", "echo", "/x", "String"), "example_interfaces/msg/String"),
+        (("topic", "pub", "/x", "String"), "example_interfaces/msg/String"),
+        (("service", "call", "/s", "Emty"), "std_srvs/srv/Empty"),
+    ],
+)
+def test_the_graph_is_asked(
+    words: tuple[str, ...], meant: str, domain_id: int, start_program: Callable[..., object]
+) -> None:
+    start_program("tfloom", "topic", "pub", "/other", "example_interfaces/msg/String").wait_for("#1")
+    answer = transcript.run(*words)
+    what = {"topic": "message"}.get(words[0], words[0])
+    assert answer.exit_code == 1
+    assert answer.text.startswith(
+        f"The passed {what} type is invalid\nthere is no {what} type '{words[3]}'\ndid you mean {meant}"
+    )
