@@ -11,7 +11,8 @@ import pytest
 from tests.tf2.replay import GOLDEN
 
 from tfloom.tf2.buffer import Buffer
-from tfloom.tf2.errors import TransformException
+from tfloom.tf2.errors import BackwardExtrapolationException, TransformException
+from tfloom.tf2.transform import Transform
 
 SECOND = 1_000_000_000
 with gzip.open(GOLDEN / "tf2_velocity.json.gz", "rt") as text:
@@ -66,3 +67,105 @@ def test_at_the_latest_time_and_of_what_is_static(circling: Buffer) -> None:
     assert circling.velocity("sensor", "body") == ((0, 0, 0), (0, 0, 0))
     with pytest.raises(ValueError, match="interval_ns must be positive"):
         circling.velocity("body", "world", interval_ns=0)
+
+
+class TestSquares:
+    """A frame that goes back and forth along each axis in turn, 0.1 m or rad a tenth of a second, seen from others."""
+
+    TIMES = (0.5, 1.5, 2.5, 3.5, 4.5, 5.5)
+    START = 1000 * SECOND
+
+    def build(
+        self, pose: Any, steps: list[tuple[int, float]], above: tuple[float, float, float], count: int
+    ) -> Buffer:
+        """`steps`: in each second, which of three numbers changes and by how much a tenth of a second."""
+        buffer = Buffer(None)
+        numbers = [-0.1, 0.0, 0.0]
+        seconds = 0.0
+        for tenth in range(1, count):
+            seconds += 0.1  # as it's added up, the first second ends a tenth late: 0.9999999999999999
+            which, change = steps[min(int(seconds), 5)]
+            numbers[which] += change
+            stamp = self.START + tenth * SECOND // 10
+            assert buffer.set("foo", "bar", stamp, *pose(numbers))
+            assert buffer.set("foo", "stationary_offset_child", stamp, (1, 0, 0), (0, 0, 0, 1))
+            assert buffer.set("stationary_offset_parent", "foo", stamp, above, (0, 0, 0, 1))
+        return buffer
+
+    @pytest.fixture
+    def sliding(self) -> Buffer:
+        steps = [(0, 0.1), (1, 0.1), (0, -0.1), (1, -0.1), (2, 0.1), (2, -0.1)]
+        return self.build(lambda numbers: (tuple(numbers), (0, 0, 0, 1)), steps, (0, 0, 1), 61)
+
+    @pytest.fixture
+    def turning(self) -> Buffer:
+        steps = [(0, 0.1), (0, -0.1), (1, 0.1), (1, -0.1), (2, 0.1), (2, -0.1)]
+        return self.build(
+            lambda numbers: ((0, 0, 0), Transform.from_rpy(*numbers).rotation_xyzw), steps, (0, 0, -1), 60
+        )
+
+    def twists(self, buffer: Buffer, observer: str) -> list[tuple[list[float], list[float]]]:
+        found = [
+            buffer.lookup_velocity("bar", observer, self.START + round(time * SECOND), 0.1)
+            for time in self.TIMES
+        ]
+        return [([round(v, 6) for v in linear], [round(w, 6) for w in angular]) for linear, angular in found]
+
+    @pytest.mark.parametrize("observer", ["foo", "stationary_offset_child", "stationary_offset_parent"])
+    def test_sliding(self, sliding: Buffer, observer: str) -> None:
+        assert self.twists(sliding, observer) == [
+            ([1, 0, 0], [0, 0, 0]), ([0, 1, 0], [0, 0, 0]), ([-1, 0, 0], [0, 0, 0]),
+            ([0, -1, 0], [0, 0, 0]), ([0, 0, 1], [0, 0, 0]), ([0, 0, -1], [0, 0, 0]),
+        ]  # fmt: skip
+
+    @pytest.mark.parametrize(
+        ("observer", "linear"),
+        [
+            ("foo", [[0, 0, 0]] * 6),
+            (
+                "stationary_offset_child",
+                [[0, 0, 0], [0, 0, 0], [0, 0, -1], [0, 0, 1], [0, 1, 0], [0, -1, 0]],
+            ),
+            (
+                "stationary_offset_parent",
+                [[0, -1, 0], [0, 1, 0], [1, 0, 0], [-1, 0, 0], [0, 0, 0], [0, 0, 0]],
+            ),
+        ],
+    )
+    def test_turning(self, turning: Buffer, observer: str, linear: list[list[int]]) -> None:
+        angular = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]]
+        assert self.twists(turning, observer) == list(zip(linear, angular, strict=True))
+
+    def test_a_twist_is_the_same_from_all_that_stand_still(self, sliding: Buffer, turning: Buffer) -> None:
+        for buffer in (sliding, turning):
+            for time in self.TIMES:
+                at = self.START + round(time * SECOND)
+                first, *others = (
+                    buffer.velocity("bar", observer, at)
+                    for observer in ("foo", "stationary_offset_child", "stationary_offset_parent")
+                )
+                for other in others:
+                    assert other.linear == pytest.approx(first.linear, abs=1e-9)
+                    assert other.angular == pytest.approx(first.angular, abs=1e-9)
+
+
+def test_a_frame_between_two_samples_and_one_of_three_tenths_a_second() -> None:
+    now = 100 * SECOND
+    buffer = Buffer()
+    for second, x in ((-1, 0.0), (0, 1.0), (1, 2.0)):
+        buffer.set("bar", "foo", now + second * SECOND, (x, 0, 0), (0, 0, 0, 1))
+    assert buffer.lookup_velocity("foo", "bar", now, 0.1).linear == pytest.approx((1, 0, 0))
+    for second in range(6):
+        buffer.set("parent", "frame", now + second * SECOND, (0.3 * second, 0, 0), (0, 0, 0, 1))
+    assert buffer.lookup_velocity("frame", "parent", now + 3 * SECOND, 0.1).linear == pytest.approx(
+        (0.3, 0, 0)
+    )
+
+
+def test_the_latest_velocity_by_the_reference_formula_starts_at_the_epoch(circling: Buffer) -> None:
+    with pytest.raises(BackwardExtrapolationException, match=r"Requested time 0\.000010"):
+        circling.lookup_velocity("body", "world", 0, 0.1)
+
+
+def test_all_that_was_recorded_is_replayed() -> None:
+    assert (len(RUNS), sum(len(run["queries"]) for run in RUNS)) == (6, 480)
