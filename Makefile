@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 export PIP_DISABLE_PIP_VERSION_CHECK = 1
 
-.PHONY: setup demo test check stub bench matrix clean
+.PHONY: setup demo test check stub api bench matrix clean
 
 setup: $(VENV)/.installed
 
@@ -31,6 +31,10 @@ check: setup
 # The typed face of the extension, after a change in native/bindings.
 stub: setup
 	$(BIN)/python -m nanobind.stubgen -m tfloom._native -q -o src/tfloom/_native.pyi
+
+# docs/rclpy_api.md, after a change in what is there of ROS's names.
+api: setup
+	$(BIN)/python docs/rclpy_api.py
 
 bench: setup
 	$(BIN)/python -m benchmarks $(ARGS)

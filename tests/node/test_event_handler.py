@@ -11,6 +11,7 @@ from tfloom.interfaces.std_msgs.msg import String
 from tfloom.node.duration import Duration
 from tfloom.node.event_handler import (
     PublisherEventCallbacks,
+    QoSEventHandler,
     SubscriptionEventCallbacks,
     UnsupportedEventTypeError,
 )
@@ -104,3 +105,19 @@ def test_best_available_follows_the_publishers(
     spin_until(lambda: heard)
     (info,) = node.get_subscriptions_info_by_topic("chatter")
     assert info.qos_profile.reliability is ReliabilityPolicy.BEST_EFFORT
+
+
+def test_the_old_name_of_event_handlers_warns(node: Node) -> None:
+    publisher = node.create_publisher(String, "chatter", 10)
+    [watcher, *_] = publisher.event_handlers
+    with pytest.warns(DeprecationWarning, match="use EventHandler instead"):
+        QoSEventHandler(
+            callback_group=node.default_callback_group,
+            callback=lambda _: None,
+            event_type=watcher.event_type,
+            parent_impl=watcher._endpoint,
+        )
+    with pytest.warns(DeprecationWarning, match="use EventHandler instead"):
+
+        class Mine(QoSEventHandler):
+            """A program's own."""

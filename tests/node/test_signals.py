@@ -6,9 +6,17 @@ import signal
 import subprocess
 import sys
 from collections.abc import Callable
+from contextlib import suppress
 
 import pytest
 from tests.conftest import Program
+
+from tfloom.node.signals import (
+    SignalHandlerGuardCondition,
+    SignalHandlerOptions,
+    install_signal_handlers,
+    uninstall_signal_handlers,
+)
 
 StartProgram = Callable[..., Program]
 
@@ -232,3 +240,18 @@ def test_a_second_ctrl_c_leaves_the_end_alone(start_program: StartProgram) -> No
     program.process.stdin.flush()
     assert program.wait(10) == 0, program.output
     assert program.lines == ["ending", "ended"]
+
+
+def test_a_signal_triggers_the_guard_conditions_that_ask_for_it() -> None:
+    ended = SignalHandlerGuardCondition()
+    ended.destroy()
+    guard = SignalHandlerGuardCondition()
+    with suppress(KeyboardInterrupt):
+        install_signal_handlers(SignalHandlerOptions.SIGINT)
+        try:
+            signal.raise_signal(signal.SIGINT)
+        finally:
+            uninstall_signal_handlers()
+    assert guard.becomes_ready()
+    assert not ended.becomes_ready()
+    guard.destroy()

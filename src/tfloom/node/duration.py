@@ -2,14 +2,22 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 from tfloom.node.constants import INT64_MAX, S_TO_NS
 
 if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces import msg as builtin_msg
 
-__all__ = ["S_TO_NS", "Duration", "Infinite"]
+__all__ = ["S_TO_NS", "Duration", "DurationType", "Infinite"]
+
+
+class DurationType(Protocol):
+    """What `Duration.get_c_duration` returns."""
+
+    @property
+    def nanoseconds(self) -> int:
+        """The span [ns]."""
 
 
 class Duration:
@@ -35,6 +43,10 @@ class Duration:
     def nanoseconds(self) -> int:
         """The span [ns]."""
         return self._ns
+
+    def get_c_duration(self) -> DurationType:
+        """Return what stands for the library's own duration: this object."""
+        return self
 
     def to_msg(self) -> builtin_msg.Duration:
         """Return it as a message: `sec` rounded down, `nanosec` in [0, 1e9)."""

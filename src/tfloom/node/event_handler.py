@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 __all__ = [
     "EventHandler",
     "PublisherEventCallbacks",
+    "QoSEventHandler",
     "SubscriptionEventCallbacks",
     "UnsupportedEventTypeError",
 ]
@@ -78,6 +79,26 @@ class EventHandler(Entity):
     def destroy(self) -> None:
         """Watch no more."""
         self._destroyed = True
+
+
+class QoSEventHandler(EventHandler):
+    """The name that EventHandler had; making one, or deriving from it, warns that it is deprecated."""
+
+    def __init_subclass__(cls, **kwargs: Any) -> None:
+        _warn_of_old_name()
+        super().__init_subclass__(**kwargs)
+
+    def __init__(self, *args: Any, **kwargs: Any) -> None:
+        _warn_of_old_name()
+        super().__init__(*args, **kwargs)
+
+
+def _warn_of_old_name() -> None:
+    import warnings
+
+    warnings.warn(
+        "QoSEventHandler is deprecated, use EventHandler instead.", DeprecationWarning, stacklevel=3
+    )
 
 
 class _EventCallbacks:

@@ -22,6 +22,7 @@ from tfloom.node.publisher import Publisher
 from tfloom.node.qos import qos_profile_parameter_events
 from tfloom.node.rcutils_logger import RcutilsLogger
 from tfloom.node.rosout import Rosout
+from tfloom.node.service import SrvType, SrvTypeRequest, SrvTypeResponse
 from tfloom.node.time_source import TimeSource
 from tfloom.node.type_description_service import TypeDescriptionService
 from tfloom.node.utilities import get_default_context
@@ -36,7 +37,16 @@ if TYPE_CHECKING:
     from tfloom.node.context import Context
     from tfloom.node.executor import Executor
 
-__all__ = ["HIDDEN_NODE_PREFIX", "PARAMETER_SEPARATOR_STRING", "S_TO_NS", "MsgType", "Node"]
+__all__ = [
+    "HIDDEN_NODE_PREFIX",
+    "PARAMETER_SEPARATOR_STRING",
+    "S_TO_NS",
+    "MsgType",
+    "Node",
+    "SrvType",
+    "SrvTypeRequest",
+    "SrvTypeResponse",
+]
 
 HIDDEN_NODE_PREFIX = "_"
 PARAMETER_EVENTS_TOPIC = "/parameter_events"

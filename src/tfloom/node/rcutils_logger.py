@@ -10,7 +10,7 @@ from tfloom.node.log_output import Record
 from tfloom.node.logging_filters import CallerId, CallState, make_state
 from tfloom.node.logging_severity import LoggingSeverity
 
-__all__ = ["RcutilsLogger"]
+__all__ = ["CallerId", "RcutilsLogger"]
 
 _states: dict[CallerId, CallState] = {}
 

@@ -9,9 +9,12 @@ from enum import IntFlag
 from types import FrameType
 from typing import Any
 
-from tfloom.node.context import live_contexts
+from tfloom.node.context import Context, live_contexts
+from tfloom.node.guard_condition import GuardCondition
+from tfloom.node.handle import thing_of
 
 __all__ = [
+    "SignalHandlerGuardCondition",
     "SignalHandlerOptions",
     "get_current_signal_handlers_options",
     "install_signal_handlers",
@@ -46,6 +49,8 @@ def _on_signal(number: int, frame: FrameType | None) -> None:
         return  # a KeyboardInterrupt now would strike amid the clean-up after the first
     for context in contexts:
         context.interrupt()
+    for guard in _guards:
+        guard.trigger()
     previous = _previous.get(signal.Signals(number))
     if callable(previous) and number not in _handled_now:
         _handled_now.add(number)  # whoever came after us may call us in turn
@@ -53,6 +58,24 @@ def _on_signal(number: int, frame: FrameType | None) -> None:
             previous(number, frame)  # Python's own, for SIGINT, raises KeyboardInterrupt
         finally:
             _handled_now.discard(number)
+
+
+class SignalHandlerGuardCondition(GuardCondition):
+    """A guard condition that each signal handled here triggers, until it is destroyed."""
+
+    def __init__(self, context: Context | None = None) -> None:
+        global _guards  # noqa: PLW0603  # this and `destroy` are its places
+        super().__init__(None, None, thing_of(context))
+        _guards = (*_guards, self)
+
+    def destroy(self) -> None:
+        """Trigger no more."""
+        global _guards  # noqa: PLW0603
+        _guards = tuple(guard for guard in _guards if guard is not self)
+        super().destroy()
+
+
+_guards: tuple[SignalHandlerGuardCondition, ...] = ()
 
 
 def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:

@@ -11,6 +11,7 @@ from tfloom.node.constants import S_TO_NS
 from tfloom.node.context import Context
 
 __all__ = [
+    "S_TO_NS",
     "get_available_rmw_implementations",
     "get_default_context",
     "get_rmw_implementation_identifier",

@@ -1,4 +1,6 @@
-"""Structured arrays to plain ones and back: what sensor_msgs_py.numpy_compat offers, which numpy has by now."""
+"""Between arrays with named fields and plain ones, by the names that sensor_msgs_py has for it."""
+
+from __future__ import annotations
 
 from numpy.lib.recfunctions import structured_to_unstructured, unstructured_to_structured
 

@@ -1,0 +1,56 @@
+"""docs/rclpy_api.md, what it is written from, and what is there: each holds the others to the truth."""
+
+from __future__ import annotations
+
+import pytest
+from docs import rclpy_api
+
+MODULES = rclpy_api.recorded()
+REASONS = rclpy_api.missing()
+TO_DO = "`make api` writes docs/rclpy_api.md anew from docs/rclpy_api_missing.txt"
+
+
+def test_the_page_is_what_the_script_writes() -> None:
+    assert rclpy_api.PAGE.read_text("utf-8") == rclpy_api.page(), TO_DO
+
+
+@pytest.mark.parametrize("module", MODULES)
+def test_each_name_is_there_as_recorded(module: str) -> None:
+    amiss = [
+        f"{name.full}: {difference}"
+        for name in rclpy_api.names_of(module, MODULES[module])
+        if rclpy_api.reason_for(name, REASONS) is None
+        for difference in rclpy_api.differences(name)
+    ]
+    assert not amiss, "\n".join(amiss)
+
+
+@pytest.mark.parametrize("pattern", REASONS)
+def test_what_is_said_to_be_missing_is_missing(pattern: str) -> None:
+    names = [name for module in MODULES for name in rclpy_api.names_of(module, MODULES[module])]
+    matched = [name for name in names if rclpy_api.is_of(name, pattern)]
+    assert matched, "no recorded name is so called"
+    there = [name.full for name in matched if not any(rclpy_api.differences(name))]
+    assert not there, f"take it out of docs/rclpy_api_missing.txt; {TO_DO}"
+
+
+def test_differences_are_seen() -> None:
+    """The instrument itself: what differs from these recorded signatures is told."""
+
+    def ours(node: object, *, depth: int = 10, raw: bool = False) -> None:
+        """Stand in for one of ours."""
+
+    def seen(signature: str) -> list[str]:
+        return list(rclpy_api._signature_differences(signature, ours))
+
+    assert seen("(node: Node, *, depth: Union[int, None] = 10) -> None") == []
+    assert seen("(self, node, **kwargs)") == []
+    assert seen("(node, *, queue=1)") == ["it has no parameter queue"]
+    assert seen("(node, depth=10)")[0] == "its parameter depth is keyword, not positional"
+    assert seen("(node, *, depth=5)") == ["the default of depth is 10, not 5"]
+    assert seen("(*, depth=10)") == ["it wants a parameter node that the recorded one has not"]
+    assert seen("(node='x')") == ["the default of node is None, not 'x'"]
+    missing = rclpy_api.Name("rclpy.node", "Node.fly", "method", "(self)")
+    assert list(rclpy_api.differences(missing)) == ["it isn't there"]
+    elsewhere = rclpy_api.Name("rclpy.nowhere", "Node", "class", "")
+    assert list(rclpy_api.differences(elsewhere)) == ["there is no such module"]
