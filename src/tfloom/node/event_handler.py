@@ -190,7 +190,7 @@ class SubscriptionEventCallbacks(_EventCallbacks):
         deadline: No message came in time.
         incompatible_qos: A publisher offers less than it asks for.
         liveliness: A publisher has fallen silent, or is back.
-        message_lost: Messages that will never come.
+        message_lost: Messages that will never come. Cyclone tells of hardly any.
         incompatible_type: A publisher is of another type. No wire here tells of that.
         matched: A publisher has come or gone.
         use_default_callbacks: Whether to warn of incompatible QoS where `incompatible_qos` isn't given.

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from tfloom.node.constants import S_TO_NS
 from tfloom.node.qos import qos_policy_name_from_kind
 from tfloom.rmw.base import EndpointInfo, Graph
 from tfloom.rmw.compatibility import incompatible_policies
 from tfloom.rmw.events import IncompatibleQoS
+from tfloom.rmw.qos import INFINITE_NS, QoS
 
 __all__ = ["mismatch_text"]
 
@@ -46,13 +48,24 @@ def _differences(mine: EndpointInfo, peer: EndpointInfo, is_publisher: bool) -> 
     writer, reader = (mine, peer) if is_publisher else (peer, mine)
     whose = "an unknown node" if peer.node is None else peer.node.full
     return [
-        f"offered {_show(writer, kind.name)}, requested {_show(reader, kind.name)}, peer {whose}"
+        f"offered {_show(writer.qos, reader.qos, kind.name)}, "
+        f"requested {_show(reader.qos, writer.qos, kind.name)}, peer {whose}"
         for kind in incompatible_policies(writer.qos, reader.qos)
     ]
 
 
-def _show(info: EndpointInfo, policy: str) -> str:
-    value = getattr(info.qos, policy.lower(), None)
-    if value is None:
-        return f"{policy} of {getattr(info.qos, f'{policy.lower()}_ns')} ns"
-    return f"{policy} {value.name}"
+def _show(qos: QoS, other: QoS, policy: str) -> str:
+    """Return a policy of one end, with what sets it apart from the other's."""
+    if policy == "DEADLINE":
+        return f"DEADLINE of {_seconds(qos.deadline_ns)}" if qos.deadline_ns < INFINITE_NS else "no DEADLINE"
+    text = f"{policy} {getattr(qos, policy.lower()).name}"
+    if policy == "LIVELINESS" and qos.liveliness == other.liveliness:
+        lease_ns = qos.liveliness_lease_ns
+        return text + (
+            f" with a lease of {_seconds(lease_ns)}" if lease_ns < INFINITE_NS else " with no lease"
+        )
+    return text
+
+
+def _seconds(nanoseconds: int) -> str:
+    return f"{nanoseconds / S_TO_NS:g} s"

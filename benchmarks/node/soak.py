@@ -1,0 +1,218 @@
+"""A soak: three processes come and go, and no message on a reliable topic may be lost to a node that stays.
+
+`python -m benchmarks.node.soak --seconds 300` stays itself. Each guest joins, publishes some hundred numbered messages,
+calls a service of the node that stays and hears a topic of its, and leaves: in turn politely, and by SIGKILL once all
+that it sent is acknowledged. Every message must come once, in order. The memory of the process that stays must not
+grow once it has seen some guests. Exit code 1 if something was lost, or memory grew by more than MOST_GROWTH_MB.
+"""
+
+from __future__ import annotations
+
+import argparse
+import random
+import subprocess
+import sys
+import threading
+import time
+from contextlib import suppress
+from itertools import count
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+import rclpy
+from example_interfaces.srv import AddTwoInts
+from rclpy.duration import Duration
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+from rclpy.qos import HistoryPolicy, QoSProfile
+from std_msgs.msg import String
+
+from benchmarks.domain import DOMAIN_ID
+
+GUESTS = 3
+MESSAGES = (200, 1000)
+"""The least and most a guest publishes in one life."""
+PERIOD_S = 0.002
+CALL_EVERY = 50
+PADDING = "x" * 200
+PATIENCE_S = 60.0
+MOST_GROWTH_MB = 4.0
+WARM_UP = 0.3
+"""The part of the time after which memory should have settled."""
+
+ALL = QoSProfile(history=HistoryPolicy.KEEP_ALL)
+
+
+class Soak:
+    """The node that stays, and its book of what came."""
+
+    def __init__(self, seconds: float, domain_id: int) -> None:
+        self._end = time.monotonic() + seconds
+        self._seconds = seconds
+        self._domain_id = domain_id
+        self._lock = threading.Lock()
+        self._next: dict[str, int] = {}
+        self.faults: list[str] = []
+        self.messages = 0
+        self.lives = 0
+        self.killed = 0
+        self.calls = 0
+        self.memory: list[tuple[float, float]] = []
+
+    def run(self) -> None:
+        """Stay until the time is over and the last guests have left."""
+        context = rclpy.Context()
+        rclpy.init(context=context, domain_id=self._domain_id)
+        node = rclpy.create_node("stayer", context=context)
+        node.create_subscription(String, "soak", self._on_message, ALL)
+        node.create_service(AddTwoInts, "soak_add", self._on_call)
+        back = node.create_publisher(String, "soak_back", 10)
+        node.create_timer(0.05, lambda: back.publish(String(data=PADDING)))
+        node.create_timer(min(1.0, self._seconds / 30), self._note_memory)
+        threads = [threading.Thread(target=self._host, args=(number,)) for number in range(GUESTS)]
+        with SingleThreadedExecutor(context=context) as executor:
+            executor.add_node(node)
+            for thread in threads:
+                thread.start()
+            while any(thread.is_alive() for thread in threads):
+                executor.spin_once(timeout_sec=0.1)
+        node.destroy_node()
+        rclpy.shutdown(context=context)
+
+    def _on_message(self, message: String) -> None:
+        guest, number, _ = message.data.split()
+        with self._lock:
+            expected = self._next.get(guest, 0)
+            if int(number) != expected:
+                self.faults.append(f"guest {guest} sent {number}, and {expected} was expected")
+            self._next[guest] = int(number) + 1
+            self.messages += 1
+
+    def _on_call(self, request: Any, response: Any) -> Any:
+        self.calls += 1
+        response.sum = request.a + request.b
+        return response
+
+    def _note_memory(self) -> None:
+        now = 1.0 - (self._end - time.monotonic()) / self._seconds
+        with suppress(OSError):  # not Linux: memory isn't looked at
+            for line in Path("/proc/self/status").read_text("utf-8").splitlines():
+                if line.startswith("VmRSS:"):
+                    self.memory.append((now, int(line.split()[1]) / 1024))
+
+    def _host(self, number: int) -> None:
+        """Have one guest after the other come and go."""
+        for life in count():
+            if time.monotonic() >= self._end or self.faults:
+                return
+            guest = f"{number}.{life}"
+            try:
+                self._live(guest, is_killed=life % 2 == 1)
+            except Exception as error:  # noqa: BLE001  # whatever it is, the soak has failed
+                self.faults.append(f"guest {guest}: {type(error).__name__}: {error}")
+
+    def _live(self, guest: str, *, is_killed: bool) -> None:
+        command = [
+            sys.executable,
+            "-m",
+            "benchmarks.node.soak",
+            "--guest",
+            guest,
+            "--domain",
+            str(self._domain_id),
+        ]
+        with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
+            watch = threading.Timer(PATIENCE_S, process.kill)
+            watch.start()
+            try:
+                words = process.stdout.readline().split()
+                if words[:1] != ["sent"]:
+                    raise RuntimeError(f"it ended without having sent all, and said {words}")
+                self._check(guest, int(words[1]))
+            finally:
+                watch.cancel()
+                if is_killed or self.faults:
+                    process.kill()
+            process.communicate("leave\n", timeout=PATIENCE_S)
+        self.lives += 1
+        self.killed += is_killed
+        if not is_killed and process.returncode != 0:
+            self.faults.append(f"guest {guest} ended with {process.returncode}")
+
+    def _check(self, guest: str, sent: int) -> None:
+        """All that is acknowledged is here: wait for the callbacks to have seen it."""
+        end = time.monotonic() + PATIENCE_S
+        while self._next.get(guest, 0) < sent:
+            if time.monotonic() > end:
+                self.faults.append(f"guest {guest} sent {sent}, and {self._next.get(guest, 0)} came")
+                return
+            time.sleep(0.01)
+        with self._lock:
+            del self._next[guest]
+
+    def growth_mb(self) -> float:
+        """Return by how much memory has grown since it should have settled; 0 where it can't be told."""
+        early = [size for when, size in self.memory if WARM_UP <= when < WARM_UP + 0.1]
+        late = [size for when, size in self.memory if when >= 0.9]
+        return median(late) - median(early) if early and late else 0.0
+
+    def report(self) -> str:
+        """Return what to print at the end."""
+        sizes = [size for _, size in self.memory] or [0.0]
+        return (
+            f"{self.messages} messages and {self.calls} calls of {self.lives} guests, {self.killed} of them killed; "
+            f"{len(self.faults)} faults\n"
+            f"memory of the process that stays: {sizes[0]:.1f} MB at first, {sizes[-1]:.1f} MB at the end, "
+            f"{self.growth_mb():+.2f} MB since it should have settled"
+        )
+
+
+def be_guest(guest: str, domain_id: int) -> None:
+    """Join, publish, call, listen; print how much was sent, and leave when told."""
+    rclpy.init(domain_id=domain_id)
+    node = rclpy.create_node(f"guest_{guest.partition('.')[0]}")
+    heard: list[String] = []
+    node.create_subscription(String, "soak_back", heard.append, 10)
+    publisher = node.create_publisher(String, "soak", ALL)
+    client = node.create_client(AddTwoInts, "soak_add")
+    if not client.wait_for_service(timeout_sec=PATIENCE_S / 2):
+        raise TimeoutError("the service isn't there")
+    while publisher.get_subscription_count() == 0:
+        rclpy.spin_once(node, timeout_sec=0.01)
+    how_many = random.randint(*MESSAGES)
+    for number in range(how_many):
+        publisher.publish(String(data=f"{guest} {number} {PADDING}"))
+        if number % CALL_EVERY == 0:
+            future = client.call_async(AddTwoInts.Request(a=number, b=1))
+            rclpy.spin_until_future_complete(node, future, timeout_sec=PATIENCE_S / 2)
+            if not future.done() or future.result().sum != number + 1:
+                raise RuntimeError(f"call {number} was not answered rightly")
+        time.sleep(PERIOD_S)
+    if not publisher.wait_for_all_acked(Duration(seconds=PATIENCE_S / 2)):
+        raise TimeoutError("not all is acknowledged")
+    while not heard:
+        rclpy.spin_once(node, timeout_sec=0.1)
+    print("sent", how_many, flush=True)
+    with suppress(ExternalShutdownException, KeyboardInterrupt):
+        sys.stdin.readline()
+    node.destroy_node()
+    rclpy.shutdown()
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.node.soak", description=__doc__)
+    parser.add_argument("--seconds", type=float, default=300.0, help="how long guests are let in")
+    parser.add_argument("--domain", type=int, default=DOMAIN_ID, help=argparse.SUPPRESS)
+    parser.add_argument("--guest", help=argparse.SUPPRESS)
+    arguments = parser.parse_args()
+    if arguments.guest is not None:
+        be_guest(arguments.guest, arguments.domain)
+        return 0
+    soak = Soak(arguments.seconds, arguments.domain)
+    soak.run()
+    print("\n".join([*soak.faults[:10], soak.report()]), flush=True)
+    return 1 if soak.faults or soak.growth_mb() > MOST_GROWTH_MB else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

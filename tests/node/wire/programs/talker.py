@@ -1,0 +1,63 @@
+"""Publishes on /chatter with the QoS of its first argument (JSON of QoSProfile's fields, durations in s).
+
+Lines on stdin: a number publishes that many messages, `assert` says that it lives, `leave` ends it. It prints its
+events as JSON: the event's name and the status's fields.
+"""
+
+import json
+import sys
+import threading
+
+import rclpy
+from rclpy.duration import Duration
+from rclpy.event_handler import PublisherEventCallbacks
+from rclpy.executors import ExternalShutdownException
+from rclpy.qos import QoSProfile
+from std_msgs.msg import String
+
+
+def say(text):
+    sys.stdout.write(text + "\n")  # one write: two threads speak
+    sys.stdout.flush()
+
+
+def teller(name):
+    def tell(status):
+        say(json.dumps([name, {key: int(value) for key, value in status._asdict().items()}]))
+
+    return tell
+
+
+def qos_of(text):
+    fields = json.loads(text)
+    for name in ("deadline", "lifespan", "liveliness_lease_duration"):
+        if name in fields:
+            fields[name] = Duration(seconds=fields[name])
+    return QoSProfile(**{"depth": 10, **fields})
+
+
+def obey():
+    for line in sys.stdin:
+        word = line.strip()
+        if word == "leave":
+            break
+        if word == "assert":
+            publisher.assert_liveliness()
+        else:
+            for number in range(int(word)):
+                publisher.publish(String(data=str(number)))
+        say(f"did {word}")
+    rclpy.try_shutdown()
+
+
+rclpy.init()
+node = rclpy.create_node("talker")
+events = ("deadline", "liveliness", "incompatible_qos", "matched")
+callbacks = PublisherEventCallbacks(**{event: teller(event) for event in events})
+publisher = node.create_publisher(String, "chatter", qos_of(sys.argv[1]), event_callbacks=callbacks)
+say("ready")
+threading.Thread(target=obey).start()
+try:
+    rclpy.spin(node)
+except ExternalShutdownException:
+    node.destroy_node()

@@ -1,0 +1,262 @@
+"""Events of publishers and subscriptions that other processes cause."""
+
+from __future__ import annotations
+
+import json
+import signal
+import subprocess
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from tests.conftest import Program
+from tests.node.wire.conftest import PROGRAMS
+
+from tfloom.interfaces.std_msgs.msg import String
+from tfloom.node.duration import Duration
+from tfloom.node.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
+from tfloom.node.node import Node
+from tfloom.node.qos import (
+    DurabilityPolicy,
+    HistoryPolicy,
+    LivelinessPolicy,
+    QoSProfile,
+    ReliabilityPolicy,
+    qos_profile_best_available,
+)
+from tfloom.rmw.compatibility import PolicyKind
+
+pytestmark = pytest.mark.wire
+
+SpinUntil = Callable[..., None]
+StartTalker = Callable[..., Program]
+
+BEST_EFFORT = int(ReliabilityPolicy.BEST_EFFORT)
+TRANSIENT_LOCAL = int(DurabilityPolicy.TRANSIENT_LOCAL)
+MANUAL = int(LivelinessPolicy.MANUAL_BY_TOPIC)
+
+
+@pytest.fixture
+def start_talker(start_program: Callable[..., Program]) -> StartTalker:
+    def start(**qos: Any) -> Program:
+        program = start_program("python", PROGRAMS / "talker.py", json.dumps(qos), stdin=subprocess.PIPE)
+        program.wait_for("ready")
+        return program
+
+    return start
+
+
+def tell(talker: Program, word: object) -> None:
+    talker.process.stdin.write(f"{word}\n")
+    talker.process.stdin.flush()
+
+
+def told(talker: Program, event: str) -> list[dict[str, int]]:
+    """Return what a talker has told of one event."""
+    lines = [json.loads(line) for line in talker.lines if line.startswith("[")]
+    return [status for name, status in lines if name == event]
+
+
+def test_peers_come_and_go(node: Node, start_talker: StartTalker, spin_until: SpinUntil) -> None:
+    seen: list[Any] = []
+    subscription = node.create_subscription(
+        String, "chatter", print, 10, event_callbacks=SubscriptionEventCallbacks(matched=seen.append)
+    )
+    talkers = [start_talker(), start_talker()]
+    spin_until(lambda: seen and seen[-1].current_count == 2)
+    assert seen[-1].total_count == 2
+    tell(talkers[0], "leave")
+    spin_until(lambda: seen[-1].current_count == 1)
+    assert (seen[-1].total_count, seen[-1].total_count_change, seen[-1].current_count_change) == (2, 0, -1)
+    node.destroy_subscription(subscription)
+    spin_until(lambda: told(talkers[1], "matched")[-1]["current_count"] == 0)
+    first, *_, last = told(talkers[1], "matched")
+    one = {"total_count": 1, "total_count_change": 1, "current_count": 1, "current_count_change": 1}
+    assert first == one
+    assert last == {"total_count": 1, "total_count_change": 0, "current_count": 0, "current_count_change": -1}
+
+
+def test_both_ends_are_told_of_a_missed_deadline(
+    node: Node, start_talker: StartTalker, spin_until: SpinUntil
+) -> None:
+    seen: list[Any] = []
+    talker = start_talker(deadline=0.1)
+    node.create_subscription(
+        String,
+        "chatter",
+        lambda message: None,
+        QoSProfile(depth=10, deadline=Duration(seconds=0.2)),
+        event_callbacks=SubscriptionEventCallbacks(deadline=seen.append),
+    )
+    spin_until(lambda: told(talker, "matched"))
+    tell(talker, 1)
+    spin_until(lambda: len(seen) >= 2 and len(told(talker, "deadline")) >= 2)
+    totals = [status.total_count for status in seen]
+    assert totals == sorted(totals)
+    assert all(status.total_count_change >= 1 for status in seen)
+    assert told(talker, "deadline")[0]["total_count"] >= 1
+
+
+def test_a_talker_that_must_say_so_loses_its_liveliness_and_finds_it_again(
+    node: Node, start_talker: StartTalker, spin_until: SpinUntil
+) -> None:
+    seen: list[Any] = []
+    talker = start_talker(liveliness=MANUAL, liveliness_lease_duration=0.4)
+    qos = QoSProfile(
+        depth=10, liveliness=LivelinessPolicy(MANUAL), liveliness_lease_duration=Duration(seconds=0.5)
+    )
+    callbacks = SubscriptionEventCallbacks(liveliness=seen.append)
+    node.create_subscription(String, "chatter", lambda message: None, qos, event_callbacks=callbacks)
+    spin_until(lambda: told(talker, "matched"))
+    for _ in range(2):
+        tell(talker, 1)
+        spin_until(lambda: seen and (seen[-1].alive_count, seen[-1].not_alive_count) == (1, 0))
+        spin_until(lambda: (seen[-1].alive_count, seen[-1].not_alive_count) == (0, 1))
+        assert seen[-1].not_alive_count_change == 1
+    spin_until(lambda: told(talker, "liveliness"))
+    assert told(talker, "liveliness")[0]["total_count"] >= 1
+    tell(talker, "assert")
+    spin_until(lambda: "did assert" in talker.lines)
+
+
+def test_a_killed_talker_isnt_alive_when_its_lease_ends(
+    node: Node, start_talker: StartTalker, spin_until: SpinUntil
+) -> None:
+    seen: list[Any] = []
+    talker = start_talker(liveliness_lease_duration=0.5)
+    qos = QoSProfile(depth=10, liveliness_lease_duration=Duration(seconds=0.5))
+    callbacks = SubscriptionEventCallbacks(liveliness=seen.append)
+    node.create_subscription(String, "chatter", print, qos, event_callbacks=callbacks)
+    spin_until(lambda: seen and seen[-1].alive_count == 1)
+    talker.signal(signal.SIGKILL)
+    spin_until(lambda: seen[-1].alive_count == 0)
+    assert seen[-1] == (0, 1, -1, 1)
+
+
+@pytest.mark.parametrize(
+    ("offered", "requested", "kind", "sides"),
+    [
+        (
+            {"reliability": BEST_EFFORT},
+            {},
+            PolicyKind.RELIABILITY,
+            "offered RELIABILITY BEST_EFFORT, requested RELIABILITY RELIABLE",
+        ),
+        (
+            {},
+            {"durability": DurabilityPolicy.TRANSIENT_LOCAL},
+            PolicyKind.DURABILITY,
+            "offered DURABILITY VOLATILE, requested DURABILITY TRANSIENT_LOCAL",
+        ),
+        (
+            {},
+            {"deadline": Duration(seconds=1)},
+            PolicyKind.DEADLINE,
+            "offered no DEADLINE, requested DEADLINE of 1 s",
+        ),
+        (
+            {"liveliness_lease_duration": 2},
+            {"liveliness_lease_duration": Duration(seconds=0.5)},
+            PolicyKind.LIVELINESS,
+            (
+                "offered LIVELINESS AUTOMATIC with a lease of 2 s, "
+                "requested LIVELINESS AUTOMATIC with a lease of 0.5 s"
+            ),
+        ),
+        (
+            {},
+            {"liveliness": LivelinessPolicy.MANUAL_BY_TOPIC},
+            PolicyKind.LIVELINESS,
+            "offered LIVELINESS AUTOMATIC, requested LIVELINESS MANUAL_BY_TOPIC",
+        ),
+    ],
+)
+def test_incompatible_qos_is_told_to_both_ends_with_both_sides(
+    node: Node,
+    start_talker: StartTalker,
+    spin_until: SpinUntil,
+    capsys: pytest.CaptureFixture[str],
+    offered: dict[str, Any],
+    requested: dict[str, Any],
+    kind: PolicyKind,
+    sides: str,
+) -> None:
+    talker = start_talker(**offered)
+    assert node.wait_for_node("/talker", timeout=20)
+    heard: list[String] = []
+    node.create_subscription(String, "chatter", heard.append, QoSProfile(depth=10, **requested))
+    text = ""
+
+    def warned() -> bool:
+        nonlocal text
+        text += capsys.readouterr().err
+        return "Last incompatible policy" in text
+
+    spin_until(warned)
+    assert f"Last incompatible policy: {kind.name} ({sides}, peer /talker)" in text
+    assert "New publisher discovered on topic '/chatter', offering incompatible QoS" in text
+    spin_until(lambda: told(talker, "incompatible_qos"))
+    (status,) = told(talker, "incompatible_qos")
+    assert status == {"total_count": 1, "total_count_change": 1, "last_policy_kind": int(kind)}
+    tell(talker, 1)
+    spin_until(lambda: "did 1" in talker.lines)
+    assert not heard
+
+
+def test_messages_whose_lifespan_has_ended_are_not_kept_for_who_comes_late(
+    node: Node, start_talker: StartTalker, spin_until: SpinUntil
+) -> None:
+    talker = start_talker(durability=TRANSIENT_LOCAL, lifespan=0.5)
+    heard: list[str] = []
+    tell(talker, 3)
+    spin_until(lambda: "did 3" in talker.lines)
+    end = node.get_clock().now() + Duration(seconds=0.6)
+    spin_until(lambda: node.get_clock().now() > end)
+    late = QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    node.create_subscription(String, "chatter", lambda message: heard.append(message.data), late)
+    spin_until(lambda: told(talker, "matched"))
+    tell(talker, 1)
+    spin_until(lambda: heard)
+    assert heard == ["0"]
+
+
+def test_all_events_may_be_watched_at_once(
+    node: Node, start_talker: StartTalker, spin_until: SpinUntil
+) -> None:
+    seen: list[str] = []
+    heard: list[String] = []
+
+    def watch(name: str) -> Callable[[Any], None]:
+        return lambda status: seen.append(name)
+
+    fields = ("deadline", "incompatible_qos", "liveliness", "message_lost", "matched")
+    callbacks = SubscriptionEventCallbacks(**{name: watch(name) for name in fields})
+    subscription = node.create_subscription(String, "chatter", heard.append, 10, event_callbacks=callbacks)
+    assert len(subscription.event_handlers) == len(fields)
+    talker = start_talker()
+    spin_until(lambda: told(talker, "matched"))
+    tell(talker, 2)
+    spin_until(lambda: len(heard) == 2)
+    assert set(seen) == {"matched", "liveliness"}
+
+
+def test_best_available_follows_the_talkers(
+    node: Node, start_talker: StartTalker, spin_until: SpinUntil
+) -> None:
+    start_talker(reliability=BEST_EFFORT, durability=TRANSIENT_LOCAL)
+    assert node.wait_for_node("/talker", timeout=20)
+    spin_until(lambda: node.count_publishers("chatter"))
+    seen: list[Any] = []
+    callbacks = SubscriptionEventCallbacks(matched=seen.append)
+    node.create_subscription(String, "chatter", print, qos_profile_best_available, event_callbacks=callbacks)
+    spin_until(lambda: seen)
+    (info,) = node.get_subscriptions_info_by_topic("chatter")
+    assert info.qos_profile.reliability is ReliabilityPolicy.BEST_EFFORT
+    assert info.qos_profile.durability is DurabilityPolicy.TRANSIENT_LOCAL
+    publisher = node.create_publisher(
+        String, "other", qos_profile_best_available, event_callbacks=PublisherEventCallbacks()
+    )
+    (info,) = node.get_publishers_info_by_topic("other")
+    assert publisher.topic_name == "/other"
+    assert info.qos_profile.reliability is ReliabilityPolicy.RELIABLE
+    assert info.qos_profile.history is HistoryPolicy.KEEP_LAST

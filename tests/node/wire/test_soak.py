@@ -1,0 +1,27 @@
+"""The soak of the benchmarks, for some seconds: guests come and go, and what a node that stays hears is whole."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from tests.conftest import Program
+
+pytestmark = pytest.mark.wire
+
+ROOT = Path(__file__).parents[3]
+
+
+def test_nothing_is_lost_while_processes_come_and_go(
+    domain_id: int, start_program: Callable[..., Program]
+) -> None:
+    program = start_program("python", "-m", "benchmarks.node.soak", "--seconds", "8", cwd=ROOT)
+    assert program.wait(120) == 0, program.output
+    messages, lives = map(
+        int, re.search(r"(\d+) messages and \d+ calls of (\d+) guests", program.output).groups()
+    )
+    assert messages >= 200 * lives
+    assert lives >= 3
+    assert "0 faults" in program.output
