@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import os
 import re
+import time
 from collections.abc import Callable
 from pathlib import Path
+from threading import Thread
 
 import pytest
 
@@ -13,7 +15,9 @@ from tfloom.node import logging
 from tfloom.node.clock import ROSClock
 from tfloom.node.clock_type import ClockType
 from tfloom.node.context import Context
+from tfloom.node.log_file import LogFile
 from tfloom.node.logging_severity import LoggingSeverity
+from tfloom.node.node import Node
 from tfloom.node.time import Time
 
 Capture = pytest.CaptureFixture[str]
@@ -165,3 +169,36 @@ def test_a_directory_that_cannot_be_is_told_once(
         logging.get_logger("x").info("said")
     context.destroy()
     assert [line.startswith("tfloom: no log file in ") for line in lines(capsys)] == [False, True, False]
+
+
+def test_many_threads_write_one_log_file(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path))
+    opened: list[object] = []
+
+    class SlowToOpen(LogFile):
+        def _open(self) -> object:
+            time.sleep(0.01)  # a second thread would open one, too
+            opened.append(self)
+            return super()._open()
+
+    file = SlowToOpen("program")
+    threads = [Thread(target=file.write, args=(f"line {number}",)) for number in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    file.close()
+    file.write("too late")
+    (path,) = tmp_path.iterdir()
+    assert sorted(path.read_text("utf-8").splitlines()) == [f"line {number}" for number in range(8)]
+    assert len(opened) == 1
+
+
+def test_a_node_whose_context_is_gone_does_not_keep_its_namesake_from_logging(capsys: Capture) -> None:
+    with Context() as context:
+        Node("talker", context=context)
+    with Context() as context:
+        node = Node("talker", context=context)
+        node.get_logger().info("still here")
+        assert lines(capsys)[-1].endswith("[talker]: still here")
+        node.destroy_node()

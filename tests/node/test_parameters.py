@@ -27,7 +27,12 @@ from tfloom.node.exceptions import (
 )
 from tfloom.node.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.parameter import Parameter, get_parameter_value, parameter_dict_from_yaml_file
+from tfloom.node.parameter import (
+    Parameter,
+    get_parameter_value,
+    parameter_dict_from_yaml_file,
+    parameter_value_to_python,
+)
 from tfloom.node.parameter_event_handler import ParameterEventHandler
 from tfloom.node.qos import qos_profile_parameter_events
 
@@ -309,7 +314,9 @@ def test_callbacks_for_parameters_of_others(
     handler = ParameterEventHandler(watcher)
     values: list[object] = []
     events: list[ParameterEvent] = []
-    handle = handler.add_parameter_callback("x", "node", lambda parameter: values.append(parameter.value))
+    handle = handler.add_parameter_callback(
+        "x", "node", lambda message: values.append(parameter_value_to_python(message.value))
+    )
     handler.add_parameter_event_callback(events.append)
     executor.add_node(watcher)
     node.set_parameters([Parameter("x", value=2), Parameter("y", value=2)])

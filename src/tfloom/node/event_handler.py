@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 from tfloom.node.entity import Entity
 from tfloom.node.qos_mismatch import mismatch_text
 from tfloom.rmw.errors import UnsupportedEventError
-from tfloom.rmw.events import Event, Status
+from tfloom.rmw.events import Count, Event, IncompatibleQoS, LivelinessChanged, Matched, Status
 
 if TYPE_CHECKING:
     from tfloom._native import ReadyQueue
@@ -20,11 +20,32 @@ __all__ = [
     "EventHandler",
     "PublisherEventCallbacks",
     "QoSEventHandler",
+    "QoSLivelinessChangedInfo",
+    "QoSLivelinessLostInfo",
+    "QoSMessageLostInfo",
+    "QoSOfferedDeadlineMissedInfo",
+    "QoSOfferedIncompatibleQoSInfo",
+    "QoSPublisherMatchedInfo",
+    "QoSRequestedDeadlineMissedInfo",
+    "QoSRequestedIncompatibleQoSInfo",
+    "QoSSubscriptionMatchedInfo",
     "SubscriptionEventCallbacks",
     "UnsupportedEventTypeError",
 ]
 
 UnsupportedEventTypeError = UnsupportedEventError
+
+# What the callbacks are given, by the names that programs write in their annotations.
+QoSLivelinessChangedInfo = LivelinessChanged
+QoSLivelinessLostInfo = Count
+QoSMessageLostInfo = Count
+QoSOfferedDeadlineMissedInfo = Count
+QoSOfferedIncompatibleQoSInfo = IncompatibleQoS
+QoSPublisherMatchedInfo = Matched
+QoSRequestedDeadlineMissedInfo = Count
+QoSRequestedIncompatibleQoSInfo = IncompatibleQoS
+QoSSubscriptionMatchedInfo = Matched
+
 StatusCallback = Callable[[Any], Any]
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+import threading
 import time
 from typing import TYPE_CHECKING, TextIO
 
@@ -25,22 +26,23 @@ class LogFile:
     def __init__(self, name: str | None = None) -> None:
         self._name = name
         self._file: TextIO | None = None
-        self._failed = False
+        self._closed = False
+        self._lock = threading.RLock()
 
     def write(self, line: str) -> None:
-        """Add a line."""
-        if self._failed:
-            return
-        try:
-            if self._file is None:
-                self._file = self._open()
-            self._file.write(f"{line}\n")
-            self._file.flush()
-        except (OSError, ValueError) as error:
-            self.close()
-            self._failed = True
-            if sys.stderr is not None:
-                print(f"tfloom: no log file in {log_directory()}: {error}", file=sys.stderr)
+        """Add a line. Any thread may; after `close`, nothing is written."""
+        with self._lock:
+            if self._closed:
+                return
+            try:
+                if self._file is None:
+                    self._file = self._open()
+                self._file.write(f"{line}\n")
+                self._file.flush()
+            except (OSError, ValueError) as error:
+                self.close()
+                if sys.stderr is not None:
+                    print(f"tfloom: no log file in {log_directory()}: {error}", file=sys.stderr)
 
     def _open(self) -> TextIO:
         import atexit
@@ -52,8 +54,10 @@ class LogFile:
         return (directory / name).open("w", encoding="utf-8")
 
     def close(self) -> None:
-        """Close the file, if there is one."""
-        file, self._file = self._file, None
+        """Close the file, if there is one, for good."""
+        with self._lock:
+            self._closed = True
+            file, self._file = self._file, None
         if file is not None:
             import atexit
 

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any
 
-from tfloom.interfaces.rcl_interfaces.msg import ParameterEvent
+from tfloom.interfaces.rcl_interfaces.msg import Parameter, ParameterEvent
 from tfloom.node.names import full_node_name
-from tfloom.node.parameter import Parameter
 from tfloom.node.qos import QoSProfile, qos_profile_parameter_events
 
 if TYPE_CHECKING:
@@ -73,7 +72,7 @@ class ParameterEventHandler:
     def add_parameter_callback(
         self, parameter_name: str, node_name: str, callback: Callable[[Parameter], None]
     ) -> ParameterCallbackHandle:
-        """Have `callback(parameter)` called when a parameter of a node is set; last added first.
+        """Have `callback(parameter)` called when a parameter of a node is set, with the message; last added first.
 
         Args:
             parameter_name: The parameter.
@@ -134,8 +133,8 @@ class ParameterEventHandler:
     @staticmethod
     def get_parameters_from_event(event: ParameterEvent) -> Iterable[Parameter]:
         """Return all parameters that an event set, new ones and others."""
-        for message in [*event.new_parameters, *event.changed_parameters]:
-            yield Parameter.from_parameter_msg(message)
+        yield from event.new_parameters
+        yield from event.changed_parameters
 
 
 def _remove(handles: list[Any], handle: Any) -> None:

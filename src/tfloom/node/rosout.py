@@ -10,6 +10,7 @@ from tfloom.node import log_output
 from tfloom.node.constants import S_TO_NS
 from tfloom.node.qos import qos_profile_rosout_default
 from tfloom.node.type_support import topic_of
+from tfloom.rmw.errors import ClosedError
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:
@@ -40,7 +41,10 @@ class Rosout:
             function=record.function,
             line=record.line,
         )
-        self._writer.write(cdr.encode(message))
+        try:
+            self._writer.write(cdr.encode(message))
+        except ClosedError:  # its context has left the wire; whoever logs by this name now is not to blame
+            log_output.remove_listener(self._logger_name, self._publish)
 
     def close(self) -> None:
         """Publish no more."""
