@@ -12,7 +12,12 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 BUILD = ROOT / "build" / "wheel-under-test"  # kept, so that the next run compiles what has changed
-PROGRAMS = sorted((Path(__file__).parent / "programs").glob("*.py"))
+EXAMPLES = ROOT / "examples"
+PROGRAMS = [
+    *sorted((Path(__file__).parent / "programs").glob("*.py")),
+    *sorted(path for path in EXAMPLES.glob("*/*.py") if path.name != "setup.py"),
+    *sorted((EXAMPLES / "turtle_frames" / "turtle_frames").glob("*.py")),
+]
 
 
 def mypy(python: Path, *programs: Path, cache: Path) -> subprocess.CompletedProcess[str]:

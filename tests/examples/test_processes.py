@@ -1,0 +1,171 @@
+"""Each example as a user runs it: processes of their own over DDS on loopback, and a clean end of each."""
+
+from __future__ import annotations
+
+import re
+import signal
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+pytestmark = pytest.mark.wire
+
+# Programs that run until they are told to end, and what each prints in the end.
+SPINNING: dict[str, dict[str, list[str]]] = {
+    "topics": {
+        "topics/talker.py": [r"\[talker\]: I say: Hello 2$"],
+        "topics/listener.py": [r"\[listener\]: I heard: Hello \d+$"],
+    },
+    "synchronized": {"topics/synchronized.py": [r"\[station\]: 2\d °C at 10100\d Pa$"]},
+    "introspection": {
+        "services/introspection.py": [
+            r"\[watcher\]: request sent: \d \+ \d$",
+            r"\[watcher\]: request received: \d \+ \d$",
+            r"\[watcher\]: response sent: \d$",
+            r"\[watcher\]: response received: \d$",
+        ]
+    },
+    "callback groups": {
+        "executors/callback_groups.py": [r"\[caller\]: The answer: at last; [1-6] beats meanwhile$"]
+    },
+    "coroutines": {
+        "services/add_server.py": [r"\[add_server\]: Asked for \d \+ 1$"],
+        "executors/coroutines.py": [r"A task greets you$", r"\[asker\]: 2 \* \((\d) \+ 1\) = \d+$"],
+    },
+    "composition": {"executors/composition.py": [r"\[pipeline.second\]: 9 squared is 81$"]},
+    "simulated time": {
+        "sim_time/clock.py": [],
+        "sim_time/simulated.py": [r"\[simulated\]: It is 1\d\d\.\d s$"],
+    },
+    "transforms": {
+        "tf2/static_frame.py": [r"The laser is on its base$"],
+        "tf2/moving_frame.py": [],
+        "tf2/fixed_frame.py": [],
+        "tf2/where.py": [r"The laser is at -?[0-2]\.\d\d, -?[0-2]\.\d\d, 0\.50$"],
+        "tf2/time_travel.py": [r"it moved 0\.9\d ahead, 0\.2\d left, and turned 0\.(49|50|51) rad$"],
+    },
+    "deadline": {
+        "qos/deadline.py": [
+            r"\[promiser\]: I promised more: [1-9]\d* missed$",
+            r"\[waiter\]: I was promised more: [1-9]\d* missed$",
+            r"\[waiter\]: I got Message 1\d$",
+        ]
+    },
+    "latched": {"qos/latched.py": [r"\[tourist\]: I have a map of the old town$"]},
+    "incompatible": {
+        "qos/incompatible.py": [
+            r"\[radio\]: Listeners: 1$",
+            r"No news for the strict one: RELIABILITY doesn't fit$",
+        ]
+    },
+    "logs": {"logs/levels.py": [r"Only the first time: 1$", r"Each second: (9|1\d)$"]},
+}
+
+# Programs that end by themselves, what they need beside them, and what they print.
+ENDING: dict[str, tuple[list[str], list[str], list[str]]] = {
+    "wait once": (["topics/talker.py"], ["topics/wait_once.py"], [r"The next words: Hello \d+$"]),
+    "call": (["services/add_server.py"], ["services/add_client.py"], [r"2 \+ 3 = 5$"]),
+    "call in thread": (["services/add_server.py"], ["services/add_client_in_thread.py"], [r"In all 10$"]),
+    "parameters": (
+        ["parameters/thruster.py", "parameters/watch.py"],
+        ["parameters/tune.py"],
+        [r"serial = 1: Trying to set a read-only parameter", r"In the end: 0\.5, right$"],
+    ),
+    "goal": (
+        ["actions/fibonacci_server.py"],
+        ["actions/fibonacci_client.py", "--ros-args", "-p", "order:=3"],
+        [r"So far \[0, 1, 1\]$", r"The goal succeeded: \[0, 1, 1, 2, 3\]$"],
+    ),
+    "canceled goal": (
+        ["actions/fibonacci_server.py"],
+        ["actions/fibonacci_client.py", "--ros-args", "-p", "order:=30", "-p", "cancel_after:=2"],
+        [r"That will do$", r"The goal was canceled: \[0, 1, 1, 2(, \d+)*\]$"],
+    ),
+    "lifecycle": (
+        ["lifecycle/sensor.py"],
+        ["lifecycle/manager.py"],
+        [r"It measured \d+\.0$", "is finalized$"],
+    ),
+}
+
+Start = Callable[..., object]
+
+
+def has(program: object, *patterns: str) -> bool:
+    return all(re.search(pattern, program.output, re.MULTILINE) for pattern in patterns)
+
+
+def end_well(number: signal.Signals, *programs: object) -> None:
+    """Tell programs to end by a signal: they end with 0 and without a word of Python's."""
+    for program in programs:
+        program.signal(number)
+    assert [program.wait() for program in programs] == [0] * len(programs), programs[0].output
+    for program in programs:
+        assert "Traceback" not in program.output
+        assert "Exception" not in program.output
+
+
+@pytest.mark.parametrize("scene", SPINNING)
+def test_programs_that_spin(
+    scene: str, domain_id: int, start_program: Start, wait_until: Callable[..., None]
+) -> None:
+    programs = {start_program("python", EXAMPLES / path): lines for path, lines in SPINNING[scene].items()}
+    wait_until(
+        lambda: all(
+            has(program, *lines) or program.process.poll() is not None for program, lines in programs.items()
+        )
+    )
+    for program, lines in programs.items():
+        assert has(program, *lines), program.output
+    number = signal.SIGINT if list(SPINNING).index(scene) % 2 else signal.SIGTERM
+    end_well(number, *programs)
+
+
+@pytest.mark.parametrize("scene", ENDING)
+def test_programs_that_end(scene: str, domain_id: int, start_program: Start) -> None:
+    others, (path, *words), lines = ENDING[scene]
+    servers = [start_program("python", EXAMPLES / other) for other in others]
+    program = start_program("python", EXAMPLES / path, *words)
+    assert program.wait() == 0, program.output
+    assert has(program, *lines), program.output
+    assert "Traceback" not in program.output
+    end_well(signal.SIGINT if list(ENDING).index(scene) % 2 else signal.SIGTERM, *servers)
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize(
+    "path",
+    [
+        "services/add_client.py",
+        "services/add_client_in_thread.py",
+        "topics/wait_once.py",
+        "parameters/tune.py",
+        "actions/fibonacci_client.py",
+        "lifecycle/manager.py",
+    ],
+)
+def test_a_program_that_waits_in_vain_ends_well(
+    path: str, number: signal.Signals, domain_id: int, start_program: Start, wait_until: Callable[..., None]
+) -> None:
+    program = start_program("python", EXAMPLES / path)
+    watcher = start_program("python", "-u", "-c", WATCH, NODES.get(path, Path(path).stem))
+    watcher.wait_for("there")
+    program.signal(number)
+    assert program.wait() == 0, program.output
+    assert "Traceback" not in program.output
+
+
+NODES = {
+    "topics/wait_once.py": "waiter",
+    "parameters/tune.py": "tuner",
+    "lifecycle/manager.py": "manager",
+}
+
+WATCH = """
+import sys, rclpy
+rclpy.init()
+node = rclpy.create_node("watcher")
+print("there" if node.wait_for_node("/" + sys.argv[1], 20.0) else "not there")
+"""
