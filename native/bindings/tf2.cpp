@@ -348,6 +348,16 @@ void bind_listings(nb::class_<BufferHandle>& type) {
           "Return the frames whose data a lookup reads: the target's branch and the source's, each from the bottom up "
           "to below the root, or below the other end. Raises as `lookup` does.")
       .def(
+          "path",
+          [](const BufferHandle& self, const NameArgument& target, const NameArgument& source, StampArgument stamp) {
+            const auto result = self.buffer->branches(target.text, source.text, stamp.value);
+            if (!result) raise(result.error());
+            return result->path();
+          },
+          "target_frame"_a, "source_frame"_a, "stamp_ns"_a = 0,
+          nb::sig("def path(self, target_frame: str, source_frame: str, stamp_ns: int = 0) -> list[str]"),
+          "Return the frames that a lookup goes through, from the source to the target. Raises as `lookup` does.")
+      .def(
           "all_frames_as_string", [](const BufferHandle& self) { return self.buffer->all_frames_as_string(); },
           nb::call_guard<ReleasedGil>(), "Return a line for each frame with a parent.")
       .def(

@@ -51,9 +51,15 @@ struct Namer {
   const FrameTable& frames;
   Branches branches{};
 
-  void source(FrameId id, const Bracket&) { branches.source.push_back(frames[id].name); }
-  void target(FrameId id, const Bracket&) { branches.target.push_back(frames[id].name); }
+  void source(FrameId id, const Bracket& link) { add(branches.source, id, link); }
+  void target(FrameId id, const Bracket& link) { add(branches.target, id, link); }
   void forget_source() { branches.source.clear(); }
+
+ private:
+  void add(std::vector<std::string>& branch, FrameId id, const Bracket& link) {
+    branch.push_back(frames[id].name);
+    branches.top = frames[link.parent].name;  // in the end, that of the last link: the walk goes up to the top
+  }
 };
 
 }  // namespace
@@ -275,7 +281,7 @@ Result<Branches> Buffer::branches(std::string_view target, std::string_view sour
     if (common.failure) return error_of(common.failure, ids.target, ids.source);
     stamp = common.stamp;
   }
-  Namer namer{frames_};
+  Namer namer{.frames = frames_, .branches = {.target = {}, .source = {}, .top = std::string(source)}};
   if (const Failure failure = walk(frames_, ids.target, ids.source, stamp, namer)) {
     return error_of(failure, ids.target, ids.source);
   }

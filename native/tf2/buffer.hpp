@@ -51,9 +51,14 @@ struct Query {
   }
 };
 
-// The frames whose data a query at one time reads: both ends' branches, from the bottom up to below the root.
+// The frames whose data a query at one time reads: both ends' branches, from the bottom up to below the top, which is
+// the root or the other end.
 struct Branches {
   std::vector<std::string> target, source;
+  std::string top;
+
+  // From the source to the target, by way of where the branches meet.
+  [[nodiscard]] std::vector<std::string> path() const;
 };
 
 // A frame and what it knows of its parent.

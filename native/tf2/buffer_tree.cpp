@@ -3,6 +3,15 @@
 
 namespace tfloom::tf2 {
 
+std::vector<std::string> Branches::path() const {
+  std::size_t up = source.size(), down = target.size();
+  while (up > 0 && down > 0 && source[up - 1] == target[down - 1]) --up, --down;  // what's above where they meet
+  std::vector<std::string> path(source.begin(), source.begin() + static_cast<std::ptrdiff_t>(up));
+  path.push_back(up < source.size() ? source[up] : top);
+  for (std::size_t i = down; i > 0; --i) path.push_back(target[i - 1]);
+  return path;
+}
+
 std::vector<Edge> Buffer::edges() const {
   const Reading lock(frames_mutex_);
   std::vector<Edge> edges;

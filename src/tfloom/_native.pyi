@@ -475,6 +475,11 @@ class Buffer:
         Return the frames whose data a lookup reads: the target's branch and the source's, each from the bottom up to below the root, or below the other end. Raises as `lookup` does.
         """
 
+    def path(self, target_frame: str, source_frame: str, stamp_ns: int = 0) -> list[str]:
+        """
+        Return the frames that a lookup goes through, from the source to the target. Raises as `lookup` does.
+        """
+
     def all_frames_as_string(self) -> str:
         """Return a line for each frame with a parent."""
 

@@ -78,11 +78,75 @@ def test_explains_what_is_unknown_or_apart(buffer: Buffer) -> None:
     assert "Nothing is stored of laser" not in str(buffer.explain("base", "laser"))
     fine = buffer.explain("base", "laser")
     assert (fine.error, fine.remedy) == (None, "")
-    circle = Buffer()
-    for parent, child in (("a", "b"), ("b", "c"), ("c", "a")):
-        circle.set(parent, child, SECOND, HERE, UPRIGHT)
-    circle.set("x", "y", SECOND, HERE, UPRIGHT)
-    assert "circle" in circle.explain("a", "nowhere").remedy or circle.explain("a", "y").error is not None
+
+
+@pytest.mark.parametrize(
+    ("target", "source", "remedy"),
+    [
+        ("map", "/laser", "Ask for laser, without the slash."),
+        ("", "laser", "Give both frames a name."),
+        ("none", "nobody", "Nobody has published none or nobody yet"),
+    ],
+)
+def test_explains_names_that_cannot_be(buffer: Buffer, target: str, source: str, remedy: str) -> None:
+    assert buffer.explain(target, source).remedy.startswith(remedy)
+
+
+def test_explains_a_gap_in_another_tree(buffer: Buffer) -> None:
+    told = buffer.explain("map", "shelf", 9 * SECOND)
+    assert told.failing_edge.child_frame_id == "shelf"
+    assert told.remedy.endswith("Nor is map, the root above one end, connected with shop.")
+
+
+def test_explains_what_was_cleared(buffer: Buffer) -> None:
+    buffer.clear()
+    assert buffer.explain("map", "base", 2 * SECOND).remedy.startswith("Nothing is stored of base now")
+
+
+def test_explains_histories_that_do_not_overlap() -> None:
+    buffer = Buffer()
+    for child, stamps in (("a", (5, 6)), ("b", (1, 2))):
+        for stamp in stamps:
+            buffer.set("root", child, stamp * SECOND, HERE, UPRIGHT)
+    told = buffer.explain("a", "b")
+    assert told.failing_edge.child_frame_id == "a"
+    assert (
+        told.remedy == "At no time are all of these known: a alone misses the time asked for by 3.000000 s."
+    )
+
+
+def test_explains_circles_and_chains_that_are_too_long() -> None:
+    buffer = Buffer()
+    for parent, child in (("a", "b"), ("b", "c"), ("c", "a"), ("x", "y"), ("a", "leaf")):
+        buffer.set(parent, child, SECOND, HERE, UPRIGHT)
+    assert buffer.explain("x", "leaf").remedy == "See which two publishers make a circle of parents: a, c, b."
+    fine = buffer.explain("a", "b")  # no need to go around
+    assert (fine.error, fine.chain) == (None, ["b", "a"])
+    assert [edge.child_frame_id for edge in fine.edges] == ["b"]
+    for index in range(1001):
+        buffer.set(f"f{index}", f"f{index + 1}", SECOND, HERE, UPRIGHT)
+    assert "more than 1000 links" in buffer.explain("f0", "f1001").remedy
+
+
+def test_the_chain_is_that_of_the_time_asked_for() -> None:
+    buffer = Buffer()
+    for parent, stamps in (("a", (1, 2)), ("b", (3, 4))):
+        for stamp in stamps:
+            buffer.set(parent, "x", stamp * SECOND, HERE, UPRIGHT)
+    assert buffer.chain("a", "x", SECOND) == ["x", "a"]
+    assert buffer.chain("x", "a", SECOND) == ["a", "x"]
+    assert buffer.chain("b", "x", 3 * SECOND) == ["x", "b"]
+    told = buffer.explain("a", "x", SECOND)
+    assert told.chain == ["x", "a"]
+    assert str(told).splitlines()[1].startswith("  a -> x: 1.000000 to 4.000000")
+    assert str(told).endswith("; by now it's below b")
+
+
+def test_a_chain_of_what_cannot_be_looked_up(buffer: Buffer) -> None:
+    with pytest.raises(LookupException):
+        buffer.chain("map", "nowhere")
+    with pytest.raises(LookupException):
+        buffer.chain("nowhere", "nowhere")
 
 
 def test_a_removed_frame_is_gone_and_may_come_back(buffer: Buffer) -> None:

@@ -6,7 +6,12 @@ from typing import NamedTuple
 
 from tfloom import _native
 from tfloom._native import Edge
-from tfloom.tf2.errors import ExtrapolationException, TransformException
+from tfloom.tf2.errors import (
+    ConnectivityException,
+    ExtrapolationException,
+    InvalidArgumentException,
+    TransformException,
+)
 
 __all__ = ["Edge", "Explanation", "Frames"]
 
@@ -31,13 +36,24 @@ class Explanation(NamedTuple):
 
     def __str__(self) -> str:
         asked = "the latest time" if self.stamp_ns == 0 else f"{self.stamp_ns / 1e9:.6f}"
-        lines = [f"{self.target_frame} from {self.source_frame} at {asked}: {self.error or 'known'}"]
-        for edge in self.edges:
-            mark = " <-- here" if edge is self.failing_edge else ""
-            lines.append(f"  {edge.frame_id} -> {edge.child_frame_id}: {_span(edge)}{mark}")
+        lines = [
+            f"{self.target_frame} from {self.source_frame} at {asked}: {str(self.error or 'known').rstrip()}"
+        ]
+        for edge, frame_id in zip(self.edges, self._parents(), strict=True):
+            line = f"  {frame_id} -> {edge.child_frame_id}: {_span(edge)}"
+            if frame_id != edge.frame_id:
+                line += f"; by now it's below {edge.frame_id}"
+            lines.append(line + (" <-- here" if edge is self.failing_edge else ""))
         if self.remedy:
             lines.append(self.remedy)
         return "\n".join(lines)
+
+    def _parents(self) -> list[str]:
+        """Return the parent in each edge at the time asked for; the newest one, where the chain isn't whole."""
+        if len(self.edges) != len(self.chain) - 1:
+            return [edge.frame_id for edge in self.edges]
+        pairs = zip(self.edges, self.chain, self.chain[1:], strict=False)
+        return [after if edge.child_frame_id == before else before for edge, before, after in pairs]
 
 
 class Frames(_native.Buffer):
@@ -57,14 +73,7 @@ class Frames(_native.Buffer):
 
     def chain(self, target_frame: str, source_frame: str, stamp_ns: int = 0) -> list[str]:
         """Return the frames that a lookup goes through, from the source to the target. Raises as `lookup` does."""
-        if target_frame == source_frame and self.has_frame(source_frame):
-            return [source_frame]
-        down, up = self.branches(target_frame, source_frame, stamp_ns)
-        top = self.parents()[(up or down)[-1]]
-        while up and down and up[-1] == down[-1]:  # what is above where they meet
-            top = up.pop()
-            down.pop()
-        return [*up, *([] if top is None else [top]), *reversed(down)]
+        return self.path(target_frame, source_frame, stamp_ns)
 
     def common_time(self, *frames: str) -> int:
         """Return the newest time at which all of these frames are known to each other [ns since epoch].
@@ -79,17 +88,25 @@ class Frames(_native.Buffer):
         """Tell what a lookup goes through: each link's history, which of them fails, and what would mend it."""
         error = self._error(target_frame, source_frame, stamp_ns)
         by_child = {edge.child_frame_id: edge for edge in self.edges()}
-        up = _way_up(source_frame, by_child)
-        down = _way_up(target_frame, by_child)
-        top = next((frame for frame in up if frame in down), None)
-        if top is not None:
-            up, down = up[: up.index(top)], down[: down.index(top)]
-        chain = [*up, *([] if top is None else [top]), *reversed(down)]
+        if error is None and target_frame != source_frame:
+            down, up = self.branches(target_frame, source_frame, stamp_ns)
+            while up and down and up[-1] == down[-1]:  # what is above where they meet
+                up.pop()
+                down.pop()
+            chain = self.path(target_frame, source_frame, stamp_ns)
+        else:
+            up, down = _branches_by_newest(target_frame, source_frame, by_child)
+            is_whole = bool(up and down and up[-1] == down[-1])
+            chain = [*up, *reversed(down[:-1] if is_whole else down)]
+            if is_whole:
+                up, down = up[:-1], down[:-1]
         edges = [by_child[frame] for frame in [*up, *reversed(down)] if frame in by_child]
         failing = None
         if isinstance(error, ExtrapolationException):
             failing = next((edge for edge in edges if edge.child_frame_id == error.frame_id), None)
-        remedy = _remedy(error, failing, up, down, self)
+        remedy = "" if error is None else _remedy(error, failing, (up, down), edges, self)
+        if failing is not None and len(edges) < len(chain) - 1:
+            remedy += f" Nor is {down[-1]}, the root above one end, connected with {up[-1]}."
         return Explanation(target_frame, source_frame, stamp_ns, chain, edges, error, failing, remedy)
 
     def _error(self, target_frame: str, source_frame: str, stamp_ns: int) -> TransformException | None:
@@ -100,9 +117,20 @@ class Frames(_native.Buffer):
         return None
 
 
-def _way_up(frame: str, by_child: dict[str, Edge]) -> list[str]:
+def _branches_by_newest(target: str, source: str, by_child: dict[str, Edge]) -> tuple[list[str], list[str]]:
+    """Return the ways up from the source and from the target: both to where they meet, or each to its root."""
+    up, down = _way_up(source, by_child, target), _way_up(target, by_child, source)
+    if up[-1] == target:
+        return up, [target]
+    if down[-1] == source:
+        return [source], down
+    top = next((frame for frame in up if frame in down), None)
+    return (up, down) if top is None else (up[: up.index(top) + 1], down[: down.index(top) + 1])
+
+
+def _way_up(frame: str, by_child: dict[str, Edge], end: str = "") -> list[str]:
     way = [frame]
-    while way[-1] in by_child and by_child[way[-1]].frame_id not in way:
+    while way[-1] != end and way[-1] in by_child and by_child[way[-1]].frame_id not in way:
         way.append(by_child[way[-1]].frame_id)
     return way
 
@@ -118,32 +146,59 @@ def _span(edge: Edge) -> str:
 
 
 def _remedy(
-    error: TransformException | None, failing: Edge | None, up: list[str], down: list[str], frames: Frames
+    error: TransformException,
+    failing: Edge | None,
+    branches: tuple[list[str], list[str]],
+    edges: list[Edge],
+    frames: Frames,
 ) -> str:
-    if error is None:
-        return ""
+    up, down = branches
     if isinstance(error, ExtrapolationException):
-        return _remedy_of_gap(error, failing)
-    unknown = [name for name in (down[0], up[0]) if not frames.has_frame(name)] if up and down else []
+        return _remedy_of_gap(error, failing, edges)
+    names = [down[0], up[0]] if up and down else []
+    if isinstance(error, InvalidArgumentException):
+        stripped = next((name.lstrip("/") for name in names if name.startswith("/")), "")
+        return f"Ask for {stripped}, without the slash." if stripped else "Give both frames a name."
+    unknown = [name for name in names if not frames.has_frame(name)]
     if unknown:
         return (
             f"Nobody has published {' or '.join(unknown)} yet: check the name, and that its publisher runs."
         )
-    if up and down and up[-1] != down[-1]:
+    if isinstance(error, ConnectivityException):
         return f"Publish a transform that connects {down[-1]}, the root above one end, with {up[-1]}."
-    return "See that no two publishers make a circle of parents."
+    circle = _circle(frames.parents(), names)
+    if circle:
+        return f"See which two publishers make a circle of parents: {', '.join(circle)}."
+    return "A chain of more than 1000 links counts as a circle: shorten it."
 
 
-def _remedy_of_gap(error: ExtrapolationException, failing: Edge | None) -> str:
+def _circle(parents: dict[str, str | None], starts: list[str]) -> list[str]:
+    """Return the frames of the first circle of parents above any of these frames; none if there is none."""
+    for start in starts:
+        way: list[str] = []
+        frame: str | None = start
+        while frame is not None and frame not in way:
+            way.append(frame)
+            frame = parents.get(frame)
+        if frame is not None:
+            return way[way.index(frame) :]
+    return []
+
+
+def _remedy_of_gap(error: ExtrapolationException, failing: Edge | None, edges: list[Edge]) -> str:
     if failing is None or error.requested_ns is None:
         return f"Nothing is stored of {error.frame_id} now: is its publisher running?"
-    gap_s = (error.gap_ns or 0) / 1e9
+    moving = [edge for edge in edges if not edge.is_static]
+    first, last = max(edge.oldest_ns for edge in moving), min(edge.newest_ns for edge in moving)
+    name, gap_s = failing.child_frame_id, (error.gap_ns or 0) / 1e9
+    if first > last:
+        return f"At no time are all of these known: {name} alone misses the time asked for by {gap_s:.6f} s."
     if error.requested_ns > failing.newest_ns:
         return (
-            f"{failing.child_frame_id} ends {gap_s:.6f} s before the time asked for: wait for it with a timeout, or "
-            f"ask for a time up to {failing.newest_ns / 1e9:.6f}."
+            f"{name} ends {gap_s:.6f} s before the time asked for: wait for it with a timeout, or ask for a time up "
+            f"to {last / 1e9:.6f}."
         )
     return (
-        f"{failing.child_frame_id} begins {gap_s:.6f} s after the time asked for: ask for a time from "
-        f"{failing.oldest_ns / 1e9:.6f} on, or keep more history."
+        f"{name} begins {gap_s:.6f} s after the time asked for: ask for a time from {first / 1e9:.6f} on, or keep "
+        "more history."
     )
