@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import signal
+from contextlib import suppress
+
 import pytest
 
 from tfloom import node as rclpy
@@ -100,6 +103,24 @@ def test_the_wire_is_left_with_the_last_node_after_shutdown(
         node.destroy_node()
         assert watcher.get_node_names() == ["watcher"]
     watching.destroy()
+
+
+def test_init_may_stand_in_a_with() -> None:
+    before = signal.getsignal(signal.SIGTERM)
+    with rclpy.init(args=["prog"]) as begun:
+        assert rclpy.ok()
+        assert begun.context is rclpy.get_default_context()
+        assert signal.getsignal(signal.SIGTERM) is not before
+    assert not rclpy.ok()
+    assert signal.getsignal(signal.SIGTERM) is before
+    other = Context()
+    with suppress(KeyError), rclpy.init(args=[], context=other):
+        assert other.ok()
+        raise KeyError
+    assert not other.ok()
+    with rclpy.init(args=[]):
+        rclpy.shutdown()
+    other.destroy()
 
 
 def test_spinning_functions() -> None:

@@ -19,7 +19,10 @@ from tfloom.node.utilities import (
 from tfloom.node.utilities import shutdown as _shutdown
 
 if TYPE_CHECKING:
+    from types import TracebackType
     from typing import Any
+
+    from typing_extensions import Self
 
     from tfloom.node.executor import Executor
     from tfloom.node.node import Node
@@ -27,6 +30,7 @@ if TYPE_CHECKING:
 __all__ = [
     "Context",
     "Future",
+    "InitContextManager",
     "Parameter",
     "SignalHandlerOptions",
     "create_node",
@@ -45,14 +49,35 @@ __all__ = [
 ]
 
 
+class InitContextManager:
+    """What `init` returns: leave it be, or use it in a `with`."""
+
+    def __init__(self, context: Context, *, uninstall_handlers: bool) -> None:
+        self.context = context
+        self._uninstall_handlers = uninstall_handlers
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, t: type[BaseException] | None, v: BaseException | None, tb: TracebackType | None
+    ) -> None:
+        is_default = self.context is get_default_context()
+        try_shutdown(context=None if is_default else self.context)
+        if self._uninstall_handlers:
+            uninstall_signal_handlers()
+
+
 def init(
     *,
     args: list[str] | None = None,
     context: Context | None = None,
     domain_id: int | None = None,
     signal_handler_options: SignalHandlerOptions | None = None,
-) -> None:
+) -> InitContextManager:
     """Begin: read the ROS arguments, and handle Ctrl-C and SIGTERM.
+
+    As in later releases, `with rclpy.init():` shuts down at its end, if nothing has before.
 
     Args:
         args: Command line; None: `sys.argv`.
@@ -68,8 +93,10 @@ def init(
     if signal_handler_options is None:
         is_default = context is None or context is get_default_context()
         signal_handler_options = SignalHandlerOptions.ALL if is_default else SignalHandlerOptions.NO
-    (context or get_default_context()).init(args, domain_id=domain_id)
+    context = context or get_default_context()
+    context.init(args, domain_id=domain_id)
     install_signal_handlers(signal_handler_options)
+    return InitContextManager(context, uninstall_handlers=signal_handler_options != SignalHandlerOptions.NO)
 
 
 def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:

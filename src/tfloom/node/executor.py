@@ -298,9 +298,14 @@ class Executor:
         tokens = self._queue.wait(self._wait_ns(end_ns))
         for token in tokens:
             entity = self._entities.get(token)
-            if entity is not None and not entity.goes_by_group:
+            if entity is None:
+                if token != WAKE:
+                    self._ready.append(token)
+            elif not entity.goes_by_group:
                 self._run_here(entity, token)
-            elif token != WAKE:
+            elif entity.is_timed and not entity.is_polled and (due_ns := entity.deadline_ns()) is not None:
+                self._timers.set(token, due_ns)  # timers have their turns by their deadlines alone
+            else:
                 self._ready.append(token)
         self._ready.extend(self._timers.take_due(time.monotonic_ns()))
         if self._polled:

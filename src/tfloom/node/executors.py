@@ -79,11 +79,22 @@ class MultiThreadedExecutor(Executor):
 
         with suppress(TimeoutException, ShutdownException, ConditionReachedException):
             work = self._wait_for_work(timeout_sec, stop)
-            with self._busy_lock:
-                self._busy += 1
-            self._pool.submit(self._run_in_pool, work)
+            self._hand_out(work)
         if self._errors:
             raise self._errors.popleft()
+
+    def _hand_out(self, work: Work) -> None:
+        with self._busy_lock:
+            self._busy += 1
+        try:
+            self._pool.submit(self._run_in_pool, work)
+        except RuntimeError:
+            if not self._is_shutdown:
+                raise
+            with self._busy_lock:  # another thread shut down just now: the callback doesn't begin any more
+                self._busy -= 1
+            if work.entity is not None:
+                self._end(work.entity)
 
     def _run_in_pool(self, work: Work) -> None:
         try:

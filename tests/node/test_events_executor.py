@@ -1,0 +1,126 @@
+"""The events executor: what comes first runs first."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import threading
+from collections.abc import Callable
+
+import pytest
+from tests.conftest import wait_until
+
+from tfloom.interfaces.std_msgs.msg import Int32
+from tfloom.node.callback_groups import MutuallyExclusiveCallbackGroup
+from tfloom.node.context import Context
+from tfloom.node.experimental import EventsExecutor
+from tfloom.node.node import Node
+from tfloom.node.task import Future
+
+MakeNode = Callable[..., Node]
+
+
+def test_callbacks_run_in_the_order_of_their_events(node: Node, context: Context) -> None:
+    order: list[str] = []
+    with EventsExecutor(context=context) as executor:
+        publishers = {name: node.create_publisher(Int32, name, 10) for name in "abc"}
+        for name in "abc":
+            node.create_subscription(Int32, name, lambda _, name=name: order.append(name), 10)
+        executor.add_node(node)
+        executor.spin_once(timeout_sec=0)
+        for name in "cabcab":
+            publishers[name].publish(Int32())
+        executor.create_task(lambda: (order.append("task"), executor.shutdown()))
+        executor.spin()
+    assert order[:4] == ["c", "a", "b", "task"], "one of each, in the order in which they came"
+
+
+def test_timers_run_in_the_order_of_their_deadlines(node: Node, context: Context) -> None:
+    order: list[float] = []
+    with EventsExecutor(context=context) as executor:
+        for period in (0.03, 0.01, 0.02):
+            node.create_timer(period, lambda period=period: order.append(period))
+        node.create_timer(0.035, executor.shutdown)
+        executor.add_node(node)
+        wait_until(lambda: all(timer.is_ready() for timer in node.timers))
+        executor.spin()
+    assert order == [0.01, 0.02, 0.03]
+
+
+def test_what_an_error_left_undone_is_done_by_the_next_spin(node: Node, context: Context) -> None:
+    ran: list[str] = []
+
+    def fail() -> None:
+        raise KeyError("mine")
+
+    with EventsExecutor(context=context) as executor:
+        executor.create_task(fail)
+        executor.create_task(lambda: ran.append("second"))
+        executor.create_task(executor.shutdown)
+        executor.add_node(node)
+        with pytest.raises(KeyError, match="mine"):
+            executor.spin()
+        assert ran == []
+        executor.spin()
+    assert ran == ["second"]
+
+
+def test_an_exclusive_group_waits_for_the_end_of_a_coroutine(node: Node, context: Context) -> None:
+    """One thread alone doesn't keep two callbacks apart: a coroutine lets others in while it waits."""
+    order: list[str] = []
+    with EventsExecutor(context=context) as executor:
+        gate: Future[None] = Future(executor=executor)
+        group = MutuallyExclusiveCallbackGroup()
+
+        async def waits() -> None:
+            timer.cancel()
+            order.append("begun")
+            await gate
+            order.append("ended")
+
+        def finish() -> None:
+            order.append("other")
+            executor.shutdown()
+
+        timer = node.create_timer(0.0, waits, group)
+        node.create_timer(0.001, finish, group)
+        node.create_timer(
+            0.02, lambda: gate.done() or gate.set_result(None), MutuallyExclusiveCallbackGroup()
+        )
+        executor.add_node(node)
+        executor.spin()
+    assert order == ["begun", "ended", "other"]
+
+
+def test_another_thread_cannot_spin_it_meanwhile(node: Node, context: Context) -> None:
+    with EventsExecutor(context=context) as executor:
+        executor.add_node(node)
+        begun = threading.Event()
+        node.create_timer(0.0, begun.set)
+        thread = threading.Thread(target=executor.spin)
+        thread.start()
+        assert begun.wait(10)
+        for spin in (
+            executor.spin,
+            executor.spin_once,
+            lambda: executor.spin_until_future_complete(Future()),
+        ):
+            with pytest.raises(RuntimeError, match="already spinning"):
+                spin()
+        executor.shutdown(10)
+        thread.join(10)
+        assert not thread.is_alive()
+
+
+def test_rclpy_s_names_for_it_load_nothing_heavy() -> None:
+    code = (
+        "import sys, rclpy, rclpy.experimental\n"
+        "from rclpy.experimental.events_executor import EventsExecutor\n"
+        "from rclpy.executors import Executor\n"
+        "assert issubclass(EventsExecutor, Executor)\n"
+        "print([m for m in ('numpy', 'asyncio', 'concurrent.futures') if m in sys.modules])\n"
+    )
+    result = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=True
+    )
+    assert result.stdout == "[]\n"
