@@ -216,6 +216,7 @@ def test_a_parameter_file_is_read_by_node(tmp_path: Path) -> None:
         ("a: {ros__parameters: {x: [1, a]}}", "list of 'x' must be of one scalar type"),
         ("a: {ros__parameters: {x: [[1]]}}", "list of 'x' must be of one scalar type"),
         ("a: [", "no valid YAML"),
+        ("a: &x {ros__parameters: {x: *x}}", "an alias in it holds itself"),
     ],
 )
 def test_a_bad_parameter_file_says_what_and_where(content: str, text: str, tmp_path: Path) -> None:

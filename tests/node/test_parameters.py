@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import array
+import math
 from collections.abc import Callable
 from pathlib import Path
 
@@ -176,6 +177,33 @@ def test_overrides_from_the_command_line(make_node: MakeNode) -> None:
         automatically_declare_parameters_from_overrides=True,
     )
     assert other.get_parameter("x").value == 6
+
+
+@pytest.mark.parametrize(
+    ("value", "kind"),
+    [
+        ("fast", "STRING"),
+        ("2", "INTEGER"),
+        ("true", "BOOL"),
+        ("[1.0]", "DOUBLE_ARRAY"),
+        ("2020-01-01", "STRING"),
+        ("", "STRING"),
+    ],
+)
+def test_a_parameter_file_of_wrong_types(make_node: MakeNode, tmp_path: Path, value: str, kind: str) -> None:
+    path = tmp_path / "p.yaml"
+    path.write_text(f"/**:\n  ros__parameters:\n    rate: {value}\n    good: 5\n")
+    node = make_node(cli_args=["--ros-args", "--params-file", str(path)])
+    with pytest.raises(InvalidParameterTypeException, match=f"of type '{kind}', expecting type 'DOUBLE'"):
+        node.declare_parameter("rate", 1.0)
+    assert not node.has_parameter("rate")
+    assert node.declare_parameter("good", 1).value == 5
+
+
+def test_integers_beyond_64_bits_are_doubles(make_node: MakeNode) -> None:
+    node = make_node(cli_args=["--ros-args", "-p", f"x:={2**63}", "-p", "y:=-" + "9" * 5000])
+    assert node.declare_parameter("x", 1.0).value == 2.0**63
+    assert node.declare_parameter("y", 1.0).value == -math.inf
 
 
 def test_undeclared_parameters_may_be_allowed(make_node: MakeNode) -> None:

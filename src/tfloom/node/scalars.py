@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from typing import Any
 
@@ -10,6 +11,7 @@ __all__ = ["parse_scalar", "parse_value"]
 _TRUE = {"y", "Y", "yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"}
 _FALSE = {"n", "N", "no", "No", "NO", "false", "False", "FALSE", "off", "Off", "OFF"}
 _INTEGER = re.compile(r"[-+]?(0[xX][0-9a-fA-F]+|[0-9]+)\Z")
+_MOST_DIGITS = 300
 _DOUBLE = re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\Z")
 _NOT_FINITE = re.compile(r"([-+]?)\.(inf|Inf|INF|nan|NaN|NAN)\Z")
 _NEEDS_YAML = re.compile(r"[\[\]{}'\"#&*!|>%@`,\n]|: |:$|^[-?] |^\s|\s$")
@@ -25,13 +27,21 @@ def parse_scalar(text: str) -> bool | int | float | str:
         digits = text.lstrip("+-")
         is_octal = len(digits) > 1 and digits[0] == "0" and digits[1] not in "xX"
         if not is_octal:
-            return int(text, 0)
+            return _integer(text, 0)
         if set(digits) <= set("01234567"):
-            return int(text, 8)
+            return _integer(text, 8)
     if _DOUBLE.match(text):
         return float(text)
     special = _NOT_FINITE.match(text)
     return float(special.group(1) + special.group(2)) if special else text
+
+
+def _integer(text: str, base: int) -> int | float:
+    """Return an integer, or what comes nearest where 64 bits don't hold it."""
+    if len(text) <= _MOST_DIGITS:
+        value = int(text, base)
+        return value if -(2**63) <= value < 2**63 else float(value)
+    return math.copysign(math.inf, -1 if text[0] == "-" else 1)
 
 
 def parse_value(text: str) -> Any:
@@ -48,7 +58,10 @@ def parse_value(text: str) -> Any:
         node = yaml.compose(text, Loader=yaml.SafeLoader)
     except yaml.YAMLError as error:
         raise ValueError(f"it is no valid YAML: {' '.join(str(error).split())}") from None
-    return _construct(node)
+    try:
+        return _construct(node)
+    except RecursionError:
+        raise ValueError("it is no value: an alias in it holds itself, or it is nested too deep") from None
 
 
 def _construct(node: Any) -> Any:
