@@ -1,0 +1,196 @@
+"""Waiting for transforms: for as long as it can help, and no longer; across jumps of simulated time, too."""
+
+from __future__ import annotations
+
+import threading
+import time
+
+import pytest
+from tests.tf2_ros.conftest import SECOND, transform_stamped
+
+from tfloom.node.clock import Clock
+from tfloom.node.duration import Duration
+from tfloom.node.node import Node
+from tfloom.node.time import Time
+from tfloom.tf2 import errors
+from tfloom.tf2_ros.buffer import Buffer
+from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
+from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
+from tfloom.tf2_ros.transform_listener import TransformListener
+
+LONG = Duration(seconds=60)
+NOW = Time()
+
+
+@pytest.fixture
+def buffer() -> Buffer:
+    buffer = Buffer()
+    buffer.set_transform(transform_stamped("map", "base", 100 * SECOND), "me")
+    return buffer
+
+
+HOPELESS = [
+    (("map", "base", Time(seconds=1)), errors.NoDataForExtrapolationException),  # older than the cache keeps
+    (("map", "/base", NOW), errors.InvalidArgumentException),
+    (("", "base", NOW), errors.InvalidArgumentException),
+]
+
+
+@pytest.mark.parametrize(("query", "kind"), HOPELESS)
+def test_what_can_never_be_answered_is_told_at_once(
+    buffer: Buffer, query: tuple, kind: type[Exception]
+) -> None:
+    target, source, at = query
+    full = target, at, source, at, "map"
+    start = time.monotonic()
+    for look_up, arguments in ((buffer.lookup_transform, query), (buffer.lookup_transform_full, full)):
+        with pytest.raises(kind):
+            look_up(*arguments, LONG)
+    assert not buffer.can_transform(*query, LONG)
+    assert not buffer.can_transform_full(*full, LONG)
+    for future in (
+        buffer.wait_for_transform_async(*query, timeout=LONG),
+        buffer.wait_for_transform_full_async(*full, timeout=LONG),
+    ):
+        assert isinstance(future.exception(), kind)
+    assert time.monotonic() - start < 30
+
+
+def test_a_lookup_wakes_with_the_transform_from_the_wire(node: Node) -> None:
+    buffer = Buffer()
+    listener = TransformListener(buffer, node)
+    broadcaster = TransformBroadcaster(node)
+    delays = []
+    for attempt in range(10):
+        woken: list[float] = []
+
+        def look_up(child: str = f"child{attempt}", woken: list[float] = woken) -> None:
+            buffer.lookup_transform("map", child, NOW, LONG)
+            woken.append(time.perf_counter())
+
+        thread = threading.Thread(target=look_up)
+        thread.start()
+        time.sleep(0.01)  # let it fall asleep: no matter if it has not
+        sent = time.perf_counter()
+        broadcaster.sendTransform(transform_stamped("map", f"child{attempt}", SECOND))
+        thread.join(30)
+        delays.append(woken[0] - sent)
+    assert min(delays) < 0.001
+    listener.unregister()
+
+
+@pytest.mark.parametrize("timeout", [0.5, None, "1 s"])
+def test_a_timeout_is_a_duration(buffer: Buffer, timeout: object) -> None:
+    with pytest.raises(TypeError, match="duration must have sec and nanosec, or nanoseconds"):
+        buffer.lookup_transform("map", "base", NOW, timeout)
+    with pytest.raises(TypeError, match="time must have sec and nanosec, or nanoseconds"):
+        buffer.lookup_transform("map", "base", 0.5)
+
+
+@pytest.mark.parametrize("duration", [Duration(), Duration(seconds=-1), Duration(nanoseconds=1)])
+def test_no_time_to_wait(buffer: Buffer, duration: Duration) -> None:
+    assert buffer.can_transform("map", "base", NOW, duration)
+    assert not buffer.can_transform("map", "other", NOW, duration)
+
+
+def test_a_chain_of_static_transforms_and_a_moving_one_below() -> None:
+    buffer = Buffer()
+    buffer.set_transform_static(transform_stamped("a", "b", SECOND), "me")
+    buffer.set_transform_static(transform_stamped("b", "c", SECOND), "me")
+    assert all(buffer.can_transform("a", "c", Time(seconds=at)) for at in (0, 100, 1000))
+    buffer.set_transform(transform_stamped("c", "d", 10 * SECOND), "me")
+    known = [bool(buffer.can_transform("a", "d", Time(seconds=at))) for at in (0, 10, 1, 1000)]
+    assert known == [True, True, False, False]
+
+
+class TestSimulatedTime:
+    @pytest.fixture
+    def clock(self, node: Node) -> Clock:
+        clock = node.get_clock()
+        clock.set_ros_time_is_active(True)
+        self.set(clock, 100)
+        return clock
+
+    def set(self, clock: Clock, seconds: float) -> None:
+        clock.set_ros_time_override(Time(seconds=seconds, clock_type=clock.clock_type))
+
+    def test_a_wait_goes_on_across_a_jump_back(self, node: Node, clock: Clock) -> None:
+        buffer = Buffer(node=node)
+        buffer.set_transform(transform_stamped("map", "base", 100 * SECOND), "me")
+        found: list[object] = []
+        thread = threading.Thread(
+            target=lambda: found.append(buffer.lookup_transform("map", "base", Time(seconds=11), LONG))
+        )
+        # At 11 s of now it's too old; the jump makes it a time to come.
+        self.set(clock, 10)
+        thread.start()
+        for at in (10, 12):
+            buffer.set_transform(transform_stamped("map", "base", at * SECOND), "me")
+        thread.join(30)
+        assert found[0].header.stamp.sec == 11
+
+    def test_a_jump_is_told_of_once(
+        self, node: Node, clock: Clock, capfd: pytest.CaptureFixture[str]
+    ) -> None:
+        buffer = Buffer(node=node)
+        TransformListener(buffer, node)
+        other = TransformListener(buffer, node)
+        other.buffer = buffer
+        capfd.readouterr()
+        self.set(clock, 10)
+        lines = [line for line in capfd.readouterr().err.splitlines() if "tf2_buffer" in line]
+        assert [line.partition("]: ")[2] for line in lines] == [
+            "Detected jump back in time. Clearing tf buffer."
+        ]
+
+    def test_forward_and_little_jumps_change_nothing(self, node: Node, clock: Clock) -> None:
+        buffer = Buffer(node=node)
+        buffer.set_transform(transform_stamped("map", "base", 100 * SECOND), "me")
+        for seconds in (99.5, 98.6, 1000, 999.1):
+            self.set(clock, seconds)
+        assert buffer.can_transform("map", "base", NOW)
+
+    def test_static_transforms_outlive_a_jump_and_are_no_stragglers(self, node: Node, clock: Clock) -> None:
+        buffer = Buffer()
+        TransformListener(buffer, node)
+        static = StaticTransformBroadcaster(node)
+        static.sendTransform(transform_stamped("base", "laser", 100 * SECOND))
+        self.set(clock, 10)
+        assert buffer.can_transform("base", "laser", NOW)
+        static.sendTransform(transform_stamped("base", "camera", 100 * SECOND))
+        assert buffer.can_transform("base", "camera", NOW)
+
+    def test_stragglers_are_ignored_for_a_moment_only(self, node: Node, clock: Clock) -> None:
+        buffer = Buffer()
+        TransformListener(buffer, node)
+        broadcaster = TransformBroadcaster(node)
+        self.set(clock, 99.99)
+        self.set(clock, 98.5)  # 1.49 s back: what is from 99.245 s on is a straggler, for 0.745 s
+        broadcaster.sendTransform(transform_stamped("map", "base", 100 * SECOND))
+        assert not buffer.can_transform("map", "base", NOW)
+        end = time.monotonic() + 30
+        while not buffer.can_transform("map", "base", NOW) and time.monotonic() < end:
+            broadcaster.sendTransform(transform_stamped("map", "base", 100 * SECOND))
+            time.sleep(0.02)
+        assert buffer.lookup_transform("map", "base", NOW).header.stamp.sec == 100
+
+
+def test_a_flood_of_old_data_says_how_many_were_held_back(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    buffer = Buffer()
+    buffer.set_transform(transform_stamped("map", "base", 100 * SECOND), "me")
+    old = transform_stamped("map", "base", SECOND)
+    for _ in range(500):
+        buffer.set_transform(old, "me")
+    printed, end = "", time.monotonic() + 30
+    while "held back" not in printed and time.monotonic() < end:
+        time.sleep(0.02)
+        buffer.set_transform(old, "me")
+        printed += capfd.readouterr().err
+    assert (
+        "TF_OLD_DATA ignoring data from the past for frame base at time 1.000000 according to authority me"
+        in printed
+    )
+    held_back = int(printed.partition(" more like this were held back")[0].rpartition("(")[2])
+    assert held_back >= 499
