@@ -20,6 +20,7 @@ from tfloom.node.parameter import PARAMETER_SEPARATOR_STRING, Parameter
 from tfloom.node.parameter_service import ParameterService
 from tfloom.node.publisher import Publisher
 from tfloom.node.qos import qos_profile_parameter_events
+from tfloom.node.qos_overriding_options import QoSOverridingOptions
 from tfloom.node.rcutils_logger import RcutilsLogger
 from tfloom.node.rosout import Rosout
 from tfloom.node.service import SrvType, SrvTypeRequest, SrvTypeResponse
@@ -84,6 +85,9 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
 
     PARAM_REL_TOL = 1e-6
 
+    _parameter_event_overriding: QoSOverridingOptions | None = None
+    """What parameters may override of the publisher of parameter events: nothing, as in rclpy; rclcpp lets them."""
+
     def __init__(
         self,
         node_name: str,
@@ -122,7 +126,10 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         if enable_rosout and self.__arguments.rosout_logs:
             self.__rosout = Rosout(self.__participant, self.__node_name, self.__logger.name)
         self.__parameter_event_publisher = self.create_publisher(
-            rcl_msg.ParameterEvent, PARAMETER_EVENTS_TOPIC, qos_profile_parameter_events
+            rcl_msg.ParameterEvent,
+            PARAMETER_EVENTS_TOPIC,
+            qos_profile_parameter_events,
+            qos_overriding_options=self._parameter_event_overriding,
         )
         if automatically_declare_parameters_from_overrides:
             for name, parameter in self._parameter_overrides.items():

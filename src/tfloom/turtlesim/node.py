@@ -37,9 +37,12 @@ FRAME_S = 1 / 60
 class TurtlesimNode(Node):
     """Steps a world of turtles 62.5 times a second and connects it to topics."""
 
+    _parameter_event_overriding = parameters.EVENT_OVERRIDING
+
     def __init__(self) -> None:
         super().__init__("turtlesim")
         parameters.declare(self)
+        parameters.listen(self)
         self.get_logger().info(f"Starting turtlesim with node name {self.get_fully_qualified_name()}")
         self.sim = TurtleSim(lambda: self.get_clock().now().nanoseconds)
         self._endpoints: dict[str, TurtleEndpoints] = {}

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-from tfloom.interfaces.rcl_interfaces.msg import IntegerRange, ParameterDescriptor
+from tfloom.interfaces.rcl_interfaces.msg import IntegerRange, ParameterDescriptor, ParameterEvent
 from tfloom.node.node import Node
 from tfloom.node.parameter import Parameter, ParameterType
+from tfloom.node.qos import QoSPolicyKind, qos_profile_parameter_events
+from tfloom.node.qos_overriding_options import QoSOverridingOptions
 from tfloom.turtlesim.canvas import DEFAULT_BACKGROUND
 from tfloom.turtlesim.world import Color
 
 CHANNELS = ("Red", "Green", "Blue")
 HOLONOMIC = "holonomic"
+EVENT_OVERRIDING = QoSOverridingOptions(
+    [QoSPolicyKind.DEPTH, QoSPolicyKind.DURABILITY, QoSPolicyKind.HISTORY, QoSPolicyKind.RELIABILITY]
+)
+"""What rclcpp lets parameters override of the publisher of parameter events."""
 TYPE_NAMES = {
     ParameterType.NOT_SET: "not set",
     ParameterType.BOOL: "bool",
@@ -35,6 +41,16 @@ def declare(node: Node) -> None:
         node.declare_parameter(f"background_{channel[0].lower()}", default, descriptor)
     descriptor = ParameterDescriptor(description="If true, then turtles will be holonomic")
     node.declare_parameter(HOLONOMIC, False, descriptor)
+
+
+def listen(node: Node) -> None:
+    """Be seen on /parameter_events, where the reference's turtlesim, a C++ node, hears of its own parameters.
+
+    Nothing is to be done with what comes: who needs a parameter asks the node.
+    """
+    node.create_subscription(
+        ParameterEvent, "/parameter_events", lambda _: None, qos_profile_parameter_events, raw=True
+    )
 
 
 def background(node: Node) -> Color:
