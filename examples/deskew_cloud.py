@@ -1,6 +1,7 @@
 """From arrays to a deskewed cloud: a lidar that turns while its robot drives, seen with and without the drive.
 
-Run it with `python examples/deskew_cloud.py`; with matplotlib installed and `--plot deskew.png` it draws both.
+Run it with `python examples/deskew_cloud.py`; with matplotlib installed, `--plot deskew.png` draws both clouds, and how
+far each point is off the walls.
 """
 
 from __future__ import annotations
@@ -43,32 +44,49 @@ def sweep(buffer: Buffer) -> tuple[np.ndarray, np.ndarray]:
     return points.astype(np.float32), stamps
 
 
-def error_m(points: np.ndarray) -> float:
-    """Return how far points in odom are from the walls, in the mean [m]."""
-    return float(np.abs(np.stack((10 - np.abs(points[:, 0]), 6 - np.abs(points[:, 1])))).min(axis=0).mean())
+def off_the_walls(points: np.ndarray) -> np.ndarray:
+    """Return how far each point in odom is from the nearest wall [m]."""
+    return np.abs(np.stack((10 - np.abs(points[:, 0]), 6 - np.abs(points[:, 1])))).min(axis=0)
+
+
+def plot(buffer: Buffer, stamps: np.ndarray, clouds: dict[str, np.ndarray], path: str) -> None:
+    """Draw the clouds from above with the way of the lidar, and each point's error over the sweep."""
+    from matplotlib import pyplot as plt
+
+    figure, (room, errors) = plt.subplots(1, 2, figsize=(11, 4.5), layout="constrained")
+    for label, cloud in clouds.items():
+        room.plot(cloud[:, 0], cloud[:, 1], ".", markersize=1.5, label=label)
+        errors.plot((stamps - START_NS) / 1e6, off_the_walls(cloud), label=label)
+    way = buffer.lookup_many("odom", "lidar", stamps).positions
+    room.plot(way[:, 0], way[:, 1], "k-", linewidth=2, label="way of the lidar")
+    room.plot(*way[-1, :2], "k>", markersize=7)
+    room.set(
+        xlabel="x in odom [m]", ylabel="y in odom [m]", title="A sweep of 0.1 s at 8 m/s", aspect="equal"
+    )
+    room.legend(markerscale=6, loc="center", bbox_to_anchor=(0.5, 0.3))
+    errors.set(xlabel="time in the sweep [ms]", ylabel="distance from the nearest wall [m]")
+    errors.grid(alpha=0.3)
+    errors.legend()
+    figure.savefig(path, dpi=100)
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--plot", metavar="FILE", help="draw both clouds into this file")
+    parser.add_argument("--plot", metavar="FILE", help="draw the clouds and their errors into this file")
     arguments = parser.parse_args()
 
     buffer = Buffer(None)
     drive(buffer)
     points, stamps = sweep(buffer)
 
-    skewed = buffer.transform_points(points, "odom", "lidar", int(stamps[-1]))
-    deskewed = buffer.deskew(points, stamps, "odom", "lidar", "odom", int(stamps[-1]))
-    print(f"off the walls: {error_m(skewed):.3f} m as one moment, {error_m(deskewed):.6f} m deskewed")
+    end_ns = int(stamps[-1])
+    skewed = buffer.transform_points(points, "odom", "lidar", end_ns)
+    deskewed = buffer.deskew(points, stamps, "odom", "lidar", "odom", end_ns)
+    before, after = off_the_walls(skewed).mean(), off_the_walls(deskewed).mean()
+    print(f"off the walls: {before:.3f} m as one moment, {after:.6f} m deskewed")
 
     if arguments.plot:
-        from matplotlib import pyplot as plt
-
-        for cloud, label in ((skewed, "as one moment"), (deskewed, "deskewed")):
-            plt.plot(cloud[:, 0], cloud[:, 1], ".", markersize=1, label=label)
-        plt.axis("equal")
-        plt.legend()
-        plt.savefig(arguments.plot)
+        plot(buffer, stamps, {"as one moment": skewed, "deskewed": deskewed}, arguments.plot)
 
 
 if __name__ == "__main__":

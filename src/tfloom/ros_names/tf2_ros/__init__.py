@@ -8,6 +8,7 @@ import tf2_ros.buffer
 import tf2_ros.buffer_client
 import tf2_ros.buffer_interface
 import tf2_ros.buffer_server
+import tf2_ros.message_filter
 import tf2_ros.static_transform_broadcaster
 import tf2_ros.static_transform_listener
 import tf2_ros.transform_broadcaster
@@ -22,6 +23,7 @@ from tfloom.tf2_ros.buffer_client import *
 from tfloom.tf2_ros.buffer_core import BufferCore
 from tfloom.tf2_ros.buffer_interface import *
 from tfloom.tf2_ros.buffer_server import *
+from tfloom.tf2_ros.message_filter import *
 from tfloom.tf2_ros.static_transform_broadcaster import *
 from tfloom.tf2_ros.transform_broadcaster import *
 from tfloom.tf2_ros.transform_listener import *

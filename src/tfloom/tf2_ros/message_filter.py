@@ -1,0 +1,237 @@
+"""Messages held back until they can be transformed."""
+
+from __future__ import annotations
+
+import threading
+from collections import deque
+from collections.abc import Callable, Sequence
+from enum import IntEnum
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from tfloom.node.logging import get_logger
+from tfloom.tf2_ros.buffer_core import duration_ns, time_ns
+from tfloom.tf2_ros.deadlines import call_after
+from tfloom.tf2_ros.message_filters import SimpleFilter
+
+if TYPE_CHECKING:
+    from tfloom.node.guard_condition import GuardCondition
+    from tfloom.node.node import Node
+    from tfloom.tf2_ros.buffer_core import BufferCore
+
+__all__ = ["FilterFailureReason", "MessageFilter", "get_filter_failure_reason_string"]
+
+
+class FilterFailureReason(IntEnum):
+    """Why a message was dropped."""
+
+    Unknown = 0
+    OutTheBack = 1
+    """Its stamp is older than all that the buffer keeps."""
+    EmptyFrameID = 2
+    """It names no frame."""
+    NoTransformFound = 3
+    """`buffer_timeout` has passed."""
+    QueueFull = 4
+    """Newer ones took its place."""
+
+
+_TEXTS = {
+    FilterFailureReason.Unknown: "unknown",
+    FilterFailureReason.OutTheBack: "the timestamp on the message is earlier than all the data in the transform cache",
+    FilterFailureReason.EmptyFrameID: "the frame id of the message is empty",
+    FilterFailureReason.NoTransformFound: "did not find a valid transform, this usually happens at startup ...",
+    FilterFailureReason.QueueFull: "discarding message because the queue is full",
+}
+
+
+def get_filter_failure_reason_string(reason: int) -> str:
+    """Return a reason's name."""
+    names = {each.value: each.name for each in FilterFailureReason}
+    return names.get(int(reason), "Invalid Failure Reason")
+
+
+class _Held:
+    """A message, and what it waits for."""
+
+    def __init__(self, message: Any, missing: int) -> None:
+        self.message = message
+        self.missing = missing
+        self.handles: list[int] = []
+        self.is_settled = False
+
+
+class MessageFilter(SimpleFilter):
+    """Hands on the messages of a filter once the buffer can transform them into one frame or several.
+
+    Callbacks are called on the executor that spins the node; without a node, on the thread that brings the message
+    or the transform that was missing.
+
+    Args:
+        f: The filter whose messages to take, such as a `message_filters.Subscriber`; None: those of `add`.
+        buffer: Where to look.
+        target_frame: The frame, or all of the frames, that messages must be transformable into.
+        queue_size: How many messages to hold; the oldest are dropped. 0: any number.
+        node: Whose executor calls back; None: that of the filter's node, if it has one.
+        buffer_timeout: How long to hold a message by the steady clock; None: until it's dropped for another reason.
+    """
+
+    def __init__(
+        self,
+        f: Any,
+        buffer: BufferCore,
+        target_frame: str | Sequence[str],
+        queue_size: int,
+        node: Node | None = None,
+        buffer_timeout: Any = None,
+    ) -> None:
+        super().__init__()
+        self._buffer = buffer
+        self._queue_size = queue_size
+        self._timeout_s = None if buffer_timeout is None else duration_ns(buffer_timeout) / 1e9
+        self._tolerance_ns = 0
+        self._targets: list[str] = []
+        self._failure_callbacks: list[Callable[[Any, FilterFailureReason], Any]] = []
+        self._lock = threading.Lock()
+        self._held: dict[int, _Held] = {}  # by identity, oldest first
+        self._calls: deque[Callable[[], None]] = deque()
+        self._guard: GuardCondition | None = None
+        self.setTargetFrames([target_frame] if isinstance(target_frame, str) else target_frame)
+        node = getattr(f, "node", None) if node is None else node
+        if node is not None:
+            self._guard = node.create_guard_condition(self._call_all)
+        if f is not None:
+            self.connectInput(f)
+
+    def connectInput(self, f: Any) -> None:  # noqa: N802, message_filters' name
+        """Take the messages of a filter."""
+        self.incoming_connection = f.registerCallback(self.add)
+
+    def setTargetFrame(self, target_frame: str) -> None:  # noqa: N802, tf2_ros' name
+        """Set the frame that messages must be transformable into, from the next one on."""
+        self.setTargetFrames([target_frame])
+
+    def setTargetFrames(self, target_frames: Sequence[str]) -> None:  # noqa: N802, tf2_ros' name
+        """Set the frames that messages must be transformable into, from the next one on."""
+        self._targets = [frame.removeprefix("/") for frame in target_frames]
+
+    def getTargetFramesString(self) -> str:  # noqa: N802, tf2_ros' name
+        """Return the frames that messages must be transformable into, a space after each."""
+        return "".join(f"{frame} " for frame in self._targets)
+
+    def setTolerance(self, tolerance: Any) -> None:  # noqa: N802, tf2_ros' name
+        """Ask for the transform a duration after the stamp as well, from the next message on."""
+        self._tolerance_ns = duration_ns(tolerance)
+
+    def setQueueSize(self, new_queue_size: int) -> None:  # noqa: N802, tf2_ros' name
+        """Set how many messages to hold; 0: any number."""
+        self._queue_size = new_queue_size
+
+    def getQueueSize(self) -> int:  # noqa: N802, tf2_ros' name
+        """Return how many messages are held at most."""
+        return self._queue_size
+
+    def registerFailureCallback(self, callback: Callable[[Any, FilterFailureReason], Any]) -> None:  # noqa: N802
+        """Have `callback(message, reason)` called for each message that is dropped."""
+        self._failure_callbacks.append(callback)
+
+    def clear(self) -> None:
+        """Forget all messages that are held."""
+        with self._lock:
+            forgotten = list(self._held.values())
+            self._held.clear()
+            for held in forgotten:
+                held.is_settled = True
+        for held in forgotten:
+            self._cancel(held)
+
+    def add(self, msg: Any) -> None:
+        """Hand a message on as soon as the buffer can transform it."""
+        header = msg.header
+        frame = header.frame_id.removeprefix("/")
+        if not frame:
+            self._drop(msg, FilterFailureReason.EmptyFrameID)
+            return
+        stamp = time_ns(header.stamp)
+        stamps = (stamp, stamp + self._tolerance_ns) if self._tolerance_ns else (stamp,)
+        queries = [(target, frame, at) for target in self._targets for at in stamps]
+        held = _Held(msg, len(queries) + 1)  # the one more keeps it from being settled before all are asked
+        for query in queries:
+            handle = self._buffer.add_request(*query, partial(self._answer, held))
+            if handle is None:
+                self._answer(held, 0, False)
+                break
+            if handle == 0:
+                self._answer(held, 0, True)
+            else:
+                held.handles.append(handle)
+        self._hold(held)
+
+    def _hold(self, held: _Held) -> None:
+        crowded_out = []
+        with self._lock:
+            held.missing -= 1
+            is_settled = held.is_settled
+            is_ready = not is_settled and held.missing == 0
+            if is_ready:
+                held.is_settled = True
+            elif not is_settled:
+                self._held[id(held)] = held
+                while 0 < self._queue_size < len(self._held):
+                    oldest = self._held.pop(next(iter(self._held)))
+                    oldest.is_settled = True
+                    crowded_out.append(oldest)
+        for each in crowded_out:
+            self._cancel(each)
+            self._drop(each.message, FilterFailureReason.QueueFull)
+        if is_settled:
+            self._cancel(held)  # what was asked after it had failed
+        elif is_ready:
+            self.signalMessage(held.message)
+        elif self._timeout_s is not None:
+            call_after(self._timeout_s, partial(self._fail, held, FilterFailureReason.NoTransformFound))
+
+    def _answer(self, held: _Held, _handle: int, is_available: bool) -> None:
+        if not is_available:
+            self._fail(held, FilterFailureReason.OutTheBack)
+            return
+        with self._lock:
+            held.missing -= 1
+            if held.is_settled or held.missing > 0:
+                return
+            held.is_settled = True
+            self._held.pop(id(held), None)
+        self._call(partial(self.signalMessage, held.message))
+
+    def _fail(self, held: _Held, reason: FilterFailureReason) -> None:
+        with self._lock:
+            if held.is_settled:
+                return
+            held.is_settled = True
+            self._held.pop(id(held), None)
+        self._cancel(held)
+        self._drop(held.message, reason)
+
+    def _cancel(self, held: _Held) -> None:
+        for handle in list(held.handles):
+            self._buffer.cancel_request(handle)
+
+    def _drop(self, message: Any, reason: FilterFailureReason) -> None:
+        header = message.header
+        get_logger("tf2_ros_message_filter").info(
+            f"Message Filter dropping message: frame '{header.frame_id}' at time {time_ns(header.stamp) / 1e9:.3f} "
+            f"for reason '{_TEXTS[reason]}'"
+        )
+        for callback in self._failure_callbacks:
+            self._call(partial(callback, message, reason))
+
+    def _call(self, function: Callable[[], Any]) -> None:
+        if self._guard is None:
+            function()
+        else:
+            self._calls.append(function)
+            self._guard.trigger()
+
+    def _call_all(self) -> None:
+        while self._calls:
+            self._calls.popleft()()
