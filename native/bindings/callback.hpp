@@ -1,10 +1,14 @@
-// A Python callable that C++ may copy, call and drop on any thread.
+// A Python callable that C++ may copy, call and drop on any thread: on one that must not wait, both are put off.
 #pragma once
 
 #include <nanobind/nanobind.h>
 
 #include <memory>
+#include <tuple>
+#include <type_traits>
 #include <utility>
+
+#include "core/later.hpp"
 
 namespace tfloom::bindings {
 
@@ -20,14 +24,22 @@ class Callback {
  public:
   explicit Callback(nanobind::callable callable)
       : callable_(callable.release().ptr(), [](PyObject* object) {
-          if (python_is_ending()) return;
-          const nanobind::gil_scoped_acquire gil;
-          Py_DECREF(object);
+          if (Later* later = Later::of_this_thread()) {
+            later->put_off([object] { drop(object); });
+          } else {
+            drop(object);
+          }
         }) {}
 
   // What the callable raises is reported as unraisable: there's no caller who could take it.
   template <class... Args>
   void operator()(Args&&... args) const {
+    if (Later* later = Later::of_this_thread()) {
+      later->put_off([self = *this, kept = std::tuple<std::decay_t<Args>...>(std::forward<Args>(args)...)] {
+        std::apply(self, kept);
+      });
+      return;
+    }
     if (python_is_ending()) return;
     const nanobind::gil_scoped_acquire gil;
     const nanobind::handle callable(callable_.get());
@@ -40,6 +52,12 @@ class Callback {
   }
 
  private:
+  static void drop(PyObject* object) {
+    if (python_is_ending()) return;
+    const nanobind::gil_scoped_acquire gil;
+    Py_DECREF(object);
+  }
+
   std::shared_ptr<PyObject> callable_;
 };
 

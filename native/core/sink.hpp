@@ -1,4 +1,4 @@
-// A sink takes serialized samples from a wire, on the wire's own thread and without Python.
+// A sink takes serialized samples from a wire, on the wire's own threads and without Python.
 #pragma once
 
 #include <array>
@@ -24,7 +24,8 @@ class Sink {
   virtual ~Sink() = default;
 
   // Takes one sample: the four octets of encapsulation header, then CDR. `data` is hostile and lives only
-  // during the call. Never throws: a sample that can't be read is counted and dropped.
+  // during the call. Never throws: a sample that can't be read is counted and dropped. Takes microseconds, as the
+  // thread may be the one that receives for all of the process; what calls into Python is put off (core/later.hpp).
   virtual void push(std::span<const std::byte> data, const SampleInfo& info) noexcept = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "dds/feeder.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace tfloom::dds {
 
@@ -25,6 +26,14 @@ void Feeder::schedule(Source& source) {
   scheduled_.notify_one();  // with the lock given up, else the thread would wake to wait for it
 }
 
+void Feeder::put_off(Act act) {
+  {
+    const std::lock_guard lock(mutex_);
+    acts_.push_back(std::move(act));
+  }
+  scheduled_.notify_one();
+}
+
 void Feeder::forget(Source& source) {
   std::unique_lock lock(mutex_);
   drained_.wait(lock, [&] { return draining_ != &source; });
@@ -39,7 +48,16 @@ void Feeder::enqueue(Source& source) {
 void Feeder::run() {
   std::unique_lock lock(mutex_);
   for (;;) {
-    scheduled_.wait(lock, [&] { return stopping_ || !waiting_.empty(); });
+    scheduled_.wait(lock, [&] { return stopping_ || !waiting_.empty() || !acts_.empty(); });
+    if (!acts_.empty()) {
+      Act act = std::move(acts_.front());
+      acts_.pop_front();
+      lock.unlock();
+      act();
+      act = nullptr;  // what it holds is let go of without the lock
+      lock.lock();
+      continue;
+    }
     if (stopping_) return;
     Source* source = draining_ = waiting_.front();
     waiting_.pop_front();

@@ -1,4 +1,4 @@
-// One thread that takes data off readers, so that no listener of the DDS library ever does.
+// One thread for what the listeners of the DDS library must not do: whatever may wait.
 #pragma once
 
 #include <condition_variable>
@@ -6,9 +6,11 @@
 #include <mutex>
 #include <thread>
 
+#include "core/later.hpp"
+
 namespace tfloom::dds {
 
-class Feeder {
+class Feeder : public Later {
  public:
   class Source {
    public:
@@ -22,9 +24,7 @@ class Feeder {
   };
 
   Feeder();
-  ~Feeder();
-  Feeder(const Feeder&) = delete;
-  Feeder& operator=(const Feeder&) = delete;
+  ~Feeder() override;
 
   // Has `source` drained soon. From any thread, a listener's too: it never waits for a drain.
   void schedule(Source& source);
@@ -32,7 +32,11 @@ class Feeder {
   // When this returns, `source` isn't being drained and won't be until it is scheduled again.
   void forget(Source& source);
 
-  // Ends the thread; what is scheduled is left. Not from the feeder's own thread.
+  // Runs `act` soon. Callers may be in a listener, or hold a lock.
+  void put_off(Act act) override;
+
+  // Runs the acts that were put off, and ends the thread; sources that are scheduled are left. Not from the feeder's
+  // own thread.
   void stop();
 
  private:
@@ -43,6 +47,7 @@ class Feeder {
   std::condition_variable scheduled_;
   std::condition_variable drained_;
   std::deque<Source*> waiting_;
+  std::deque<Act> acts_;
   Source* draining_ = nullptr;
   bool stopping_ = false;
   std::thread thread_;

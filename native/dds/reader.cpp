@@ -7,7 +7,7 @@
 namespace tfloom::dds {
 namespace {
 
-constexpr Result samples_a_turn = 64;  // then the feeder's next source gets its turn
+constexpr Result samples_a_turn = 64;  // then others get their turn
 
 std::int64_t now_ns() {
   using namespace std::chrono;
@@ -39,7 +39,7 @@ void Reader::on_data_available(Entity, void* self) { static_cast<Reader*>(self)-
 
 void Reader::data_available() {
   if (sink_ != nullptr) {
-    participant_.feeder().schedule(*this);
+    feed_here();
     return;
   }
   const std::lock_guard lock(listener_mutex_);
@@ -67,8 +67,11 @@ void Reader::feed(Sink* sink) {
     if (closed_) return;
     queue_ = nullptr;
   }
-  participant_.feeder().forget(*this);  // a sink that was fed before is let go
-  sink_ = sink;
+  participant_.feeder().forget(*this);
+  {
+    const std::lock_guard lock(feed_mutex_);  // a sink that was fed before is let go
+    sink_ = sink;
+  }
   participant_.feeder().schedule(*this);
 }
 
@@ -85,8 +88,21 @@ bool Reader::take(const Receive& receive) {
   return false;
 }
 
+// On the library's thread, at the latest moment at which the data is still in the processor's cache: to wake another
+// thread costs more than what most sinks do.
+void Reader::feed_here() {
+  const std::unique_lock lock(feed_mutex_, std::try_to_lock);
+  if (!lock || push_some()) participant_.feeder().schedule(*this);
+}
+
 bool Reader::drain() {
   if (is_match_new_.exchange(false)) static_cast<void>(peers_.matched(entity_));
+  const std::lock_guard lock(feed_mutex_);
+  return push_some();
+}
+
+bool Reader::push_some() {
+  const Later::Scope scope(participant_.feeder());
   Sink* sink = sink_;
   if (sink == nullptr) return false;
   Serdata_* serdata[samples_a_turn]{};

@@ -32,7 +32,7 @@ class Reader : private Feeder::Source {
   // Hands the oldest waiting sample to `receive` and removes it; false if there is none, or the reader is fed.
   bool take(const Receive& receive);
 
-  // From now on pushes every sample into `sink` on the feeder's thread.
+  // From now on pushes every sample into `sink`, on the library's threads or the feeder's.
   void feed(Sink* sink);
 
   [[nodiscard]] std::size_t matched_count() const;
@@ -50,6 +50,8 @@ class Reader : private Feeder::Source {
   void data_available();
   void matches_changed();
   bool drain() override;
+  void feed_here();
+  bool push_some();  // with feed_mutex_ held; true if there may be more
 
   Participant& participant_;
   const Library& library_;
@@ -61,6 +63,7 @@ class Reader : private Feeder::Source {
   std::atomic<bool> closed_ = false;
   std::atomic<bool> is_match_new_ = false;
   std::atomic<Sink*> sink_ = nullptr;
+  std::mutex feed_mutex_;  // for one thread at a time that feeds; no listener waits for it
   std::mutex lifecycle_mutex_;  // for one feed or close at a time
   std::mutex listener_mutex_;  // guards the two below; the listener takes it, so it's held for moments only
   ReadyQueue* queue_ = nullptr;

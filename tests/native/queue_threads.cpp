@@ -1,5 +1,6 @@
 // Threads that post, wait, feed and leave at once, as a wire's listeners, executors and readers do. Ends with 0 if no
-// sample was lost and none came after its source had been forgotten; the sanitizer watches the rest.
+// sample was lost, none came after its source had been forgotten, and all that was put off was run; the sanitizer
+// watches the rest.
 #include <atomic>
 #include <cstdio>
 #include <memory>
@@ -10,6 +11,7 @@
 #include "core/sample_queue.hpp"
 #include "dds/feeder.hpp"
 
+using tfloom::Later;
 using tfloom::ReadyQueue;
 using tfloom::SampleQueue;
 using tfloom::dds::Feeder;
@@ -18,6 +20,7 @@ namespace {
 
 constexpr int samples = 20'000;
 constexpr int lives = 300;
+constexpr int acts = 5'000;
 std::atomic<int> faults{0};
 
 void check(bool holds, const char* what) {
@@ -81,6 +84,20 @@ int main() {
       for (int k = 0; k < 10; ++k) brief.receive();
     }
   });
+  std::atomic<int> acts_run{0};
+  for (int t = 0; t < 2; ++t) {
+    threads.emplace_back([&] {
+      const Later::Scope scope(feeder);
+      const auto before = std::make_shared<std::atomic<int>>(0);
+      for (int i = 0; i < acts; ++i) {
+        Later::of_this_thread()->put_off([&acts_run, before, i] {
+          check(Later::of_this_thread() == nullptr, "what was put off was to be put off again");
+          check(before->exchange(i + 1) == i, "what was put off came out of order");
+          ++acts_run;
+        });
+      }
+    });
+  }
   std::vector<ReadyQueue::Token> tokens;
   while (sink.pushed() < 2 * samples) {
     const auto outcome = queue.wait(10'000'000'000, tokens);
@@ -92,5 +109,6 @@ int main() {
   for (auto& thread : threads) thread.join();
   check(sink.pushed() == 2 * samples, "samples were lost or came twice");
   feeder.stop();
+  check(acts_run == 2 * acts, "something that was put off was never run");
   return faults == 0 ? 0 : 1;
 }

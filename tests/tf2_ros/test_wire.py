@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import signal
+import sys
 from collections.abc import Callable
 
 import pytest
@@ -95,6 +96,63 @@ time.sleep(0.5)
 """
 
 
+HOLDER = """
+import ctypes
+import sys
+import threading
+import time
+
+import rclpy
+from rclpy.executors import MultiThreadedExecutor
+from rclpy.node import Node
+from tf2_ros import Buffer, TransformListener
+
+HOLD = ctypes.PyDLL(None).usleep  # a call that keeps the interpreter to itself
+
+rclpy.init()
+node = Node("holder")
+executor = MultiThreadedExecutor()
+executor.add_node(node)
+threading.Thread(target=executor.spin, daemon=True).start()
+buffer = Buffer(node=node)
+listener = TransformListener(buffer, node)
+while not buffer.can_transform("map", "base", rclpy.time.Time()):
+    time.sleep(0.01)
+turns = 0
+answered = []
+
+
+def canary():
+    global turns
+    while True:
+        turns += 1
+        time.sleep(0)
+
+
+def newest_ns():
+    return buffer.get_latest_common_time("map", "base").nanoseconds
+
+
+soon = rclpy.time.Time(nanoseconds=newest_ns() + 100_000_000, clock_type=rclpy.clock.ClockType.ROS_TIME)
+future = buffer.wait_for_transform_async("map", "base", soon)
+future.add_done_callback(answered.append)
+threading.Thread(target=canary, daemon=True).start()
+print("holding", flush=True)
+sys.setswitchinterval(1000)
+before, end_ns = turns, newest_ns() + 1_000_000_000
+give_up = time.monotonic() + 30
+while newest_ns() < end_ns and time.monotonic() < give_up:
+    HOLD(1000)
+ran, was_answered, heard = turns - before, list(answered), newest_ns() >= end_ns
+sys.setswitchinterval(0.005)
+print("heard" if heard else "deaf", "while", ran, "turns of Python ran elsewhere", flush=True)
+print("answered" if was_answered else "unanswered", flush=True)
+while not answered:
+    time.sleep(0.01)
+print("answered at last:", answered[0].result().child_frame_id, flush=True)
+"""
+
+
 @pytest.fixture
 def start(start_program: Callable[..., Program], domain_id: int) -> Callable[[str], Program]:
     return lambda source: start_program("python", "-c", source)
@@ -125,6 +183,16 @@ def test_a_listener_survives_hostile_bytes_and_a_killed_broadcaster(
     start(BROADCASTER)
     wait_until(lambda: count(listener, "x 3.0") > before + 5, what="transforms of the new broadcaster")
     assert listener.process.poll() is None
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="usleep")
+def test_transforms_come_in_while_no_python_can_run(start: Callable[[str], Program]) -> None:
+    start(BROADCASTER)
+    holder = start(HOLDER)
+    holder.wait_for("answered at last: base", 60)
+    # A second of transforms came in, past one that a callback waits for, while the interpreter was never let go of.
+    assert "heard while 0 turns of Python ran elsewhere" in holder.lines
+    assert "unanswered" in holder.lines
 
 
 def test_ctrl_c_ends_a_wait(start: Callable[[str], Program]) -> None:
