@@ -42,6 +42,7 @@ void Reader::data_available() {
     feed_here();
     return;
   }
+  is_data_new_ = true;
   const std::lock_guard lock(listener_mutex_);
   if (queue_ != nullptr) queue_->post(token_);
 }
@@ -57,7 +58,7 @@ void Reader::notify(ReadyQueue* queue, ReadyQueue::Token token) {
   if (closed_ || sink_ != nullptr) return;
   queue_ = queue;
   token_ = token;
-  if (queue != nullptr) queue->post(token);
+  if (queue != nullptr && is_data_new_) queue->post(token);
 }
 
 void Reader::feed(Sink* sink) {
@@ -79,7 +80,9 @@ bool Reader::take(const Receive& receive) {
   while (sink_ == nullptr) {
     Serdata_* serdata = nullptr;
     SampleState state{};
+    is_data_new_ = false;  // before the look: what comes during it sets it again
     if (library_.takecdr(entity_, &serdata, 1, &state, 0) <= 0) return false;
+    is_data_new_ = true;  // there may be more
     const TakenSample sample(library_, serdata);
     if (!state.valid_data) continue;
     receive(sample.data(), {state.source_stamp_ns, now_ns(), peers_.gid(entity_, state.publication)});

@@ -62,6 +62,7 @@ class Reader : private Feeder::Source {
   Peers peers_;
   std::atomic<bool> closed_ = false;
   std::atomic<bool> is_match_new_ = false;
+  std::atomic<bool> is_data_new_ = false;  // false: nothing waits to be taken
   std::atomic<Sink*> sink_ = nullptr;
   std::mutex feed_mutex_;  // for one thread at a time that feeds; no listener waits for it
   std::mutex lifecycle_mutex_;  // for one feed or close at a time

@@ -5,7 +5,6 @@ from __future__ import annotations
 import _thread
 import sys
 import threading
-import traceback
 import weakref
 from collections.abc import Callable
 from types import MethodType, TracebackType
@@ -282,6 +281,8 @@ def _call(hook: Callable[[], Any]) -> None:
     try:
         hook()
     except Exception:  # noqa: BLE001  # the other hooks must run too
+        import traceback
+
         traceback.print_exc()
 
 

@@ -439,10 +439,14 @@ class Executor:
             self._spinning.release()
 
     def _spin_until(self, future: Future[Any], timeout_sec: float | None) -> None:
+        def is_over() -> bool:
+            return future.done() or future.cancelled()
+
+        future.when_complete(self.wake)
         end_s = None if timeout_sec is None or timeout_sec < 0 else time.monotonic() + timeout_sec
-        while self._context.ok() and not self._is_shutdown and not future.done() and not future.cancelled():
+        while self._context.ok() and not self._is_shutdown and not is_over():
             left_s = None if end_s is None else max(0.0, end_s - time.monotonic())
-            self.spin_once_until_future_complete(future, left_s)
+            self._spin_once(left_s, is_over)
             if end_s is not None and time.monotonic() >= end_s:
                 return
 

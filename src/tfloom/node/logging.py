@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+from typing import TYPE_CHECKING
 
 from tfloom.node import log_output
 from tfloom.node.log_file import log_directory
 from tfloom.node.logging_severity import LoggingSeverity
 from tfloom.node.rcutils_logger import RcutilsLogger
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 __all__ = [
     "LoggingSeverity",

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from enum import Enum
-from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
 from tfloom.node.names import full_node_name
 from tfloom.node.parameter_file import read_parameter_file
 from tfloom.node.scalars import parse_value
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 __all__ = [
     "PARAMETER_SEPARATOR_STRING",

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tfloom.node.scalars import parse_value
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 # A wrong form of a file is a wrong value, whichever Python type it has.
 # ruff: noqa: TRY004
@@ -43,6 +45,8 @@ def read_parameter_file(path: str | Path) -> list[ParameterRule]:
         OSError: the file can't be read.
         ValueError: it isn't such a file; the text says what is wrong, and where.
     """
+    from pathlib import Path
+
     try:
         text = Path(path).read_text("utf-8")
     except UnicodeDecodeError:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 import threading
-import traceback
 import weakref
 from collections.abc import Callable, Coroutine, Generator, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
@@ -143,6 +142,8 @@ class Future(Generic[T]):
             callback(self)
         except Exception:  # noqa: BLE001  # the next callback must run, and the completer is not to blame
             print("An exception was raised in a done callback of a future:", file=sys.stderr)
+            import traceback
+
             traceback.print_exc()
 
 

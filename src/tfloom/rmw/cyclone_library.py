@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import re
 from importlib.machinery import PathFinder
-from pathlib import Path
 
 from tfloom.rmw.errors import NoBackendError
 
@@ -16,6 +17,10 @@ _ELSEWHERE = (
 )
 
 
+_PLACES = (("../cyclonedds.libs", re.compile(r".*ddsc[-.]")), (".dylibs", re.compile("libddsc")))
+"""Where wheels keep it, from the package on: on Linux and Windows, and on macOS."""
+
+
 def find_library() -> str:
     """Return the path of libddsc.
 
@@ -24,23 +29,33 @@ def find_library() -> str:
     """
     package = _find_package()
     _check_version(package)
-    for pattern in ("../cyclonedds.libs/*ddsc[-.]*", ".dylibs/libddsc*"):
-        if found := sorted(package.glob(pattern)):
-            return str(found[0].resolve())
+    for place, name in _PLACES:
+        folder = f"{package}/{place}"
+        if found := sorted(filter(name.match, _names_in(folder))):
+            return os.path.realpath(f"{folder}/{found[0]}")
     raise NoBackendError(
         f"cyclonedds in {package} came without libddsc: it wasn't installed from a wheel; {_INSTALL}"
     )
 
 
-def _find_package() -> Path:
+def _find_package() -> str:
     spec = PathFinder.find_spec("cyclonedds")
     if spec is None or not spec.submodule_search_locations:
         raise NoBackendError(f"there is no DDS: cyclonedds isn't installed; {_INSTALL} {_ELSEWHERE}")
-    return Path(next(iter(spec.submodule_search_locations)))
+    return next(iter(spec.submodule_search_locations))
 
 
-def _check_version(package: Path) -> None:
-    for metadata in package.parent.glob("cyclonedds-*.dist-info"):
-        version = metadata.name.removeprefix("cyclonedds-").removesuffix(".dist-info")
-        if version.partition(".")[0] != str(SUPPORTED_MAJOR):
-            raise NoBackendError(f"cyclonedds {version} in {package} can't be used; {_INSTALL}")
+def _check_version(package: str) -> None:
+    for metadata in _names_in(f"{package}/.."):
+        if metadata.startswith("cyclonedds-") and metadata.endswith(".dist-info"):
+            version = metadata.removeprefix("cyclonedds-").removesuffix(".dist-info")
+            if version.partition(".")[0] != str(SUPPORTED_MAJOR):
+                raise NoBackendError(f"cyclonedds {version} in {package} can't be used; {_INSTALL}")
+
+
+def _names_in(folder: str) -> list[str]:
+    # By os alone: to import pathlib would take longer than all the rest here.
+    try:
+        return [entry.name for entry in os.scandir(folder)]
+    except OSError:
+        return []

@@ -6,6 +6,8 @@ that a peer can tell whether it sees both. Other vendors put no header into the 
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from tfloom.rmw.cyclone_endpoints import CycloneReader, CycloneWriter
 from tfloom.rmw.topic_names import key_values
 
@@ -35,7 +37,13 @@ def end_user_data(key: str, identifier: str, type_hash: str) -> bytes:
 
 def _ids(peers: list[tuple[bytes, bytes]], key: str) -> set[str]:
     """Return the ids that these peers tell; an empty text stands for those that tell none."""
-    return {key_values(user_data).get(key, "") for _, user_data in peers}
+    return {_id(user_data, key) for _, user_data in peers}
+
+
+@lru_cache(maxsize=1024)
+def _id(user_data: bytes, key: str) -> str:
+    """Return what a peer's USER_DATA tells of `key`; asked of the same peers again and again."""
+    return key_values(user_data).get(key, "")
 
 
 class _Peers:
@@ -87,5 +95,5 @@ class CycloneClients(_Peers):
         clients = dict(self._requests.matched())
         if publisher_gid not in clients:
             return None
-        identifier = key_values(clients[publisher_gid]).get(CLIENT_KEY, "")
+        identifier = _id(clients[publisher_gid], CLIENT_KEY)
         return identifier in _ids(self._responses.matched(), CLIENT_KEY)
