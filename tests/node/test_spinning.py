@@ -14,7 +14,7 @@ from tests.conftest import wait_until
 import tfloom.node as rclpy
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.interfaces.std_msgs.msg import Int32
-from tfloom.node.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
+from tfloom.node.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from tfloom.node.context import Context
 from tfloom.node.exceptions import ROSInterruptException
 from tfloom.node.executor import Executor
@@ -329,6 +329,52 @@ def test_a_callback_may_spin_its_own_node_by_the_short_functions(node: Node, con
         executor.add_node(node)
         rclpy.spin_once(node, executor=executor, timeout_sec=0)
         assert node.executor is executor
+
+
+class Throttled(CallbackGroup):
+    """A group as programs write their own: so many callbacks, and one more with each `refill`."""
+
+    def __init__(self, bucket: int) -> None:
+        super().__init__()
+        self.bucket = bucket
+        self.lock = threading.Lock()
+
+    def refill(self) -> None:
+        with self.lock:
+            self.bucket += 1
+
+    def can_execute(self, entity: Any) -> bool:
+        return self.bucket > 0
+
+    def beginning_execution(self, entity: Any) -> bool:
+        with self.lock:
+            allowed = self.bucket > 0
+            self.bucket -= allowed
+            return allowed
+
+    def ending_execution(self, entity: Any) -> None:
+        pass
+
+
+def test_a_group_of_a_programs_own_may_change_its_mind(node: Node, executor: Executor) -> None:
+    group = Throttled(2)
+    heard: list[int] = []
+    publisher = node.create_publisher(Int32, "numbers", LATCHED)
+    node.create_subscription(
+        Int32, "numbers", lambda msg: heard.append(msg.data), LATCHED, callback_group=group
+    )
+    for number in range(4):
+        publisher.publish(Int32(data=number))
+    executor.add_node(node)
+    refill = node.create_guard_condition(group.refill, MutuallyExclusiveCallbackGroup())
+    spinning = Spinning(executor)
+    wait_until(lambda: len(heard) == 2)
+    for count in (3, 4):
+        refill.trigger()
+        wait_until(lambda count=count: len(heard) == count)
+    executor.shutdown(10)
+    assert spinning.join() is None
+    assert heard == [0, 1, 2, 3]
 
 
 def test_a_rate_keeps_a_thread_to_its_period_until_shutdown(context: Context, node: Node) -> None:

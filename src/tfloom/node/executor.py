@@ -16,7 +16,15 @@ from types import CoroutineType, TracebackType
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 from tfloom._native import ReadyQueue
+from tfloom.node.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from tfloom.node.context import WAKE, Context
+from tfloom.node.executor_exceptions import (
+    ConditionReachedException,
+    ExternalShutdownException,
+    ShutdownException,
+    TimeoutException,
+    TimeoutObject,
+)
 from tfloom.node.running_work import RunningWork
 from tfloom.node.task import Future, Task
 from tfloom.node.timer_schedule import TimerSchedule
@@ -41,45 +49,11 @@ __all__ = [
 ]
 
 T = TypeVar("T")
+_FREED_BY_AN_END = (MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup)
+"""Groups that let others in when a callback has ended, and never else."""
+
 MOST_AT_ONCE = 1000
 """How much an entity may have run on the thread that spins before others have their turn."""
-
-# ruff: noqa: N818  # ROS's own names
-
-
-class TimeoutException(Exception):
-    """Nothing became ready in time."""
-
-
-class ShutdownException(Exception):
-    """The executor was shut down."""
-
-
-class ExternalShutdownException(Exception):
-    """The context was shut down while an executor was at work."""
-
-    def __init__(self) -> None:
-        super().__init__("the context was shut down, by a signal or by another thread")
-
-
-class ConditionReachedException(Exception):
-    """What was waited for has come true."""
-
-
-class TimeoutObject:
-    """A timeout [s] that may be changed between two waits; None and negative ones are for ever."""
-
-    def __init__(self, timeout: float | None) -> None:
-        self._timeout = timeout
-
-    @property
-    def timeout(self) -> float | None:
-        """The timeout [s]."""
-        return self._timeout
-
-    @timeout.setter
-    def timeout(self, timeout: float | None) -> None:
-        self._timeout = timeout
 
 
 class Work(NamedTuple):
@@ -112,6 +86,8 @@ class Executor:
         self._tasks: dict[int, Task[Any]] = {}
         self._numbers = count(WAKE + 1)
         self._ready: deque[int] = deque()
+        self._refused: list[int] = []
+        self._held: dict[int, Any] = {}
         self._pass_left = 0
         self._timers = TimerSchedule()
         self._is_shutdown = False
@@ -172,6 +148,7 @@ class Executor:
             if token is None:
                 return
             del self._entities[token]
+            self._held.pop(token, None)
             if entity.is_polled:
                 self._polled = [each for each in self._polled if each != token]
             entity.detach()
@@ -295,6 +272,8 @@ class Executor:
 
     def _collect(self, end_ns: int | None) -> None:
         """Wait for posts and timers, not beyond `end_ns`, and begin a new pass over all that is ready."""
+        if self._refused:
+            self._ask_again()
         tokens = self._queue.wait(self._wait_ns(end_ns))
         for token in tokens:
             entity = self._entities.get(token)
@@ -311,6 +290,14 @@ class Executor:
         if self._polled:
             self._ready.extend(token for token in self._polled if token not in tokens)
         self._pass_left = len(self._ready)
+
+    def _ask_again(self) -> None:
+        """Make ready again what a group refused and would let run now."""
+        refused, self._refused = dict.fromkeys(self._refused), []
+        for token in refused:
+            entity = self._entities.get(token)
+            if entity is not None:
+                (self._ready if self.can_execute(entity) else self._refused).append(token)
 
     def _run_here(self, entity: Entity, token: int) -> None:
         """Run what runs no callback of the program's at once, on the thread that spins."""
@@ -332,29 +319,51 @@ class Executor:
         if entity is None:
             task = self._tasks.get(token)
             return None if task is None else Work(None, task)
+        taken = self._take(entity, token)
+        return None if taken is None else Work(entity, taken)
+
+    def _take(self, entity: Entity, token: int) -> Any:
+        """Begin a callback in its group and take what it is to run with; None if it may not, or has nothing to run."""
         group = entity.callback_group
+        if group is not None and type(group) not in _FREED_BY_AN_END:
+            return self._take_if_asked(group, entity, token)
         if group is not None and not group.beginning_execution(entity):
-            self._park(group, entity, token)
+            group.park(lambda: self._queue.post(token))
+            if group.can_execute(entity):  # it ended in between
+                group.release_parked()
             return None
+        taken = None
         try:
             taken = entity.take()
-        except BaseException:
-            self._end(entity)
-            raise
+        finally:
+            if taken is None:
+                self._end(entity)
+        self._look_again(entity, token, taken)
+        return taken
+
+    def _take_if_asked(self, group: CallbackGroup, entity: Entity, token: int) -> Any:
+        """Do as `_take` with a group of the program's own: it hears of beginnings only where there is something to run.
+
+        What it refuses it is asked about again each time the executor wakes, as it may change its mind unasked.
+        """
+        if not group.can_execute(entity):
+            self._refused.append(token)
+            return None
+        taken = self._held.pop(token, None)
+        if taken is None:
+            taken = entity.take()
+            self._look_again(entity, token, taken)
+        if taken is not None and not group.beginning_execution(entity):
+            self._held[token] = taken
+            self._refused.append(token)
+            return None
+        return taken
+
+    def _look_again(self, entity: Entity, token: int, taken: Any) -> None:
         if entity.is_timed:
             self._timers.set(token, entity.deadline_ns())
-        if taken is None:
-            self._end(entity)
-            return None
-        if not entity.is_timed:
+        elif taken is not None:
             self._ready.append(token)
-        return Work(entity, taken)
-
-    def _park(self, group: CallbackGroup, entity: Entity, token: int) -> None:
-        """Look at an entity again when its group may let it."""
-        group.park(lambda: self._queue.post(token))
-        if group.can_execute(entity):  # it ended in between
-            group.release_parked()
 
     def _end(self, entity: Entity) -> None:
         group = entity.callback_group

@@ -2,13 +2,7 @@
 
 from __future__ import annotations
 
-from types import CoroutineType
-from typing import TYPE_CHECKING
-
 from tfloom.node.executor import Executor, ExternalShutdownException
-
-if TYPE_CHECKING:
-    from tfloom.node.entity import Entity
 
 __all__ = ["EventsExecutor"]
 
@@ -59,28 +53,10 @@ class EventsExecutor(Executor):
             token = self._ready.popleft()
             entity = self._entities.get(token)
             if entity is not None:
-                self._run_one(entity, token)
+                taken = self._take(entity, token)
+                if taken is not None:
+                    self._run_entity(entity, taken)
             elif (task := self._tasks.get(token)) is not None:
                 self._run_task(task)
             if self._is_shutdown or not self._context.ok():
                 return
-
-    def _run_one(self, entity: Entity, token: int) -> None:
-        group = entity.callback_group
-        if group is not None and not group.beginning_execution(entity):
-            self._park(group, entity, token)
-            return
-        outcome = None
-        try:
-            taken = entity.take()
-            if entity.is_timed:
-                self._timers.set(token, entity.deadline_ns())
-            elif taken is not None:
-                self._ready.append(token)
-            if taken is not None:
-                outcome = entity.run(taken)
-        finally:
-            if not isinstance(outcome, CoroutineType):
-                self._end(entity)
-        if isinstance(outcome, CoroutineType):
-            self._go_on_with(entity, outcome)
