@@ -1,5 +1,7 @@
 """Messages as text, and types by name."""
 
+# Imported before the function of the same name, which it would take the place of whenever somebody imports it.
+import rosidl_runtime_py.get_interfaces
 from tfloom.rosidl.runtime import (
     get_action_interfaces,
     get_interface_packages,
