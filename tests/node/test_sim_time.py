@@ -1,0 +1,188 @@
+"""Simulated time as programs meet it: by /clock, on both wires."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+
+import pytest
+from tests.conftest import wait_until
+
+from tfloom.interfaces.rosgraph_msgs.msg import Clock as ClockMessage
+from tfloom.node.clock import ClockChange, ClockType, JumpThreshold, ROSClock, TimeJump
+from tfloom.node.context import Context
+from tfloom.node.duration import Duration
+from tfloom.node.executors import ExternalShutdownException
+from tfloom.node.experimental import EventsExecutor
+from tfloom.node.node import Node
+from tfloom.node.parameter import Parameter
+from tfloom.node.time import Time
+
+WIRES = ["tfloom_local", pytest.param("rmw_cyclonedds_cpp", marks=pytest.mark.wire)]
+
+
+@pytest.fixture(params=WIRES)
+def context(
+    request: pytest.FixtureRequest, local_wire: None, monkeypatch: pytest.MonkeyPatch
+) -> Iterator[Context]:
+    if request.param != "tfloom_local":
+        request.getfixturevalue("domain_id")
+    monkeypatch.setenv("RMW_IMPLEMENTATION", request.param)
+    context = Context()
+    context.init(["program"])
+    yield context
+    context.destroy()
+
+
+class Simulation:
+    """A node on simulated time that spins on a thread, and the clock that drives it."""
+
+    def __init__(self, context: Context, make_node: Callable[..., Node]) -> None:
+        on = [Parameter("use_sim_time", value=True)]
+        self.node = make_node("simulated", parameter_overrides=on)
+        self.clock = self.node.get_clock()
+        self._driver = make_node("driver")
+        self._publisher = self._driver.create_publisher(ClockMessage, "/clock", 10)
+        self._executor = EventsExecutor(context=context)
+        self._executor.add_node(self.node)
+        self._thread = threading.Thread(target=self._spin)
+        self._thread.start()
+        wait_until(lambda: self._publisher.get_subscription_count() == 1)
+
+    def _spin(self) -> None:
+        with suppress(ExternalShutdownException):
+            self._executor.spin()
+
+    def set(self, seconds: float) -> None:
+        """Have the clock show a time, and wait until the node has heard of it."""
+        stamp = Time(seconds=seconds, clock_type=ClockType.ROS_TIME)
+        self._publisher.publish(ClockMessage(clock=stamp.to_msg()))
+        wait_until(lambda: self.clock.now() == stamp)
+
+    def end(self) -> None:
+        self._executor.shutdown(10)
+        self._thread.join(10)
+        assert not self._thread.is_alive()
+
+
+@pytest.fixture
+def simulation(context: Context, make_node: Callable[..., Node]) -> Iterator[Simulation]:
+    simulation = Simulation(context, make_node)
+    yield simulation
+    simulation.end()
+
+
+def test_a_timer_counts_simulated_periods_forward_and_back(simulation: Simulation) -> None:
+    calls: list[float] = []
+    simulation.set(100.0)
+    simulation.node.create_timer(1.0, lambda: calls.append(simulation.clock.now().nanoseconds / 1e9))
+    for now in (100.5, 101.0):
+        simulation.set(now)
+    wait_until(lambda: calls == [101.0])
+    simulation.set(105.5)  # four periods at once are one call
+    wait_until(lambda: calls == [101.0, 105.5])
+    simulation.set(106.0)
+    wait_until(lambda: calls == [101.0, 105.5, 106.0])
+    simulation.set(10.0)  # back: a new period begins
+    simulation.set(10.5)
+    simulation.set(11.0)
+    wait_until(lambda: len(calls) == 4)
+    assert calls[3] == 11.0
+
+
+def test_a_clock_that_stands_still_takes_no_time(simulation: Simulation) -> None:
+    simulation.set(5.0)
+    simulation.node.create_timer(0.001, lambda: None)
+    before, start = time.process_time(), time.monotonic()
+    wait_until(lambda: time.monotonic() > start + 0.3)
+    assert time.process_time() - before < 0.1
+    assert simulation.clock.now().nanoseconds == 5_000_000_000
+
+
+def test_sleeping_until_a_simulated_time(simulation: Simulation, context: Context) -> None:
+    simulation.set(50.0)
+    results: list[bool] = []
+    handles = len(simulation.clock.jump_handles())
+    until = simulation.clock.now() + Duration(seconds=2)
+
+    def sleep() -> None:
+        results.append(simulation.clock.sleep_until(until, context))
+        results.append(simulation.clock.sleep_for(Duration(seconds=1), context))
+
+    thread = threading.Thread(target=sleep)
+    thread.start()
+    wait_until(lambda: len(simulation.clock.jump_handles()) > handles)
+    simulation.set(51.0)
+    assert results == []
+    simulation.set(52.0)
+    wait_until(lambda: results == [True])
+    wait_until(lambda: len(simulation.clock.jump_handles()) > handles)
+    simulation.set(60.0)
+    thread.join(10)
+    assert results == [True, True]
+
+
+def test_a_rate_goes_by_simulated_time(simulation: Simulation) -> None:
+    simulation.set(1.0)
+    rate = simulation.node.create_rate(2.0)
+    woken = threading.Event()
+
+    def sleep() -> None:
+        rate.sleep()
+        woken.set()
+
+    thread = threading.Thread(target=sleep)
+    thread.start()
+    simulation.set(1.4)
+    assert not woken.is_set()
+    simulation.set(1.5)
+    assert woken.wait(20)
+    thread.join(10)
+
+
+def test_jumps_are_told_and_leaving_simulated_time_is_one(simulation: Simulation) -> None:
+    jumps: list[tuple[ClockChange, float]] = []
+    before: list[float] = []
+
+    def after(jump: TimeJump) -> None:
+        jumps.append((jump.clock_change, jump.delta.nanoseconds / 1e9))
+
+    simulation.set(20.0)
+    clock = simulation.clock
+    assert isinstance(clock, ROSClock)
+    threshold = JumpThreshold(
+        min_forward=Duration(seconds=5), min_backward=Duration(seconds=-1), on_clock_change=True
+    )
+    with clock.create_jump_callback(
+        threshold, pre_callback=lambda: before.append(clock.now().nanoseconds / 1e9), post_callback=after
+    ):
+        for now in (21.0, 27.0, 26.5, 20.0):
+            simulation.set(now)
+        assert jumps == [
+            (ClockChange.ROS_TIME_NO_CHANGE, 6.0),
+            (ClockChange.ROS_TIME_NO_CHANGE, -6.5),
+        ]
+        assert before == [21.0, 26.5]
+        simulation.node.set_parameters([Parameter("use_sim_time", value=False)])
+        assert jumps[2][0] is ClockChange.ROS_TIME_DEACTIVATED
+        assert not clock.ros_time_is_active
+        assert abs(clock.now().nanoseconds - time.time_ns()) < 5e9
+        simulation.node.set_parameters([Parameter("use_sim_time", value=True)])
+        assert jumps[3][0] is ClockChange.ROS_TIME_ACTIVATED
+    simulation.node.set_parameters([Parameter("use_sim_time", value=False)])
+    assert len(jumps) == 4, "the handle is unregistered"
+
+
+def test_sleep_ends_where_the_clock_changes_its_source(simulation: Simulation, context: Context) -> None:
+    simulation.set(1.0)
+    results: list[bool] = []
+    handles = len(simulation.clock.jump_handles())
+    until = simulation.clock.now() + Duration(seconds=1)
+    thread = threading.Thread(target=lambda: results.append(simulation.clock.sleep_until(until, context)))
+    thread.start()
+    wait_until(lambda: len(simulation.clock.jump_handles()) > handles)
+    simulation.node.set_parameters([Parameter("use_sim_time", value=False)])
+    thread.join(10)
+    assert results == [False]
