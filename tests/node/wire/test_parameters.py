@@ -1,0 +1,211 @@
+"""Parameters of a node in another process: read, set, watched, and given by file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from tests.conftest import Program
+
+from tfloom.interfaces.rcl_interfaces.msg import ParameterEvent, ParameterType
+from tfloom.node.node import Node
+from tfloom.node.parameter import Parameter, parameter_value_to_python
+from tfloom.node.parameter_client import AsyncParameterClient
+from tfloom.node.qos import ReliabilityPolicy
+
+pytestmark = pytest.mark.wire
+
+Start = Callable[..., Program]
+Finish = Callable[..., Any]
+SpinUntil = Callable[..., None]
+
+TYPES = {
+    "bool": (False, ParameterType.PARAMETER_BOOL),
+    "integer": (-7, ParameterType.PARAMETER_INTEGER),
+    "double": (2.5, ParameterType.PARAMETER_DOUBLE),
+    "string": ("other", ParameterType.PARAMETER_STRING),
+    "byte_array": ([b"\xff"], ParameterType.PARAMETER_BYTE_ARRAY),
+    "bool_array": ([False], ParameterType.PARAMETER_BOOL_ARRAY),
+    "integer_array": ([2**62], ParameterType.PARAMETER_INTEGER_ARRAY),
+    "double_array": ([1e300, 0.0], ParameterType.PARAMETER_DOUBLE_ARRAY),
+    "string_array": (["ä", ""], ParameterType.PARAMETER_STRING_ARRAY),
+}
+
+
+@pytest.fixture
+def client(node: Node, start: Start) -> AsyncParameterClient:
+    start("parameters")
+    client = AsyncParameterClient(node, "/ns/remote")
+    assert client.wait_for_services(timeout_sec=20)
+    return client
+
+
+def values(response: Any) -> list[Any]:
+    return [parameter_value_to_python(value) for value in response.values]
+
+
+def test_every_type_goes_there_and_back(client: AsyncParameterClient, finish: Finish) -> None:
+    types = finish(client.get_parameter_types(list(TYPES))).types
+    assert list(types) == [kind for _, kind in TYPES.values()]
+    wishes = [Parameter(name, value=value) for name, (value, _) in TYPES.items()]
+    results = finish(client.set_parameters(wishes)).results
+    assert [(result.successful, result.reason) for result in results] == [(True, "")] * len(TYPES)
+    got = values(finish(client.get_parameters(list(TYPES))))
+    assert [
+        list(value) if kind >= 5 else value for value, (_, kind) in zip(got, TYPES.values(), strict=True)
+    ] == [value for value, _ in TYPES.values()]
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "reason"),
+    [
+        ("limited", 12, "Parameter limited out of range. Min: 0, Max: 10, value: 12"),
+        (
+            "limited",
+            3,
+            "The parameter value for limited is not a valid step. Min: 0, max: 10, value: 3, step: 2",
+        ),
+        ("part", 1.5, "Parameter part out of range. Min: 0.0, Max: 1.0, value: 1.5"),
+        ("fixed", 2, "Trying to set a read-only parameter: fixed."),
+        ("integer", "x", "Wrong parameter type, expected 'Type.INTEGER' got 'Type.STRING'"),
+        ("integer", 13, "thirteen is unlucky"),
+        ("unknown", 1, "Invalid access to undeclared parameter(s): ['unknown']"),
+    ],
+)
+def test_a_refusal_has_its_reason(
+    client: AsyncParameterClient, finish: Finish, name: str, value: object, reason: str
+) -> None:
+    (before,) = finish(client.get_parameters(["integer"])).values
+    good = Parameter("integer", value=6)
+    refused, done = finish(client.set_parameters([Parameter(name, value=value), good])).results
+    assert (refused.successful, refused.reason) == (False, reason)
+    assert done.successful
+    assert (
+        finish(client.set_parameters([Parameter("integer", value=before.integer_value)]))
+        .results[0]
+        .successful
+    )
+    result = finish(client.set_parameters_atomically([good, Parameter(name, value=value)])).result
+    assert (result.successful, result.reason) == (False, reason)
+    assert finish(client.get_parameters(["integer"])).values == [before]
+
+
+def test_lists_descriptions_and_what_isnt_there(client: AsyncParameterClient, finish: Finish) -> None:
+    result = finish(client.list_parameters(["group"])).result
+    assert (result.names, result.prefixes) == (["group.inner.deep"], ["group.inner"])
+    assert finish(client.list_parameters(["group"], depth=1)).result.names == []
+    limited, fixed, free = finish(client.describe_parameters(["limited", "fixed", "free"])).descriptors
+    assert (limited.name, limited.description, limited.integer_range[0].step) == ("limited", "a number", 2)
+    assert (fixed.read_only, free.dynamic_typing) == (True, True)
+    assert not finish(client.get_parameters(["integer", "unknown"])).values
+    assert not finish(client.get_parameters(["unset"])).values
+    assert not finish(client.describe_parameters(["unknown"])).descriptors
+
+
+def test_changes_are_told_to_everybody(
+    client: AsyncParameterClient, finish: Finish, spin_until: SpinUntil
+) -> None:
+    events: list[ParameterEvent] = []
+    subscription = client.on_parameter_event(events.append)
+    spin_until(lambda: subscription.get_publisher_count() == 2)  # this node's too
+    finish(client.set_parameters([Parameter("integer", value=8), Parameter("unset", value="set")]))
+    finish(client.set_parameters([Parameter("free", value="another type")]))
+    finish(client.delete_parameters(["free"]))
+    finish(client.set_parameters([Parameter("integer", value=13)]))  # refused: nothing to tell
+    finish(client.set_parameters_atomically([Parameter("integer", value=1), Parameter("part", value=0.0)]))
+    spin_until(lambda: len(events) == 5)
+    assert {event.node for event in events} == {"/ns/remote"}
+    told = [
+        [
+            [each.name for each in event.new_parameters],
+            [each.name for each in event.changed_parameters],
+            [each.name for each in event.deleted_parameters],
+        ]
+        for event in events
+    ]
+    assert told == [
+        [[], ["integer"], []],
+        [["unset"], [], []],
+        [[], ["free"], []],
+        [[], [], ["free"]],
+        [[], ["integer", "part"], []],
+    ]
+    assert events[0].changed_parameters[0].value.integer_value == 8
+    assert events[0].stamp.sec > 0
+
+
+@pytest.mark.parametrize(
+    ("pattern", "is_meant"),
+    [
+        ("/**", True),
+        ("/*/remote", True),
+        ("/ns/*", True),
+        ("/ns/remote", True),
+        ("/**/remote", True),
+        ("/*", False),
+        ("/other/remote", False),
+        ("/*/*/remote", False),
+        ("remote", False),
+    ],
+)
+def test_a_file_is_for_the_nodes_that_it_names(
+    node: Node, start: Start, finish: Finish, tmp_path: Path, pattern: str, is_meant: bool
+) -> None:
+    path = tmp_path / "p.yaml"
+    path.write_text(f"{pattern}:\n  ros__parameters:\n    from_file: found\n")
+    start("parameters", "--ros-args", "--params-file", path)
+    client = AsyncParameterClient(node, "/ns/remote")
+    assert client.wait_for_services(timeout_sec=20)
+    assert values(finish(client.get_parameters(["from_file"]))) == ["found" if is_meant else ""]
+
+
+def test_qos_and_values_from_files_and_the_command_line(
+    node: Node, start: Start, finish: Finish, spin_until: SpinUntil, tmp_path: Path
+) -> None:
+    path = tmp_path / "p.yaml"
+    path.write_text(
+        """
+/**:
+  ros__parameters:
+    integer: 1
+    qos_overrides:
+      /ns/chatter:
+        publisher:
+          reliability: best_effort
+          depth: 3
+/ns/remote:
+  ros__parameters:
+    integer: 2
+    string: from the file
+    group: {inner: {deep: 9}}
+"""
+    )
+    start("parameters", "--ros-args", "--params-file", path, "-p", "double:=9.5")
+    client = AsyncParameterClient(node, "/ns/remote")
+    assert client.wait_for_services(timeout_sec=20)
+    names = ["integer", "string", "double", "group.inner.deep"]
+    assert values(finish(client.get_parameters(names))) == [2, "from the file", 9.5, 9]
+    spin_until(lambda: node.count_publishers("/ns/chatter"))
+    (info,) = node.get_publishers_info_by_topic("/ns/chatter")
+    assert info.qos_profile.reliability is ReliabilityPolicy.BEST_EFFORT
+    prefix = "qos_overrides./ns/chatter.publisher."
+    listed = finish(client.list_parameters()).result.names
+    assert [name for name in listed if name.startswith(prefix)] == [
+        f"{prefix}{policy}" for policy in ("history", "depth", "reliability")
+    ]
+    (refused,) = finish(client.set_parameters([Parameter(f"{prefix}depth", value=5)])).results
+    assert refused.reason == f"Trying to set a read-only parameter: {prefix}depth."
+
+
+def test_a_file_is_loaded_into_a_running_node(
+    client: AsyncParameterClient, finish: Finish, tmp_path: Path
+) -> None:
+    path = tmp_path / "p.yaml"
+    path.write_text("/ns/remote: {ros__parameters: {integer: 3, limited: 99}}\n")
+    results = finish(client.load_parameter_file(str(path))).results
+    assert [result.successful for result in results] == [True, False]
+    path.write_text("/**: {ros__parameters: {integer: 4, limited: 98}}\n")
+    assert not finish(client.load_parameter_file_atomically(str(path), use_wildcard=True)).result.successful
+    assert values(finish(client.get_parameters(["integer", "limited"]))) == [3, 4]
