@@ -12,9 +12,12 @@ from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.node.context import Context
 from tfloom.node.exceptions import NodeNameNonExistentError
+from tfloom.node.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
+from tfloom.node.qos import DurabilityPolicy, QoSProfile
 
 MakeNode = Callable[..., Node]
+LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 WIRES = ["tfloom_local", pytest.param("rmw_cyclonedds_cpp", marks=pytest.mark.wire)]
 
 
@@ -72,3 +75,28 @@ def test_waiting_for_a_node(make_node: MakeNode) -> None:
     thread.start()
     assert node.wait_for_node("late", timeout=20.0)
     thread.join()
+
+
+def test_a_topic_may_have_its_own_name_on_the_wire(make_node: MakeNode) -> None:
+    """As programs of other DDS users have it: without ROS's prefix, and apart from a ROS topic of that name."""
+    node = make_node()
+    native = QoSProfile(
+        depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL, avoid_ros_namespace_conventions=True
+    )
+    publisher = node.create_publisher(String, "/sensor", native)
+    heard = {"native": [], "ros": []}
+    node.create_subscription(String, "/sensor", heard["native"].append, native)
+    node.create_subscription(String, "/sensor", heard["ros"].append, LATCHED)
+    wait_until(lambda: publisher.get_subscription_count() == 1)
+    publisher.publish(String(data="raw"))
+    with SingleThreadedExecutor(context=node.context) as executor:
+        executor.add_node(node)
+        while not heard["native"]:
+            executor.spin_once(timeout_sec=1)
+    assert heard == {"native": [String(data="raw")], "ros": []}
+    names = dict(node.get_topic_names_and_types(no_demangle=True))
+    assert names["/sensor"] == names["rt/sensor"] == ["std_msgs::msg::dds_::String_"]
+    [info] = node.get_publishers_info_by_topic("/sensor", no_mangle=True)
+    assert info.node_name == "tester"
+    assert node.count_publishers("/sensor") == 0
+    assert publisher.topic_name == "/sensor"

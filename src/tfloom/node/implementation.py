@@ -178,7 +178,7 @@ class Subscription(_WaitedEnd[Reader]):
     def __init__(self, node: Node, pymsg_type: type[Message], topic: str, pyqos_profile: QoSProfile) -> None:
         check_is_valid_msg_type(pymsg_type)
         name = node.resolve_topic_name(topic)
-        wire_topic = topic_of(pymsg_type, name)
+        wire_topic = topic_of(pymsg_type, name, is_native=pyqos_profile.avoid_ros_namespace_conventions)
         reader = node._open(  # noqa: SLF001  # the one door for what no executor runs
             self, lambda wire, owner: wire.create_reader(owner, wire_topic, pyqos_profile.to_wire())
         )

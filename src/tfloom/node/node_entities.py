@@ -189,7 +189,7 @@ class NodeEntities:
         check_is_valid_msg_type(msg_type)
         name = self.resolve_topic_name(topic)
         profile = self.__profile("publisher", name, qos_profile, qos_overriding_options)
-        wire_topic = topic_of(msg_type, name)
+        wire_topic = topic_of(msg_type, name, is_native=profile.avoid_ros_namespace_conventions)
         writer = self.__participant.create_writer(self.__node_name, wire_topic, profile.to_wire())
         group = callback_group or self.__default_callback_group
         publisher = publisher_class(writer, msg_type, name, profile, None, group, context=self.__context)
@@ -233,7 +233,7 @@ class NodeEntities:
         check_is_valid_msg_type(msg_type)
         name = self.resolve_topic_name(topic)
         profile = self.__profile("subscription", name, qos_profile, qos_overriding_options)
-        wire_topic = topic_of(msg_type, name)
+        wire_topic = topic_of(msg_type, name, is_native=profile.avoid_ros_namespace_conventions)
         reader = self.__participant.create_reader(self.__node_name, wire_topic, profile.to_wire())
         group = callback_group or self.__default_callback_group
         try:

@@ -46,9 +46,9 @@ def _is_subclass(candidate: Any, bases: tuple[type, ...]) -> bool:
     return isinstance(candidate, type) and issubclass(candidate, bases)
 
 
-def topic_of(msg_type: type[Message], full_name: str) -> Topic:
-    """Return what to write or read for messages of a class on a topic."""
-    return Topic(full_name, msg_type._TYPE_NAME, msg_type._TYPE_HASH)  # ours
+def topic_of(msg_type: type[Message], full_name: str, *, is_native: bool = False) -> Topic:
+    """Return what to write or read for messages of a class on a topic; `is_native`: one without ROS's prefix."""
+    return Topic(full_name, msg_type._TYPE_NAME, msg_type._TYPE_HASH, is_native)  # ours
 
 
 def service_of(srv_type: type[ServiceType], full_name: str) -> Service:

@@ -48,6 +48,8 @@ class Topic(NamedTuple):
     """`turtlesim/msg/Pose`."""
     type_hash: str
     """`RIHS01_` and 64 hex digits; empty if not known."""
+    is_native: bool = False
+    """Whether DDS has the name as it stands, without ROS's prefix; on the graph it is then no ROS topic."""
 
 
 class EndpointInfo(NamedTuple):

@@ -138,7 +138,8 @@ class CycloneParticipant:
 
     def _open_topic(self, kind: type[_End], node: NodeName, topic: Topic, qos: QoS) -> _End:
         best = self._best_available(topic.name, qos, is_writer=kind is CycloneWriter)
-        end = self._open(kind, topic_to_dds(topic.name), topic, best, _user_data(topic))
+        dds_name = topic.name if topic.is_native else topic_to_dds(topic.name)
+        end = self._open(kind, dds_name, topic, best, _user_data(topic))
         self._remember(node, end)
         return end
 

@@ -125,7 +125,7 @@ class LocalGraph:
 
     def endpoints(self) -> list[EndpointInfo]:
         """Return writers and readers of topics, in order of topic name."""
-        infos = [info for info in self._infos() if info.topic.name.startswith("/")]
+        infos = [info for info in self._infos() if _is_ros(info.topic)]
         return sorted(infos, key=lambda info: info.topic.name)
 
     def raw_endpoints(self) -> list[EndpointInfo]:
@@ -163,8 +163,12 @@ class LocalGraph:
             listener[0].post(listener[1])
 
 
+def _is_ros(topic: Topic) -> bool:
+    return topic.name.startswith("/") and not topic.is_native
+
+
 def _on_dds(topic: Topic) -> Topic:
-    name = topic_to_dds(topic.name) if topic.name.startswith("/") else topic.name
+    name = topic_to_dds(topic.name) if _is_ros(topic) else topic.name
     return topic._replace(name=name, type_name=type_to_dds(topic.type_name))
 
 

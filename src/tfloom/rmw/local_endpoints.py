@@ -89,7 +89,9 @@ class LocalWriter(LocalEndpoint):
     def match(self, reader: LocalReader) -> None:
         """Connect a reader if it is of the same topic, type and compatible qualities; send it what it missed."""
         mine, theirs = self.info, reader.info
-        if (mine.topic.name, mine.topic.type_name) != (theirs.topic.name, theirs.topic.type_name):
+        if mine.topic.name != theirs.topic.name or mine.topic.type_name != theirs.topic.type_name:
+            return
+        if mine.topic.is_native != theirs.topic.is_native:
             return
         if apart := incompatible_policies(mine.qos, theirs.qos):
             self.events.add_incompatible(apart[0])
