@@ -68,6 +68,14 @@ def test_a_format_of_ones_own(monkeypatch: pytest.MonkeyPatch, capsys: Capture) 
     assert lines(capsys) == ["INFO|x|a {name} b|test_a_format_of_ones_own|{nope}|{"]
 
 
+def test_escapes_in_a_format_are_control_characters_and_those_in_messages_stay(
+    monkeypatch: pytest.MonkeyPatch, capsys: Capture
+) -> None:
+    monkeypatch.setenv("RCUTILS_CONSOLE_OUTPUT_FORMAT", r"\x1b[1m{name}\x1b[0m\t{message}\n \q{line_number")
+    logging.get_logger("x").info(r"a\nb")
+    assert lines(capsys) == ["\x1b[1mx\x1b[0m\t" + r"a\nb", r" \q{line_number"]
+
+
 def test_colour_and_stdout_when_asked(monkeypatch: pytest.MonkeyPatch, capsys: Capture) -> None:
     monkeypatch.setenv("RCUTILS_COLORIZED_OUTPUT", "1")
     monkeypatch.setenv("RCUTILS_LOGGING_USE_STDOUT", "1")

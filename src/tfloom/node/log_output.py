@@ -33,6 +33,13 @@ _COLORS = {
     LoggingSeverity.FATAL: "\033[31m",
 }
 _NO_COLOR = "\033[0m"
+_ESCAPES = {"\\n": "\n", "\\t": "\t", "\\r": "\r", "\\a": "\a", "\\b": "\b", "\\x1b": "\x1b"}
+
+
+def _unescaped(text: str) -> str:
+    for written, meant in _ESCAPES.items():
+        text = text.replace(written, meant)
+    return text
 
 
 class Record:
@@ -52,10 +59,11 @@ class Record:
         self.stamp_ns = time.time_ns()
 
     def format(self, template: str) -> str:
-        """Return `template` with each known `{token}` put in; others stay as they are.
+        r"""Return `template` with each known `{token}` put in; others stay as they are.
 
         Known: severity, name, message, time (seconds), time_as_nanoseconds, date_time_with_ms, file_name,
-        function_name, line_number.
+        function_name, line_number. Of the template itself, two characters that stand for a control character
+        (`\n`, `\t`, `\r`, `\a`, `\b`) become that, and `\x1b` an escape.
         """
         if template == DEFAULT_FORMAT:
             return f"[{self.severity.name}] [{self._seconds()}] [{self.name}]: {self.message}"
@@ -63,7 +71,7 @@ class Record:
         rest = template
         while rest:
             before, brace, rest = rest.partition("{")
-            parts.append(before)
+            parts.append(_unescaped(before) if "\\" in before else before)
             if not brace:
                 break
             token, end, after = rest.partition("}")
