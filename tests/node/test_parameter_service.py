@@ -123,9 +123,12 @@ def test_levels_of_loggers(
     get_client = node.create_client(GetLoggerLevels, "/chatty/get_logger_levels")
     assert set_client.wait_for_service(5)
     assert get_client.wait_for_service(5)
+    before = finish(get_client.call_async(GetLoggerLevels.Request(names=["chatty"])))
+    assert before.levels[0].level == 0  # none was set
     levels = [LoggerLevel(name="chatty", level=10), LoggerLevel(name="chatty", level=11)]
     results = finish(set_client.call_async(SetLoggerLevels.Request(levels=levels))).results
     assert [result.successful for result in results] == [True, False]
+    assert results[1].reason == "Failed reason: Invalid logger level."
     assert finish(get_client.call_async(GetLoggerLevels.Request(names=["chatty"]))).levels[0].level == 10
 
 

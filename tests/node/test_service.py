@@ -45,6 +45,34 @@ def test_a_request_is_answered(client: Client, executor: SingleThreadedExecutor)
     assert client.service_name == "/add"
 
 
+@pytest.mark.parametrize("kind", [SingleThreadedExecutor, MultiThreadedExecutor])
+def test_spin_once_returns_after_a_response(
+    kind: type[Executor], make_node: MakeNode, executor: SingleThreadedExecutor, context: Context
+) -> None:
+    """Programs look between two calls of it whether their future is done."""
+    server, node = make_node("server"), make_node("asker")
+    server.create_service(AddTwoInts, "add", add)
+    client = node.create_client(AddTwoInts, "add")
+    assert client.wait_for_service(timeout_sec=5)
+    future = client.call_async(AddTwoInts.Request(a=2, b=3))
+    executor.add_node(server)
+    with kind(context=context) as asking:
+        asking.add_node(node)
+        returned = threading.Event()
+
+        def spin() -> None:
+            while not future.done():
+                asking.spin_once()
+            returned.set()
+
+        thread = threading.Thread(target=spin)
+        thread.start()
+        executor.spin_once(timeout_sec=5)
+        assert returned.wait(10)
+        assert future.result().sum == 5
+        thread.join()
+
+
 def test_many_clients_get_their_own_answers(make_node: MakeNode, executor: SingleThreadedExecutor) -> None:
     server = make_node("server")
     server.create_service(AddTwoInts, "add", add)

@@ -230,18 +230,24 @@ class Executor:
         node = next((node for node in self.get_nodes() if entity in node.entities()), None)
         return task, getattr(entity, "waitable", entity), node
 
-    def _next(self, timeout_sec: float | None, condition: Callable[[], bool] | None = None) -> Work:
+    def _next(
+        self,
+        timeout_sec: float | None,
+        condition: Callable[[], bool] | None = None,
+        *,
+        until_response: bool = False,
+    ) -> Work:
         """Wait for a callback that may begin.
 
         Raises:
             TimeoutException: none came in time.
-            ConditionReachedException: `condition()` is true.
+            ConditionReachedException: `condition()` is true; or, if `until_response`, a response has come.
             ShutdownException: the executor was shut down.
             ExternalShutdownException: its context was.
         """
         timeout_ns = timeout_sec_to_nsec(timeout_sec)
         end_ns = None if timeout_ns < 0 else time.monotonic_ns() + timeout_ns
-        waited = False
+        waited = has_response = False
         while True:
             if self._is_shutdown:
                 raise ShutdownException
@@ -253,10 +259,12 @@ class Executor:
                 work = self._work_of_this_pass()
                 if work is not None:
                     return work
+            if has_response and until_response:
+                raise ConditionReachedException
             if waited and end_ns is not None and time.monotonic_ns() >= end_ns:
                 raise TimeoutException
             waited = True
-            self._collect(end_ns)
+            has_response = self._collect(end_ns)
 
     def _has_room(self) -> bool:
         """Return whether one more callback may be run now."""
@@ -270,8 +278,13 @@ class Executor:
                 return work
         return None
 
-    def _collect(self, end_ns: int | None) -> None:
-        """Wait for posts and timers, not beyond `end_ns`, and begin a new pass over all that is ready."""
+    def _collect(self, end_ns: int | None) -> bool:
+        """Wait for posts and timers, not beyond `end_ns`, and begin a new pass over all that is ready.
+
+        Returns:
+            Whether responses came; they are taken in already.
+        """
+        has_response = False
         if self._refused:
             self._ask_again()
         tokens = self._queue.wait(self._wait_ns(end_ns))
@@ -281,7 +294,7 @@ class Executor:
                 if token != WAKE:
                     self._ready.append(token)
             elif not entity.goes_by_group:
-                self._run_here(entity, token)
+                has_response |= self._run_here(entity, token)
             elif entity.is_timed and not entity.is_polled and (due_ns := entity.deadline_ns()) is not None:
                 self._timers.set(token, due_ns)  # timers have their turns by their deadlines alone
             else:
@@ -290,6 +303,7 @@ class Executor:
         if self._polled:
             self._ready.extend(token for token in self._polled if token not in tokens)
         self._pass_left = len(self._ready)
+        return has_response
 
     def _ask_again(self) -> None:
         """Make ready again what a group refused and would let run now."""
@@ -299,14 +313,15 @@ class Executor:
             if entity is not None:
                 (self._ready if self.can_execute(entity) else self._refused).append(token)
 
-    def _run_here(self, entity: Entity, token: int) -> None:
-        """Run what runs no callback of the program's at once, on the thread that spins."""
-        for _ in range(MOST_AT_ONCE):
+    def _run_here(self, entity: Entity, token: int) -> bool:
+        """Run what runs no callback of the program's at once, on the thread that spins; False if there is none."""
+        for number in range(MOST_AT_ONCE):
             taken = entity.take()
             if taken is None:
-                return
+                return number > 0
             entity.run(taken)
         self._queue.post(token)
+        return True
 
     def _wait_ns(self, end_ns: int | None) -> int:
         if self._ready and self._has_room():
@@ -436,7 +451,10 @@ class Executor:
             raise ExternalShutdownException
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
-        """Wait for one callback and run it; return without one after `timeout_sec` [s] (None, negative: never)."""
+        """Wait for one callback and run it, or for a response to a client and take it in.
+
+        Returns without either after `timeout_sec` [s] (None, negative: never).
+        """
         self._spin_once(timeout_sec)
 
     def spin_until_future_complete(self, future: Future[Any], timeout_sec: float | None = None) -> None:
@@ -470,12 +488,18 @@ class Executor:
 
     def _spin_once(self, timeout_sec: float | None, condition: Callable[[], bool] | None = None) -> None:
         with suppress(TimeoutException, ShutdownException, ConditionReachedException):
-            self._run(self._wait_for_work(timeout_sec, condition))
+            self._run(self._wait_for_work(timeout_sec, condition, until_response=True))
 
-    def _wait_for_work(self, timeout_sec: float | None, condition: Callable[[], bool] | None) -> Work:
+    def _wait_for_work(
+        self,
+        timeout_sec: float | None,
+        condition: Callable[[], bool] | None,
+        *,
+        until_response: bool = False,
+    ) -> Work:
         self._begin_spin()
         try:
-            return self._next(timeout_sec, condition)
+            return self._next(timeout_sec, condition, until_response=until_response)
         finally:
             self._spinning.release()
 

@@ -78,7 +78,7 @@ class MultiThreadedExecutor(Executor):
             return bool(self._errors) or (condition is not None and condition())
 
         with suppress(TimeoutException, ShutdownException, ConditionReachedException):
-            work = self._wait_for_work(timeout_sec, stop)
+            work = self._wait_for_work(timeout_sec, stop, until_response=True)
             self._hand_out(work)
         if self._errors:
             raise self._errors.popleft()

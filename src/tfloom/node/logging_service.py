@@ -13,7 +13,7 @@ from tfloom.interfaces.rcl_interfaces.srv import (
     SetLoggerLevels_Request,
     SetLoggerLevels_Response,
 )
-from tfloom.node.logging import get_logger_effective_level, set_logger_level
+from tfloom.node.logging import get_logger_level, set_logger_level
 from tfloom.node.names import TOPIC_SEPARATOR_STRING
 
 if TYPE_CHECKING:
@@ -32,9 +32,7 @@ class LoggingService:
     def _get(
         self, request: GetLoggerLevels_Request, response: GetLoggerLevels_Response
     ) -> GetLoggerLevels_Response:
-        response.levels = [
-            LoggerLevel(name=name, level=get_logger_effective_level(name)) for name in request.names
-        ]
+        response.levels = [LoggerLevel(name=name, level=get_logger_level(name)) for name in request.names]
         return response
 
     def _set(
@@ -47,6 +45,6 @@ class LoggingService:
 def _set_one(level: LoggerLevel) -> SetLoggerLevelsResult:
     try:
         set_logger_level(level.name, level.level)
-    except ValueError as error:
-        return SetLoggerLevelsResult(successful=False, reason=str(error))
+    except ValueError:
+        return SetLoggerLevelsResult(successful=False, reason="Failed reason: Invalid logger level.")
     return SetLoggerLevelsResult(successful=True)
