@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 
 from tfloom.node import init
 from tfloom.node.executor import ExternalShutdownException
-from tfloom.node.utilities import get_default_context, try_shutdown
+from tfloom.node.utilities import get_default_context, remove_ros_args, try_shutdown
 
-__all__ = ["run_program"]
+__all__ = ["expect_no_arguments", "run_program"]
 
 
 def run_program(args: list[str] | None, body: Callable[[], int | None], *, if_stopped: int = 0) -> int:
@@ -40,3 +41,21 @@ def run_program(args: list[str] | None, body: Callable[[], int | None], *, if_st
         return if_stopped
     finally:
         try_shutdown()
+
+
+def expect_no_arguments(program: str, description: str, args: list[str] | None = None) -> None:
+    """Exit with a usage text if a command line has more than ROS arguments, and with help if it asks for it.
+
+    Args:
+        program: The program's name.
+        description: What it does, for the help.
+        args: Command line; None: `sys.argv`.
+
+    Raises:
+        RCLInvalidROSArgsError: a ROS argument makes no sense.
+    """
+    words = remove_ros_args(sys.argv[1:] if args is None else args)
+    if words:
+        import argparse
+
+        argparse.ArgumentParser(prog=program, description=description).parse_args(words)

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import math
-import sys
 
 from tfloom.node import spin
 from tfloom.node.duration import Duration
+from tfloom.node.exceptions import InvalidParameterValueException
 from tfloom.node.node import Node
-from tfloom.node.program import run_program
-from tfloom.node.utilities import remove_ros_args
+from tfloom.node.program import expect_no_arguments, run_program
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.buffer_server import BufferServer
 from tfloom.tf2_ros.transform_listener import TransformListener
 
-USAGE = "usage: buffer_server [--ros-args -p buffer_size:=SECONDS]"
+DESCRIPTION = (
+    "Keep all transforms of the last two minutes (--ros-args -p buffer_size:=120.0 [s]), and look them up for others: "
+    "action tf2_buffer_server, tf2_msgs/action/LookupTransform."
+)
 ACTION = "tf2_buffer_server"
 DEFAULT_SIZE_S = 120.0
 LONGEST_S = 9e9
@@ -27,16 +29,15 @@ class TfBuffer(Node):
     The parameter `buffer_size` is how far back each frame's history reaches [s].
 
     Raises:
-        ValueError: `buffer_size` is no length of time.
+        InvalidParameterValueException: `buffer_size` is no length of time.
     """
 
     def __init__(self) -> None:
         super().__init__("tf_buffer")
         size_s = float(self.declare_parameter("buffer_size", DEFAULT_SIZE_S).value)
         if not (math.isfinite(size_s) and 0.0 <= size_s <= LONGEST_S):
-            raise ValueError(
-                f"the parameter buffer_size must be a number of seconds from 0 to {LONGEST_S:g}, not {size_s:g}"
-            )
+            reason = f"must be a number of seconds from 0 to {LONGEST_S:g}"
+            raise InvalidParameterValueException("buffer_size", size_s, reason)
         self.buffer = Buffer(Duration(seconds=size_s))
         self.listener = TransformListener(self.buffer, self)
         self.server = BufferServer(self.buffer, self, ACTION)
@@ -44,12 +45,5 @@ class TfBuffer(Node):
 
 def main(args: list[str] | None = None) -> int:
     """Serve until stopped; return the exit code."""
-    args = sys.argv[1:] if args is None else args
-    if words := remove_ros_args(args):
-        print(f"buffer_server takes no argument like {words[0]!r}\n{USAGE}", file=sys.stderr)
-        return 2
-    try:
-        return run_program(args, lambda: spin(TfBuffer()))
-    except ValueError as error:
-        print(f"buffer_server: {error}", file=sys.stderr)
-        return 1
+    expect_no_arguments("buffer_server", DESCRIPTION, args)
+    return run_program(args, lambda: spin(TfBuffer()))

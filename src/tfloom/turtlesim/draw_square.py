@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import argparse
 import math
-import sys
 from typing import Any
 
 from tfloom.interfaces.geometry_msgs.msg import Twist
 from tfloom.interfaces.std_srvs.srv import Empty
 from tfloom.node import spin
 from tfloom.node.node import Node
-from tfloom.node.program import run_program
-from tfloom.node.utilities import remove_ros_args
+from tfloom.node.program import expect_no_arguments, run_program
 from tfloom.turtlesim.messages import Pose
 from tfloom.turtlesim.world import STEP_S, normalize_angle
 
@@ -110,10 +107,7 @@ class DrawSquare(Node):
 
 def main(args: list[str] | None = None) -> int:
     """Draw until stopped; return the exit code."""
-    args = sys.argv[1:] if args is None else args
-    parser = argparse.ArgumentParser(
-        prog="draw_square",
-        description="Reset turtlesim, then let turtle1 draw a square, again and again.",
+    expect_no_arguments(
+        "draw_square", "Reset turtlesim, then let turtle1 draw a square, again and again.", args
     )
-    parser.parse_args(remove_ros_args(args))
     return run_program(args, lambda: spin(DrawSquare()))

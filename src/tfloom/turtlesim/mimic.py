@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import argparse
-import sys
-
 from tfloom.interfaces.geometry_msgs.msg import Twist
 from tfloom.node import spin
 from tfloom.node.node import Node
-from tfloom.node.program import run_program
-from tfloom.node.utilities import remove_ros_args
+from tfloom.node.program import expect_no_arguments, run_program
 from tfloom.turtlesim.messages import Pose
 
 
@@ -30,11 +26,10 @@ class Mimic(Node):
 
 def main(args: list[str] | None = None) -> int:
     """Mimic until stopped; return the exit code."""
-    args = sys.argv[1:] if args is None else args
-    parser = argparse.ArgumentParser(
-        prog="mimic",
-        description="Let one turtle do what another does: --ros-args -r input/pose:=turtle1/pose "
+    expect_no_arguments(
+        "mimic",
+        "Let one turtle do what another does: --ros-args -r input/pose:=turtle1/pose "
         "-r output/cmd_vel:=turtle2/cmd_vel.",
+        args,
     )
-    parser.parse_args(remove_ros_args(args))
     return run_program(args, lambda: spin(Mimic()))

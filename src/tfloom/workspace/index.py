@@ -16,6 +16,22 @@ PREFIX_PATH_VARIABLE = "AMENT_PREFIX_PATH"
 RESOURCE_INDEX = "share/ament_index/resource_index"
 
 PROGRAMS: dict[str, dict[str, str]] = {
+    "demo_nodes_py": {
+        "add_two_ints_client": "tfloom.demos.demo_nodes_py.add_two_ints_client:main",
+        "add_two_ints_client_async": "tfloom.demos.demo_nodes_py.add_two_ints_client_async:main",
+        "add_two_ints_server": "tfloom.demos.demo_nodes_py.add_two_ints_server:main",
+        "async_param_client": "tfloom.demos.demo_nodes_py.async_param_client:main",
+        "introspection": "tfloom.demos.demo_nodes_py.introspection:main",
+        "listener": "tfloom.demos.demo_nodes_py.listener:main",
+        "listener_qos": "tfloom.demos.demo_nodes_py.listener_qos:main",
+        "listener_serialized": "tfloom.demos.demo_nodes_py.listener_serialized:main",
+        "matched_event_detect": "tfloom.demos.demo_nodes_py.matched_event_detect:main",
+        "parameter_blackboard": "tfloom.demos.demo_nodes_py.parameter_blackboard:main",
+        "set_parameters_callback": "tfloom.demos.demo_nodes_py.set_parameters_callback:main",
+        "talker": "tfloom.demos.demo_nodes_py.talker:main",
+        "talker_qos": "tfloom.demos.demo_nodes_py.talker_qos:main",
+        "use_logger_service": "tfloom.demos.demo_nodes_py.use_logger_service:main",
+    },
     "tf2_ros": {
         "buffer_server": "tfloom.tf2_tools.buffer_server:main",
         "static_transform_publisher": "tfloom.tf2_tools.static_publisher:main",

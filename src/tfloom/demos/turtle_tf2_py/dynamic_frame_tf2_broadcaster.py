@@ -7,7 +7,7 @@ import math
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.node import spin
 from tfloom.node.node import Node
-from tfloom.node.program import run_program
+from tfloom.node.program import expect_no_arguments, run_program
 from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
 
 PERIOD_S = 0.1
@@ -37,4 +37,9 @@ class DynamicFrameBroadcaster(Node):
 
 def main(args: list[str] | None = None) -> int:
     """Broadcast until stopped; return the exit code."""
+    expect_no_arguments(
+        "dynamic_frame_tf2_broadcaster",
+        "Broadcast a carrot that circles turtle1 at ten metres, half a turn a second.",
+        args,
+    )
     return run_program(args, lambda: spin(DynamicFrameBroadcaster()))

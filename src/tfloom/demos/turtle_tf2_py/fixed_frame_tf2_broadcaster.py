@@ -5,7 +5,7 @@ from __future__ import annotations
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.node import spin
 from tfloom.node.node import Node
-from tfloom.node.program import run_program
+from tfloom.node.program import expect_no_arguments, run_program
 from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
 
 PERIOD_S = 0.1
@@ -30,4 +30,7 @@ class FixedFrameBroadcaster(Node):
 
 def main(args: list[str] | None = None) -> int:
     """Broadcast until stopped; return the exit code."""
+    expect_no_arguments(
+        "fixed_frame_tf2_broadcaster", "Broadcast a carrot two metres to the left of turtle1.", args
+    )
     return run_program(args, lambda: spin(FixedFrameBroadcaster()))

@@ -8,7 +8,7 @@ from tfloom.demos.turtle_tf2_py.messages import Pose
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.node import spin
 from tfloom.node.node import Node
-from tfloom.node.program import run_program
+from tfloom.node.program import expect_no_arguments, run_program
 from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
 
 
@@ -36,4 +36,7 @@ class FramePublisher(Node):
 
 def main(args: list[str] | None = None) -> int:
     """Broadcast until stopped; return the exit code."""
+    expect_no_arguments(
+        "turtle_tf2_broadcaster", "Tell tf where a turtle is: --ros-args -p turtlename:=turtle1.", args
+    )
     return run_program(args, lambda: spin(FramePublisher()))

@@ -9,7 +9,7 @@ from tfloom.demos.turtle_tf2_py.messages import Spawn
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped, Twist
 from tfloom.node import spin
 from tfloom.node.node import Node
-from tfloom.node.program import run_program
+from tfloom.node.program import expect_no_arguments, run_program
 from tfloom.node.time import Time
 from tfloom.tf2.errors import TransformException
 from tfloom.tf2_ros.buffer import Buffer
@@ -76,4 +76,9 @@ class FrameListener(Node):
 
 def main(args: list[str] | None = None) -> int:
     """Follow until stopped; return the exit code."""
+    expect_no_arguments(
+        "turtle_tf2_listener",
+        "Spawn turtle2 and let it follow a frame: --ros-args -p target_frame:=turtle1.",
+        args,
+    )
     return run_program(args, lambda: spin(FrameListener()))

@@ -6,7 +6,7 @@ from tfloom.demos.turtle_tf2_py.messages import Pose
 from tfloom.interfaces.geometry_msgs.msg import PointStamped
 from tfloom.node import spin
 from tfloom.node.node import Node
-from tfloom.node.program import run_program
+from tfloom.node.program import expect_no_arguments, run_program
 
 
 class PointPublisher(Node):
@@ -28,4 +28,7 @@ class PointPublisher(Node):
 
 def main(args: list[str] | None = None) -> int:
     """Publish until stopped; return the exit code."""
+    expect_no_arguments(
+        "turtle_tf2_message_broadcaster", "Tell where turtle3 is as points in the world.", args
+    )
     return run_program(args, lambda: spin(PointPublisher()))

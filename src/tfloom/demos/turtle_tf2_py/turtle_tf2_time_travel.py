@@ -6,8 +6,12 @@ from tfloom.demos.turtle_tf2_py.turtle_tf2_listener import FOLLOWER, FrameListen
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.node import spin
 from tfloom.node.duration import Duration
-from tfloom.node.program import run_program
+from tfloom.node.exceptions import InvalidParameterValueException
+from tfloom.node.program import expect_no_arguments, run_program
 from tfloom.node.time import Time
+
+LONGEST_S = 1e9
+"""The longest delay [s]."""
 
 
 class TimeTraveller(FrameListener):
@@ -18,7 +22,11 @@ class TimeTraveller(FrameListener):
 
     def __init__(self) -> None:
         super().__init__()
-        self.delay = Duration(seconds=float(self.declare_parameter("delay", 5.0).value))
+        delay_s = float(self.declare_parameter("delay", 5.0).value)
+        if not 0.0 <= delay_s <= LONGEST_S:
+            reason = f"must be a number of seconds from 0 to {LONGEST_S:g}"
+            raise InvalidParameterValueException("delay", delay_s, reason)
+        self.delay = Duration(seconds=delay_s)
 
     def look_up(self) -> TransformStamped:
         """Return where the target was, as the follower sees that place now."""
@@ -28,4 +36,9 @@ class TimeTraveller(FrameListener):
 
 def main(args: list[str] | None = None) -> int:
     """Follow until stopped; return the exit code."""
+    expect_no_arguments(
+        "turtle_tf2_time_travel",
+        "Let turtle2 go where a frame was: --ros-args -p target_frame:=turtle1 -p delay:=5.0 [s].",
+        args,
+    )
     return run_program(args, lambda: spin(TimeTraveller()))

@@ -1,0 +1,40 @@
+"""add_two_ints_client: ask what 2 and 3 are, and wait for the answer."""
+
+from __future__ import annotations
+
+from tfloom.interfaces.example_interfaces.srv import AddTwoInts
+from tfloom.node import ok, spin_until_future_complete
+from tfloom.node.client import Client
+from tfloom.node.node import Node
+from tfloom.node.program import expect_no_arguments, run_program
+
+__all__ = ["main", "wait_for_server"]
+
+
+def wait_for_server(client: Client) -> bool:
+    """Wait until the server is there, and say so each second; False if the program was stopped before."""
+    while ok():
+        if client.wait_for_service(timeout_sec=1.0):
+            return True
+        if ok():
+            print("service not available, waiting again...", flush=True)
+    return False
+
+
+def ask() -> None:
+    """Send a request, spin until it is answered, and log the answer."""
+    node = Node("add_two_ints_client")
+    client = node.create_client(AddTwoInts, "add_two_ints")
+    if not wait_for_server(client):
+        return
+    future = client.call_async(AddTwoInts.Request(a=2, b=3))
+    spin_until_future_complete(node, future)
+    response = future.result()
+    if response is not None:
+        node.get_logger().info(f"Result of add_two_ints: {response.sum}")
+
+
+def main(args: list[str] | None = None) -> int:
+    """Ask, and end with the answer; return the exit code."""
+    expect_no_arguments("add_two_ints_client", "Ask the service add_two_ints what 2 and 3 are.", args)
+    return run_program(args, ask)

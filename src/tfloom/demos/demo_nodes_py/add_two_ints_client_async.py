@@ -1,0 +1,31 @@
+"""add_two_ints_client_async: ask what 2 and 3 are, and look between callbacks whether the answer is there."""
+
+from __future__ import annotations
+
+from tfloom.demos.demo_nodes_py.add_two_ints_client import wait_for_server
+from tfloom.interfaces.example_interfaces.srv import AddTwoInts
+from tfloom.node import ok, spin_once
+from tfloom.node.node import Node
+from tfloom.node.program import expect_no_arguments, run_program
+
+__all__ = ["main"]
+
+
+def ask() -> None:
+    """Send a request, and log the answer once a look finds it there."""
+    node = Node("add_two_ints_client")
+    client = node.create_client(AddTwoInts, "add_two_ints")
+    if not wait_for_server(client):
+        return
+    future = client.call_async(AddTwoInts.Request(a=2, b=3))
+    while ok() and not future.done():
+        spin_once(node)
+    response = future.result()
+    if response is not None:
+        node.get_logger().info(f"Result of add_two_ints: {response.sum}")
+
+
+def main(args: list[str] | None = None) -> int:
+    """Ask, and end with the answer; return the exit code."""
+    expect_no_arguments("add_two_ints_client_async", "Ask the service add_two_ints what 2 and 3 are.", args)
+    return run_program(args, ask)

@@ -1,0 +1,32 @@
+"""add_two_ints_server: add two numbers for whoever asks."""
+
+from __future__ import annotations
+
+from tfloom.interfaces.example_interfaces.srv import AddTwoInts, AddTwoInts_Request, AddTwoInts_Response
+from tfloom.node import spin
+from tfloom.node.node import Node
+from tfloom.node.program import expect_no_arguments, run_program
+
+__all__ = ["AddTwoIntsServer", "main"]
+
+
+class AddTwoIntsServer(Node):
+    """Serves add_two_ints."""
+
+    def __init__(self) -> None:
+        super().__init__("add_two_ints_server")
+        self.srv = self.create_service(AddTwoInts, "add_two_ints", self.add_two_ints_callback)
+
+    def add_two_ints_callback(
+        self, request: AddTwoInts_Request, response: AddTwoInts_Response
+    ) -> AddTwoInts_Response:
+        """Answer a request; a sum that 64 bits have no place for goes round, as in C++."""
+        response.sum = (request.a + request.b + 2**63) % 2**64 - 2**63
+        self.get_logger().info(f"Incoming request\na: {request.a} b: {request.b}")
+        return response
+
+
+def main(args: list[str] | None = None) -> int:
+    """Serve until stopped; return the exit code."""
+    expect_no_arguments("add_two_ints_server", "Serve add_two_ints: add two numbers for whoever asks.", args)
+    return run_program(args, lambda: spin(AddTwoIntsServer()))

@@ -1,0 +1,107 @@
+"""async_param_client: set, list, get, load and delete parameters of another node, parameter_blackboard."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Any
+
+from tfloom.node import ok, spin_until_future_complete
+from tfloom.node.node import Node
+from tfloom.node.parameter import Parameter, parameter_dict_from_yaml_file, parameter_value_to_python
+from tfloom.node.parameter_client import AsyncParameterClient
+from tfloom.node.program import expect_no_arguments, run_program
+from tfloom.node.task import Future
+
+__all__ = ["main"]
+
+BLACKBOARD = "parameter_blackboard"
+MISSING = (
+    "parameter_blackboard is not available, start parameter blackboard with "
+    "`ros2 run demo_nodes_py parameter_blackboard` before running this demo"
+)
+FILE = Path(__file__).with_name("params.yaml")
+PATIENCE_S = 3.0
+
+
+class Tour:
+    """The demonstration, step by step.
+
+    Args:
+        node: The node that asks.
+        client: Reaches the other node's parameters.
+    """
+
+    def __init__(self, node: Node, client: AsyncParameterClient) -> None:
+        self._node = node
+        self._client = client
+
+    def run(self) -> None:
+        """Do all steps, and log what comes of each."""
+        parameters = [
+            Parameter("int_parameter", Parameter.Type.INTEGER, 10),
+            Parameter("bool_parameter", Parameter.Type.BOOL, False),
+            Parameter("string_parameter", Parameter.Type.STRING, "Fee Fi Fo Fum"),
+        ]
+        names = [parameter.name for parameter in parameters]
+
+        self._say("Setting parameters:")
+        for name, result in zip(
+            names, self._wait(self._client.set_parameters(parameters)).results, strict=True
+        ):
+            self._say(f"    {name}:", f"        successful: {result.successful}")
+
+        self._say("Listing Parameters:")
+        listed = self._wait(self._client.list_parameters(names, 10))
+        self._say(*(f"    - {name}" for name in listed.result.names))
+
+        self._say("Getting parameters:")
+        got = self._wait(self._client.get_parameters(names))
+        for name, value in zip(names, got.values, strict=True):
+            self._say(f"    - {name}: {parameter_value_to_python(value)}")
+
+        self._say("Loading parameters: ")
+        results = self._wait(self._client.load_parameter_file(str(FILE))).results
+        loaded = parameter_dict_from_yaml_file(FILE, target_nodes=[BLACKBOARD])
+        for (name, message), result in zip(loaded.items(), results, strict=True):
+            value = parameter_value_to_python(message.value)
+            self._say(f"    {name}:", f"        successful: {result.successful}", f"        value: {value}")
+
+        self._say("Deleting parameters: ")
+        names = ["other_int_parameter", "other_string_parameter", "string_parameter"]
+        for name, result in zip(
+            names, self._wait(self._client.delete_parameters(names)).results, strict=True
+        ):
+            self._say(
+                f"    {name}:", f"        successful: {result.successful}", f"        reason: {result.reason}"
+            )
+
+    def _say(self, *lines: str) -> None:
+        for line in lines:
+            self._node.get_logger().info(line)
+
+    def _wait(self, future: Future[Any]) -> Any:
+        spin_until_future_complete(self._node, future)
+        return future.result()
+
+
+def ask() -> int:
+    """Do all steps; return the exit code, 1 if there is nobody to ask."""
+    node = Node("async_param_client")
+    client = AsyncParameterClient(node, BLACKBOARD)
+    if not client.wait_for_services(PATIENCE_S):
+        if ok():
+            print(MISSING, file=sys.stderr)
+        return 1
+    Tour(node, client).run()
+    return 0
+
+
+def main(args: list[str] | None = None) -> int:
+    """Show what can be done with another node's parameters; return the exit code."""
+    expect_no_arguments(
+        "async_param_client",
+        "Set, list, get, load and delete parameters of the node parameter_blackboard.",
+        args,
+    )
+    return run_program(args, ask)

@@ -1,0 +1,28 @@
+"""listener: log what the talker says."""
+
+from __future__ import annotations
+
+from tfloom.interfaces.std_msgs.msg import String
+from tfloom.node import spin
+from tfloom.node.node import Node
+from tfloom.node.program import expect_no_arguments, run_program
+
+__all__ = ["Listener", "main"]
+
+
+class Listener(Node):
+    """Listens to chatter."""
+
+    def __init__(self) -> None:
+        super().__init__("listener")
+        self.sub = self.create_subscription(String, "chatter", self.chatter_callback, 10)
+
+    def chatter_callback(self, msg: String) -> None:
+        """Log a message."""
+        self.get_logger().info(f"I heard: [{msg.data}]")
+
+
+def main(args: list[str] | None = None) -> int:
+    """Listen until stopped; return the exit code."""
+    expect_no_arguments("listener", "Log what comes on the topic chatter.", args)
+    return run_program(args, lambda: spin(Listener()))

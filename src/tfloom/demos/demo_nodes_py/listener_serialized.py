@@ -1,0 +1,28 @@
+"""listener_serialized: log the very bytes of what the talker says."""
+
+from __future__ import annotations
+
+from tfloom.interfaces.std_msgs.msg import String
+from tfloom.node import spin
+from tfloom.node.node import Node
+from tfloom.node.program import expect_no_arguments, run_program
+
+__all__ = ["SerializedSubscriber", "main"]
+
+
+class SerializedSubscriber(Node):
+    """Listens to chatter, and takes messages as they come over the wire."""
+
+    def __init__(self) -> None:
+        super().__init__("serialized_subscriber")
+        self.subscription = self.create_subscription(String, "chatter", self.listener_callback, 10, raw=True)
+
+    def listener_callback(self, msg: bytes) -> None:
+        """Log a message: its header of four bytes and its CDR."""
+        self.get_logger().info(f'I heard: "{msg!r}"')
+
+
+def main(args: list[str] | None = None) -> int:
+    """Listen until stopped; return the exit code."""
+    expect_no_arguments("listener_serialized", "Log the bytes that come on the topic chatter.", args)
+    return run_program(args, lambda: spin(SerializedSubscriber()))

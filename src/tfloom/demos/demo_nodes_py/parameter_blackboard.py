@@ -1,0 +1,31 @@
+"""parameter_blackboard: a node that keeps whatever parameters others set; async_param_client writes on it."""
+
+from __future__ import annotations
+
+from tfloom.node import spin
+from tfloom.node.node import Node
+from tfloom.node.program import expect_no_arguments, run_program
+
+__all__ = ["ParameterBlackboard", "main"]
+
+
+class ParameterBlackboard(Node):
+    """Allows every parameter, and declares those that it is given at its start."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "parameter_blackboard",
+            allow_undeclared_parameters=True,
+            automatically_declare_parameters_from_overrides=True,
+        )
+        count = len(self.get_parameters_by_prefix(""))
+        self.get_logger().info(
+            f"Parameter blackboard node named '{self.get_fully_qualified_name()}' ready, "
+            f"and serving '{count}' parameters already!"
+        )
+
+
+def main(args: list[str] | None = None) -> int:
+    """Keep parameters until stopped; return the exit code."""
+    expect_no_arguments("parameter_blackboard", "Keep whatever parameters others set.", args)
+    return run_program(args, lambda: spin(ParameterBlackboard()))

@@ -1,0 +1,58 @@
+"""set_parameters_callback: a parameter that sets another, by the three callbacks about setting.
+
+`ros2 param set /set_parameters_callback param1 28.0` sets param2 to 4.0 as well.
+"""
+
+from __future__ import annotations
+
+from tfloom.interfaces.rcl_interfaces.msg import SetParametersResult
+from tfloom.node import spin
+from tfloom.node.node import Node
+from tfloom.node.parameter import Parameter
+from tfloom.node.program import expect_no_arguments, run_program
+
+__all__ = ["SetParametersCallback", "main"]
+
+FIRST, SECOND = "param1", "param2"
+SECOND_VALUE = 4.0
+
+
+class SetParametersCallback(Node):
+    """Has param1 and param2, and keeps their values in attributes, too."""
+
+    def __init__(self) -> None:
+        super().__init__("set_parameters_callback")
+        self.internal_tracked_param_1 = self.declare_parameter(FIRST, 0.0).value
+        self.internal_tracked_param_2 = self.declare_parameter(SECOND, 0.0).value
+        self.add_pre_set_parameters_callback(self.add_second)
+        self.add_on_set_parameters_callback(self.judge)
+        self.add_post_set_parameters_callback(self.track)
+
+    def add_second(self, parameter_list: list[Parameter]) -> list[Parameter]:
+        """Before: return what is to be set in the place of `parameter_list`."""
+        second = Parameter(SECOND, Parameter.Type.DOUBLE, SECOND_VALUE)
+        return parameter_list + [second for parameter in parameter_list if parameter.name == FIRST]
+
+    def judge(self, parameter_list: list[Parameter]) -> SetParametersResult:
+        """Return whether all of it may be set."""
+        result = SetParametersResult(successful=True)
+        for parameter in parameter_list:
+            if parameter.name in {FIRST, SECOND}:
+                result.reason = f"success {parameter.name}"
+        return result
+
+    def track(self, parameter_list: list[Parameter]) -> None:
+        """Afterwards: keep what has been set."""
+        for parameter in parameter_list:
+            if parameter.name == FIRST:
+                self.internal_tracked_param_1 = parameter.value
+            elif parameter.name == SECOND:
+                self.internal_tracked_param_2 = parameter.value
+
+
+def main(args: list[str] | None = None) -> int:
+    """Keep the parameters until stopped; return the exit code."""
+    expect_no_arguments(
+        "set_parameters_callback", "Have the parameters param1 and param2; setting the first sets both.", args
+    )
+    return run_program(args, lambda: spin(SetParametersCallback()))

@@ -1,0 +1,4 @@
+"""A client and a server of add_two_ints whose traffic can be listened to."""
+
+from tfloom.demos.demo_nodes_py.introspection import *
+from tfloom.demos.demo_nodes_py.introspection import __all__

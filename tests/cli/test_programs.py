@@ -1,0 +1,164 @@
+"""All programs that tfloom brings: however they are stopped they end quietly, and bad arguments get a sentence."""
+
+from __future__ import annotations
+
+import re
+import signal
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from tests.conftest import Program
+
+from tfloom.cli.run import run_here
+from tfloom.node.context import Context
+from tfloom.node.node import Node
+from tfloom.workspace.index import PROGRAMS
+
+EVERY = [(package, name) for package, names in PROGRAMS.items() for name in names]
+
+RUNNING = {
+    "buffer_server": ("tf_buffer", []),
+    "draw_square": ("draw_square", []),
+    "dynamic_frame_tf2_broadcaster": ("dynamic_frame_tf2_broadcaster", []),
+    "fixed_frame_tf2_broadcaster": ("fixed_frame_tf2_broadcaster", []),
+    "introspection": ("introspection_client", []),
+    "listener": ("listener", []),
+    "listener_serialized": ("serialized_subscriber", []),
+    "mimic": ("turtle_mimic", []),
+    "static_transform_publisher": ("one", ["--frame-id", "world", "--child-frame-id", "one"]),
+    "static_turtle_tf2_broadcaster": ("static_turtle_tf2_broadcaster", ["two", *"000000"]),
+    "talker": ("talker", []),
+    "tf2_echo": ("tf2_echo", ["world", "turtle1"]),
+    "tf2_monitor": ("tf2_monitor_main", []),
+    "turtle_tf2_broadcaster": ("turtle_tf2_frame_publisher", []),
+    "turtle_tf2_listener": ("turtle_tf2_frame_listener", []),
+    "turtle_tf2_message_broadcaster": ("turtle_tf2_message_broadcaster", []),
+    "turtlesim_node": ("turtlesim", ["--headless"]),
+}
+"""Programs that run until they are stopped: the name of the node of each, and its words."""
+
+
+@pytest.fixture
+def graph(domain_id: int) -> Iterator[Node]:
+    context = Context()
+    context.init(args=[], domain_id=domain_id)
+    yield Node("onlooker", context=context)
+    context.destroy()
+
+
+@pytest.mark.wire
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_they_end_quietly(
+    graph: Node, number: int, start_program: Callable[..., Program], wait_until: Callable[..., None]
+) -> None:
+    programs = {
+        node: start_program(
+            *("tfloom", "run", package, name, *RUNNING[name][1]),
+            *(("--ros-args", "-r", "__node:=one") if name == "static_transform_publisher" else ()),
+        )
+        for package, name in EVERY
+        if name in RUNNING
+        for node in [RUNNING[name][0]]
+    }
+    assert len(programs) == len(RUNNING)
+    wait_until(lambda: programs.keys() <= set(graph.get_node_names()), 90, "all nodes")
+    for program in programs.values():
+        program.signal(number)
+    for program in programs.values():
+        assert program.wait() == 0, program.output
+        assert "Traceback" not in program.output
+        assert "ignored" not in program.output
+
+
+def complaint(package: str, name: str, words: list[str], capsys: pytest.CaptureFixture[str]) -> str:
+    """Return what a program that can't use its words says."""
+    before = signal.getsignal(signal.SIGTERM), sys.argv
+    try:
+        code = run_here(PROGRAMS[package][name], name, words)
+    finally:
+        signal.signal(signal.SIGTERM, before[0])
+        sys.argv = before[1]
+    printed = capsys.readouterr()
+    assert code not in {0, None}
+    assert "Traceback" not in printed.err
+    return printed.out + printed.err
+
+
+@pytest.mark.parametrize(("package", "name"), EVERY)
+def test_words_that_mean_nothing(package: str, name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    text = complaint(package, name, ["--such-nonsense", "x", "y", "z", "--ros-args", "-p", "a:=1"], capsys)
+    assert "usage" in text.lower() or "--such-nonsense" in text
+
+
+@pytest.mark.parametrize(
+    ("words", "text"),
+    [
+        (["-r"], "Failed to parse ROS arguments: -r needs a value: [node:]from:=to"),
+        (["-p", "x"], "Failed to parse ROS arguments: cannot understand '-p x': expected [node:]name:=value"),
+        (["--params-file", "/nowhere.yaml"], "No such file or directory: '/nowhere.yaml'"),
+    ],
+)
+@pytest.mark.parametrize(("package", "name"), EVERY)
+def test_ros_arguments_that_make_no_sense(
+    package: str, name: str, words: list[str], text: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    own = RUNNING.get(name, ("", []))[1]
+    said = complaint(package, name, [*own, "--ros-args", *words], capsys)
+    assert text in said
+    assert said.startswith(f"{name}: ")
+    assert said.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("package", "name", "parameter", "text"),
+    [
+        (
+            "turtlesim",
+            "turtlesim_node",
+            "background_r:=abc",
+            "parameter 'background_r' to 'abc' of type 'STRING'",
+        ),
+        ("turtlesim", "turtlesim_node", "holonomic:=3", "expecting type 'BOOL'"),
+        ("turtle_tf2_py", "turtle_tf2_broadcaster", "turtlename:=3", "expecting type 'STRING'"),
+        ("turtle_tf2_py", "turtle_tf2_broadcaster", "turtlename:=a b", "Invalid topic name"),
+        ("turtle_tf2_py", "turtle_tf2_time_travel", "delay:=soon", "expecting type 'DOUBLE'"),
+        ("turtle_tf2_py", "turtle_tf2_time_travel", "delay:=.nan", "Reason: must be a number of seconds"),
+        ("turtle_tf2_py", "turtle_tf2_listener", "target_frame:=7", "expecting type 'STRING'"),
+        ("tf2_ros", "buffer_server", "buffer_size:=abc", "parameter 'buffer_size' to 'abc' of type 'STRING'"),
+        ("tf2_ros", "static_transform_publisher", "rotation.w:=abc", "expecting type 'DOUBLE'"),
+        (
+            "demo_nodes_py",
+            "introspection",
+            "client_configure_introspection:=all",
+            "must be one of 'disabled'",
+        ),
+        ("demo_nodes_py", "set_parameters_callback", "param1:=x", "expecting type 'DOUBLE'"),
+        ("demo_nodes_py", "talker", "use_sim_time:=maybe", "expecting type 'BOOL'"),
+    ],
+)
+def test_parameters_that_make_no_sense(
+    package: str,
+    name: str,
+    parameter: str,
+    text: str,
+    start_program: Callable[..., Program],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+    own = RUNNING.get(name, ("", []))[1]
+    program = start_program("tfloom", "run", package, name, *own, "--ros-args", "-p", parameter)
+    assert program.wait() == 1
+    errors = [line for line in program.lines if line.startswith(f"{name}: ")]
+    assert len(errors) == 1
+    assert text in errors[0]
+    assert "Traceback" not in program.output
+
+
+def test_the_docs_list_them() -> None:
+    text = (Path(__file__).parents[2] / "docs" / "commands.md").read_text("utf-8")
+    rows = [line.split("|") for line in text.splitlines() if line.startswith("| `")]
+    listed = {row[1].strip(" `"): set(re.findall("`([^`]+)`", row[2])) for row in rows}
+    for package, names in PROGRAMS.items():
+        assert listed[package] == names.keys()

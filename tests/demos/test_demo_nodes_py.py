@@ -1,0 +1,229 @@
+"""The programs of demo_nodes_py as processes over DDS, against what the reference's print."""
+
+from __future__ import annotations
+
+import re
+import signal
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from tests.conftest import Program
+
+pytestmark = pytest.mark.wire
+
+GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
+NAMES = [
+    *("add_two_ints_client", "add_two_ints_client_async", "add_two_ints_server", "async_param_client"),
+    *("introspection", "listener", "listener_qos", "listener_serialized", "matched_event_detect"),
+    *("parameter_blackboard", "set_parameters_callback", "talker", "talker_qos", "use_logger_service"),
+]
+Start = Callable[..., Program]
+
+
+@pytest.fixture
+def start(start_program: Start, domain_id: int) -> Start:
+    return lambda name, *words: start_program("tfloom", "run", "demo_nodes_py", name, *words)
+
+
+def masked(lines: list[str]) -> list[str]:
+    return [re.sub(r"\[\d+\.\d{9}\]", "[stamp]", line) for line in lines]
+
+
+def said(lines: list[str], node: str) -> list[str]:
+    """What one node has logged, without stamps."""
+    return [line.split(f"[{node}]: ", 1)[1] for line in lines if f"[{node}]: " in line]
+
+
+def end(*programs: Program, number: int = signal.SIGINT) -> None:
+    """Stop programs, and see that they end well and say nothing of it."""
+    for program in programs:
+        program.signal(number)
+    for program in programs:
+        assert program.wait() == 0, program.output
+        assert "Traceback" not in program.output
+
+
+def test_they_are_listed(start_program: Start) -> None:
+    listed = start_program("tfloom", "pkg", "executables", "demo_nodes_py")
+    assert listed.wait() == 0
+    assert listed.lines == [f"demo_nodes_py {name}" for name in NAMES]
+
+
+def test_a_talker_is_heard(start: Start) -> None:
+    listeners = [start(name) for name in ("listener", "listener_qos", "listener_serialized")]
+    talker = start("talker")
+    golden = (GOLDEN / "talker_log.txt").read_text().splitlines()[1:-1]
+    talker.wait_for(golden[2].split("]: ")[1])
+    assert masked(talker.lines)[:3] == masked(golden)[:3]
+    listener, best_effort, serialized = listeners
+    listener.wait_for("[listener]: I heard: [Hello World: 2]")
+    best_effort.wait_for("[listener_qos]: I heard: [Hello World: 2]")
+    assert best_effort.lines[0].endswith("[listener_qos]: Best effort listener")
+    serialized.wait_for(
+        """[serialized_subscriber]: I heard: "b'\\x00\\x01\\x00\\x00\\x0f\\x00\\x00\\x00Hello World: 2\\x00\\x00'\""""
+    )
+    end(talker, listener, best_effort)
+    end(serialized, number=signal.SIGTERM)
+
+
+def test_a_reliable_talker_that_ends_by_itself(start: Start) -> None:
+    listener = start("listener_qos", "--reliable", "-n", "1")
+    listener.wait_for("Reliable listener")
+    talker = start("talker_qos", "--reliable", "--number_of_cycles", "2")
+    assert talker.wait() == 0
+    assert said(talker.lines, "talker_qos") == [
+        "Reliable talker",
+        'Publishing: "Hello World: 0"',
+        'Publishing: "Hello World: 1"',
+    ]
+    assert listener.wait() == 0
+    assert re.fullmatch(r"I heard: \[Hello World: [01]\]", said(listener.lines, "listener_qos")[1])
+
+
+@pytest.mark.parametrize("name", ["add_two_ints_client", "add_two_ints_client_async"])
+def test_two_and_three(start: Start, name: str) -> None:
+    client = start(name)
+    client.wait_for("service not available, waiting again...")
+    server = start("add_two_ints_server")
+    assert client.wait() == 0
+    assert said(client.lines, "add_two_ints_client") == ["Result of add_two_ints: 5"]
+    assert said(server.lines, "add_two_ints_server") == ["Incoming request"]
+    assert server.lines[1] == "a: 2 b: 3"
+    end(server, number=signal.SIGTERM)
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_client_in_vain_can_be_stopped(start: Start, number: int) -> None:
+    client = start("add_two_ints_client")
+    client.wait_for("service not available, waiting again...")
+    end(client, number=number)
+
+
+def test_events_of_company(start: Start) -> None:
+    program = start("matched_event_detect")
+    assert program.wait(60) == 0
+    lines = said(program.lines, "matched_event_detection_node")
+    assert lines == [
+        line
+        for other in ("subscription", "publisher")
+        for line in (
+            f"First {other} is connected.",
+            f"The changed number of connected {other} is 1 and current number of connected {other} is 2",
+            f"The changed number of connected {other} is -1 and current number of connected {other} is 1",
+            f"Last {other} is disconnected.",
+        )
+    ]
+
+
+def test_levels_by_service(start: Start) -> None:
+    program = start("use_logger_service")
+    assert program.wait(60) == 0
+    levels = {"default": 0, "debug": 10, "warn": 30, "error": 40}
+    assert said(program.lines, "TestNode") == [
+        line
+        for name, level in levels.items()
+        for line in (f"Output with {name} logger level:", f"Current logger level: {level}")
+    ]
+    seen = [("INFO", 1), ("WARN", 1), ("ERROR", 1), ("DEBUG", 2), ("INFO", 2), ("WARN", 2), ("ERROR", 2)]
+    seen += [("WARN", 3), ("ERROR", 3), ("ERROR", 4)]
+    assert said(program.lines, "LoggerServiceNode") == [
+        f"Output {number} with {level} logger level." for level, number in seen
+    ]
+
+
+def test_parameters_of_another_node(start: Start) -> None:
+    lonely = start("async_param_client")
+    assert lonely.wait() == 1
+    assert lonely.lines[0] == (
+        "parameter_blackboard is not available, start parameter blackboard with "
+        "`ros2 run demo_nodes_py parameter_blackboard` before running this demo"
+    )
+    blackboard = start("parameter_blackboard", "--ros-args", "-p", "colour:=white")
+    blackboard.wait_for(
+        "Parameter blackboard node named '/parameter_blackboard' ready, and serving '3' parameters"
+    )
+    client = start("async_param_client")
+    assert client.wait() == 0
+    lines = said(client.lines, "async_param_client")
+    loaded = {
+        "other_int_parameter": "0",
+        "int_parameter": "12",
+        "string_parameter": "I smell the blood of an Englishman",
+        "other_string_parameter": "One fish, two fish, Red fish, blue fish",
+        "bool_parameter": "False",
+    }
+    names = ("int_parameter", "bool_parameter", "string_parameter")
+    assert lines == [
+        "Setting parameters:",
+        *(line for name in names for line in (f"    {name}:", "        successful: True")),
+        "Listing Parameters:",
+        *(f"    - {name}" for name in names),
+        "Getting parameters:",
+        *("    - int_parameter: 10", "    - bool_parameter: False", "    - string_parameter: Fee Fi Fo Fum"),
+        "Loading parameters: ",
+        *(
+            line
+            for name, value in loaded.items()
+            for line in (f"    {name}:", "        successful: True", f"        value: {value}")
+        ),
+        "Deleting parameters: ",
+        *(
+            line
+            for name in ("other_int_parameter", "other_string_parameter", "string_parameter")
+            for line in (f"    {name}:", "        successful: True", "        reason: ")
+        ),
+    ]
+    end(blackboard)
+
+
+def test_a_parameter_that_sets_another(start: Start, start_program: Start) -> None:
+    node = start("set_parameters_callback")
+    param = ("tfloom", "param")
+    setter = start_program(*param, "set", "/set_parameters_callback", "param1", "28.0")
+    assert setter.wait() == 0, setter.output
+    for name, value in (("param1", "28.0"), ("param2", "4.0")):
+        getter = start_program(*param, "get", "/set_parameters_callback", name)
+        assert getter.wait() == 0
+        assert getter.lines == [f"Double value is: {value}"]
+    end(node)
+
+
+def test_traffic_that_can_be_heard(
+    start: Start, start_program: Start, wait_until: Callable[..., None]
+) -> None:
+    def tells(event: str) -> bool:
+        return re.search(rf"event_type: ({event})$", echo.output, re.MULTILINE) is not None
+
+    program = start("introspection", "--ros-args", "-p", "service_configure_introspection:=contents")
+    program.wait_for("[introspection_client]: Result of add_two_ints: 5")
+    echo = start_program("tfloom", "service", "echo", "/add_two_ints")
+    wait_until(lambda: tells("1|REQUEST_RECEIVED"))
+    assert not tells("3|RESPONSE_RECEIVED")
+    refused = start_program(
+        "tfloom", "param", "set", "/introspection_client", "client_configure_introspection", "all"
+    )
+    refused.wait()
+    assert "must be one of 'disabled', 'metadata', or 'contents" in refused.output
+    setter = start_program(
+        "tfloom", "param", "set", "/introspection_client", "client_configure_introspection", "metadata"
+    )
+    assert setter.wait() == 0
+    wait_until(lambda: tells("3|RESPONSE_RECEIVED"))
+    end(program)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_words_that_mean_nothing(start_program: Start, name: str) -> None:
+    program = start_program("tfloom", "run", "demo_nodes_py", name, "loudly")
+    assert program.wait() == 2
+    assert f"{name}: error: unrecognized arguments: loudly" in program.lines
+
+
+def test_the_facade_leads_to_them() -> None:
+    from demo_nodes_py.services.add_two_ints_server import AddTwoIntsServer
+    from demo_nodes_py.topics import listener, talker
+
+    assert {talker.Talker.__name__, listener.Listener.__name__, AddTwoIntsServer.__name__} == {
+        *("Talker", "Listener", "AddTwoIntsServer")
+    }
