@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import gc
 import signal
 from contextlib import suppress
 
 import pytest
 
 from tfloom import node as rclpy
+from tfloom.interfaces.std_msgs.msg import String
 from tfloom.node.context import Context
-from tfloom.node.exceptions import RCLError, RCLInvalidROSArgsError
+from tfloom.node.exceptions import InvalidParameterTypeException, RCLError, RCLInvalidROSArgsError
+from tfloom.node.executors import SingleThreadedExecutor
 from tfloom.node.logging import get_logger_effective_level
 from tfloom.node.node import Node
 
@@ -139,3 +142,59 @@ def test_spinning_functions() -> None:
     rclpy.spin(node)
     assert not rclpy.ok()
     node.destroy_node()
+
+
+def test_init_after_ctrl_c() -> None:
+    """As in a notebook, where nobody calls shutdown after it."""
+    rclpy.init(args=[])
+    with pytest.raises(KeyboardInterrupt):
+        signal.raise_signal(signal.SIGINT)
+    assert not rclpy.ok()
+    rclpy.init(args=[])
+    assert rclpy.ok()
+    with pytest.raises(RuntimeError, match="only be called once"):
+        rclpy.init(args=[])
+    rclpy.shutdown()
+
+
+def test_a_node_that_nobody_holds_leaves_the_graph(context: Context) -> None:
+    """As in a notebook, where a cell that makes a node is run again."""
+
+    class Talker(Node):
+        def __init__(self, fail: bool = False) -> None:
+            super().__init__("talker", context=context)
+            self.publisher = self.create_publisher(String, "chatter", 10)
+            self.timer = self.create_timer(1.0, self.on_timer)
+            if fail:
+                raise ValueError("half made")
+
+        def on_timer(self) -> None:
+            pass
+
+    with Node("watcher", context=context) as watcher, SingleThreadedExecutor(context=context) as executor:
+        node = Talker()
+        node = Talker()
+        executor.add_node(node)
+        with suppress(ValueError):
+            Talker(fail=True)
+        del node
+        held = Node("held", context=context).create_publisher(String, "chatter", 10)
+        gc.collect()
+        Node("other", context=context)
+        gc.collect()
+        Node("another", context=context)
+        names = sorted(watcher.get_node_names())
+        assert names == ["another", "held", "talker", "watcher"]
+        assert watcher.count_publishers("chatter") == 2
+        held.publish(String(data="still there"))
+        del held
+        gc.collect()
+        context.shutdown()
+        assert sorted(watcher.get_node_names()) == ["talker", "watcher"]
+
+
+def test_a_node_that_could_not_be_made_leaves_the_graph(context: Context) -> None:
+    with Node("watcher", context=context) as watcher:
+        with pytest.raises(InvalidParameterTypeException):
+            Node("bad", context=context, cli_args=["--ros-args", "-p", "use_sim_time:=5"])
+        assert watcher.get_node_names() == ["watcher"]

@@ -11,10 +11,12 @@ from threading import Thread
 
 import pytest
 
+from tfloom.interfaces.rcl_interfaces.msg import Log
 from tfloom.node import logging
 from tfloom.node.clock import ROSClock
 from tfloom.node.clock_type import ClockType
 from tfloom.node.context import Context
+from tfloom.node.executors import SingleThreadedExecutor
 from tfloom.node.log_file import LogFile
 from tfloom.node.logging_severity import LoggingSeverity
 from tfloom.node.node import Node
@@ -210,3 +212,20 @@ def test_a_node_whose_context_is_gone_does_not_keep_its_namesake_from_logging(ca
         node.get_logger().info("still here")
         assert lines(capsys)[-1].endswith("[talker]: still here")
         node.destroy_node()
+
+
+def test_what_is_no_unicode_is_logged_with_escapes(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, make_node: Callable[..., Node], capsys: Capture
+) -> None:
+    heard: list[str] = []
+    node = make_node("talker")
+    node.create_subscription(Log, "/rosout", lambda log: heard.append(log.msg), 10)
+    node.get_logger().info("a file name: \udcff")
+    node.get_logger().info("ü")
+    with SingleThreadedExecutor(context=node.context) as executor:
+        executor.add_node(node)
+        while len(heard) < 2:
+            executor.spin_once(timeout_sec=10)
+    assert heard == ["a file name: \\udcff", "ü"]
+    (path,) = (tmp_path / "log").iterdir()
+    assert [line.partition("]: ")[2] for line in path.read_text("utf-8").splitlines()] == heard

@@ -86,13 +86,15 @@ def init(
         signal_handler_options: Which signals to handle; None: both for the default context, else none.
 
     Raises:
-        RuntimeError: the context was initialised before.
+        RuntimeError: the context was initialised before; the default one, unless it has ended since.
         RCLInvalidROSArgsError: a ROS argument makes no sense.
         UnknownROSArgsError: a ROS argument isn't known.
     """
     if signal_handler_options is None:
         is_default = context is None or context is get_default_context()
         signal_handler_options = SignalHandlerOptions.ALL if is_default else SignalHandlerOptions.NO
+    if context is None and get_default_context().is_over():
+        get_default_context(shutting_down=True)  # by a signal, which left it the default
     context = context or get_default_context()
     context.init(args, domain_id=domain_id)
     install_signal_handlers(signal_handler_options)

@@ -6,6 +6,7 @@ import _thread
 import sys
 import threading
 import weakref
+from collections import deque
 from collections.abc import Callable
 from types import MethodType, TracebackType
 from typing import TYPE_CHECKING, Any
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from tfloom._native import ReadyQueue
+    from tfloom.node.node import Node
     from tfloom.rmw.base import NodeName, Participant
 
 __all__ = ["Context"]
@@ -49,6 +51,7 @@ class Context:
         self._queues: list[ReadyQueue] = []
         self._participant: Participant | None = None
         self._nodes = 0
+        self._abandoned: deque[Node] = deque()
         self._domain_id: int | None = None
         self._arguments = Arguments()
 
@@ -109,6 +112,10 @@ class Context:
         """Return whether it is initialised and not shut down."""
         return self._valid
 
+    def is_over(self) -> bool:
+        """Return whether it was initialised, and shut down."""
+        return self._initialized and not self._valid
+
     def is_interrupted(self) -> bool:
         """Return whether it was a signal that shut it down."""
         return self._interrupted
@@ -139,6 +146,7 @@ class Context:
             self._valid = False
         self._wake_all()
         self._run_hooks()
+        self._destroy_abandoned()
         self._close_if_unused()
         return True
 
@@ -215,6 +223,7 @@ class Context:
         """
         from tfloom.rmw.backends import open_participant
 
+        self._destroy_abandoned()
         with self._lock:
             if not self._valid:
                 raise NotInitializedException("cannot create node")
@@ -224,6 +233,17 @@ class Context:
             self._participant.add_node(node)
             self._nodes += 1
             return self._participant
+
+    def abandon(self, node: Node) -> None:
+        """Take in a node that nobody holds any more, to be destroyed when another joins, or at shutdown.
+
+        The garbage collector calls this amid anything, under whatever lock: so not at once.
+        """
+        self._abandoned.append(node)
+
+    def _destroy_abandoned(self) -> None:
+        while self._abandoned:
+            self._abandoned.popleft().destroy_node()
 
     def leave(self, node: NodeName) -> None:
         """Take a node off the graph."""

@@ -58,6 +58,7 @@ class Endpoint(Generic[End]):
     """An end on the wire, until it is destroyed."""
 
     _kind = ""
+    _part_of: Any = None  # as an entity's
     """What it is, for texts: `client`."""
 
     def __init__(self, endpoint: End, name: str) -> None:

@@ -30,6 +30,8 @@ class Entity:
 
     callback_group: CallbackGroup | None
 
+    _part_of: Any = None  # the node: whoever holds the part holds the whole
+
     def attach(self, queue: ReadyQueue, token: int) -> None:
         """Post `token` to `queue` when there may be something to take, at once if there already is."""
         raise NotImplementedError

@@ -51,7 +51,7 @@ class LogFile:
         directory.mkdir(parents=True, exist_ok=True)
         atexit.register(self.close)
         name = f"{self._name or _program()}_{os.getpid()}_{time.time_ns() // 1_000_000}.log"
-        return (directory / name).open("w", encoding="utf-8")
+        return (directory / name).open("w", encoding="utf-8", errors="backslashreplace")
 
     def close(self) -> None:
         """Close the file, if there is one, for good."""

@@ -60,7 +60,8 @@ AnyEntity = TypeVar("AnyEntity", bound=Entity)
 class Node(NodeEntities, NodeParameters, NodeGraph):
     """A node: a name on the graph, under which it publishes, subscribes, and has parameters and timers.
 
-    Its callbacks run while an executor that it is added to spins.
+    Its callbacks run while an executor that it is added to spins. Whoever holds something that it created holds the
+    node; one that nobody holds leaves the graph when another node is created, or at shutdown.
 
     Args:
         node_name: Its name; `-r __node:=` on the command line replaces it.
@@ -109,9 +110,10 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         )
         self.__node_name = self.__settle_name(node_name, namespace or "/")
         self.__executor: weakref.ref[Executor] | None = None
-        self.__destroyed = False
+        self.__destroyed = True  # until it is on the graph
         self.__parameter_event_publisher: Publisher[rcl_msg.ParameterEvent] | None = None
         self.__rosout: Rosout | None = None
+        self.__time_source: TimeSource | None = None
         self.__clock = ROSClock()
         self.__logger = RcutilsLogger(self.__node_name.full.strip("/").replace("/", "."))
         NodeParameters.__init__(
@@ -123,7 +125,22 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         self.__participant = self.__context.join(self.__node_name)
         NodeGraph.__init__(self, self.__participant.graph)
         NodeEntities.__init__(self, self.__participant, self.__node_name, self.__context)
-        if enable_rosout and self.__arguments.rosout_logs:
+        self.__destroyed = False
+        try:
+            self.__begin(
+                rosout=enable_rosout,
+                declare_overrides=automatically_declare_parameters_from_overrides,
+                parameter_services=start_parameter_services,
+                logger_service=enable_logger_service,
+            )
+        except BaseException:
+            self.destroy_node()
+            raise
+
+    def __begin(
+        self, *, rosout: bool, declare_overrides: bool, parameter_services: bool, logger_service: bool
+    ) -> None:
+        if rosout and self.__arguments.rosout_logs:
             self.__rosout = Rosout(self.__participant, self.__node_name, self.__logger.name)
         self.__parameter_event_publisher = self.create_publisher(
             rcl_msg.ParameterEvent,
@@ -131,16 +148,16 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
             qos_profile_parameter_events,
             qos_overriding_options=self._parameter_event_overriding,
         )
-        if automatically_declare_parameters_from_overrides:
+        if declare_overrides:
             for name, parameter in self._parameter_overrides.items():
                 self.declare_parameter(
                     name, parameter.value, rcl_msg.ParameterDescriptor(dynamic_typing=True)
                 )
         self.__time_source = TimeSource(node=self)
         self.__time_source.attach_clock(self.__clock)
-        if start_parameter_services:
+        if parameter_services:
             ParameterService(self)
-        if enable_logger_service:
+        if logger_service:
             LoggingService(self)
         TypeDescriptionService(self)
 
@@ -233,13 +250,18 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         if self.__destroyed:
             return
         self.__destroyed = True
-        self.__time_source.detach_node()
+        if self.__time_source is not None:
+            self.__time_source.detach_node()
         self.executor = None
         self.__parameter_event_publisher = None
         self.destroy_entities()
         if self.__rosout is not None:
             self.__rosout.close()
         self.__context.leave(self.__node_name)
+
+    def __del__(self) -> None:
+        if not getattr(self, "_Node__destroyed", True):
+            self.__context.abandon(self)
 
     def __publish_parameter_event(self, event: rcl_msg.ParameterEvent) -> None:
         if self.__parameter_event_publisher is not None and self.__context.ok():

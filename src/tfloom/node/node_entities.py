@@ -143,6 +143,7 @@ class NodeEntities:
     def __add(self, entity: AnyEntity) -> AnyEntity:
         if entity.callback_group is not None:
             entity.callback_group.add_entity(entity)
+        entity._part_of = self  # noqa: SLF001  # ours
         self.__entities.append(entity)
         executor = self.executor
         if executor is not None:
@@ -193,6 +194,7 @@ class NodeEntities:
         writer = self.__participant.create_writer(self.__node_name, wire_topic, profile.to_wire())
         group = callback_group or self.__default_callback_group
         publisher = publisher_class(writer, msg_type, name, profile, None, group, context=self.__context)
+        publisher._part_of = self  # noqa: SLF001  # ours
         self.__publishers.append(publisher)
         publisher.event_handlers = self.__watch(
             event_callbacks or PublisherEventCallbacks(), group, writer, name

@@ -36,7 +36,7 @@ class Rosout:
             stamp=builtin_msg.Time(sec=sec, nanosec=nanosec),
             level=int(record.severity),
             name=record.name,
-            msg=record.message,
+            msg=_encodable(record.message),
             file=record.file,
             function=record.function,
             line=record.line,
@@ -50,3 +50,8 @@ class Rosout:
         """Publish no more."""
         log_output.remove_listener(self._logger_name, self._publish)
         self._writer.close()
+
+
+def _encodable(text: str) -> str:
+    """Return a text with its lone surrogates, of undecodable file names say, written as escapes."""
+    return text if text.isascii() else text.encode("utf-8", "backslashreplace").decode("utf-8")
