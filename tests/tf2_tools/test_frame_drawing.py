@@ -11,8 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tfloom.tf2_tools import frame_drawing
-from tfloom.tf2_tools.frame_drawing import PAGE_LIMIT, draw_frames, printable, wrapped
+from tfloom.tf2_tools.frame_drawing import PAGE_LIMIT, draw_frames, wrapped
 from tfloom.tf2_tools.frame_records import FrameRecord
+from tfloom.tf2_tools.page_fonts import printable
 
 
 def record(child: str, parent: str, broadcaster: str = "default_authority") -> FrameRecord:
@@ -96,7 +97,18 @@ def test_wide_trees_grow_sideways() -> None:
 
 def test_letters_without_a_glyph_are_spelled_out() -> None:
     assert printable("très_long") == "très_long"
-    assert printable("世a\n") == r"\u4e16a\n"
+    assert printable("\ue123a\n") == r"\ue123a\n"  # of the private use area: no font has it
+
+
+@pytest.mark.parametrize("name", ["лазер", "λέιζερ", "激光", "레이저"])
+def test_other_scripts_are_drawn_where_the_machine_has_a_font(tmp_path: Path, name: str) -> None:
+    if printable(name) != name:
+        pytest.skip("no font of this machine has these letters")
+    draw_frames([record(name, "map")], 0.0, tmp_path / "frames.pdf")
+    assert (tmp_path / "frames.pdf").read_bytes().count(b"/FontFile2") > 2
+    font = frame_drawing.TEXT
+    assert font.width(f"map/{name}") == pytest.approx(font.width("map/") + font.width(name))
+    assert [part for _, part in font._runs(f"map/{name}")] == ["map/", name]
 
 
 def test_long_names_break_after_a_mark() -> None:

@@ -8,14 +8,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 from pathlib import Path
-from typing import NamedTuple
 
 from reportlab.lib.colors import Color, HexColor, white
-from reportlab.pdfbase import pdfmetrics
-from reportlab.pdfbase.ttfonts import TTFont
 from reportlab.pdfgen.canvas import Canvas
 
 from tfloom.tf2_tools.frame_records import NO_DATA, FrameRecord, parents_of
+from tfloom.tf2_tools.page_fonts import Font, printable
 from tfloom.tf2_tools.tree_layout import Layout, Size, arrange
 
 PAGE_LIMIT = 14_400.0
@@ -40,26 +38,9 @@ ROOT_FILL = HexColor("#274b78")
 LOOP = HexColor("#b3362b")
 
 
-class _Font(NamedTuple):
-    name: str
-    size: float
-
-    @property
-    def leading(self) -> float:
-        return self.size * 1.32
-
-    def width(self, text: str) -> float:
-        return float(pdfmetrics.stringWidth(text, self.name, self.size))
-
-
-# Fonts that come with reportlab, embedded in the page, so that a reader needs none of its own.
-TEXT_FACE = TTFont("tfloom", "Vera.ttf")
-pdfmetrics.registerFont(TEXT_FACE)
-pdfmetrics.registerFont(TTFont("tfloom-bold", "VeraBd.ttf"))
-
-NAME = _Font("tfloom-bold", 9.5)
-TEXT = _Font("tfloom", 6.5)
-TITLE = _Font("tfloom-bold", 10.5)
+NAME = Font(is_bold=True, size=9.5)
+TEXT = Font(is_bold=False, size=6.5)
+TITLE = Font(is_bold=True, size=10.5)
 
 
 def draw_frames(records: Sequence[FrameRecord], recorded_at: float, path: Path) -> None:
@@ -77,15 +58,6 @@ def draw_frames(records: Sequence[FrameRecord], recorded_at: float, path: Path) 
         (_Drawing(records, sideways=sideways) for sideways in (False, True)), key=_Drawing.unwieldiness
     )
     drawing.write(recorded_at, path)
-
-
-def printable(text: str) -> str:
-    r"""Return `text` with each letter that the fonts lack written as `\u4e16`."""
-    glyphs = TEXT_FACE.face.charToGlyph
-    return "".join(
-        letter if ord(letter) in glyphs and letter.isprintable() else letter.encode("unicode_escape").decode()
-        for letter in text
-    )
 
 
 def wrapped(name: str, limit: int = NAME_LIMIT) -> list[str]:
@@ -271,9 +243,9 @@ def _draw_box(
     canvas.roundRect(x, y - box.height, box.width, box.height, 5.0, stroke=1, fill=1)
     canvas.setDash([])
     canvas.setFillColor(letters)
-    canvas.setFont(NAME.name, NAME.size)
     for i, line in enumerate(box.lines):
-        canvas.drawCentredString(x + box.width / 2, y - 4.5 - NAME.size * 0.92 - i * NAME.leading, line)
+        left = x + (box.width - NAME.width(line)) / 2
+        NAME.draw(canvas, left, y - 4.5 - NAME.size * 0.92 - i * NAME.leading, line)
 
 
 def _draw_card(canvas: Canvas, card: _Card, x: float, y: float) -> None:
@@ -282,13 +254,12 @@ def _draw_card(canvas: Canvas, card: _Card, x: float, y: float) -> None:
     canvas.setStrokeColor(HAIRLINE)
     canvas.setLineWidth(0.7)
     canvas.roundRect(x, y - card.height, card.width, card.height, 3.0, stroke=1, fill=1)
-    canvas.setFont(TEXT.name, TEXT.size)
     for i, (name, value) in enumerate(card.rows):
         baseline = y - CARD_PADDING - TEXT.size * 0.88 - i * TEXT.leading
         canvas.setFillColor(FAINT)
-        canvas.drawString(x + CARD_PADDING, baseline, name)
+        TEXT.draw(canvas, x + CARD_PADDING, baseline, name)
         canvas.setFillColor(INK)
-        canvas.drawString(x + card.value_column, baseline, value)
+        TEXT.draw(canvas, x + card.value_column, baseline, value)
 
 
 class _Legend:
@@ -309,9 +280,7 @@ class _Legend:
     def draw(self, canvas: Canvas, x: float, y: float) -> None:
         """Draw the legend down from the upper left corner x, y."""
         canvas.setFillColor(INK)
-        canvas.setFont(TITLE.name, TITLE.size)
-        canvas.drawString(x, y - TITLE.size, "view_frames Result")
+        TITLE.draw(canvas, x, y - TITLE.size, "view_frames Result")
         canvas.setFillColor(FAINT)
-        canvas.setFont(TEXT.name, TEXT.size)
         for i, line in enumerate(self.lines):
-            canvas.drawString(x, y - TITLE.leading - TEXT.size - i * TEXT.leading, line)
+            TEXT.draw(canvas, x, y - TITLE.leading - TEXT.size - i * TEXT.leading, line)
