@@ -5,6 +5,8 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from tfloom.cli.numbers import seconds
+
 INTRODUCTION = """\
 One turtle draws a figure, with a laser mounted on it; another follows it by what tf tells of the two.
 Below is what `tf2_echo world laser` sees: the laser in the world. Ctrl-C ends it all.
@@ -14,18 +16,8 @@ Join in from another terminal: export ROS_DOMAIN_ID={domain_id}"""
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what `demo` takes."""
     parser.add_argument(
-        "--seconds", type=_seconds, metavar="N", help="how long to go on (default: until Ctrl-C)"
+        "--seconds", type=seconds, metavar="N", help="how long to go on (default: until Ctrl-C)"
     )
-
-
-def _seconds(text: str) -> float:
-    try:
-        seconds = float(text)
-    except ValueError:
-        seconds = -1.0
-    if not seconds >= 0.0:
-        raise argparse.ArgumentTypeError(f"must be a number that isn't negative, not {text!r}")
-    return seconds
 
 
 def main(args: argparse.Namespace) -> int:

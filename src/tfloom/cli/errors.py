@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Sequence
+from typing import TextIO
 
 
 class CommandError(Exception):
@@ -12,6 +14,17 @@ class CommandError(Exception):
     def __init__(self, text: str, exit_code: int = 1) -> None:
         super().__init__(text)
         self.exit_code = exit_code
+
+
+def standard_input() -> TextIO:
+    """Return the input.
+
+    Raises:
+        CommandError: it is closed.
+    """
+    if sys.stdin is None:
+        raise CommandError("there is no input to read: it is closed")
+    return sys.stdin
 
 
 def refuse_bytes(words: Sequence[str]) -> None:

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 
 from tfloom._native import ReadyQueue
+from tfloom.cli.numbers import seconds
 from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import EndpointInfo, Graph, Participant
 
@@ -23,7 +24,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the flags that every question to the graph takes."""
     parser.add_argument(
         "--spin-time",
-        type=float,
+        type=seconds,
         default=MOST_S,
         help=f"longest time to listen for others in seconds (default {MOST_S:g}; it ends when all is quiet)",
     )

@@ -131,31 +131,42 @@ def main(argv: Sequence[str] | None = None, prog: str = "tfloom") -> int:
         # A script's background jobs start so; ROS programs end on SIGINT there, too.
         signal.signal(signal.SIGINT, signal.default_int_handler)
     signal.signal(signal.SIGTERM, _terminated)
+    if argv is None:  # The process is ours.
+        sys.unraisablehook = _told_in_vain
     try:
         code = _run(argv, prog)
         if sys.stdout is not None:
             sys.stdout.flush()
-    except CommandError as error:
-        print(error, file=sys.stderr)
-        return error.exit_code
     except KeyboardInterrupt:
         return INTERRUPTED
     except BrokenPipeError:
         _drop_output()
         return PIPE_CLOSED
-    except OSError as error:
-        where = f"{error.filename}: " if error.filename else ""
-        print(f"{prog}: {where}{error.strerror}", file=sys.stderr)
-        _drop_output()
-        return 1
     except Exception as error:
-        from tfloom.rmw.errors import WireError
-
-        if not isinstance(error, WireError):
+        if (told := _sentence(error, prog)) is None:
             raise
-        print(error, file=sys.stderr)
-        return 1
+        print(told, file=sys.stderr)
+        if isinstance(error, OSError):
+            _drop_output()
+        return error.exit_code if isinstance(error, CommandError) else 1
     return code
+
+
+def _sentence(error: Exception, prog: str) -> str | None:
+    """Return what the user is told of an error; None of one that is a mistake of ours."""
+    from tfloom.rmw.errors import WireError
+
+    if isinstance(error, (CommandError, WireError)):
+        return str(error)
+    if isinstance(error, OSError):
+        where = f"{error.filename}: " if error.filename else ""
+        return f"{prog}: {where}{error.strerror}"
+    if isinstance(error, UnicodeDecodeError):
+        octet = error.object[error.start]
+        return f"{prog}: octet {octet:#04x} of what was read isn't {error.encoding} text"
+    if isinstance(error, RecursionError):
+        return f"{prog}: a value is nested in itself, or too deeply"
+    return None
 
 
 def _run(argv: Sequence[str] | None, prog: str) -> int:
@@ -186,6 +197,15 @@ def _run(argv: Sequence[str] | None, prog: str) -> int:
 def _drop_output() -> None:
     """Write what is left in the buffer nowhere; the interpreter's flush at its end would raise again."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def _told_in_vain(error: sys.UnraisableHookArgs) -> None:
+    """Take a Ctrl-C that fell into a callback, which can't raise it, and let it fall again a moment later."""
+    if error.exc_type is not KeyboardInterrupt:
+        sys.__unraisablehook__(error)
+    elif hasattr(signal, "setitimer"):
+        signal.signal(signal.SIGALRM, signal.default_int_handler)
+        signal.setitimer(signal.ITIMER_REAL, 0.002)
 
 
 def _terminated(number: int, _: FrameType | None) -> None:

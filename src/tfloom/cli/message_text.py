@@ -6,6 +6,7 @@ import argparse
 from collections.abc import Callable
 from typing import Any
 
+from tfloom.cli.numbers import count
 from tfloom.rosidl.message import Message
 
 TRUNCATE_LENGTH = 128
@@ -18,7 +19,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--truncate-length",
         "-l",
-        type=int,
+        type=count,
         default=TRUNCATE_LENGTH,
         help=f"print so many elements of arrays, bytes and strings (default: {TRUNCATE_LENGTH})",
     )

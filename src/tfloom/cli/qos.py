@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from tfloom.cli.errors import CommandError
+from tfloom.cli.numbers import count, seconds
 from tfloom.rmw.base import EndpointInfo
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoS, ReliabilityPolicy
 
@@ -41,12 +42,12 @@ def add_arguments(parser: argparse.ArgumentParser, default: str) -> None:
     parser.add_argument(
         "--qos-profile", choices=PROFILES, help=f"start from this profile (default: {default})"
     )
-    parser.add_argument("--qos-depth", metavar="N", type=int, help="how many messages to keep")
+    parser.add_argument("--qos-depth", metavar="N", type=count, help="how many messages to keep")
     for policy, choices in POLICIES.items():
         parser.add_argument(f"--qos-{policy}", choices=choices, help=f"{policy} policy")
     parser.add_argument(
         "--qos-liveliness-lease-duration-seconds",
-        type=float,
+        type=seconds,
         help="how long a publisher may be silent in seconds",
     )
 
@@ -63,8 +64,6 @@ def asked_qos(args: argparse.Namespace, base: QoS) -> QoS | None:
         raise CommandError("'unknown' is what a policy of others can be, not one to ask for")
     changes: dict[str, Any] = {policy: KINDS[policy][choice.upper()] for policy, choice in asked.items()}
     if args.qos_depth is not None:
-        if args.qos_depth < 0:
-            raise CommandError(f"--qos-depth must be 0 or more, not {args.qos_depth}")
         changes["depth"] = args.qos_depth
     if (lease_s := args.qos_liveliness_lease_duration_seconds) is not None:
         changes["liveliness_lease_ns"] = round(lease_s * 1e9)

@@ -113,11 +113,16 @@ def create_package(package: Package, folder: Path) -> list[Path]:
 
     Raises:
         FileExistsError: that folder is there already.
-        ValueError: a name can't be one of a package or of a node.
+        ValueError: a name can't be one of a package, of a node or of a dependency.
     """
     check_name(package.name, "package")
     if package.node is not None:
         check_name(package.node, "node")
+    if package.name == "test":
+        raise ValueError("'test' can't be a package's name: its code would be where its tests go")
+    for dependency in package.dependencies:
+        if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_-]*", dependency):
+            raise ValueError(f"'{dependency}' can't be a package to depend on")
     root = folder / package.name
     root.mkdir(parents=True)
     written = []

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import argparse
-import sys
 import time
 from contextlib import ExitStack
 from typing import Any
 
 from tfloom.cli import graph
 from tfloom.cli.calls import Client, service_client
+from tfloom.cli.errors import standard_input
 from tfloom.cli.interfaces import action_class, fill_message, parse_yaml
 from tfloom.cli.listen import cli_node, decoded, shown_node
 from tfloom.cli.names import full_topic_name
@@ -39,7 +39,7 @@ def main(args: argparse.Namespace) -> int:
     name = full_topic_name(args.action_name, "action")
     cls = action_class(args.action_type, ask_graph=True)
     goal = cls.Goal()
-    fill_message(goal, parse_yaml(sys.stdin.read() if args.stdin else args.goal))
+    fill_message(goal, parse_yaml(standard_input().read() if args.stdin else args.goal))
     with ExitStack() as ends:
         participant = ends.enter_context(graph.joined_participant())
         node = ends.enter_context(shown_node(participant, cli_node()))

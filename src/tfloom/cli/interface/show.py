@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from collections.abc import Iterable
 from itertools import chain
 
-from tfloom.cli.errors import CommandError
+from tfloom.cli.errors import CommandError, standard_input
 from tfloom.workspace.interfaces import expanded_definition
 
 
@@ -24,7 +23,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(args: argparse.Namespace) -> int:
     """Print the definition of each name."""
     comments = "all" if args.all_comments else "none" if args.no_comments else "own"
-    names: Iterable[str] = [args.type] if args.type != "-" else map(str.strip, sys.stdin)
+    names: Iterable[str] = [args.type] if args.type != "-" else map(str.strip, standard_input())
     try:
         for line in chain.from_iterable(expanded_definition(name, comments) for name in names):
             print(line)

@@ -12,6 +12,7 @@ from tfloom.cli.calls import service_client
 from tfloom.cli.errors import CommandError
 from tfloom.cli.listen import cli_node, shown_node
 from tfloom.cli.names import did_you_mean
+from tfloom.cli.numbers import seconds
 from tfloom.interfaces.rcl_interfaces import srv
 from tfloom.interfaces.rcl_interfaces.msg import Parameter, ParameterDescriptor, ParameterValue
 from tfloom.rmw.base import Graph, NodeName, Participant
@@ -46,7 +47,7 @@ def add_arguments(parser: argparse.ArgumentParser, *, timeout: bool = True) -> N
         parser.add_argument(
             "--timeout",
             metavar="N",
-            type=float,
+            type=seconds,
             default=TIMEOUT_S,
             help=f"wait no longer than so many seconds for the node (default: {TIMEOUT_S:g})",
         )

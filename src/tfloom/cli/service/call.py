@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import sys
 import time
 from collections.abc import Iterable
 from itertools import repeat
@@ -11,10 +10,11 @@ from typing import Any
 
 from tfloom.cli import graph
 from tfloom.cli.calls import service_client, tell
-from tfloom.cli.errors import CommandError
+from tfloom.cli.errors import CommandError, standard_input
 from tfloom.cli.interfaces import fill_message, parse_yaml, service_class, yaml_documents
 from tfloom.cli.listen import cli_node, shown_node
 from tfloom.cli.names import full_topic_name
+from tfloom.cli.numbers import rate, seconds
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -24,10 +24,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("values", nargs="?", default="{}", help="the request's fields in YAML, as '{x: 2.0}'")
     parser.add_argument("--stdin", action="store_true", help="read requests, YAML documents, from the input")
     parser.add_argument(
-        "-r", "--rate", metavar="N", type=float, help="call again and again, so many times a second"
+        "-r", "--rate", metavar="N", type=rate, help="call again and again, so many times a second"
     )
     parser.add_argument(
-        "--timeout", metavar="N", type=float, default=float("inf"), help="wait no longer than so many seconds"
+        "--timeout",
+        metavar="N",
+        type=seconds,
+        default=float("inf"),
+        help="wait no longer than so many seconds",
     )
 
 
@@ -54,7 +58,7 @@ def main(args: argparse.Namespace) -> int:
 
 def _requests(cls: type[Any], args: argparse.Namespace) -> Iterable[Any]:
     if args.stdin:
-        return (_request(cls, text) for text in yaml_documents(sys.stdin))
+        return (_request(cls, text) for text in yaml_documents(standard_input()))
     request = _request(cls, args.values)
     return [request] if args.rate is None else repeat(request)
 

@@ -13,6 +13,7 @@ from tfloom.cli.errors import CommandError
 from tfloom.cli.interfaces import message_class
 from tfloom.cli.listen import decoded, find_type, samples, wait_for_publishers
 from tfloom.cli.names import full_topic_name
+from tfloom.cli.numbers import seconds
 from tfloom.cli.selection import field_picker, message_filter
 from tfloom.rmw.base import Participant, Sample
 from tfloom.rmw.events import Count
@@ -46,7 +47,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="print only if this Python expression is true; m is the message, or the field of --field",
     )
     parser.add_argument("--once", action="store_true", help="end after the first message")
-    parser.add_argument("--timeout", metavar="N", type=float, help="end after so many seconds")
+    parser.add_argument("--timeout", metavar="N", type=seconds, help="end after so many seconds")
     parser.add_argument(
         "--include-message-info",
         action="store_true",

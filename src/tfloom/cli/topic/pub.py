@@ -9,10 +9,11 @@ from collections.abc import Callable, Iterator
 from itertools import repeat
 
 from tfloom.cli import graph, qos
-from tfloom.cli.errors import CommandError
+from tfloom.cli.errors import CommandError, standard_input
 from tfloom.cli.interfaces import fill_message, message_class, parse_yaml, set_stamps, yaml_documents
 from tfloom.cli.listen import cli_node, shown_node, warn_of_mismatch
 from tfloom.cli.names import full_topic_name
+from tfloom.cli.numbers import count, rate, seconds
 from tfloom.cli.sim_time import NowNs, clock, wait_until_known
 from tfloom.rmw.base import NodeName, Topic, Writer
 from tfloom.rmw.qos import QoS
@@ -29,32 +30,32 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--stdin", action="store_true", help="read the values, YAML documents, from the input"
     )
     parser.add_argument(
-        "-r", "--rate", metavar="N", type=float, default=1.0, help="messages a second (default: 1)"
+        "-r", "--rate", metavar="N", type=rate, default=1.0, help="messages a second (default: 1)"
     )
     parser.add_argument(
-        "-p", "--print", metavar="N", type=int, default=1, help="print each Nth message only (default: 1)"
+        "-p", "--print", metavar="N", type=count, default=1, help="print each Nth message only (default: 1)"
     )
     ends = parser.add_mutually_exclusive_group()
     ends.add_argument("-1", "--once", action="store_true", help="publish one message and end")
-    ends.add_argument("-t", "--times", type=int, default=0, help="publish so many messages and end")
+    ends.add_argument("-t", "--times", type=count, default=0, help="publish so many messages and end")
     parser.add_argument(
         "-w",
         "--wait-matching-subscriptions",
-        type=int,
+        type=count,
         help="wait for so many subscriptions first (default: 1 with --once and --times, else 0)",
     )
-    parser.add_argument("--max-wait-time-secs", type=float, help="longest time to wait for them in seconds")
+    parser.add_argument("--max-wait-time-secs", type=seconds, help="longest time to wait for them in seconds")
     parser.add_argument(
         "--keep-alive",
         metavar="N",
-        type=float,
+        type=seconds,
         default=0.1,
         help="stay so many seconds after the last (default: 0.1)",
     )
     parser.add_argument("-n", "--node-name", help="name of the node that publishes")
     qos.add_arguments(parser, default="default")
     parser.add_argument(
-        "--spin-time", type=float, default=graph.MOST_S, help="accepted; nothing is asked here"
+        "--spin-time", type=seconds, default=graph.MOST_S, help="accepted; nothing is asked here"
     )
     parser.add_argument(
         "-s", "--use-sim-time", action="store_true", help="`auto` and `now` are the time on /clock"
@@ -70,7 +71,7 @@ def main(args: argparse.Namespace) -> int:
     quality = qos.asked_qos(args, QoS()) or QoS()
     # The mistakes in values are told before anything is on the wire.
     drafts = (
-        (_Draft(cls, text) for text in yaml_documents(sys.stdin))
+        (_Draft(cls, text) for text in yaml_documents(standard_input()))
         if args.stdin
         else repeat(_Draft(cls, args.values))
     )

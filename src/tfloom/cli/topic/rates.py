@@ -12,6 +12,7 @@ from tfloom.cli import graph
 from tfloom.cli.interfaces import message_class
 from tfloom.cli.listen import cli_node, find_type, samples_and_ticks, wait_for_publishers
 from tfloom.cli.names import full_topic_name
+from tfloom.cli.numbers import positive_count, seconds
 from tfloom.cli.qos import suiting_qos
 from tfloom.cli.sim_time import clock, wait_until_known
 from tfloom.rmw.base import Sample
@@ -23,10 +24,14 @@ REPORT_S = 1.0
 def add_arguments(parser: argparse.ArgumentParser, window: int) -> None:
     """Add the flags of all three."""
     parser.add_argument(
-        "-w", "--window", type=int, default=window, help=f"count over so many messages (default: {window})"
+        "-w",
+        "--window",
+        type=positive_count,
+        default=window,
+        help=f"count over so many messages (default: {window})",
     )
     parser.add_argument(
-        "--spin-time", type=float, default=graph.MOST_S, help="longest time to look for the topic"
+        "--spin-time", type=seconds, default=graph.MOST_S, help="longest time to look for the topic"
     )
     parser.add_argument(
         "-s", "--use-sim-time", action="store_true", help="messages arrive by the time on /clock"

@@ -1,0 +1,69 @@
+"""Numbers as arguments: what is out of range is refused with a sentence, as argparse refuses what is no number."""
+
+from __future__ import annotations
+
+import argparse
+import math
+
+FOREVER_S = 1e9
+"""What is longer counts as this long [s]: 31 years."""
+MOST = 2**31 - 1
+
+
+def seconds(text: str) -> float:
+    """Return a duration that isn't negative [s].
+
+    Raises:
+        argparse.ArgumentTypeError: it is no number, or negative.
+    """
+    value = _number(text)
+    if not value >= 0.0:
+        raise argparse.ArgumentTypeError(f"must be a number of seconds that isn't negative, not {text!r}")
+    return min(value, FOREVER_S)
+
+
+def rate(text: str) -> float:
+    """Return how often a second; what isn't above zero is for the verb to refuse, in the reference's words.
+
+    Raises:
+        argparse.ArgumentTypeError: it is no number.
+    """
+    value = _number(text)
+    if math.isnan(value):
+        raise argparse.ArgumentTypeError(f"must be a number, not {text!r}")
+    return max(value, 1 / FOREVER_S) if value > 0 else value
+
+
+def count(text: str) -> int:
+    """Return a whole number, 0 or more.
+
+    Raises:
+        argparse.ArgumentTypeError: it is none, negative, or beyond what 32 bits hold.
+    """
+    return _whole(text, 0)
+
+
+def positive_count(text: str) -> int:
+    """Return a whole number, 1 or more.
+
+    Raises:
+        argparse.ArgumentTypeError: as `count`, or it is 0.
+    """
+    return _whole(text, 1)
+
+
+def _number(text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        return math.nan
+
+
+def _whole(text: str, least: int) -> int:
+    try:
+        value = int(text)
+    except ValueError:
+        value = -1
+    if not least <= value <= MOST:
+        raise argparse.ArgumentTypeError(f"must be a whole number from {least} to {MOST}, not {text!r}")
+    return value

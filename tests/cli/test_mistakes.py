@@ -1,0 +1,223 @@
+"""What a command line can hold that nobody meant: every verb answers with a sentence, and none with a traceback."""
+
+from __future__ import annotations
+
+import io
+import sys
+from pathlib import Path
+
+import pytest
+from test_usage import VERBS
+
+from tfloom.cli import main as cli
+
+NAMES = [
+    "",
+    "/",
+    "//",
+    "a b",
+    "ü",
+    "~",
+    "-",
+    "/1",
+    "{",
+    "\udcff",
+    "a\nb",
+    "*",
+    "..",
+    "/tmp",
+    "a/b/c/d",
+    "x" * 5000,
+]
+VALUES = [
+    "",
+    "{",
+    "[1]",
+    "5",
+    "null",
+    "{x: }",
+    "{linear: {x: [1]}}",
+    "{1: 2}",
+    "{null: 1}",
+    "{linear: !!python/object:os.system 1}",
+    "{linear: *a}",
+    "&a [*a]",
+    "{linear: &a {x: *a}}",
+    "linear: 2020-01-01",
+    "{linear: {x: !!binary aGk=}}",
+    '"\\x00"',
+    "? {a: b}\n: c",
+    "--- a\n--- b",
+    "\t{}",
+    "[" * 5000,
+    "!!set {a}",
+    "<<: 5",
+    "\udcff",
+]
+NUMBERS = ["nan", "-1", "abc", "", "1.5x", "9" * 20 + "x"]
+
+
+def fails(capsys: pytest.CaptureFixture[str], *words: str) -> str:
+    """Run a command line that can't succeed; return what it printed on stderr. An exception is the test's failure."""
+    try:
+        code = cli.main(list(words), prog="ros2")
+    except SystemExit as end:
+        code = int(end.code or 0)
+    told = capsys.readouterr().err
+    assert code in {1, 2}, (code, told)
+    assert told.strip()
+    assert "Traceback" not in told
+    return told
+
+
+@pytest.fixture(autouse=True)
+def alone(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("tfloom.cli.graph.LEAST_S", 0.0)
+    monkeypatch.setattr("tfloom.cli.graph.QUIET_S", 0.0)
+
+
+ONE = ["topic info", "topic type", "topic echo", "node info", "service type", "service info", "service echo",
+       "action info", "action type", "param dump", "lifecycle list", "interface show", "interface proto",
+       "interface package", "pkg prefix", "pkg xml", "pkg create"]  # fmt: skip
+
+
+@pytest.mark.parametrize("verb", ONE)
+def test_names_that_are_none(
+    verb: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "stdin", io.StringIO("nope/msg/X\n"))
+    for name in NAMES:
+        fails(capsys, *verb.split(), name)
+
+
+@pytest.mark.parametrize("verb", ["topic pub", "service call", "service echo", "action send_goal"])
+def test_types_that_are_none(verb: str, capsys: pytest.CaptureFixture[str]) -> None:
+    for kind in [*NAMES, "os/path/join", "rclpy/msg/X", "std_msgs/action/String", "a/msg/B/c"]:
+        if kind or verb != "service echo":
+            fails(capsys, *verb.split(), "/x", kind)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("topic", "pub", "-1", "-w", "0", "--max-wait-time-secs", "0", "/x", "geometry_msgs/msg/Twist"),
+        ("service", "call", "--timeout", "0", "/x", "turtlesim/srv/Spawn"),
+        ("param", "set", "/x", "p"),
+    ],
+)
+def test_values_that_are_none(words: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:
+    for value in VALUES:
+        if value not in {"", "null"} or "pub" not in words:
+            fails(capsys, *words, value)
+
+
+FLAGS_WITH_NUMBERS = [
+    (verb, flag)
+    for verb, parser in VERBS.items()
+    for flag in parser.flags()
+    if getattr(parser._option_string_actions[flag].type, "__module__", "") == "tfloom.cli.numbers"
+]
+
+
+@pytest.mark.parametrize(("verb", "flag"), FLAGS_WITH_NUMBERS)
+def test_numbers_that_are_none(verb: str, flag: str, capsys: pytest.CaptureFixture[str]) -> None:
+    for number in NUMBERS:
+        if number == "-1" and flag in {"-r", "--rate"}:
+            continue
+        told = fails(
+            capsys, *verb.split(), f"{flag}={number}" if flag.startswith("--") else f"{flag}{number}"
+        )
+        assert any(name in told for name in VERBS[verb]._option_string_actions[flag].option_strings)
+
+
+def test_there_are_flags_with_numbers() -> None:
+    assert {flag for _, flag in FLAGS_WITH_NUMBERS} >= {
+        "--timeout",
+        "--rate",
+        "--window",
+        "--qos-depth",
+        "--times",
+    }
+    assert not [
+        verb for verb, parser in VERBS.items() for action in parser._actions if action.type in {int, float}
+    ]
+
+
+@pytest.mark.parametrize("number", ["inf", "1e308", "1e20"])
+def test_for_ever_is_long_enough(number: str, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ("-1", "-w", "0", "--keep-alive", "0", "--spin-time", number, "--max-wait-time-secs", number)
+    lease = ("--qos-liveliness-lease-duration-seconds", number)
+    assert cli.main(["topic", "pub", *words, *lease, "/x", "std_msgs/msg/Empty"]) == 0
+    assert cli.main(["topic", "list", "--spin-time", number]) == 0
+
+
+def test_a_rate_may_be_as_low_as_it_likes(capsys: pytest.CaptureFixture[str]) -> None:
+    for rate in ("1e-308", "1e308", "inf"):
+        assert cli.main(["topic", "pub", "-r", rate, "-t", "1", "-w", "0", "/x", "std_msgs/msg/Empty"]) == 0
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("topic", "pub", "--stdin", "/x", "std_msgs/msg/String"),
+        ("service", "call", "--stdin", "/x", "std_srvs/srv/Empty"),
+        ("action", "send_goal", "--stdin", "/x", "turtlesim/action/RotateAbsolute"),
+        ("interface", "show", "-"),
+    ],
+)
+def test_an_input_that_is_closed_or_no_text(
+    words: tuple[str, ...], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "stdin", None)
+    assert fails(capsys, *words) == "there is no input to read: it is closed\n"
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"\xff\xfe"), "utf-8"))
+    assert fails(capsys, *words) == "ros2: octet 0xff of what was read isn't utf-8 text\n"
+
+
+@pytest.mark.parametrize("domain", ["-1", "233", "abc", "1.5", "99999999999999999999", "ü"])
+@pytest.mark.parametrize(
+    "words", [("topic", "list"), ("node", "info", "/x"), ("topic", "echo", "/x"), ("doctor",)]
+)
+def test_a_domain_that_is_none(
+    domain: str, words: tuple[str, ...], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("ROS_DOMAIN_ID", domain)
+    if words == ("doctor",):
+        assert cli.main(["doctor"]) == 1
+        assert "ROS_DOMAIN_ID must be an integer from 0 to" in capsys.readouterr().out
+    else:
+        assert fails(capsys, *words).startswith("ROS_DOMAIN_ID must be an integer from 0 to")
+
+
+@pytest.mark.parametrize("field", ["", "[0]", "x.", "x..y", ".", "x y", "x,y", "x[a]", "ü]"])
+def test_paths_that_are_none(field: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert f"not '{field}'" in fails(capsys, "topic", "echo", "/x", "std_msgs/msg/String", "--field", field)
+
+
+@pytest.mark.parametrize("expression", ["", "m.x >", "import os", "raise", "(", "m = 1", "\x00"])
+def test_expressions_that_are_none(expression: str, capsys: pytest.CaptureFixture[str]) -> None:
+    for verb in ("echo", "hz"):
+        told = fails(capsys, "topic", verb, "/x", "--filter", expression)
+        assert told.startswith("--filter isn't a Python expression")
+
+
+@pytest.mark.parametrize(
+    "flags",
+    [
+        ("--node-name", ""),
+        ("--node-name", "a b"),
+        ("--node-name", "class"),
+        ("--build-type", "x"),
+        ("--destination-directory", "/proc/x"),
+        ("--destination-directory", __file__),
+        ("--dependencies", "a b"),
+        ("--package-format", "2"),
+    ],
+)
+def test_packages_that_cannot_be(
+    flags: tuple[str, str], capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    fails(capsys, "pkg", "create", "my_pkg", *flags)
+    assert not list(tmp_path.iterdir())

@@ -1,0 +1,126 @@
+"""Every verb ends quietly when nobody reads on (`| head -1`), and the long ones on Ctrl-C."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Callable
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+import pytest
+from test_json import ASKED, POSE, ROTATE
+from test_usage import VERBS
+
+from tfloom.cli import main as cli
+
+pytestmark = [
+    pytest.mark.wire,
+    pytest.mark.skipif(os.name != "posix", reason="a pipe breaks differently elsewhere"),
+]
+
+PRINTING = {
+    **ASKED,
+    "action send_goal": (ROTATE, "turtlesim/action/RotateAbsolute", "{theta: 0.1}"),
+    "daemon start": (),
+    "daemon status": (),
+    "daemon stop": (),
+    "demo": ("--seconds", "0"),
+    "interface proto": ("geometry_msgs/msg/Twist",),
+    "interface show": ("geometry_msgs/msg/Twist",),
+    "lifecycle set": ("/a_node", "configure"),
+    "param list": ("/turtlesim",),
+    "param load": ("/turtlesim", "parameters.yaml"),
+    "param set": ("/turtlesim", "background_r", "70"),
+    "pkg create": ("my_pkg",),
+    "pkg prefix": ("turtlesim",),
+    "run": ("tf2_ros", "tf2_echo"),
+    "service call": ("/clear", "std_srvs/srv/Empty"),
+    "topic bw": (POSE,),
+    "topic echo": (POSE,),
+    "topic hz": (POSE,),
+    "topic pub": ("/x", "std_msgs/msg/Empty"),
+}
+"""A command line of each verb that prints on stdout."""
+SILENT = {
+    "component": "tells on stderr",
+    "param delete": "turtlesim's parameters can't be deleted, which it tells on stderr",
+    "pkg xml": "our own packages have no package.xml",
+    "service echo": "turtlesim publishes no events",
+    "topic delay": "no topic of turtlesim has a header",
+    "multicast receive": "has a test of its own",
+    "multicast send": "has a test of its own",
+}
+"""Verbs that print nothing on stdout here, each with its reason."""
+START = "import sys; from tfloom.cli import main; sys.stdin.read(1); sys.exit(main.main())"
+"""Waits for an octet of the input, so that the pipe is closed before the first line."""
+
+
+@pytest.fixture(autouse=True)
+def nodes(domain_id: int, start_program: Callable[..., Any]) -> None:
+    start_program("python", Path(__file__).with_name("a_lifecycle_node.py")).wait_for("ready")
+    start_program("tfloom", "run", "turtlesim", "turtlesim_node").wait_for("Spawning turtle [turtle1]")
+
+
+def test_a_closed_pipe(tmp_path: Path) -> None:
+    assert {*PRINTING, *SILENT} >= set(VERBS)
+    (tmp_path / "parameters.yaml").write_text("/turtlesim:\n  ros__parameters:\n    background_g: 3\n")
+    for verb, words in PRINTING.items():
+        process = subprocess.Popen(
+            [sys.executable, "-c", START, *verb.split(), *words],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            cwd=tmp_path,
+        )
+        process.stdout.close()
+        _, errors = process.communicate(b"x", timeout=60)
+        assert (verb, process.returncode, errors.decode()) == (verb, cli.PIPE_CLOSED, "")
+
+
+LONG = {
+    "topic echo": ((POSE,), "x: "),
+    "topic hz": ((POSE,), "average rate"),
+    "topic bw": ((POSE,), "Subscribed"),
+    "topic delay": (("/nobodys",), "WARNING"),
+    "topic pub": (("/x", "std_msgs/msg/Empty"), "publishing #1"),
+    "service call": (("/nobodys", "std_srvs/srv/Empty"), "waiting for service"),
+    "service echo": (("/clear",), "nobody publishes"),
+    "action send_goal": (("/nobodys", "turtlesim/action/RotateAbsolute"), "Waiting for an action server"),
+    "run": (("turtlesim", "turtlesim_node", "--ros-args", "-r", "__node:=other"), "Spawning"),
+}
+"""What runs until Ctrl-C, and what it prints once it runs."""
+
+
+@pytest.mark.parametrize("verb", LONG)
+def test_ctrl_c(verb: str, start_program: Callable[..., Any]) -> None:
+    words, printed = LONG[verb]
+    program = start_program("tfloom", *verb.split(), *words)
+    program.wait_for(printed)
+    told = list(program.lines)
+    program.signal(signal.SIGINT)
+    assert program.wait() == (0 if verb == "run" else cli.INTERRUPTED)
+    assert "Traceback" not in program.output
+    assert not [line for line in program.lines[len(told) :] if "nterrupt" in line or "Error" in line]
+
+
+def test_ctrl_c_at_any_moment() -> None:
+    """The command may be anywhere: importing its verb, joining, listening, leaving."""
+    start = "import sys; from tfloom.cli import main; print('main', flush=True); sys.exit(main.main())"
+    for step in range(12):
+        process = subprocess.Popen(
+            [sys.executable, "-c", start, "topic", "list"],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        assert process.stdout.readline() == "main\n"
+        with suppress(subprocess.TimeoutExpired):
+            process.wait(0.003 + 0.03 * step)
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=30)
+        assert errors == "", step
+        assert process.returncode in {0, cli.INTERRUPTED}
