@@ -15,6 +15,7 @@ from tfloom.node.exceptions import InvalidParameterTypeException, RCLError, RCLI
 from tfloom.node.executors import SingleThreadedExecutor
 from tfloom.node.logging import get_logger_effective_level
 from tfloom.node.node import Node
+from tfloom.node.signals import SignalHandlerOptions, get_current_signal_handlers_options
 
 
 def test_one_life(context: Context) -> None:
@@ -124,6 +125,19 @@ def test_init_may_stand_in_a_with() -> None:
     with rclpy.init(args=[]):
         rclpy.shutdown()
     other.destroy()
+
+
+@pytest.mark.parametrize("options", [SignalHandlerOptions(number) for number in range(4)])
+def test_init_handles_the_signals_it_is_asked_to(options: SignalHandlerOptions) -> None:
+    with rclpy.init(args=[], signal_handler_options=options):
+        assert get_current_signal_handlers_options() == options
+    assert get_current_signal_handlers_options() == SignalHandlerOptions.NO
+
+
+def test_a_context_of_a_programs_own_leaves_signals_alone() -> None:
+    before = signal.getsignal(signal.SIGINT)
+    with rclpy.init(args=[], context=Context()):
+        assert signal.getsignal(signal.SIGINT) is before
 
 
 def test_spinning_functions() -> None:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import signal
 import subprocess
 import sys
 import threading
 from collections.abc import Callable
 
 import pytest
-from tests.conftest import wait_until
+from tests.conftest import Program, wait_until
 
 from tfloom.interfaces.std_msgs.msg import Int32
 from tfloom.node.callback_groups import MutuallyExclusiveCallbackGroup
@@ -124,3 +125,27 @@ def test_rclpy_s_names_for_it_load_nothing_heavy() -> None:
         [sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=True
     )
     assert result.stdout == "[]\n"
+
+
+@pytest.mark.parametrize(
+    ("number", "error"),
+    [(signal.SIGINT, "KeyboardInterrupt"), (signal.SIGTERM, "ExternalShutdownException")],
+)
+def test_signals_end_its_spin(start_program: Callable[..., Program], number: int, error: str) -> None:
+    code = (
+        "import rclpy\n"
+        "from rclpy.experimental import EventsExecutor\n"
+        "with rclpy.init():\n"
+        "    node = rclpy.create_node('spinner')\n"
+        "    node.create_timer(0.0, lambda: (timer.cancel(), print('spinning', flush=True)))\n"
+        "    timer = next(node.timers)\n"
+        "    try:\n"
+        "        rclpy.spin(node, executor=EventsExecutor())\n"
+        "    except BaseException as error:\n"
+        "        print(type(error).__name__)\n"
+    )
+    program = start_program("python", "-c", code)
+    program.wait_for("spinning")
+    program.signal(number)
+    assert program.wait() == 0
+    assert program.lines == ["spinning", error]

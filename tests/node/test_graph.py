@@ -15,6 +15,7 @@ from tfloom.node.exceptions import NodeNameNonExistentError
 from tfloom.node.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.qos import DurabilityPolicy, QoSProfile
+from tfloom.node.topic_endpoint_info import TopicEndpointInfo, TopicEndpointTypeEnum
 
 MakeNode = Callable[..., Node]
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -100,3 +101,15 @@ def test_a_topic_may_have_its_own_name_on_the_wire(make_node: MakeNode) -> None:
     assert info.node_name == "tester"
     assert node.count_publishers("/sensor") == 0
     assert publisher.topic_name == "/sensor"
+
+
+def test_an_endpoint_may_be_described_by_hand() -> None:
+    kinds = TopicEndpointTypeEnum
+    mine = TopicEndpointInfo(node_name="talker", endpoint_type=kinds.PUBLISHER, endpoint_gid=[1] * 16)
+    assert mine == TopicEndpointInfo(node_name="talker", endpoint_type=kinds.PUBLISHER, endpoint_gid=[1] * 16)
+    assert mine != TopicEndpointInfo(node_name="talker")
+    assert len({mine, mine}) == 1
+    assert (mine.topic_type, mine.topic_type_hash.version) == ("", -1)
+    assert "Endpoint type: PUBLISHER" in str(mine)
+    with pytest.raises(TypeError, match="'node' is no property of an endpoint; known are endpoint_gid, "):
+        TopicEndpointInfo(node="talker")

@@ -40,6 +40,6 @@ class Handle:
         return f"<Handle of {self._thing!r}>"
 
 
-def thing_of(handle: T) -> T:
+def thing_of(handle: T | Handle) -> T:
     """Return the thing that a handle stands for; anything else as it is."""
     return cast("T", handle._thing) if isinstance(handle, Handle) else handle  # noqa: SLF001  # ours

@@ -16,7 +16,7 @@ from tfloom.node.exceptions import (
     TimerCancelledError,
     UnknownROSArgsError,
 )
-from tfloom.node.handle import thing_of
+from tfloom.node.handle import Handle, thing_of
 from tfloom.node.qos import QoSCompatibility, QoSProfile
 from tfloom.node.signals import SignalHandlerOptions
 from tfloom.node.throttled_warning import ThrottledWarning
@@ -72,7 +72,7 @@ class ServiceInfo(NamedTuple):
 class GuardCondition(guard_condition.GuardCondition):
     """A guard condition for a wait set: triggered by the program, with no callback of its own."""
 
-    def __init__(self, context: Context) -> None:
+    def __init__(self, context: Context | Handle) -> None:
         super().__init__(None, None, thing_of(context))
 
     def destroy_when_not_in_use(self) -> None:
@@ -83,7 +83,9 @@ class GuardCondition(guard_condition.GuardCondition):
 class Timer(timer.Timer):
     """A timer for a wait set, with no callback of its own."""
 
-    def __init__(self, clock: Clock, context: Context, period_nsec: int, autostart: bool = True) -> None:
+    def __init__(
+        self, clock: Clock | Handle, context: Context | Handle, period_nsec: int, autostart: bool = True
+    ) -> None:
         super().__init__(
             None, None, period_nsec, thing_of(clock), context=thing_of(context), autostart=autostart
         )
@@ -175,14 +177,17 @@ class Subscription(_WaitedEnd[Reader]):
 
     _kind = "subscription"
 
-    def __init__(self, node: Node, pymsg_type: type[Message], topic: str, pyqos_profile: QoSProfile) -> None:
+    def __init__(
+        self, node: Node | Handle, pymsg_type: type[Message], topic: str, pyqos_profile: QoSProfile
+    ) -> None:
         check_is_valid_msg_type(pymsg_type)
-        name = node.resolve_topic_name(topic)
+        owner = thing_of(node)
+        name = owner.resolve_topic_name(topic)
         wire_topic = topic_of(pymsg_type, name, is_native=pyqos_profile.avoid_ros_namespace_conventions)
-        reader = node._open(  # noqa: SLF001  # the one door for what no executor runs
-            self, lambda wire, owner: wire.create_reader(owner, wire_topic, pyqos_profile.to_wire())
+        reader = owner._open(  # noqa: SLF001  # the one door for what no executor runs
+            self, lambda wire, whose: wire.create_reader(whose, wire_topic, pyqos_profile.to_wire())
         )
-        super().__init__(reader, name, node)
+        super().__init__(reader, name, owner)
 
     def take_message(self, pymsg_type: type[Message], raw: bool) -> tuple[Any, dict[str, int]] | None:
         """Return the oldest message, or its bytes if `raw`, and its stamps [ns]; None if there is none."""
@@ -206,15 +211,16 @@ class Service(_WaitedEnd[Responder]):
     _kind = "service"
 
     def __init__(
-        self, node: Node, pysrv_type: type[ServiceType], service_name: str, pyqos_profile: QoSProfile
+        self, node: Node | Handle, pysrv_type: type[ServiceType], service_name: str, pyqos_profile: QoSProfile
     ) -> None:
         check_is_valid_srv_type(pysrv_type)
-        name = node.resolve_service_name(service_name)
+        owner = thing_of(node)
+        name = owner.resolve_service_name(service_name)
         service = service_of(pysrv_type, name)
-        responder = node._open(  # noqa: SLF001
-            self, lambda wire, owner: wire.create_responder(owner, service, pyqos_profile.to_wire())
+        responder = owner._open(  # noqa: SLF001
+            self, lambda wire, whose: wire.create_responder(whose, service, pyqos_profile.to_wire())
         )
-        super().__init__(responder, name, node)
+        super().__init__(responder, name, owner)
 
     def service_take_request(self, pyrequest_type: type[Message]) -> tuple[Any, ServiceInfo | None]:
         """Return the oldest request and its header; None twice if there is none."""
@@ -232,15 +238,16 @@ class Client(_WaitedEnd[Requester]):
     _kind = "client"
 
     def __init__(
-        self, node: Node, pysrv_type: type[ServiceType], service_name: str, pyqos_profile: QoSProfile
+        self, node: Node | Handle, pysrv_type: type[ServiceType], service_name: str, pyqos_profile: QoSProfile
     ) -> None:
         check_is_valid_srv_type(pysrv_type)
-        name = node.resolve_service_name(service_name)
+        owner = thing_of(node)
+        name = owner.resolve_service_name(service_name)
         service = service_of(pysrv_type, name)
-        requester = node._open(  # noqa: SLF001
-            self, lambda wire, owner: wire.create_requester(owner, service, pyqos_profile.to_wire())
+        requester = owner._open(  # noqa: SLF001
+            self, lambda wire, whose: wire.create_requester(whose, service, pyqos_profile.to_wire())
         )
-        super().__init__(requester, name, node)
+        super().__init__(requester, name, owner)
 
     def send_request(self, pyrequest: Message) -> int:
         """Send a request and return its number."""

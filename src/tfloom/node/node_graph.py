@@ -197,7 +197,9 @@ class NodeGraph:
 
     def __infos(self, topic_name: str, is_writer: bool, no_mangle: bool) -> list[TopicEndpointInfo]:
         name = topic_name if no_mangle else self.resolve_topic_name(topic_name)
-        return [TopicEndpointInfo(info) for info in self.__endpoints_of(name, is_writer, no_mangle)]
+        return [
+            TopicEndpointInfo.from_graph(info) for info in self.__endpoints_of(name, is_writer, no_mangle)
+        ]
 
     def __endpoints_of(self, name: str, is_writer: bool, no_mangle: bool = False) -> list[EndpointInfo]:
         return [

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from enum import IntEnum
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from tfloom.node.qos import QoSProfile
+from tfloom.node.qos import QoSProfile, qos_profile_unknown
 from tfloom.node.type_hash import TypeHash
+from tfloom.rmw.base import NodeName
 
 if TYPE_CHECKING:
+    from typing_extensions import Self
+
     from tfloom.rmw.base import EndpointInfo
 
 __all__ = ["TopicEndpointInfo", "TopicEndpointTypeEnum"]
@@ -26,58 +29,80 @@ class TopicEndpointTypeEnum(IntEnum):
 
 
 class TopicEndpointInfo:
-    """A publisher or subscription, anybody's."""
+    """A publisher or subscription, anybody's.
 
-    __slots__ = ("_info",)
+    Args:
+        kwargs: Any of the properties below; what isn't given is empty.
 
-    def __init__(self, info: EndpointInfo) -> None:
-        self._info = info
+    Raises:
+        TypeError: there is no such property.
+    """
 
-    @property
-    def node_name(self) -> str:
-        """Whose it is; `_NODE_NAME_UNKNOWN_` while that isn't known."""
-        return UNKNOWN_NODE_NAME if self._info.node is None else self._info.node.name
+    __slots__ = (
+        "endpoint_gid",
+        "endpoint_type",
+        "node_name",
+        "node_namespace",
+        "qos_profile",
+        "topic_type",
+        "topic_type_hash",
+    )
 
-    @property
-    def node_namespace(self) -> str:
-        """In which namespace; `_NODE_NAMESPACE_UNKNOWN_` while that isn't known."""
-        return UNKNOWN_NODE_NAMESPACE if self._info.node is None else self._info.node.namespace
+    node_name: str
+    """Whose it is; `_NODE_NAME_UNKNOWN_` while that isn't known."""
+    node_namespace: str
+    """In which namespace; `_NODE_NAMESPACE_UNKNOWN_` while that isn't known."""
+    topic_type: str
+    """The type's name, e.g. `std_msgs/msg/String`."""
+    topic_type_hash: TypeHash
+    """The hash of the type's definition."""
+    endpoint_type: TopicEndpointTypeEnum
+    """Publisher or subscription."""
+    endpoint_gid: list[int]
+    """Who it is on the wire: 16 octets."""
+    qos_profile: QoSProfile
+    """What it offers or asks for."""
 
-    @property
-    def topic_type(self) -> str:
-        """The type's name, e.g. `std_msgs/msg/String`."""
-        return self._info.topic.type_name
+    def __init__(self, **kwargs: Any) -> None:
+        self.node_name = ""
+        self.node_namespace = ""
+        self.topic_type = ""
+        self.topic_type_hash = TypeHash()
+        self.endpoint_type = TopicEndpointTypeEnum.INVALID
+        self.endpoint_gid = []
+        self.qos_profile = qos_profile_unknown
+        for name, value in kwargs.items():
+            if name not in self.__slots__:
+                raise TypeError(
+                    f"'{name}' is no property of an endpoint; known are {', '.join(self.__slots__)}"
+                )
+            setattr(self, name, value)
 
-    @property
-    def topic_type_hash(self) -> TypeHash:
-        """The hash of the type's definition."""
-        return TypeHash.from_text(self._info.topic.type_hash)
-
-    @property
-    def endpoint_type(self) -> TopicEndpointTypeEnum:
-        """Publisher or subscription."""
-        if self._info.is_writer:
-            return TopicEndpointTypeEnum.PUBLISHER
-        return TopicEndpointTypeEnum.SUBSCRIPTION
-
-    @property
-    def endpoint_gid(self) -> list[int]:
-        """Who it is on the wire: 16 octets."""
-        return list(self._info.gid)
-
-    @property
-    def qos_profile(self) -> QoSProfile:
-        """What it offers or asks for."""
-        return QoSProfile.from_wire(self._info.qos)
+    @classmethod
+    def from_graph(cls, info: EndpointInfo) -> Self:
+        """Return what the graph tells."""
+        node = info.node or NodeName(UNKNOWN_NODE_NAMESPACE, UNKNOWN_NODE_NAME)
+        kinds = TopicEndpointTypeEnum
+        return cls(
+            node_name=node.name,
+            node_namespace=node.namespace,
+            topic_type=info.topic.type_name,
+            topic_type_hash=TypeHash.from_text(info.topic.type_hash),
+            endpoint_type=kinds.PUBLISHER if info.is_writer else kinds.SUBSCRIPTION,
+            endpoint_gid=list(info.gid),
+            qos_profile=QoSProfile.from_wire(info.qos),
+        )
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, TopicEndpointInfo) and self._info == other._info
+        if not isinstance(other, TopicEndpointInfo):
+            return False
+        return all(getattr(self, name) == getattr(other, name) for name in self.__slots__)
 
     def __hash__(self) -> int:
-        return hash((self._info.gid, self._info.is_writer))
+        return hash((tuple(self.endpoint_gid), self.endpoint_type))
 
     def __str__(self) -> str:
-        gid = ".".join(f"{octet:02x}" for octet in self._info.gid)
+        gid = ".".join(f"{octet:02x}" for octet in self.endpoint_gid)
         profile = self.qos_profile
         return "\n".join(
             [
