@@ -148,3 +148,13 @@ def test_a_full_domain_says_so(domain_id, monkeypatch, start_peer, capfd) -> Non
     with pytest.raises(WireError, match="choose another ROS_DOMAIN_ID if 1 are on this domain"):
         cyclonedds.open_participant(domain_id)
     assert "free participant index" in capfd.readouterr().err
+
+
+@pytest.mark.parametrize("peer", ["x y", "::", "127.0.0.1:x", "127.0.0.1:99999999999999999999"])
+def test_a_peer_that_is_no_host_is_told(peer: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ROS_STATIC_PEERS", f"127.0.0.1; 127.0.0.1:7400;{peer}")
+    with pytest.raises(ConfigurationError, match="ROS_STATIC_PEERS names") as error:
+        cyclone_config.look_up_peers()
+    assert repr(peer) in str(error.value)
+    monkeypatch.setenv("ROS_STATIC_PEERS", "127.0.0.1; 127.0.0.1:7400")
+    cyclone_config.look_up_peers()

@@ -79,7 +79,7 @@ def check_wire() -> Finding:
 def check_domain() -> Finding:
     """Look at ROS_DOMAIN_ID and the discovery range."""
     from tfloom.rmw.backends import domain_id_from_environment
-    from tfloom.rmw.cyclone_config import DEFAULT_RANGE, configuration
+    from tfloom.rmw.cyclone_config import DEFAULT_RANGE, configuration, look_up_peers
 
     names = (
         "ROS_DOMAIN_ID",
@@ -92,6 +92,7 @@ def check_domain() -> Finding:
     try:
         domain = domain_id_from_environment()
         configuration()
+        look_up_peers()
     except WireError as error:
         return Finding(Verdict.FAILED, str(error), details=details)
     if os.environ.get("CYCLONEDDS_URI"):

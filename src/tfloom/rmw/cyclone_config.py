@@ -28,7 +28,7 @@ def configuration() -> str:
     """Return the configuration that the environment asks for.
 
     Raises:
-        ConfigurationError: ROS_AUTOMATIC_DISCOVERY_RANGE isn't one of `RANGES`, or ROS_STATIC_PEERS names no host.
+        ConfigurationError: ROS_AUTOMATIC_DISCOVERY_RANGE isn't one of `RANGES`.
     """
     if uri := os.environ.get("CYCLONEDDS_URI"):
         return uri
@@ -39,21 +39,29 @@ def configuration() -> str:
         raise ConfigurationError(
             f"ROS_AUTOMATIC_DISCOVERY_RANGE is {asked!r}, which is none of: {', '.join(RANGES)}"
         )
-    peers = [peer.strip() for peer in os.environ.get("ROS_STATIC_PEERS", "").split(";") if peer.strip()]
-    for peer in peers:
-        _look_up(peer)
-    return configuration_for(asked, peers)
+    return configuration_for(asked, _static_peers())
 
 
-def _look_up(peer: str) -> None:
-    """Raise ConfigurationError unless an address, with or without a port, is one; Cyclone aborts the process then."""
+def look_up_peers() -> None:
+    """Look up the hosts of ROS_STATIC_PEERS: for one that isn't there, Cyclone would abort the process.
+
+    Raises:
+        ConfigurationError: one can't be found.
+    """
     import socket
 
-    host, _, port = peer.rpartition(":") if peer.count(":") == 1 else (peer, "", "0")
-    try:
-        socket.getaddrinfo(host, int(port), socket.AF_INET)
-    except (OSError, ValueError, OverflowError) as error:
-        raise ConfigurationError(f"ROS_STATIC_PEERS names {peer!r}, which is no host: {error}") from None
+    if os.environ.get("CYCLONEDDS_URI"):
+        return
+    for peer in _static_peers():
+        host, _, port = peer.rpartition(":") if peer.count(":") == 1 else (peer, "", "0")
+        try:
+            socket.getaddrinfo(host, int(port), socket.AF_INET)
+        except (OSError, ValueError, OverflowError) as error:
+            raise ConfigurationError(f"ROS_STATIC_PEERS names {peer!r}, which is no host: {error}") from None
+
+
+def _static_peers() -> list[str]:
+    return [peer.strip() for peer in os.environ.get("ROS_STATIC_PEERS", "").split(";") if peer.strip()]
 
 
 def configuration_for(discovery_range: str, static_peers: list[str]) -> str:

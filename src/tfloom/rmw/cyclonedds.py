@@ -88,6 +88,7 @@ class CycloneParticipant:
         self._service_end_numbers = count(1)
         self._closed = False
         try:
+            cyclone_config.look_up_peers()
             self._native = DdsParticipant(
                 find_library(), domain_id, cyclone_config.configuration(), f"enclave={enclave};".encode()
             )
