@@ -123,6 +123,46 @@ def test_reading() -> None:
     assert first.y == 0.0 + 0.25
 
 
+def test_fields_of_several_elements_and_of_no_name() -> None:
+    fields = [PointField(name="x", offset=0, datatype=PointField.FLOAT32, count=3)]
+    cloud = create_cloud(HEADER, fields, np.arange(12, dtype=np.float32).reshape(4, 3))
+    assert (cloud.point_step, cloud.width) == (12, 4)
+    assert read_points(cloud).dtype.names == ("x_0", "x_1", "x_2")
+    assert (read_points_numpy(cloud) == np.arange(12).reshape(4, 3)).all()
+    fields[0].name, fields[0].count = "", 1
+    assert dtype_from_fields(fields).names == ("unnamed_field_0",)
+    with pytest.raises(ValueError, match="unknown datatype 99"):
+        dtype_from_fields([PointField(name="x", datatype=99, count=1)])
+    with pytest.raises(AssertionError, match="count = 0"):
+        dtype_from_fields([PointField(name="x", datatype=7, count=0)])
+
+
+@pytest.mark.parametrize("datatype", range(1, 9))
+def test_every_datatype(datatype: int) -> None:
+    fields = [PointField(name="v", offset=0, datatype=datatype, count=1)]
+    cloud = create_cloud(HEADER, fields, [(1,), (2,), (100,)])
+    assert [point.v for point in read_points_list(cloud)] == [1, 2, 100]
+    kind = ["i1", "u1", "i2", "u2", "i4", "u4", "f4", "f8"][datatype - 1]
+    assert dtype_from_fields(fields)["v"] == np.dtype(kind)
+
+
+def test_padding_of_a_structured_array_is_kept() -> None:
+    points = structured((4,), 32)
+    cloud = create_cloud(HEADER, FIELDS, points)
+    assert (cloud.point_step, cloud.row_step, len(cloud.data)) == (32, 128, 128)
+    with pytest.raises(AssertionError, match="dtype do not match"):
+        create_cloud(HEADER, FIELDS, points, 16)
+
+
+def test_data_of_other_kinds() -> None:
+    cloud = create_cloud_xyz32(HEADER, [(1, 2, 3), (4, np.nan, 6)])
+    octets = bytes(cloud.data)
+    for data in (bytearray(octets), list(octets), np.frombuffer(octets, np.uint8)):
+        cloud.data = data
+        assert read_points(cloud, skip_nans=True).tolist() == [(1, 2, 3)]
+    assert read_points(create_cloud_xyz32(HEADER, [])).shape == (0,)
+
+
 def test_a_deskewed_cloud_equals_deskewed_points() -> None:
     buffer = Buffer()
     for step in range(3):

@@ -180,12 +180,14 @@ def create_cloud(
         fields: What a point has.
         points: A structured array of the fields' dtype, a plain array (N, fields), or an iterable of points. A
             structured array (height, width), or a plain one (height, width, fields), makes an organised cloud.
-        point_step: Octets from point to point; None: just what the fields take.
+        point_step: Octets from point to point; None: those of a structured array, else just what the fields take.
 
     Raises:
         AssertionError: the array doesn't fit the fields.
     """
     listed = list(fields)
+    if point_step is None and isinstance(points, np.ndarray) and points.dtype.names is not None:
+        point_step = points.dtype.itemsize
     dtype = dtype_from_fields(listed, point_step)
     if not isinstance(points, np.ndarray):
         table = np.array([tuple(point) for point in points], dtype)
