@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import os
 import random
+import signal
 import socket
 import subprocess
 import sys
@@ -20,6 +21,14 @@ import pytest
 # programs that a person starts while the tests run.
 DOMAINS = range(1, 71)
 TIMEOUT_S = 30.0
+
+_lock_descriptors: set[int] = set()
+"""Of the locks of the domains that this process's tests are on."""
+
+
+def pytest_configure() -> None:
+    """Have SIGTERM, which `timeout` sends, end the tests as Ctrl-C does: what they started is ended with them."""
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
@@ -68,7 +77,8 @@ def _log_directory(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
 def domain_id(monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
     """Give a DDS domain that no other test on this machine uses now, and set ROS_DOMAIN_ID to it.
 
-    A TCP port of the loopback interface, held as long as the test runs, is the lock.
+    A TCP port of the loopback interface is the lock. It is held as long as the test runs, and by each program that
+    the test starts as long as that runs: should a program outlive its test, nobody meets it.
     """
     for domain in random.sample(DOMAINS, len(DOMAINS)):
         lock = socket.socket()
@@ -79,8 +89,10 @@ def domain_id(monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
             continue
         monkeypatch.setenv("ROS_DOMAIN_ID", str(domain))
         monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
+        _lock_descriptors.add(lock.fileno())
         with lock:
             yield domain
+            _lock_descriptors.discard(lock.fileno())
             _expect_nobody_left(domain)
         return
     pytest.fail("all DDS domains are in use")
@@ -100,6 +112,11 @@ def _expect_nobody_left(domain: int) -> None:
     assert not left(), "the test left a participant open"
 
 
+def _locks_go_along() -> dict[str, object]:
+    """Return the options by which a program holds the locks of this process's domains too."""
+    return {} if os.name == "nt" else {"pass_fds": tuple(_lock_descriptors)}
+
+
 class Program:
     """A process under test: its lines as they come, and a sure end."""
 
@@ -113,7 +130,7 @@ class Program:
             text=True,
             bufsize=1,
             start_new_session=True,
-            **{"stdin": subprocess.DEVNULL, **options},
+            **{"stdin": subprocess.DEVNULL, **_locks_go_along(), **options},
         )
         self._reader = threading.Thread(target=self._read, daemon=True)
         self._reader.start()
