@@ -10,7 +10,7 @@ import argparse
 import sys
 from collections.abc import Callable
 
-from benchmarks.node import listener, publishing, receiving, round_trip, start, timers
+from benchmarks.node import executors, listener, publishing, receiving, round_trip, start, timers
 
 WIDTH = 52
 
@@ -98,6 +98,13 @@ def many_timers() -> None:
         row(what, getattr(kept["tfloom"], field), getattr(kept["asyncio"], field))
 
 
+def between_callbacks() -> None:
+    head("CPU a callback, with its message [us]; peer: SingleThreaded")
+    cost = executors.measure()
+    for kind in ("EventsExecutor", "MultiThreadedExecutor"):
+        row(kind, cost[kind], cost["SingleThreadedExecutor"])
+
+
 def starts() -> None:
     head("a program's start")
     started = start.measure()
@@ -123,6 +130,7 @@ PARTS: dict[str, Callable[[], None]] = {
     "publishing": messages_published,
     "listener": listeners,
     "timers": many_timers,
+    "executors": between_callbacks,
     "start": starts,
     "idle": idle,
 }

@@ -1,0 +1,60 @@
+"""What is between two callbacks: messages on the wire within the process, through each executor, in one process."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+MESSAGES = 10_000
+ROUNDS = 5
+
+
+def measure() -> dict[str, float]:
+    """Return CPU time a callback [us] by executor, the best of interleaved rounds."""
+    program = [sys.executable, str(Path(__file__))]
+    output = subprocess.run(program, capture_output=True, text=True, check=True).stdout
+    costs: dict[str, float] = json.loads(output)
+    return costs
+
+
+def main() -> None:
+    import os
+
+    os.environ["RMW_IMPLEMENTATION"] = "tfloom_local"
+    import rclpy
+    from rclpy.executors import Executor, MultiThreadedExecutor, SingleThreadedExecutor
+    from rclpy.experimental import EventsExecutor
+    from std_msgs.msg import Int32
+
+    def cost_us(kind: type[Executor]) -> float:
+        with rclpy.init():
+            node = rclpy.create_node("counting")
+            left = MESSAGES
+
+            def count(_: Int32) -> None:
+                nonlocal left
+                left -= 1
+                if left == 0:
+                    executor.shutdown()
+
+            node.create_subscription(Int32, "numbers", count, MESSAGES)
+            publisher = node.create_publisher(Int32, "numbers", MESSAGES)
+            executor = kind()
+            executor.add_node(node)
+            for number in range(MESSAGES):
+                publisher.publish(Int32(data=number))
+            before = time.process_time()
+            executor.spin()
+            return (time.process_time() - before) / MESSAGES * 1e6
+
+    kinds = [SingleThreadedExecutor, MultiThreadedExecutor, EventsExecutor]
+    rounds = [[cost_us(kind) for kind in kinds] for _ in range(ROUNDS)]
+    best = {kind.__name__: min(costs) for kind, costs in zip(kinds, zip(*rounds, strict=True), strict=True)}
+    print(json.dumps(best))
+
+
+if __name__ == "__main__":
+    main()
