@@ -55,6 +55,13 @@ COMMANDS: dict[str, str | Group] = {
             "set": "Ask a lifecycle node for a transition",
         },
     ),
+    "multicast": Group(
+        "Try whether multicast comes through",
+        {
+            "receive": "Wait for one UDP multicast datagram",
+            "send": "Send one UDP multicast datagram",
+        },
+    ),
     "node": Group(
         "Ask about nodes",
         {

@@ -1,0 +1,1 @@
+"""`multicast`: try whether multicast comes through."""

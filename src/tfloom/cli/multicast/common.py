@@ -1,0 +1,65 @@
+"""What both ends share: the group and port, and how far a datagram goes."""
+
+from __future__ import annotations
+
+import argparse
+import ipaddress
+import os
+import socket
+
+from tfloom.cli.errors import CommandError
+from tfloom.rmw.cyclone_config import DEFAULT_RANGE
+
+GROUP = "225.0.0.1"
+PORT = 49150
+MOST_OCTETS = 4096
+"""As much of a datagram is read [octets]."""
+LOOPBACK = "127.0.0.1"
+ANY = "0.0.0.0"  # noqa: S104  # the interface that the system chooses
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the flags of both."""
+    parser.add_argument(
+        "--group", type=_group, default=GROUP, help=f"IPv4 multicast address (default: {GROUP})"
+    )
+    parser.add_argument("--port", type=_port, default=PORT, help=f"UDP port (default: {PORT})")
+
+
+def interface() -> str:
+    """Return the address of the interface to use: the loopback's, unless the discovery range asks for more."""
+    asked = os.environ.get("ROS_AUTOMATIC_DISCOVERY_RANGE") or DEFAULT_RANGE
+    if os.environ.get("ROS_LOCALHOST_ONLY") == "1" or asked not in {"SUBNET", "SYSTEM_DEFAULT"}:
+        return LOOPBACK
+    return ANY
+
+
+def udp_socket() -> socket.socket:
+    """Return a UDP socket.
+
+    Raises:
+        CommandError: the system has none to give.
+    """
+    try:
+        return socket.socket(socket.AF_INET, socket.SOCK_DGRAM, socket.IPPROTO_UDP)
+    except OSError as error:
+        raise CommandError(f"can't open a UDP socket: {error.strerror}") from None
+
+
+def _group(text: str) -> str:
+    try:
+        is_group = ipaddress.IPv4Address(text).is_multicast
+    except ValueError:
+        is_group = False
+    if not is_group:
+        raise argparse.ArgumentTypeError(
+            f"must be an address from 224.0.0.0 to 239.255.255.255, not {text!r}"
+        )
+    return text
+
+
+def _port(text: str) -> int:
+    port = int(text) if text.isascii() and text.isdigit() else 0
+    if not 1 <= port <= 65535:
+        raise argparse.ArgumentTypeError(f"must be a number from 1 to 65535, not {text!r}")
+    return port

@@ -1,0 +1,47 @@
+"""Receive one UDP multicast datagram: this machine's, or the subnet's where the discovery range asks for it."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import socket
+import sys
+
+from tfloom.cli.errors import CommandError
+from tfloom.cli.multicast.common import MOST_OCTETS, interface, udp_socket
+from tfloom.cli.multicast.common import add_arguments as add_common_arguments
+from tfloom.cli.numbers import seconds
+
+IP_MULTICAST_ALL = 49
+"""Linux: 0 leaves out what other sockets have asked for on other interfaces."""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `multicast receive` takes."""
+    add_common_arguments(parser)
+    parser.add_argument(
+        "--timeout", type=seconds, help="wait no longer than so many seconds (default: until Ctrl-C)"
+    )
+
+
+def main(args: argparse.Namespace) -> int:
+    """Wait for it and print whence it came and what it says."""
+    with udp_socket() as receiver:
+        try:
+            receiver.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            # Bound to the group it takes nothing that was sent to this machine alone; Windows can't.
+            receiver.bind((args.group if os.name == "posix" else "", args.port))
+            if sys.platform == "linux":
+                receiver.setsockopt(socket.IPPROTO_IP, IP_MULTICAST_ALL, 0)
+            membership = socket.inet_aton(args.group) + socket.inet_aton(interface())
+            receiver.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, membership)
+        except OSError as error:
+            raise CommandError(f"can't listen to {args.group}:{args.port}: {error.strerror}") from None
+        print("Waiting for UDP multicast datagram...")
+        receiver.settimeout(args.timeout)
+        try:
+            data, (host, port) = receiver.recvfrom(MOST_OCTETS)
+        except (TimeoutError, BlockingIOError):
+            raise CommandError(f"no datagram came within {args.timeout:g} s") from None
+    print(f"Received from {host}:{port}: {data.decode('utf-8', 'backslashreplace')!r}")
+    return 0

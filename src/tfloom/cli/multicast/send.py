@@ -1,0 +1,40 @@
+"""Send one UDP multicast datagram: on this machine, or on the subnet where the discovery range asks for it."""
+
+from __future__ import annotations
+
+import argparse
+import socket
+
+from tfloom.cli.errors import CommandError
+from tfloom.cli.multicast.common import add_arguments as add_common_arguments
+from tfloom.cli.multicast.common import interface, udp_socket
+
+TEXT = b"Hello World!"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add what `multicast send` takes."""
+    add_common_arguments(parser)
+    parser.add_argument(
+        "--ttl", type=_ttl, default=1, help="how many routers it may cross, and one (default: 1)"
+    )
+
+
+def _ttl(text: str) -> int:
+    ttl = int(text) if text.isascii() and text.isdigit() else 256
+    if ttl > 255:
+        raise argparse.ArgumentTypeError(f"must be a number from 0 to 255, not {text!r}")
+    return ttl
+
+
+def main(args: argparse.Namespace) -> int:
+    """Send it."""
+    print("Sending one UDP multicast datagram...")
+    with udp_socket() as sender:
+        sender.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, args.ttl)
+        try:
+            sender.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton(interface()))
+            sender.sendto(TEXT, (args.group, args.port))
+        except OSError as error:
+            raise CommandError(f"can't send to {args.group}:{args.port}: {error.strerror}") from None
+    return 0

@@ -1,0 +1,76 @@
+"""`multicast`: one datagram from a process to another over the loopback interface."""
+
+from __future__ import annotations
+
+import re
+import socket
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+import transcript
+
+from tfloom.cli.multicast.common import interface
+
+pytestmark = pytest.mark.wire
+
+
+@pytest.fixture
+def port(domain_id: int) -> str:
+    """Give a port that no other test uses now."""
+    return str(49150 - domain_id)
+
+
+def test_a_datagram_comes_through(port: str, start_program: Callable[..., Any]) -> None:
+    receiver = start_program("tfloom", "multicast", "receive", "--port", port, "--timeout", "30")
+    receiver.wait_for("Waiting for UDP multicast datagram...")
+    sent = transcript.run("multicast", "send", "--port", port, "--ttl", "0")
+    assert (sent.text, sent.exit_code) == ("Sending one UDP multicast datagram...", 0)
+    assert receiver.wait() == 0
+    assert re.fullmatch(r"Received from 127\.0\.0\.1:\d+: 'Hello World!'", receiver.lines[1])
+
+
+def test_what_never_comes_is_told(port: str) -> None:
+    answer = transcript.run("multicast", "receive", "--port", port, "--timeout", "0.2")
+    assert (answer.text.splitlines()[1:], answer.exit_code) == (["no datagram came within 0.2 s"], 1)
+
+
+def test_what_is_not_for_the_group_is_not_heard(port: str, start_program: Callable[..., Any]) -> None:
+    receiver = start_program("tfloom", "multicast", "receive", "--port", port, "--timeout", "1")
+    receiver.wait_for("Waiting")
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+        sender.sendto(b"no", ("127.0.0.1", int(port)))
+    assert receiver.wait() == 1
+
+
+@pytest.mark.parametrize(
+    ("environment", "address"),
+    [
+        ({}, "127.0.0.1"),
+        ({"ROS_AUTOMATIC_DISCOVERY_RANGE": "OFF"}, "127.0.0.1"),
+        ({"ROS_AUTOMATIC_DISCOVERY_RANGE": "SUBNET"}, "0.0.0.0"),
+        ({"ROS_AUTOMATIC_DISCOVERY_RANGE": "SUBNET", "ROS_LOCALHOST_ONLY": "1"}, "127.0.0.1"),
+    ],
+)
+def test_only_the_discovery_range_leads_beyond_this_machine(
+    environment: dict[str, str], address: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("ROS_AUTOMATIC_DISCOVERY_RANGE", raising=False)
+    for name, value in environment.items():
+        monkeypatch.setenv(name, value)
+    assert interface() == address
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("send", "--group", "1.2.3.4"),
+        ("send", "--ttl", "256"),
+        ("receive", "--port", "0"),
+        ("receive", "--group", "x"),
+    ],
+)
+def test_what_cannot_be_is_refused(words: tuple[str, ...]) -> None:
+    answer = transcript.run("multicast", *words)
+    assert answer.exit_code == 2
+    assert "must be" in answer.text
