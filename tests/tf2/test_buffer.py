@@ -371,3 +371,29 @@ def test_unlimited_and_zero_cache_times() -> None:
     for stamp in range(1, 10):
         keeps_two.set("a", "b", stamp, (stamp, 0, 0), UPRIGHT)
     assert [keeps_two.can("a", "b", stamp) for stamp in (7, 8, 9)] == [False, True, True]
+
+
+def test_many_threads_look_up_while_one_inserts(buffer: Buffer) -> None:
+    buffer.set("a", "b", 1000, (1, 0, 0), UPRIGHT)
+    buffer.set("b", "c", 1000, (1, 0, 0), UPRIGHT)
+    wrong: list[object] = []
+    is_over = threading.Event()
+
+    def look_up() -> None:
+        newest = 0
+        while not is_over.is_set():
+            found = buffer.lookup("a", "c")
+            if found.stamp_ns < newest or found.translation[0] != pytest.approx(found.stamp_ns / 500):
+                wrong.append(found)
+            newest = found.stamp_ns
+
+    threads = [threading.Thread(target=look_up) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for step in range(2, 20_000):
+        buffer.set("a", "b", step * 1000, (step, 0, 0), UPRIGHT)
+        buffer.set("b", "c", step * 1000, (step, 0, 0), UPRIGHT)
+    is_over.set()
+    for thread in threads:
+        thread.join(30)
+    assert wrong == []

@@ -13,6 +13,7 @@ from tfloom.tf2.errors import (
     ConnectivityException,
     ExtrapolationException,
     LookupException,
+    TransformException,
 )
 
 SECOND = 1_000_000_000
@@ -70,6 +71,59 @@ def test_answers_as_the_oracle_does(operations: list, target: str, source: str, 
     assert answer.stamp_ns == stamp_used
     assert np.allclose(as_matrix(answer), expected, rtol=1e-9, atol=1e-9 * 700)
     assert np.linalg.norm(answer.rotation_xyzw) == pytest.approx(1, abs=1e-12)
+
+
+def outcome(buffer: Buffer, target: str, source: str, stamp: int) -> object:
+    try:
+        found = buffer.lookup(target, source, stamp)
+    except TransformException as error:
+        return type(error), str(error)
+    return found.stamp_ns, found.transform
+
+
+@settings(max_examples=50, deadline=None)
+@given(
+    st.lists(inserts, min_size=1, max_size=60),
+    st.lists(st.tuples(st.sampled_from(FRAMES), st.sampled_from(FRAMES), queries), max_size=20),
+)
+def test_frozen_equals_live(operations: list, questions: list[tuple[str, str, int]]) -> None:
+    live, _ = build(operations)
+    mapped = Buffer()
+    mapped.set_log_callback(None)
+    mapped.map_frozen(live.frozen())
+    for question in questions:
+        assert outcome(mapped, *question) == outcome(live, *question)
+    for (parent, child), stamp, translation, rotation, static in operations[::3]:  # and goes on so
+        call = FRAMES[parent], FRAMES[child], stamp + 1, translation, rotation
+        assert mapped.set(*call, static=static) == live.set(*call, static=static)
+    for question in questions:
+        assert outcome(mapped, *question) == outcome(live, *question)
+    assert mapped.all_frames_as_yaml() == live.all_frames_as_yaml()
+
+
+@settings(max_examples=50, deadline=None)
+@given(
+    st.lists(inserts, min_size=1, max_size=60),
+    st.sampled_from(FRAMES),
+    st.sampled_from(FRAMES),
+    st.lists(queries, max_size=30),
+)
+def test_batch_equals_single(operations: list, target: str, source: str, asked: list[int]) -> None:
+    buffer, _ = build(operations)
+    poses = buffer.lookup_many(target, source, asked, strict=False)
+    first_error = None
+    for index, stamp in enumerate(asked):
+        single = outcome(buffer, target, source, stamp)
+        assert poses.known[index] == (not isinstance(single[0], type))
+        if poses.known[index]:
+            assert poses.positions[index] == pytest.approx(single[1].translation, rel=1e-9, abs=1e-9)
+            assert poses.rotations_xyzw[index] == pytest.approx(single[1].rotation_xyzw, abs=1e-9)
+        elif first_error is None:
+            first_error = index, *single
+    if first_error is not None:
+        with pytest.raises(first_error[1]) as raised:
+            buffer.lookup_many(target, source, asked)
+        assert (raised.value.index, str(raised.value)) == (first_error[0], first_error[2])
 
 
 @st.composite

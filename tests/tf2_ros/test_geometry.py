@@ -16,7 +16,15 @@ from tfloom.node.duration import Duration
 from tfloom.node.time import Time
 from tfloom.tf2_ros import geometry
 from tfloom.tf2_ros.buffer import Buffer
-from tfloom.tf2_ros.buffer_interface import Stamped, TypeException, convert
+from tfloom.tf2_ros.buffer_interface import (
+    BufferInterface,
+    ConvertRegistration,
+    NotImplementedException,
+    Stamped,
+    TransformRegistration,
+    TypeException,
+    convert,
+)
 
 # By 10, 20, 30 m, and half a turn about x.
 TRANSFORM = transform_stamped("B", "A", 2 * SECOND, (10.0, 20.0, 30.0), (1.0, 0.0, 0.0, 0.0))
@@ -153,6 +161,44 @@ def test_a_zero_quaternion_turns_nothing() -> None:
 def test_what_is_not_registered(buffer: Buffer) -> None:
     with pytest.raises(TypeException, match="is not loaded or supported"):
         buffer.transform(5, "B")
+
+
+def test_the_interface_alone_answers_nothing() -> None:
+    interface = BufferInterface()
+    with pytest.raises(TypeException) as raised:
+        interface.transform(5, "B")
+    assert raised.value.errstr == str(raised.value) == "Type <class 'int'> is not loaded or supported"
+    queries = {
+        interface.lookup_transform: 3, interface.can_transform: 3,
+        interface.lookup_transform_full: 5, interface.can_transform_full: 5,
+    }  # fmt: skip
+    for ask, count in queries.items():
+        with pytest.raises(NotImplementedException) as refused:
+            ask(*["x"] * count)
+        assert refused.value.errstr == "CanTransform or LookupTransform not implemented"
+
+
+def test_functions_of_ones_own(buffer: Buffer) -> None:
+    class Landmark:
+        header = HEADER
+        x = 1.0
+
+    class Numbers(list):
+        pass
+
+    TransformRegistration().add(Landmark, lambda mark, found: mark.x + found.transform.translation.x)
+    assert buffer.transform(Landmark(), "B") == pytest.approx(1 - 10)
+    registration = ConvertRegistration()
+    registration.add_to_msg(Landmark, lambda mark: g.Point(x=mark.x))
+    registration.add_from_msg(Numbers, lambda point: Numbers([point.x, point.y, point.z]))
+    assert convert(Landmark(), Numbers) == [1, 0, 0]
+    registration.add_convert((Landmark, Numbers), lambda mark: Numbers([mark.x]))
+    assert convert(Landmark(), Numbers) == [1]
+    assert registration.get_convert((Landmark, Numbers))(Landmark()) == [1]
+    point = g.PointStamped(header=HEADER, point=g.Point(x=1.0))
+    registration.add_convert((g.PointStamped, Numbers), lambda message: Numbers(numbers(message.point)))
+    assert buffer.transform(point, "B", new_type=Numbers) == pytest.approx([-9, 20, 30])
+    assert buffer.transform_full(point, "B", Time(seconds=2), "A", new_type=Numbers)[0] == pytest.approx(-9)
 
 
 def test_convert_and_stamped() -> None:

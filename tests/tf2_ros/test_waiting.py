@@ -10,6 +10,7 @@ from tests.tf2_ros.conftest import SECOND, transform_stamped
 
 from tfloom.node.clock import Clock
 from tfloom.node.duration import Duration
+from tfloom.node.executors import Executor, MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.time import Time
 from tfloom.tf2 import errors
@@ -76,6 +77,36 @@ def test_a_lookup_wakes_with_the_transform_from_the_wire(node: Node) -> None:
         thread.join(30)
         delays.append(woken[0] - sent)
     assert min(delays) < 0.001
+    listener.unregister()
+
+
+@pytest.mark.parametrize("kind", [SingleThreadedExecutor, MultiThreadedExecutor])
+def test_a_callback_that_awaits_goes_on_with_the_transform(node: Node, kind: type[Executor]) -> None:
+    buffer = Buffer()
+    listener = TransformListener(buffer, node)
+    told: list[str] = []
+
+    async def look_up() -> None:
+        if told:
+            return
+        told.append("asked")
+        found = await buffer.lookup_transform_async("map", "late", NOW, LONG)
+        told.append(found.child_frame_id)
+        with pytest.raises(errors.LookupException, match="timed out"):
+            await buffer.lookup_transform_async("map", "never", NOW, Duration(seconds=0.02))
+        told.append("timed out")
+
+    node.create_timer(0.001, look_up)
+    executor = kind(context=node.context)
+    executor.add_node(node)
+    broadcaster = TransformBroadcaster(node)
+    end = time.monotonic() + 30
+    while "timed out" not in told and time.monotonic() < end:
+        executor.spin_once(timeout_sec=1)
+        if told == ["asked"]:
+            broadcaster.sendTransform(transform_stamped("map", "late", SECOND))
+    assert told == ["asked", "late", "timed out"]
+    executor.shutdown()
     listener.unregister()
 
 
