@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import re
+import subprocess
+import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -130,7 +132,6 @@ def test_bad_options() -> None:
 
 def test_a_closed_stream_is_no_error(monkeypatch: pytest.MonkeyPatch) -> None:
     import io
-    import sys
 
     stream = io.StringIO()
     stream.close()
@@ -144,6 +145,20 @@ def test_the_log_directory(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("ROS_LOG_DIR")
     monkeypatch.setenv("ROS_HOME", "/home/ros")
     assert str(logging.get_logging_directory()) == "/home/ros/log"
+
+
+def test_the_first_line_imports_no_pathlib() -> None:
+    code = """
+import sys, rclpy, rclpy.logging
+before = set(sys.modules)
+rclpy.init()
+rclpy.logging.get_logger("x").info("first")
+print(sorted({"pathlib", "urllib.parse", "ipaddress"} & set(sys.modules) - before))
+"""
+    result = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=True
+    )
+    assert result.stdout == "[]\n"
 
 
 def test_records_go_to_a_file_too(tmp_path: Path, capsys: Capture) -> None:

@@ -296,6 +296,18 @@ def test_destroying_leaves_the_graph(make_node: MakeNode) -> None:
     goes.destroy_node()
     assert stays.get_node_names() == ["stays"]
     assert stays.count_publishers("chatter") == 0
+    creations: list[Callable[[], object]] = [
+        lambda: goes.create_publisher(String, "chatter", 10),
+        lambda: goes.create_subscription(String, "chatter", print, 10),
+        lambda: goes.create_service(SetBool, "set", print),
+        lambda: goes.create_client(SetBool, "set"),
+        lambda: goes.create_timer(1.0, print),
+        lambda: goes.create_guard_condition(print),
+    ]
+    for create in creations:
+        with pytest.raises(InvalidHandle, match="the node was destroyed"):
+            create()
+    assert stays.count_publishers("chatter") == stays.count_services("set") == 0
     with pytest.raises(InvalidHandle):
         publisher.publish(String())
     with pytest.raises(InvalidHandle):

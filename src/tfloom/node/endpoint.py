@@ -58,8 +58,9 @@ class Endpoint(Generic[End]):
     """An end on the wire, until it is destroyed."""
 
     _kind = ""
-    _part_of: Any = None  # as an entity's
     """What it is, for texts: `client`."""
+
+    _part_of: Any = None  # as an entity's
 
     def __init__(self, endpoint: End, name: str) -> None:
         self._endpoint = endpoint

@@ -11,6 +11,9 @@ from typing import TYPE_CHECKING, TextIO
 if TYPE_CHECKING:
     from pathlib import Path
 
+# pathlib would be the costliest import of a program's first log line.
+# ruff: noqa: PTH103, PTH111, PTH118, PTH119, PTH122, PTH123
+
 __all__ = ["LogFile", "log_directory"]
 
 
@@ -42,16 +45,16 @@ class LogFile:
             except (OSError, ValueError) as error:
                 self.close()
                 if sys.stderr is not None:
-                    print(f"tfloom: no log file in {log_directory()}: {error}", file=sys.stderr)
+                    print(f"tfloom: no log file in {_directory()}: {error}", file=sys.stderr)
 
     def _open(self) -> TextIO:
         import atexit
 
-        directory = log_directory()
-        directory.mkdir(parents=True, exist_ok=True)
+        directory = _directory()
+        os.makedirs(directory, exist_ok=True)
         atexit.register(self.close)
         name = f"{self._name or _program()}_{os.getpid()}_{time.time_ns() // 1_000_000}.log"
-        return (directory / name).open("w", encoding="utf-8", errors="backslashreplace")
+        return open(os.path.join(directory, name), "w", encoding="utf-8", errors="backslashreplace")
 
     def close(self) -> None:
         """Close the file, if there is one, for good."""
@@ -69,14 +72,16 @@ def log_directory() -> Path:
     """Return where log files go: `ROS_LOG_DIR`, else `log` in `ROS_HOME`, else `~/.ros/log`."""
     from pathlib import Path
 
+    return Path(_directory())
+
+
+def _directory() -> str:
     directory = os.environ.get("ROS_LOG_DIR")
     if directory:
-        return Path(directory).expanduser()
-    return Path(os.environ.get("ROS_HOME") or "~/.ros").expanduser() / "log"
+        return os.path.expanduser(directory)
+    return os.path.join(os.path.expanduser(os.environ.get("ROS_HOME") or "~/.ros"), "log")
 
 
 def _program() -> str:
-    from pathlib import Path
-
-    name = Path(sys.argv[0]).stem if sys.argv else ""
+    name = os.path.splitext(os.path.basename(sys.argv[0]))[0] if sys.argv else ""
     return name if name not in ("", "-c", "-m") else "python3"

@@ -10,6 +10,7 @@ from tfloom.node.client import Client
 from tfloom.node.constants import S_TO_NS
 from tfloom.node.entity import Entity
 from tfloom.node.event_handler import EventHandler, PublisherEventCallbacks, SubscriptionEventCallbacks
+from tfloom.node.exceptions import InvalidHandle
 from tfloom.node.guard_condition import GuardCondition
 from tfloom.node.node_parameters import NodeParameters
 from tfloom.node.publisher import Publisher
@@ -41,7 +42,10 @@ WireEnd = TypeVar("WireEnd")
 
 
 class NodeEntities:
-    """Creates and destroys what a node has; a base of Node."""
+    """Creates and destroys what a node has; a base of Node.
+
+    All that creates raises InvalidHandle once the node is destroyed.
+    """
 
     def __init__(self, participant: Participant, node_name: NodeName, context: Context) -> None:
         self.__participant = participant
@@ -52,6 +56,7 @@ class NodeEntities:
         self.__rates: list[Rate] = []
         self.__unspun: list[Endpoint[Any]] = []
         self.__default_callback_group = MutuallyExclusiveCallbackGroup()
+        self.__destroyed = False
 
     @property
     def executor(self) -> Executor | None:
@@ -136,11 +141,17 @@ class NodeEntities:
 
     def _open(self, end: Endpoint[Any], make: Callable[[Participant, NodeName], WireEnd]) -> WireEnd:
         """Return an end on the wire for `end`, which no executor runs; it is destroyed with the node."""
-        made = make(self.__participant, self.__node_name)
+        made = make(self.__wire(), self.__node_name)
         self.__unspun.append(end)
         return made
 
+    def __wire(self) -> Participant:
+        if self.__destroyed:
+            raise InvalidHandle(f"cannot create anything for {self.__node_name.full}: the node was destroyed")
+        return self.__participant
+
     def __add(self, entity: AnyEntity) -> AnyEntity:
+        self.__wire()
         if entity.callback_group is not None:
             entity.callback_group.add_entity(entity)
         entity._part_of = self  # noqa: SLF001  # ours
@@ -191,7 +202,7 @@ class NodeEntities:
         name = self.resolve_topic_name(topic)
         profile = self.__profile("publisher", name, qos_profile, qos_overriding_options)
         wire_topic = topic_of(msg_type, name, is_native=profile.avoid_ros_namespace_conventions)
-        writer = self.__participant.create_writer(self.__node_name, wire_topic, profile.to_wire())
+        writer = self.__wire().create_writer(self.__node_name, wire_topic, profile.to_wire())
         group = callback_group or self.__default_callback_group
         publisher = publisher_class(writer, msg_type, name, profile, None, group, context=self.__context)
         publisher._part_of = self  # noqa: SLF001  # ours
@@ -236,7 +247,7 @@ class NodeEntities:
         name = self.resolve_topic_name(topic)
         profile = self.__profile("subscription", name, qos_profile, qos_overriding_options)
         wire_topic = topic_of(msg_type, name, is_native=profile.avoid_ros_namespace_conventions)
-        reader = self.__participant.create_reader(self.__node_name, wire_topic, profile.to_wire())
+        reader = self.__wire().create_reader(self.__node_name, wire_topic, profile.to_wire())
         group = callback_group or self.__default_callback_group
         try:
             subscription = Subscription(
@@ -297,7 +308,7 @@ class NodeEntities:
         """
         check_is_valid_srv_type(srv_type)
         name = self.resolve_service_name(srv_name)
-        responder = self.__participant.create_responder(
+        responder = self.__wire().create_responder(
             self.__node_name, service_of(srv_type, name), qos_profile.to_wire()
         )
         group = callback_group or self.__default_callback_group
@@ -335,7 +346,7 @@ class NodeEntities:
         """
         check_is_valid_srv_type(srv_type)
         name = self.resolve_service_name(srv_name)
-        requester = self.__participant.create_requester(
+        requester = self.__wire().create_requester(
             self.__node_name, service_of(srv_type, name), qos_profile.to_wire()
         )
         client = Client(
@@ -422,6 +433,7 @@ class NodeEntities:
         for end in self.__unspun:
             end.destroy()
         self.__unspun.clear()
+        self.__destroyed = True
 
     def __unwatch(self, handlers: list[EventHandler]) -> None:
         for handler in handlers:
