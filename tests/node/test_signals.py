@@ -90,14 +90,13 @@ def test_sigterm_ends_a_spin_on_another_thread(start_program: StartProgram) -> N
 
 
 PUBLISHING = """
-import gc, os, random, sys, threading, time
+import os, random, sys, threading, time
 from collections import Counter
 import rclpy
 from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from rclpy.experimental import EventsExecutor
 from std_msgs.msg import String
 
-gc.disable()  # Python itself prints and drops what is raised while it collects an object
 number, kind, times = int(sys.argv[1]), sys.argv[2], int(sys.argv[3])
 sys.setswitchinterval(1e-5)  # else the thread that strikes would wait until the other one does
 source = random.Random(7)
@@ -147,6 +146,43 @@ def test_a_signal_amid_publishing_is_told_as_a_signal(
     program = start_program("python", "-c", PUBLISHING, str(int(number)), kind, "100")
     assert program.wait(60) == 0, program.output
     assert program.lines == [str(sorted(expected))]
+
+
+@pytest.mark.parametrize("how", ["method", "weakref"])
+def test_ctrl_c_amid_a_deletion_is_neither_dropped_nor_told_as_an_error(
+    how: str, start_program: StartProgram
+) -> None:
+    code = f"""
+import os, signal, weakref, time
+import rclpy
+
+def strike():
+    os.kill(os.getpid(), signal.SIGINT)
+    for _ in range(1000):
+        pass
+    print("struck", flush=True)
+
+class Method:
+    def __del__(self):
+        strike()
+
+class Plain:
+    pass
+
+rclpy.init()
+try:
+    thing = Method() if "{how}" == "method" else Plain()
+    if "{how}" == "weakref":
+        weakref.finalize(thing, strike)
+    del thing
+    print("going on", rclpy.ok(), flush=True)
+    time.sleep(30)
+except KeyboardInterrupt:
+    print("interrupted")
+"""
+    program = start_program("python", "-c", code)
+    assert program.wait(20) == 0
+    assert program.lines == ["struck", "going on False", "interrupted"]
 
 
 def test_handlers_are_given_back() -> None:

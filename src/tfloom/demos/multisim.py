@@ -32,7 +32,7 @@ def command_line(namespace: str, args: Sequence[str]) -> list[str]:
 
 
 def run(args: Sequence[str]) -> int:
-    """Run both until they have ended, or until Stopped; return the first exit code that isn't 0, or 0."""
+    """Run both until they have ended, or until Stopped is raised; return the first exit code that isn't 0, or 0."""
     processes: list[Process] = []
     try:
         for namespace in NAMESPACES:
@@ -41,7 +41,7 @@ def run(args: Sequence[str]) -> int:
             processes.append(process)
         for process in processes:
             process.wait()
-    except (Stopped, KeyboardInterrupt):
+    except Stopped:
         pass
     finally:
         codes = end(processes)
@@ -66,6 +66,8 @@ def _wait(process: Process, until: float) -> int:
 
 
 def _stop(*_: object) -> None:
+    for number in (signal.SIGINT, signal.SIGTERM):  # a second one would strike the clean-up after the first
+        signal.signal(number, signal.SIG_IGN)
     raise Stopped
 
 
@@ -78,5 +80,6 @@ def main(args: list[str] | None = None) -> int:
     )
     parser.add_argument("--headless", action="store_true", help="open no windows")
     parser.parse_args(remove_ros_args(args))
-    signal.signal(signal.SIGTERM, _stop)
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, _stop)
     return run(args)
