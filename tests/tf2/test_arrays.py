@@ -92,6 +92,9 @@ def test_stamps_of_other_kinds(buffer: Buffer) -> None:
     every_other = np.array([START, 0, START + SECOND, 0])[::2]
     assert (buffer.lookup_many("map", "laser", every_other).positions == expected).all()
     assert buffer.lookup_many("map", "laser", []).positions.shape == (0, 3)
+    assert buffer.lookup_many("map", "laser", np.array([], "datetime64[D]")).positions.shape == (0, 3)
+    edges = np.array(["1678-01-01", "2262-01-01"], "datetime64[D]")
+    assert not buffer.lookup_many("map", "laser", edges, strict=False).known.any()
 
 
 @pytest.mark.parametrize(
@@ -103,6 +106,10 @@ def test_stamps_of_other_kinds(buffer: Buffer) -> None:
         (5, ValueError, r"shape \(N,\)"),
         ([2**70], ValueError, "64 bits"),
         (np.array([2**63], np.uint64), ValueError, "64 bits"),
+        (np.array(["3000-01-01"], "datetime64[D]"), ValueError, "1677 to 2262"),
+        (np.array(["2263", "1500"], "datetime64[Y]"), ValueError, "1677 to 2262"),
+        (np.array(["2000-01-01", "NaT"], "datetime64[ns]"), ValueError, "NaT"),
+        ([True], TypeError, "must be integers"),
     ],
 )
 def test_stamps_that_are_none(buffer: Buffer, stamps: object, kind: type[Exception], text: str) -> None:

@@ -57,6 +57,12 @@ def test_chain(buffer: Buffer, target: str, source: str, chain: list[str]) -> No
 def test_common_time(buffer: Buffer) -> None:
     assert buffer.common_time("map", "laser", "odom") == 4 * SECOND
     assert buffer.common_time("base", "laser") == 0
+    assert buffer.common_time("odom") == 4 * SECOND
+    assert buffer.common_time("map") == 0
+    with pytest.raises(LookupException):
+        buffer.common_time("nowhere")
+    with pytest.raises(ValueError, match="needs the name of a frame"):
+        buffer.common_time()
 
 
 def test_explains_which_link_fails_and_what_to_do(buffer: Buffer) -> None:

@@ -114,8 +114,9 @@ def test_a_ros_buffer_maps_and_an_empty_buffer_freezes(tmp_path: Path) -> None:
 
 
 def test_a_folder_that_is_not_there_leaves_nothing(tmp_path: Path) -> None:
-    with pytest.raises(FileNotFoundError):
+    with pytest.raises(FileNotFoundError) as raised:
         Buffer().freeze(tmp_path / "none" / "tree")
+    assert raised.value.filename == str(tmp_path / "none" / "tree")
     with pytest.raises(OSError):
         Buffer().freeze(tmp_path)
     assert not list(tmp_path.iterdir())

@@ -18,6 +18,9 @@ DESKEW_PART = 4096
 """Points that a worker deskews at a time."""
 
 
+BEYOND = "stamps_ns must fit into 64 bits of nanoseconds: years 1677 to 2262"
+
+
 class Poses(NamedTuple):
     """Transforms at many stamps."""
 
@@ -74,7 +77,7 @@ class Arrays(Frames):
         Raises:
             TransformException: as `lookup`, for the first stamp without an answer if `strict`; its `index` says which.
             TypeError: the stamps are not integers.
-            ValueError: they are not one-dimensional, or beyond 64 bits.
+            ValueError: they are not one-dimensional, beyond 64 bits of nanoseconds, or NaT.
         """
         import numpy as np
 
@@ -238,15 +241,29 @@ def _stamps(stamps_ns: ArrayLike) -> NDArray[np.int64]:
     stamps = np.asarray(stamps_ns)
     if stamps.ndim != 1:
         raise ValueError(f"stamps_ns must be of shape (N,), not {stamps.shape}")
-    if stamps.dtype.kind == "M":
-        return np.ascontiguousarray(stamps.astype("datetime64[ns]").view(np.int64))
     if stamps.size == 0:
         return np.empty(0, np.int64)
+    if stamps.dtype.kind == "M":
+        return _stamps_of_dates(stamps)
     if stamps.dtype.kind == "O" or (stamps.dtype == np.uint64 and stamps.max() > np.iinfo(np.int64).max):
-        raise ValueError("stamps_ns must fit into 64 bits of nanoseconds: years 1677 to 2262")
+        raise ValueError(BEYOND)
     if stamps.dtype.kind not in "iu":
         raise TypeError(f"stamps_ns must be integers, nanoseconds since the epoch, not {stamps.dtype}")
     return np.ascontiguousarray(stamps, np.int64)
+
+
+def _stamps_of_dates(dates: NDArray[np.datetime64]) -> NDArray[np.int64]:
+    import numpy as np
+
+    if np.isnat(dates).any():
+        raise ValueError("stamps_ns holds NaT, which is no time")
+    in_ns = dates.astype("datetime64[ns]")
+    if in_ns.dtype != dates.dtype:  # numpy wraps around where the nanoseconds don't fit
+        seconds = dates.astype("datetime64[s]").view(np.int64)
+        limit = np.iinfo(np.int64).max // 1_000_000_000
+        if seconds.max() >= limit or seconds.min() < -limit:
+            raise ValueError(BEYOND)
+    return np.ascontiguousarray(in_ns.view(np.int64))
 
 
 def _points(points: ArrayLike) -> NDArray[Any]:

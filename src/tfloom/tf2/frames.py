@@ -78,10 +78,13 @@ class Frames(_native.Buffer):
     def common_time(self, *frames: str) -> int:
         """Return the newest time at which all of these frames are known to each other [ns since epoch].
 
-        0 if all that is between them is static. Raises as `latest_common_time` does.
+        0 if all that is between them is static. Of one frame, its newest stamp. Raises as `latest_common_time` does,
+        and ValueError without a frame.
         """
+        if not frames:
+            raise ValueError("common_time needs the name of a frame, or of several")
         first, *others = frames
-        stamps = [self.latest_common_time(first, other) for other in others]
+        stamps = [self.latest_common_time(first, other) for other in others or [first]]
         return min((stamp for stamp in stamps if stamp != 0), default=0)
 
     def explain(self, target_frame: str, source_frame: str, stamp_ns: int = 0) -> Explanation:

@@ -38,8 +38,10 @@ class Files(Arrays):
                 file.flush()
                 os.fsync(file.fileno())
             partial.replace(path)
-        except BaseException:
+        except BaseException as error:
             partial.unlink(missing_ok=True)
+            if isinstance(error, OSError) and error.filename == os.fspath(partial):
+                error.filename = os.fspath(path)  # the one that the caller knows
             raise
 
     @classmethod

@@ -219,7 +219,7 @@ def _turn_by_quaternion(correlation: Matrix) -> Matrix:
         correlation[1, 0] - correlation[0, 1],
     ]
     form[3, 3] = trace
-    return quaternion_matrix(np.linalg.eigh(form).eigenvectors[:, -1])
+    return quaternion_matrix(np.linalg.eigh(form)[1][:, -1])
 
 
 def _three(vector: ArrayLike) -> Matrix:
