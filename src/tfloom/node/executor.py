@@ -10,7 +10,6 @@ import threading
 import time
 from collections import deque
 from collections.abc import Callable, Coroutine
-from contextlib import suppress
 from itertools import count
 from types import CoroutineType, TracebackType
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
@@ -487,8 +486,11 @@ class Executor:
         self._spin_once(timeout_sec, lambda: future.done() or future.cancelled())
 
     def _spin_once(self, timeout_sec: float | None, condition: Callable[[], bool] | None = None) -> None:
-        with suppress(TimeoutException, ShutdownException, ConditionReachedException):
-            self._run(self._wait_for_work(timeout_sec, condition, until_response=True))
+        try:
+            work = self._wait_for_work(timeout_sec, condition, until_response=True)
+        except (TimeoutException, ShutdownException, ConditionReachedException):
+            return
+        self._run(work)
 
     def _wait_for_work(
         self,

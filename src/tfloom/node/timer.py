@@ -163,15 +163,16 @@ class Timer(Entity):
 
     def take(self) -> Any:
         """Return True, and begin the next period, if the callback is due."""
+        is_simulated = self._is_simulated()
         with self._lock:
-            now_ns = self._now_ns()
+            now_ns = self._clock.now_ns() if is_simulated else time.monotonic_ns()
             if self._canceled or now_ns < self._next_ns:
                 return None
             self._last_ns = now_ns
             self._next_ns += self._period_ns
             if self._next_ns < now_ns:
                 self._next_ns = now_ns if not self._period_ns else self._skip_missed(now_ns)
-        if self._is_simulated():
+        if is_simulated:
             self._post_if_ready()
         return True
 

@@ -69,7 +69,7 @@ def test_peers_come_and_go(node: Node, start_talker: StartTalker, spin_until: Sp
     spin_until(lambda: seen[-1].current_count == 1)
     assert (seen[-1].total_count, seen[-1].total_count_change, seen[-1].current_count_change) == (2, 0, -1)
     node.destroy_subscription(subscription)
-    spin_until(lambda: told(talkers[1], "matched")[-1]["current_count"] == 0)
+    spin_until(lambda: [event["current_count"] for event in told(talkers[1], "matched")][-1:] == [0])
     first, *_, last = told(talkers[1], "matched")
     one = {"total_count": 1, "total_count_change": 1, "current_count": 1, "current_count_change": 1}
     assert first == one
