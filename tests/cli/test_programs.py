@@ -162,3 +162,13 @@ def test_the_docs_list_them() -> None:
     listed = {row[1].strip(" `"): set(re.findall("`([^`]+)`", row[2])) for row in rows}
     for package, names in PROGRAMS.items():
         assert listed[package] == names.keys()
+
+
+def test_tf2_s_programs_are_the_recorded_ones(start_program: Callable[..., Program]) -> None:
+    golden = (Path(__file__).parents[1] / "golden" / "cli" / "pkg_executables_tf2.txt").read_text()
+    listed = []
+    for package in ("tf2_ros", "tf2_tools"):
+        program = start_program("tfloom", "pkg", "executables", package)
+        assert program.wait() == 0
+        listed += program.lines
+    assert listed == golden.splitlines()[1:-1]

@@ -1,0 +1,49 @@
+"""Calls at a later time: in order, once, and not at all when they are called off."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+
+from tfloom.tf2_ros import deadlines
+from tfloom.tf2_ros.deadlines import call_after
+
+
+def test_calls_come_in_the_order_of_their_times(wait_until: Callable[..., None]) -> None:
+    called: list[str] = []
+    started = time.monotonic()
+    call_after(0.06, lambda: called.append("late"))
+    call_after(0.03, lambda: called.append("early"))
+    call_after(-1.0, lambda: called.append("at once"))
+    wait_until(lambda: len(called) == 3)
+    assert called == ["at once", "early", "late"]
+    assert time.monotonic() - started >= 0.06
+
+
+def test_what_is_called_off_does_not_come(wait_until: Callable[..., None]) -> None:
+    called: list[str] = []
+    off = call_after(0.02, lambda: called.append("off"))
+    off.call_off()
+    call_after(0.04, lambda: called.append("on"))
+    wait_until(lambda: called)
+    assert called == ["on"]
+    off.call_off()  # again does nothing
+
+
+def test_a_call_may_call_off_itself_and_make_another() -> None:
+    ended = threading.Event()
+
+    def first() -> None:
+        mine.call_off()
+        call_after(0.0, ended.set)
+
+    mine = call_after(0.01, first)
+    assert ended.wait(10)
+
+
+def test_what_is_called_off_takes_no_room() -> None:
+    for _ in range(5):
+        for each in [call_after(3600.0, lambda: None) for _ in range(deadlines.MOST_CALLED_OFF)]:
+            each.call_off()
+    assert len(deadlines._waiting) <= deadlines.MOST_CALLED_OFF + 2 * len(deadlines._functions)
