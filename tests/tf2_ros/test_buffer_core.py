@@ -151,3 +151,13 @@ def test_the_chain() -> None:
 def test_rejections_go_to_the_log(capfd: pytest.CaptureFixture[str]) -> None:
     BufferCore().set_transform(transform_stamped("a", "a", SECOND), "me")
     assert "[tf2_buffer]: TF_SELF_TRANSFORM: Ignoring transform" in capfd.readouterr().err
+
+
+def test_arguments_that_are_not_there(deviations: dict[str, dict[str, str]]) -> None:
+    assert "tf2-extra-arguments" in deviations
+    buffer = BufferCore()
+    for call in (buffer.clear, buffer.all_frames_as_string):
+        with pytest.raises(TypeError):
+            call("x")
+    buffer.set_transform(transform_stamped("a", "b", SECOND), "me")
+    assert "transform_delay: 4.000" in buffer.all_frames_as_yaml(5.0)

@@ -160,6 +160,10 @@ class TestSimulatedTime:
         thread.join(30)
         assert found[0].header.stamp.sec == 11
 
+    def test_a_buffer_has_its_nodes_clock(self, node: Node, clock: Clock) -> None:
+        assert Buffer(node=node).clock is clock
+        assert Buffer().clock.now().nanoseconds > 0
+
     def test_a_jump_is_told_of_once(
         self, node: Node, clock: Clock, capfd: pytest.CaptureFixture[str]
     ) -> None:

@@ -6,7 +6,7 @@ import weakref
 from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.tf2_msgs.srv import FrameGraph
-from tfloom.node.clock import ClockChange, JumpThreshold
+from tfloom.node.clock import Clock, ClockChange, JumpThreshold
 from tfloom.node.duration import Duration
 from tfloom.node.logging import get_logger
 from tfloom.node.task import Future
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from tfloom.interfaces.geometry_msgs.msg import TransformStamped
-    from tfloom.node.clock import Clock, JumpHandle, TimeJump
+    from tfloom.node.clock import JumpHandle, TimeJump
     from tfloom.node.context import Context
     from tfloom.node.node import Node
 
@@ -48,6 +48,7 @@ class Buffer(BufferCore, BufferInterface):
         BufferInterface.__init__(self)
         self._jump_handles: weakref.WeakKeyDictionary[Clock, JumpHandle] = weakref.WeakKeyDictionary()
         self._context: Context | None = None
+        self.clock = Clock() if node is None else node.get_clock()
         if node is not None:
             self.watch_clock(node)
             self.srv = node.create_service(FrameGraph, "tf2_frames", _frames_callback(weakref.ref(self)))
