@@ -20,6 +20,12 @@ def traces() -> list[dict[str, Any]]:
         return [json.loads(line) for line in lines]
 
 
+def velocities() -> list[dict[str, Any]]:
+    with gzip.open(GOLDEN / "tf2_velocity.json.gz", "rt") as text:
+        runs: list[dict[str, Any]] = json.load(text)
+    return runs
+
+
 def is_close(ours: object, theirs: object) -> bool:
     """Floats within 1e-7·(1+|x|), all else exact."""
     if isinstance(theirs, float):

@@ -6,6 +6,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 EXAMPLE = Path(__file__).parents[2] / "examples" / "deskew_cloud.py"
 
 
@@ -15,3 +17,10 @@ def test_deskewing_puts_the_points_back_on_the_walls() -> None:
     skewed_m, deskewed_m = float(words[3]), float(words[8])
     assert skewed_m > 0.1
     assert deskewed_m < 1e-4
+
+
+def test_it_draws(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib", reason="matplotlib is not installed")
+    path = tmp_path / "deskew.png"
+    subprocess.run([sys.executable, EXAMPLE, "--plot", path], timeout=120, check=True)
+    assert path.read_bytes().startswith(b"\x89PNG")

@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-import gzip
-import json
 import math
 from typing import Any
 
 import pytest
-from tests.tf2.replay import GOLDEN
+from tests.tf2.replay import velocities
 
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2.errors import BackwardExtrapolationException, TransformException
 from tfloom.tf2.transform import Transform
 
 SECOND = 1_000_000_000
-with gzip.open(GOLDEN / "tf2_velocity.json.gz", "rt") as text:
-    RUNS = json.load(text)
+RUNS = velocities()
 
 
 @pytest.mark.parametrize("run", RUNS, ids=range(len(RUNS)))

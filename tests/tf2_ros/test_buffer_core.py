@@ -7,7 +7,7 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from tests.tf2.replay import expected, is_close, kind_of, traces
+from tests.tf2.replay import expected, is_close, kind_of, traces, velocities
 from tests.tf2_ros.conftest import SECOND, transform_stamped
 
 from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMessage
@@ -18,6 +18,7 @@ from tfloom.tf2.errors import TransformException
 from tfloom.tf2_ros.buffer_core import BufferCore
 
 TRACES = traces()
+VELOCITIES = velocities()
 
 
 def at(stamp_ns: int) -> SimpleNamespace:
@@ -161,3 +162,27 @@ def test_arguments_that_are_not_there(deviations: dict[str, dict[str, str]]) -> 
             call("x")
     buffer.set_transform(transform_stamped("a", "b", SECOND), "me")
     assert "transform_delay: 4.000" in buffer.all_frames_as_yaml(5.0)
+
+
+@pytest.mark.parametrize("run", VELOCITIES, ids=range(len(VELOCITIES)))
+def test_every_velocity_is_the_recorded_one(
+    run: dict[str, Any], deviations: dict[str, dict[str, str]]
+) -> None:
+    buffer = BufferCore()
+    for frame, child, stamp, xyz, xyzw, *is_static in run["sets"]:
+        store = buffer.set_transform_static if is_static else buffer.set_transform
+        store(transform_stamped(frame, child, stamp, xyz, xyzw), "me")
+    for query in run["queries"]:
+        time, interval = at(query["stamp_ns"]), at(round(query["interval_s"] * 1e9))
+        frames = {key: query[key] for key in ("tracking_frame", "observation_frame")}
+        try:
+            if "reference_frame" in query:
+                rest = [query[f"reference_{key}"] for key in ("frame", "point", "point_frame")]
+                found = buffer.lookupVelocityFullCore(*frames.values(), *rest, time, interval)
+            else:
+                found = buffer.lookupVelocityCore(**frames, time=time, averaging_interval=interval)
+        except TransformException as error:
+            ours: dict[str, Any] = {"raises": kind_of(error, deviations), "text": str(error)}
+        else:
+            ours = {"ok": [list(map(float, part)) for part in found]}
+        assert is_close(ours, expected(query)), query

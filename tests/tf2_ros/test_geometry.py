@@ -88,6 +88,14 @@ def test_covariance() -> None:
     assert numbers(moved.pose.pose.position) == pytest.approx([11, 18, 27])
 
 
+def test_covariance_of_a_long_quaternion(deviations: dict[str, dict[str, str]]) -> None:
+    assert "tf2-covariance-length" in deviations
+    covariance = np.diag([1.0, 2, 3, 4, 5, 6]).reshape(36)
+    long = transform_stamped("B", "A", 0, (0.0, 0.0, 0.0), (0.0, 0.0, 5.0, 5.0))
+    turned = geometry.transform_covariance(covariance, long).reshape(6, 6)
+    assert np.allclose(turned, np.diag([2, 1, 3, 5, 4, 6]))
+
+
 def test_a_quaternion() -> None:
     half = math.sqrt(0.5)
     turned = geometry.do_transform_quaternion_stamped(
