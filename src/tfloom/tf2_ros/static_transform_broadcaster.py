@@ -12,6 +12,7 @@ from tfloom.tf2_ros.transform_broadcaster import as_list
 if TYPE_CHECKING:
     from tfloom.interfaces.geometry_msgs.msg import TransformStamped
     from tfloom.node.node import Node
+    from tfloom.node.qos_overriding_options import QoSOverridingOptions
 
 __all__ = ["StaticTransformBroadcaster"]
 
@@ -25,14 +26,22 @@ class StaticTransformBroadcaster:
     Args:
         node: The node that publishes.
         qos: What the publisher offers; None: reliable, transient local, the last 1.
+        qos_overriding_options: What parameters may override of it; None: nothing.
     """
 
-    def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
+    def __init__(
+        self,
+        node: Node,
+        qos: QoSProfile | int | None = None,
+        qos_overriding_options: QoSOverridingOptions | None = None,
+    ) -> None:
         if qos is None:
             qos = QoSProfile(
                 depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_LAST
             )
-        self.pub_tf = node.create_publisher(TFMessage, "/tf_static", qos)
+        self.pub_tf = node.create_publisher(
+            TFMessage, "/tf_static", qos, qos_overriding_options=qos_overriding_options
+        )
         self.net_message = TFMessage()
 
     def send_transform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:

@@ -12,11 +12,20 @@ from tfloom.node import spin
 from tfloom.node.logging import get_logger
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
+from tfloom.node.qos import QoSPolicyKind
+from tfloom.node.qos_overriding_options import QoSOverridingOptions
 from tfloom.node.utilities import remove_ros_args
 from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
 from tfloom.tf2_tools.static_arguments import USAGE, ArgumentsError, StaticTransform, parse
 
 READ_ONLY = ParameterDescriptor(read_only=True)
+EVENT_OVERRIDING = QoSOverridingOptions(
+    [QoSPolicyKind.DEPTH, QoSPolicyKind.DURABILITY, QoSPolicyKind.HISTORY, QoSPolicyKind.RELIABILITY]
+)
+STATIC_OVERRIDING = QoSOverridingOptions(
+    [QoSPolicyKind.DEPTH, QoSPolicyKind.HISTORY, QoSPolicyKind.RELIABILITY]
+)
+"""What the reference, a C++ node, lets parameters override of its publishers."""
 
 
 class StaticTransformPublisher(Node):
@@ -28,6 +37,8 @@ class StaticTransformPublisher(Node):
     Raises:
         ValueError: the two frames are one.
     """
+
+    _parameter_event_overriding = EVENT_OVERRIDING
 
     def __init__(self, transform: StaticTransform) -> None:
         super().__init__(f"static_transform_publisher_{_random_name()}")
@@ -43,7 +54,7 @@ class StaticTransformPublisher(Node):
                 f"cannot publish static transform from '{frame_id}' to '{child_frame_id}', exiting"
             )
             raise ValueError("child_frame_id cannot equal frame_id")
-        self._broadcaster = StaticTransformBroadcaster(self)
+        self._broadcaster = StaticTransformBroadcaster(self, qos_overriding_options=STATIC_OVERRIDING)
         self._broadcaster.sendTransform(self._message(str(frame_id), str(child_frame_id), numbers))
         translation, rotation = (", ".join(f"'{n:f}'" for n in part) for part in (numbers[:3], numbers[3:]))
         self.get_logger().info(
