@@ -344,3 +344,15 @@ def test_a_subclass_may_use_any_name_of_its_own(context: Context, executor: Sing
 
 def test_depth_stands_for_a_history(node: Node) -> None:
     assert node.create_publisher(String, "chatter", 7).qos_profile == QoSProfile(depth=7)
+
+
+def test_a_destroyed_node_creates_nothing(node: Node) -> None:
+    node.destroy_node()
+    for create in (
+        lambda: node.create_publisher(String, "x", 10),
+        lambda: node.create_subscription(String, "x", print, 10),
+        lambda: node.create_timer(1.0, print),
+        lambda: node.create_guard_condition(print),
+    ):
+        with pytest.raises(InvalidHandle, match="cannot create anything for /tester: the node was destroyed"):
+            create()

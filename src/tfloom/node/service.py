@@ -106,6 +106,8 @@ class Service(ServiceEnd["Responder"]):
             introspection,
             logger,
         )
+        self._logger = logger
+        self._refusal = ""
         self.callback = callback
 
     def send_response(self, response: Any, header: RequestId) -> None:
@@ -122,6 +124,15 @@ class Service(ServiceEnd["Responder"]):
             )
         self._endpoint.send(header, cdr.encode(response))
         self._introspection.response_sent(response, header)
+
+    def take(self) -> Any:
+        """Return the oldest request and its header, or None; see `Receiver.take`."""
+        taken = super().take()
+        if taken is None and not self._destroyed and self._refusal != (refusal := self._endpoint.refusal()):
+            self._refusal = refusal
+            text = f"dropped a request: {refusal}"
+            self._logger.warning(text)
+        return taken
 
     def _read(self, came: Request) -> Any:
         """Return a request and its header."""

@@ -263,6 +263,9 @@ class Responder(Protocol):
     def obstacle(self) -> str:
         """Return why some client can't be served as things stand, for the user to read; empty if all can be."""
 
+    def refusal(self) -> str:
+        """Return why a request was dropped the last time that one was, for the user to read; empty if none was."""
+
     def close(self) -> None:
         """Leave the service. Closing again does nothing."""
 

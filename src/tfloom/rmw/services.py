@@ -146,12 +146,15 @@ class HeaderResponder:
         self._clients = clients
         self._gids: dict[bytes, bytes] = {}
         self._closed = False
+        self._refusal = ""
 
     def take(self) -> Request | None:
         """Remove and return the oldest waiting request, or None."""
         while sample := self._requests.take():
             parts = _split(sample)
-            if parts is not None and self._clients.accepts(sample.publisher_gid):
+            if not self._clients.accepts(sample.publisher_gid):
+                self._refusal = self._clients.obstacle()
+            elif parts is not None:
                 key, sequence_number, data = parts
                 self._remember(key, sample.publisher_gid)
                 request_id = RequestId(key + _GID_PADDING, sequence_number)
@@ -194,6 +197,10 @@ class HeaderResponder:
     def obstacle(self) -> str:
         """Return why some client can't be served as things stand, or an empty text."""
         return self._clients.obstacle()
+
+    def refusal(self) -> str:
+        """Return why a request was dropped the last time that one was, or an empty text."""
+        return self._refusal
 
     def close(self) -> None:
         """Leave the service. Closing again does nothing."""

@@ -95,6 +95,40 @@ def test_many_clients_in_many_processes_get_their_own_answers(
         assert caller.lines[-1] == "right: 200"
 
 
+def test_a_client_of_another_vendor_is_not_answered_and_the_log_says_once_what_to_do(
+    node: Node,
+    executor: SingleThreadedExecutor,
+    start: Start,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    asked: list[AddTwoInts.Request] = []
+
+    def add(request: AddTwoInts.Request, response: AddTwoInts.Response) -> AddTwoInts.Response:
+        asked.append(request)
+        return response
+
+    node.create_service(AddTwoInts, "add", add)
+    monkeypatch.setattr(cyclone_services, "CYCLONE_VENDOR", b"\x01\x0f")  # as if all others were of Fast DDS
+    start("service_caller")
+    advice = (
+        "dropped a request: a client of /add runs on another DDS vendor, whose form of services isn't ours"
+    )
+    text = ""
+
+    def is_told() -> bool:
+        nonlocal text
+        executor.spin_once(timeout_sec=0.1)
+        text += capsys.readouterr().err
+        return advice in text
+
+    wait_until(is_told)
+    for _ in range(5):
+        executor.spin_once(timeout_sec=0.1)
+    assert (text + capsys.readouterr().err).count(advice) == 1
+    assert not asked
+
+
 def test_a_server_of_another_vendor_is_not_called_and_the_log_says_once_what_to_do(
     node: Node,
     start: Start,
