@@ -152,6 +152,16 @@ def test_a_call_that_nobody_answers_times_out(node: Node) -> None:
     assert not client._pending
 
 
+def test_a_call_that_begins_as_the_context_ends_gives_none(node: Node, context: Context) -> None:
+    client = node.create_client(AddTwoInts, "nobody")
+    context.shutdown()
+    answers: list[object] = ["none yet"]
+    thread = threading.Thread(target=lambda: answers.append(client.call(AddTwoInts.Request())), daemon=True)
+    thread.start()
+    thread.join(10.0)
+    assert answers[1:] == [None]
+
+
 def test_waiting_for_a_service_ends_when_it_comes(make_node: MakeNode) -> None:
     client = make_node("client").create_client(SetBool, "late")
     found: list[bool] = []

@@ -184,9 +184,12 @@ class Context:
             self.add_shutdown_hook(callback)
 
     def add_shutdown_hook(self, hook: Callable[[], Any]) -> None:
-        """Have `hook()` called at shutdown, until `remove_shutdown_hook`."""
+        """Have `hook()` called at shutdown, until `remove_shutdown_hook`; at once if shutdown has come."""
         with self._lock:
-            self._hooks.append(hook)
+            if not self.is_over():
+                self._hooks.append(hook)
+                return
+        hook()
 
     def remove_shutdown_hook(self, hook: Callable[[], Any]) -> None:
         """Undo one `add_shutdown_hook`."""
