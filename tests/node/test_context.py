@@ -11,8 +11,13 @@ import pytest
 from tfloom import node as rclpy
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.node.context import Context
-from tfloom.node.exceptions import InvalidParameterTypeException, RCLError, RCLInvalidROSArgsError
-from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.exceptions import (
+    InvalidParameterTypeException,
+    NotInitializedException,
+    RCLError,
+    RCLInvalidROSArgsError,
+)
+from tfloom.node.executors import ExternalShutdownException, SingleThreadedExecutor
 from tfloom.node.logging import get_logger_effective_level
 from tfloom.node.node import Node
 from tfloom.node.signals import SignalHandlerOptions, get_current_signal_handlers_options
@@ -212,3 +217,10 @@ def test_a_node_that_could_not_be_made_leaves_the_graph(context: Context) -> Non
         with pytest.raises(InvalidParameterTypeException):
             Node("bad", context=context, cli_args=["--ros-args", "-p", "use_sim_time:=5"])
         assert watcher.get_node_names() == ["watcher"]
+
+
+def test_a_node_that_a_signal_forestalls_raises_what_spin_would(context: Context) -> None:
+    context.interrupt()
+    with pytest.raises(ExternalShutdownException, match="a signal has shut the context down") as caught:
+        Node("late", context=context)
+    assert isinstance(caught.value, NotInitializedException)

@@ -15,6 +15,7 @@ from tfloom._native import keep_other_threads_out
 from tfloom.node import log_output
 from tfloom.node.arguments import Arguments, parse_arguments
 from tfloom.node.exceptions import NotInitializedException, RCLError, ROSInterruptException
+from tfloom.node.executor_exceptions import ExternalShutdownException
 from tfloom.node.handle import Handle
 from tfloom.node.log_file import LogFile
 
@@ -31,6 +32,16 @@ WAKE = 0
 """The token that only wakes an executor."""
 
 _contexts: weakref.WeakSet[Context] = weakref.WeakSet()
+
+
+class StoppedException(NotInitializedException, ExternalShutdownException):
+    """A signal has shut the context down, so nothing can be begun on it.
+
+    It is an ExternalShutdownException too: who expects that of `spin` need not think of what comes before.
+    """
+
+    def __init__(self) -> None:
+        Exception.__init__(self, "a signal has shut the context down")
 
 
 class Context:
@@ -222,6 +233,7 @@ class Context:
 
         Raises:
             NotInitializedException: the context isn't initialised, or shut down.
+            StoppedException: a signal has shut it down.
             ConfigurationError, NoBackendError: the wire can't be opened.
         """
         from tfloom.rmw.backends import open_participant
@@ -229,7 +241,7 @@ class Context:
         self._destroy_abandoned()
         with self._lock:
             if not self._valid:
-                raise NotInitializedException("cannot create node")
+                raise StoppedException if self._interrupted else NotInitializedException("cannot create node")
             if self._participant is None:
                 self._participant = open_participant(self._domain_id, self._arguments.enclave or "/")
                 _close_at_exit()
