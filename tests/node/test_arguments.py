@@ -208,6 +208,31 @@ def test_a_parameter_file_is_read_by_node(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
+    ("pattern", "is_meant"),
+    [
+        ("/**", True),
+        ("/*/remote", True),
+        ("/ns/*", True),
+        ("/ns/remote", True),
+        ("/**/remote", True),
+        ("/*", False),
+        ("/other/remote", False),
+        ("/*/*/remote", False),
+        ("remote", False),
+        ("/ns/remot", False),
+        ("/ns/.*", False),
+    ],
+)
+def test_a_pattern_of_a_parameter_file_is_for_some_nodes(
+    tmp_path: Path, pattern: str, is_meant: bool
+) -> None:
+    path = tmp_path / "p.yaml"
+    path.write_text(f"{pattern}:\n  ros__parameters:\n    x: 1\n")
+    parsed = parse_arguments(["--ros-args", "--params-file", str(path)])
+    assert bool(parsed.parameter_overrides("/ns/remote")) == is_meant
+
+
+@pytest.mark.parametrize(
     ("content", "text"),
     [
         ("[1]", "mapping of node names"),
