@@ -2,7 +2,9 @@
 
 #include <structmember.h>
 
+#include <atomic>
 #include <cstddef>
+#include <utility>
 
 #include "bindings/objects.hpp"
 
@@ -28,9 +30,11 @@ nb::object initial_value(const ObjectPlan& plan, std::size_t index) {
 }
 
 void put(PyObject* self, Py_ssize_t offset, nb::object value) {
-  PyObject*& place = slot(self, offset);
-  PyObject* old = place;
-  place = value.release().ptr();
+  PyObject* old;
+  {
+    const nb::ft_object_guard guard{nb::handle(self)};
+    old = std::exchange(slot(self, offset), value.release().ptr());
+  }
   Py_XDECREF(old);
 }
 
@@ -114,7 +118,10 @@ int message_setattro(PyObject* self, PyObject* name, PyObject* value) noexcept {
     }
   }
   // A decoded message of numbers and strings: it may hold anything from now on.
-  if (PyType_IS_GC(Py_TYPE(self)) && PyObject_GC_IsTracked(self) == 0) PyObject_GC_Track(self);
+  if (PyType_IS_GC(Py_TYPE(self)) && PyObject_GC_IsTracked(self) == 0) {
+    const nb::ft_object_guard guard{nb::handle(self)};
+    if (PyObject_GC_IsTracked(self) == 0) PyObject_GC_Track(self);
+  }
   return PyObject_GenericSetAttr(self, name, value);
 }
 
@@ -137,8 +144,8 @@ PyType_Spec type_spec = {"tfloom._native.MessageBase", sizeof(MessageObject), 0,
 
 }  // namespace
 
-bool& check_by_default() noexcept {
-  static bool value = false;
+std::atomic<bool>& check_by_default() noexcept {
+  static std::atomic<bool> value = false;
   return value;
 }
 

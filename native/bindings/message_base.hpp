@@ -3,10 +3,12 @@
 
 #include <nanobind/nanobind.h>
 
+#include <atomic>
+
 namespace tfloom::bindings {
 
 // Whether messages check what is assigned to their fields where `check_fields` is not given.
-bool& check_by_default() noexcept;
+std::atomic<bool>& check_by_default() noexcept;
 
 // Makes `MessageBase` and puts it into the module.
 void bind_message_base(nanobind::module_& m);

@@ -188,7 +188,16 @@ ObjectSource::Held ObjectSource::open_list(Value value) {
 
 ObjectSource::Value ObjectSource::item(const Held& list, std::size_t index) {
   // The list may have shrunk: an element's own code can do that.
-  if (index >= length(list)) throw EncodeError("is gone: the list changed while it was encoded");
+  constexpr auto gone = "is gone: the list changed while it was encoded";
+#ifdef Py_GIL_DISABLED
+  if (PyList_Check(list.ptr())) {
+    auto element = nb::steal(PyList_GetItemRef(list.ptr(), static_cast<Py_ssize_t>(index)));
+    if (element.is_valid()) return hold(std::move(element));
+    PyErr_Clear();
+    throw EncodeError(gone);
+  }
+#endif
+  if (index >= length(list)) throw EncodeError(gone);
   return PySequence_Fast_GET_ITEM(list.ptr(), static_cast<Py_ssize_t>(index));
 }
 

@@ -56,6 +56,13 @@ inline PyObject*& slot(PyObject* message, Py_ssize_t offset) noexcept {
   return *reinterpret_cast<PyObject**>(reinterpret_cast<char*>(message) + offset);
 }
 
+// What is in a slot, kept alive; not valid if it's empty. Python assigns to slots with the same guard held, which is
+// nothing where there's a GIL.
+inline nb::object held_slot(PyObject* message, Py_ssize_t offset) {
+  const nb::ft_object_guard guard{nb::handle(message)};
+  return nb::borrow(slot(message, offset));
+}
+
 // A copy by the object's own `__copy__`.
 nb::object copy(const nb::object& object);
 
@@ -169,7 +176,12 @@ class ObjectSource {
   using Held = nb::object;
 
   Value field(const Held& message, const cdr::Plan& plan, std::size_t index) {
-    PyObject* value = slot(message.ptr(), static_cast<const ObjectPlan&>(plan).offsets[index]);
+    const Py_ssize_t offset = static_cast<const ObjectPlan&>(plan).offsets[index];
+#ifdef Py_GIL_DISABLED
+    PyObject* value = hold(held_slot(message.ptr(), offset));
+#else
+    PyObject* value = slot(message.ptr(), offset);
+#endif
     if (value == nullptr) throw cdr::EncodeError("is not set");
     return value;
   }
@@ -211,6 +223,15 @@ class ObjectSource {
   }
 
  private:
+#ifdef Py_GIL_DISABLED
+  // Another thread may replace a value while it's read, so all that were read live until the message is.
+  Value hold(nb::object value) {
+    held_.push_back(std::move(value));
+    return held_.back().ptr();
+  }
+  std::vector<nb::object> held_;
+#endif
+
   static std::string_view any_string(Value value);
   static double real(Value value, double limit);
   static std::int64_t integer(Value value, std::int64_t least, std::int64_t greatest);

@@ -330,7 +330,7 @@ void bind_contents(nb::class_<BufferHandle>& type) {
 
 void bind_listings(nb::class_<BufferHandle>& type) {
   type.def(
-          "frame_names", [](const BufferHandle& self) { return self.buffer->frame_names(); },
+          "frame_names", [](const BufferHandle& self) { return self.buffer->frame_names(); }, nb::call_guard<ReleasedGil>(),
           "Return the names of all frames, in order of first mention.")
       .def(
           "has_frame", [](const BufferHandle& self, const NameArgument& name) { return self.buffer->has_frame(name.text); },

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bindings/gil.hpp"
 #include "bindings/tf2_arguments.hpp"
 #include "bindings/tf2_buffer.hpp"
 #include "tf2/batch.hpp"
@@ -45,27 +46,30 @@ void require_equal(std::size_t size, Sizes... sizes) {
   if (((size != sizes) || ...)) throw nb::value_error("the arrays must be of one length");
 }
 
+[[noreturn]] void raise(const tf2::FailedStamp& failed) {
+  const nb::object exception = exception_of(failed.error);
+  exception.attr("index") = failed.index;
+  PyErr_SetObject(exception.type().ptr(), exception.ptr());
+  throw nb::python_error();
+}
+
 void lookup_many(const BufferHandle& self, const NameArgument& target, const NameArgument& source,
                  const Stamps& stamps, const OutRows& out, const Mask& known, bool is_strict, unsigned workers) {
   require_equal(stamps.size(), out.shape(0), known.size());
   std::optional<tf2::FailedStamp> failed;
   {
-    const nb::gil_scoped_release release;
+    const ReleasedGil release;
     failed = tf2::lookup_many(*self.buffer, target.text, source.text, {stamps.data(), stamps.size()},
                               {reinterpret_cast<Transform*>(out.data()), out.shape(0)},
                               {known.data(), known.size()}, is_strict, workers);
   }
-  if (!failed) return;
-  const nb::object exception = exception_of(failed->error);
-  exception.attr("index") = failed->index;
-  PyErr_SetObject(exception.type().ptr(), exception.ptr());
-  throw nb::python_error();
+  if (failed) raise(*failed);
 }
 
 std::size_t set_many(BufferHandle& self, const NameArgument& frame_id, const NameArgument& child_frame_id,
                      const Stamps& stamps, const Rows& rows, const NameArgument& authority) {
   require_equal(stamps.size(), rows.shape(0));
-  const nb::gil_scoped_release release;
+  const ReleasedGil release;
   constexpr std::size_t chunk_size = 1024;  // inserted under one lock
   std::vector<tf2::Entry> entries;
   std::size_t stored = 0;
@@ -80,7 +84,11 @@ std::size_t set_many(BufferHandle& self, const NameArgument& frame_id, const Nam
 }
 
 nb::tuple samples(const BufferHandle& self, const NameArgument& frame_id, const NameArgument& child_frame_id) {
-  const auto found = self.buffer->samples(frame_id.text, child_frame_id.text);
+  std::vector<tf2::Sample> found;
+  {
+    const ReleasedGil release;
+    found = self.buffer->samples(frame_id.text, child_frame_id.text);
+  }
   nb::bytearray stamps, rows;
   stamps.resize(found.size() * sizeof(Stamp));
   rows.resize(found.size() * sizeof(Transform));
@@ -100,31 +108,39 @@ void move_points(const Array<const double, nb::shape<7>>& transform, const Point
                  const OutPoints<T>& out) {
   require_equal(points.shape(0), out.shape(0));
   const Transform value = transform_at(transform.data());
-  const nb::gil_scoped_release release;
+  const ReleasedGil release;
   tf2::move_points(value, points.data(), out.data(), points.shape(0));
 }
 
 template <class T>
-void move_each_point(const Array<const double, nb::shape<7>>& first, const Rows& each, const Points<T>& points,
-                     const OutPoints<T>& out) {
-  require_equal(points.shape(0), each.shape(0), out.shape(0));
-  const Transform value = transform_at(first.data());
-  const nb::gil_scoped_release release;
-  tf2::move_each_point(value, {reinterpret_cast<const Transform*>(each.data()), each.shape(0)}, points.data(),
-                       out.data());
+void deskew(const BufferHandle& self, const NameArgument& fixed, const NameArgument& source,
+            const Array<const double, nb::shape<7>>& first, const Stamps& stamps, const Points<T>& points,
+            const OutPoints<T>& out, unsigned workers) {
+  require_equal(stamps.size(), points.shape(0), out.shape(0));
+  const Transform target_from_fixed = transform_at(first.data());
+  std::optional<tf2::FailedStamp> failed;
+  {
+    const ReleasedGil release;
+    failed = tf2::deskew(*self.buffer, fixed.text, source.text, target_from_fixed, {stamps.data(), stamps.size()},
+                         points.data(), out.data(), workers);
+  }
+  if (failed) raise(*failed);
 }
 
 template <class T>
-void bind_points(nb::module_& m, const std::string& type) {
+void bind_points(nb::module_& m, nb::class_<BufferHandle>& buffer, const std::string& type) {
   m.def(("move_points_" + type).c_str(), &move_points<T>, "transform"_a, "points"_a, "out"_a,
         "Write `transform` (7,) of `points` (N, 3) into `out`, which may be `points`.");
-  m.def(("move_each_point_" + type).c_str(), &move_each_point<T>, "first"_a, "each"_a, "points"_a, "out"_a,
-        "Write first · each[i] of points[i] into out[i]: (7,), (N, 7), (N, 3), (N, 3).");
+  buffer.def(("deskew_" + type).c_str(), &deskew<T>, "fixed_frame"_a, "source_frame"_a, "target_from_fixed"_a,
+             "stamps_ns"_a, "points"_a, "out"_a, "workers"_a,
+             "Write `points` (N, 3), each of `source_frame` at its of `stamps_ns` (N,), in `fixed_frame` and then moved "
+             "by `target_from_fixed` (7,), into `out`.\n\n"
+             "Raises as `lookup` does for the first stamp without an answer, with its `index`.");
 }
 
 void matrices(const Rows& rows, const Array<double, nb::shape<-1, 4, 4>>& out) {
   require_equal(rows.shape(0), out.shape(0));
-  const nb::gil_scoped_release release;
+  const ReleasedGil release;
   const auto* transform = reinterpret_cast<const Transform*>(rows.data());
   double* m = out.data();
   for (std::size_t i = 0; i < rows.shape(0); ++i, ++transform, m += 16) {
@@ -155,20 +171,21 @@ void bind_tf2_batch(nb::module_& m, nb::class_<BufferHandle>& type) {
       .def("samples", &samples, "frame_id"_a, "child_frame_id"_a,
            nb::sig("def samples(self, frame_id: str, child_frame_id: str) -> tuple[bytearray, bytearray]"),
            "Return the stamps (int64) and rows (7 float64 each) stored for an edge, as bytes.")
-      .def("edges", [](const BufferHandle& self) { return self.buffer->edges(); },
+      .def("edges", [](const BufferHandle& self) { return self.buffer->edges(); }, nb::call_guard<ReleasedGil>(),
            "Return each frame that has a parent, in order of first mention.")
       .def("remove_frame",
            [](BufferHandle& self, const NameArgument& name) {
-             const nb::gil_scoped_release release;
+             const ReleasedGil release;
              return self.buffer->remove_frame(name.text);
            },
            "frame_id"_a,
            "Forget a frame: its name, its transforms and those of its children to it.\n\n"
            "Returns False if it has never been heard of.")
       .def_prop_ro("memory", [](const BufferHandle& self) { return self.buffer->memory(); },
+                   nb::call_guard<ReleasedGil>(),
                    "What all histories take [octets].");
-  bind_points<float>(m, "float32");
-  bind_points<double>(m, "float64");
+  bind_points<float>(m, type, "float32");
+  bind_points<double>(m, type, "float64");
   m.def("matrices", &matrices, "rows"_a, "out"_a, "Write the matrices of `rows` (N, 7) into `out` (N, 4, 4).");
 }
 

@@ -3,7 +3,9 @@
 #include <nanobind/nanobind.h>
 
 #include <array>
+#include <atomic>
 #include <cstdint>
+#include <memory>
 #include <string>
 
 #include "bindings/objects.hpp"
@@ -23,8 +25,13 @@ struct Plans {
   const ObjectPlan &transform_stamped, &header, &time, &transform, &vector3, &quaternion;
 
   static const Plans& get() {
-    static const Plans* const plans = new Plans(make());  // the classes outlive it: nobody unloads them
-    return *plans;
+    // Not a static local, whose lock a thread would hold while `make` runs Python, which lets other threads run.
+    static std::atomic<const Plans*> known{nullptr};
+    if (const Plans* plans = known.load(std::memory_order_acquire)) return *plans;
+    auto made = std::make_unique<const Plans>(make());
+    const Plans* first = nullptr;
+    if (!known.compare_exchange_strong(first, made.get())) return *first;
+    return *made.release();  // the classes outlive it: nobody unloads them
   }
 
  private:
@@ -42,8 +49,8 @@ struct Plans {
 // A field of a message: by its slot in a message of the plan's class, else by its name. Empty if it isn't there.
 nb::object field(nb::handle message, const ObjectPlan& plan, std::size_t index) {
   if (Py_TYPE(message.ptr()) == plan.type) {
-    PyObject* value = slot(message.ptr(), plan.offsets[index]);
-    if (value) return nb::borrow(value);
+    nb::object value = held_slot(message.ptr(), plan.offsets[index]);
+    if (value.is_valid()) return value;
   }
   return nb::steal(PyObject_GetAttr(message.ptr(), plan.slots[index].name.ptr()));
 }

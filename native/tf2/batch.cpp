@@ -2,8 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
+#include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
+
+#include "tf2/stamp_order.hpp"
 
 namespace tfloom::tf2 {
 namespace {
@@ -102,7 +107,8 @@ void Buffer::lookup_chunk(std::string_view target, std::string_view source, std:
     return;
   }
   Chain chain{frames_};
-  if (stamps[0] != latest && !walk(frames_, ids.target, ids.source, stamps[0], chain)) {
+  const auto first = std::ranges::find_if(stamps, [](Stamp stamp) { return stamp != latest; });
+  if (first != stamps.end() && !walk(frames_, ids.target, ids.source, *first, chain)) {
     std::ranges::fill(known, std::uint8_t{1});
     std::array<Transform, chunk_size> to_target;
     const std::span target_side(to_target.data(), stamps.size());
@@ -127,18 +133,85 @@ void Buffer::lookup_chunk(std::string_view target, std::string_view source, std:
 
 namespace {
 
-void lookup_range(const Buffer& buffer, std::string_view target, std::string_view source,
-                  std::span<const Stamp> stamps, std::span<Transform> out, std::span<std::uint8_t> known,
-                  bool is_strict) {
-  for (std::size_t start = 0; start < stamps.size(); start += chunk_size) {
-    const std::size_t count = std::min(chunk_size, stamps.size() - start);
-    const auto chunk = known.subspan(start, count);
-    buffer.lookup_chunk(target, source, stamps.subspan(start, count), out.subspan(start, count), chunk);
-    if (is_strict && std::ranges::count(chunk, std::uint8_t{0}) > 0) {
-      std::ranges::fill(known.subspan(start + count), std::uint8_t{0});
-      return;
+// Where one thread's part of the stamps starts, and how many there are.
+struct Part {
+  std::size_t start = 0, count = 0;
+
+  template <class T>
+  [[nodiscard]] std::span<T> of(std::span<T> all) const {
+    return all.subspan(start, count);
+  }
+};
+
+// Calls work(part) for parts of whole chunks, each on a thread of its own, and this one's too. What one of them throws
+// is thrown here, when all are done.
+template <class Work>
+void share_out(std::size_t size, unsigned workers, Work&& work) {
+  const std::size_t chunks = (size + chunk_size - 1) / chunk_size;
+  const std::size_t most = 4 * std::max(1u, std::thread::hardware_concurrency());
+  const std::size_t parts = std::max<std::size_t>(std::min({std::size_t{workers}, most, chunks}), 1);
+  const std::size_t share = (chunks + parts - 1) / parts * chunk_size;
+  std::vector<std::exception_ptr> thrown(parts);
+  const auto run = [&](std::size_t index) {
+    const std::size_t start = std::min(index * share, size);
+    try {
+      work(Part{start, std::min(share, size - start)});
+    } catch (...) {
+      thrown[index] = std::current_exception();
+    }
+  };
+  std::vector<std::thread> threads;
+  threads.reserve(parts);
+  std::size_t index = 1;
+  try {
+    for (; index < parts; ++index) threads.emplace_back(run, index);
+  } catch (const std::system_error&) {  // no more threads to be had: the rest is done here
+  }
+  run(0);
+  for (; index < parts; ++index) run(index);
+  for (std::thread& thread : threads) thread.join();
+  for (const std::exception_ptr& one : thrown) {
+    if (one) std::rethrow_exception(one);
+  }
+}
+
+// A few hundred stamps, in an order in which histories are read from old to new.
+struct Chunk {
+  std::span<const Stamp> stamps;
+  std::size_t start = 0;
+  std::span<const std::uint32_t> order;  // empty: they lie side by side
+
+  // Where stamp i lies among all.
+  [[nodiscard]] std::size_t position(std::size_t i) const { return start + (order.empty() ? i : order[i]); }
+};
+
+// Calls use(chunk) for all stamps, until it returns false.
+template <class Use>
+void for_each_chunk(std::span<const Stamp> stamps, Use&& use) {
+  constexpr std::size_t most_sorted = std::size_t{1} << 22;
+  std::array<Stamp, chunk_size> gathered;
+  for (std::size_t begin = 0; begin < stamps.size(); begin += most_sorted) {
+    const auto part = stamps.subspan(begin, std::min(most_sorted, stamps.size() - begin));
+    const bool is_sorted = std::ranges::is_sorted(part);
+    const auto order = is_sorted ? std::vector<std::uint32_t>{} : nearly_ascending(part);
+    for (std::size_t start = 0; start < part.size(); start += chunk_size) {
+      const std::size_t count = std::min(chunk_size, part.size() - start);
+      Chunk chunk{part.subspan(start, count), begin + start, {}};
+      if (!is_sorted) {
+        chunk = {{gathered.data(), count}, begin, std::span(order).subspan(start, count)};
+        for (std::size_t i = 0; i < count; ++i) gathered[i] = part[chunk.order[i]];
+      }
+      if (!use(chunk)) return;
     }
   }
+}
+
+std::optional<FailedStamp> failure_of(const Buffer& buffer, std::string_view target, std::string_view source,
+                                      std::span<const Stamp> stamps, std::size_t index) {
+  if (index == stamps.size()) return std::nullopt;
+  const auto again = buffer.lookup(Query::at(target, source, stamps[index]));
+  // An insert in between may have mended it: then the caller is told to try again, by an error without a text.
+  return FailedStamp{index, again ? Error{} : again.error()};
 }
 
 }  // namespace
@@ -146,26 +219,34 @@ void lookup_range(const Buffer& buffer, std::string_view target, std::string_vie
 std::optional<FailedStamp> lookup_many(const Buffer& buffer, std::string_view target, std::string_view source,
                                        std::span<const Stamp> stamps, std::span<Transform> out,
                                        std::span<std::uint8_t> known, bool is_strict, unsigned workers) {
-  const std::size_t chunks = (stamps.size() + chunk_size - 1) / chunk_size;
-  const std::size_t parts = std::clamp<std::size_t>(workers, 1, std::max<std::size_t>(chunks, 1));
-  const std::size_t share = (chunks + parts - 1) / parts * chunk_size;
-  const auto run = [&](std::size_t part) {
-    const std::size_t start = std::min(part * share, stamps.size());
-    const std::size_t count = std::min(share, stamps.size() - start);
-    lookup_range(buffer, target, source, stamps.subspan(start, count), out.subspan(start, count),
-                 known.subspan(start, count), is_strict);
-  };
-  std::vector<std::thread> threads;
-  for (std::size_t part = 1; part < parts; ++part) threads.emplace_back(run, part);
-  run(0);
-  for (std::thread& thread : threads) thread.join();
+  share_out(stamps.size(), workers, [&](const Part& part) {
+    const auto own_out = part.of(out);
+    const auto own_known = part.of(known);
+    std::vector<Transform> found;
+    std::array<std::uint8_t, chunk_size> is_known;
+    for_each_chunk(part.of(stamps), [&](const Chunk& chunk) {
+      const std::size_t count = chunk.stamps.size();
+      if (chunk.order.empty()) {
+        const auto answered = own_known.subspan(chunk.start, count);
+        buffer.lookup_chunk(target, source, chunk.stamps, own_out.subspan(chunk.start, count), answered);
+        if (!is_strict || std::ranges::count(answered, std::uint8_t{0}) == 0) return true;
+        std::ranges::fill(own_known.subspan(chunk.start + count), std::uint8_t{0});
+        return false;
+      }
+      found.resize(chunk_size);
+      buffer.lookup_chunk(target, source, chunk.stamps, std::span(found).first(count),
+                          std::span(is_known).first(count));
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t at = chunk.position(i);
+        own_known[at] = is_known[i];
+        if (is_known[i]) own_out[at] = found[i];
+      }
+      return true;
+    });
+  });
   if (!is_strict) return std::nullopt;
   const auto failed = std::ranges::find(known, std::uint8_t{0});
-  if (failed == known.end()) return std::nullopt;
-  const auto index = static_cast<std::size_t>(failed - known.begin());
-  const auto again = buffer.lookup(Query::at(target, source, stamps[index]));
-  // An insert in between may have mended it: then the caller is told to try again, by an error without a text.
-  return FailedStamp{index, again ? Error{} : again.error()};
+  return failure_of(buffer, target, source, stamps, static_cast<std::size_t>(failed - known.begin()));
 }
 
 template <class T>
@@ -184,21 +265,44 @@ void move_points(const Transform& transform, const T* in, T* out, std::size_t co
 }
 
 template <class T>
-void move_each_point(const Transform& first, std::span<const Transform> each, const T* in, T* out) {
-  for (std::size_t i = 0; i < each.size(); ++i) {
-    const Vector3 point{static_cast<double>(in[3 * i]), static_cast<double>(in[3 * i + 1]),
-                        static_cast<double>(in[3 * i + 2])};
-    const Vector3 halfway = rotate(each[i].rotation, point) + each[i].translation;
-    const Vector3 moved = rotate(first.rotation, halfway) + first.translation;
-    out[3 * i] = static_cast<T>(moved.x);
-    out[3 * i + 1] = static_cast<T>(moved.y);
-    out[3 * i + 2] = static_cast<T>(moved.z);
-  }
+std::optional<FailedStamp> deskew(const Buffer& buffer, std::string_view fixed, std::string_view source,
+                                  const Transform& target_from_fixed, std::span<const Stamp> stamps, const T* in,
+                                  T* out, unsigned workers) {
+  std::mutex mutex;
+  std::size_t failed = stamps.size();
+  share_out(stamps.size(), workers, [&](const Part& part) {
+    std::vector<Transform> found(std::min(chunk_size, part.count));
+    std::array<std::uint8_t, chunk_size> is_known;
+    std::size_t own_failed = stamps.size();
+    for_each_chunk(part.of(stamps), [&](const Chunk& chunk) {
+      const std::size_t count = chunk.stamps.size();
+      buffer.lookup_chunk(fixed, source, chunk.stamps, std::span(found).first(count),
+                          std::span(is_known).first(count));
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t at = part.start + chunk.position(i);
+        if (!is_known[i]) own_failed = std::min(own_failed, at);
+        if (own_failed < stamps.size()) continue;
+        const Vector3 point{static_cast<double>(in[3 * at]), static_cast<double>(in[3 * at + 1]),
+                            static_cast<double>(in[3 * at + 2])};
+        const Vector3 halfway = rotate(found[i].rotation, point) + found[i].translation;
+        const Vector3 moved = rotate(target_from_fixed.rotation, halfway) + target_from_fixed.translation;
+        out[3 * at] = static_cast<T>(moved.x);
+        out[3 * at + 1] = static_cast<T>(moved.y);
+        out[3 * at + 2] = static_cast<T>(moved.z);
+      }
+      return own_failed == stamps.size() || !chunk.order.empty();
+    });
+    const std::lock_guard lock(mutex);
+    failed = std::min(failed, own_failed);
+  });
+  return failure_of(buffer, fixed, source, stamps, failed);
 }
 
 template void move_points(const Transform&, const float*, float*, std::size_t);
 template void move_points(const Transform&, const double*, double*, std::size_t);
-template void move_each_point(const Transform&, std::span<const Transform>, const float*, float*);
-template void move_each_point(const Transform&, std::span<const Transform>, const double*, double*);
+template std::optional<FailedStamp> deskew(const Buffer&, std::string_view, std::string_view, const Transform&,
+                                           std::span<const Stamp>, const float*, float*, unsigned);
+template std::optional<FailedStamp> deskew(const Buffer&, std::string_view, std::string_view, const Transform&,
+                                           std::span<const Stamp>, const double*, double*, unsigned);
 
 }  // namespace tfloom::tf2

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tf2/chain.hpp"
 #include "tf2/text.hpp"
 
 namespace tfloom::tf2 {
@@ -26,18 +27,23 @@ bool is_unit(const Quaternion& q) {
   return std::abs(dot(q, q) - 1.0) < tolerance;
 }
 
+Transform target_from_source(ChainProduct& top_from_target, ChainProduct& top_from_source) {
+  Transform result = inverse(top_from_target.value()) * top_from_source.value();
+  result.rotation = canonical(result.rotation);
+  return result;
+}
+
 // Composes the links of both branches while they're walked.
 struct Composer {
-  Transform top_from_source, top_from_target;
+  ChainProduct top_from_source, top_from_target;
 
-  void source(FrameId, const Bracket& link) { top_from_source = link.value() * top_from_source; }
-  void target(FrameId, const Bracket& link) { top_from_target = link.value() * top_from_target; }
-  void forget_source() { top_from_source = {}; }
+  void source(FrameId, const Bracket& link) { push(top_from_source, link); }
+  void target(FrameId, const Bracket& link) { push(top_from_target, link); }
+  void forget_source() { top_from_source.clear(); }
 
-  [[nodiscard]] Transform target_from_source() const {
-    Transform result = inverse(top_from_target) * top_from_source;
-    result.rotation = canonical(result.rotation);
-    return result;
+ private:
+  static void push(ChainProduct& product, const Bracket& link) {
+    product.push(link.newer ? link.value() : *link.older);
   }
 };
 
@@ -69,14 +75,16 @@ std::size_t Buffer::set(std::span<const Entry> entries, std::string_view authori
   std::vector<Rejection> rejections;
   {
     const std::unique_lock lock(frames_mutex_);
-    for (const Entry& entry : entries) stored += insert(entry, authority, is_static, rejections) ? 1 : 0;
+    Known known;
+    for (const Entry& entry : entries) stored += insert(entry, authority, is_static, known, rejections) ? 1 : 0;
   }
   for (const Rejection& rejection : rejections) report(rejection, authority);
   if (stored > 0) announce();
   return stored;
 }
 
-bool Buffer::insert(Entry entry, std::string_view authority, bool is_static, std::vector<Rejection>& rejections) {
+bool Buffer::insert(Entry entry, std::string_view authority, bool is_static, Known& known,
+                    std::vector<Rejection>& rejections) {
   entry.frame_id = without_slash(entry.frame_id);
   entry.child_frame_id = without_slash(entry.child_frame_id);
   entry.value.rotation = canonical(entry.value.rotation);
@@ -92,13 +100,17 @@ bool Buffer::insert(Entry entry, std::string_view authority, bool is_static, std
   if (rejections.size() > before) return false;
   if (!is_static && is_straggler(entry.stamp)) return false;
 
-  const FrameId child = frames_.intern(entry.child_frame_id);  // the child first: names are listed in this order
-  const FrameId parent = frames_.intern(entry.frame_id);
+  if (entry.child_frame_id != known.child_frame_id || entry.frame_id != known.frame_id) {
+    const FrameId child = frames_.intern(entry.child_frame_id);  // first: names are listed in this order
+    known = {entry.frame_id, entry.child_frame_id, frames_.intern(entry.frame_id), child};
+  }
+  const FrameId parent = known.parent, child = known.child;
   Frame& frame = frames_[child];
   if (!frame.insert({entry.stamp, parent, entry.value}, is_static, cache_time_)) {
     rejections.push_back({entry, Problem::old});
     return false;
   }
+  frames_.note_newest(child);
   if (frame.authority != authority) frame.authority = authority;
   return true;
 }
@@ -151,7 +163,9 @@ void Buffer::ignore_from(Stamp stamp, std::chrono::nanoseconds duration) {
 void Buffer::clear() {
   const std::unique_lock lock(frames_mutex_);
   for (FrameId id = 0; id < frames_.size(); ++id) {
-    if (frames_[id].history) frames_[id].history->clear();
+    if (!frames_[id].history) continue;
+    frames_[id].history->clear();
+    frames_.note_newest(id);
   }
 }
 
@@ -175,23 +189,29 @@ Failure Buffer::lookup_at(FrameId target, FrameId source, Stamp stamp, StampedTr
     out = {stamp == latest ? frames_[target].newest_stamp() : stamp, {}};
     return {};
   }
-  if (stamp == latest) {
-    const CommonTime common = tf2::latest_common_time(frames_, target, source);
-    if (common.failure) return common.failure;
-    stamp = common.stamp;
-  }
   Composer composer;
+  if (stamp == latest) {
+    const NewestChain chain(frames_, target, source);
+    if (chain.failure()) return chain.failure();
+    stamp = chain.stamp();
+    if (chain.is_uniform()) {
+      for (const FrameId id : chain.source_links()) composer.top_from_source.push(frames_.newest_value(id));
+      for (const FrameId id : chain.target_links()) composer.top_from_target.push(frames_.newest_value(id));
+      out = {stamp, target_from_source(composer.top_from_target, composer.top_from_source)};
+      return {};
+    }
+  }
   const Failure failure = walk(frames_, target, source, stamp, composer);
-  if (!failure) out = {stamp, composer.target_from_source()};
+  if (!failure) out = {stamp, target_from_source(composer.top_from_target, composer.top_from_source)};
   return failure;
 }
 
 Failure Buffer::check_at(FrameId target, FrameId source, Stamp stamp) const {
   if (target == source) return {};
   if (stamp == latest) {
-    const CommonTime common = tf2::latest_common_time(frames_, target, source);
-    if (common.failure) return common.failure;
-    stamp = common.stamp;
+    const NewestChain chain(frames_, target, source);
+    if (chain.failure() || chain.is_uniform()) return chain.failure();
+    stamp = chain.stamp();
   }
   Prober prober;
   return walk(frames_, target, source, stamp, prober);

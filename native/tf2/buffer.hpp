@@ -142,6 +142,11 @@ class Buffer {
     Entry entry;
     Problem problem;
   };
+  // The names of the transform before and their frames: many come of the same.
+  struct Known {
+    std::string_view frame_id, child_frame_id;
+    FrameId parent = no_parent, child = no_parent;
+  };
   struct Ids {
     FrameId target = no_parent, source = no_parent, fixed = no_parent;
   };
@@ -160,7 +165,8 @@ class Buffer {
   [[nodiscard]] bool is_too_old(FrameId target, FrameId source, Stamp stamp) const;
   [[nodiscard]] std::string frames_as_string() const;
   [[nodiscard]] bool is_straggler(Stamp stamp);
-  bool insert(Entry entry, std::string_view authority, bool is_static, std::vector<Rejection>& rejections);
+  bool insert(Entry entry, std::string_view authority, bool is_static, Known& known,
+              std::vector<Rejection>& rejections);
 
   void report(const Rejection& rejection, std::string_view authority);
   void announce();

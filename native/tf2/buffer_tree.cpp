@@ -50,7 +50,10 @@ bool Buffer::remove_frame(std::string_view name) {
   const std::unique_lock lock(frames_mutex_);
   const auto removed = find_frame(name);
   if (!removed) return false;
-  for (FrameId id = 1; id < frames_.size(); ++id) frames_[id].forget_parent(*removed, cache_time_);
+  for (FrameId id = 1; id < frames_.size(); ++id) {
+    frames_[id].forget_parent(*removed, cache_time_);
+    frames_.note_newest(id);
+  }
   frames_.remove(*removed);
   return true;
 }

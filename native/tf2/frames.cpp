@@ -2,12 +2,6 @@
 
 namespace tfloom::tf2 {
 
-FrameId Frame::newest_parent() const {
-  return kind == Kind::moving ? history->newest_parent() : fixed_parent;
-}
-
-Stamp Frame::newest_stamp() const { return kind == Kind::moving ? history->newest_stamp() : 0; }
-
 Stamp Frame::oldest_stamp() const { return kind == Kind::moving ? history->oldest_stamp() : 0; }
 
 std::size_t Frame::sample_count() const {
@@ -41,37 +35,58 @@ void Frame::forget() {
 void Frame::forget_parent(FrameId parent, Stamp max_age) {
   if (kind == Kind::fixed && fixed_parent == parent) return forget();
   if (kind != Kind::moving) return;
+  bool has_any = false;
+  history->for_each([&](Stamp, FrameId other, const Transform&) { has_any |= other == parent; });
+  if (!has_any) return;
   auto kept = std::make_unique<TimeCache>(max_age);
   history->for_each([&](Stamp stamp, FrameId other, const Transform& value) {
     if (other != parent) kept->insert({stamp, other, value});
   });
-  if (kept->empty() && !history->empty()) return forget();
+  if (kept->empty()) return forget();
   history = std::move(kept);
 }
 
 FrameTable::FrameTable() { intern("NO_PARENT"); }
 
 std::optional<FrameId> FrameTable::find(std::string_view name) const {
-  const auto found = ids_.find(name);
-  if (found == ids_.end()) return std::nullopt;
-  return found->second;
+  const FrameId found = ids_.find(name, [this](FrameId id) -> std::string_view { return frames_[id]->name; });
+  if (found == NameIndex::none) return std::nullopt;
+  return found;
 }
 
 FrameId FrameTable::intern(std::string_view name) {
   if (const auto known = find(name)) return *known;
   const auto id = static_cast<FrameId>(frames_.size());
-  frames_.push_back(std::make_unique<Frame>());
-  frames_.back()->name = name;
-  ids_.emplace(frames_.back()->name, id);
+  Frame& frame = add();
+  frame.name = name;
+  ids_.add(frame.name, id);
   return id;
 }
 
-void FrameTable::add_removed() { frames_.push_back(std::make_unique<Frame>()); }
+void FrameTable::add_removed() { add(); }
+
+Frame& FrameTable::add() {
+  // Room first, so that the three stay of one length where there's no memory.
+  if (frames_.size() == frames_.capacity()) {
+    const std::size_t room = 2 * frames_.size() + 16;
+    newest_.reserve(room);
+    newest_values_.reserve(room);
+    frames_.reserve(room);
+  }
+  frames_.push_back(std::make_unique<Frame>());
+  newest_.emplace_back();
+  newest_values_.emplace_back();
+  return *frames_.back();
+}
 
 void FrameTable::remove(FrameId id) {
-  ids_.erase(frames_[id]->name);
   frames_[id]->forget();
   frames_[id]->name.clear();
+  note_newest(id);
+  ids_.clear();
+  for (FrameId other = 0; other < frames_.size(); ++other) {
+    if (!frames_[other]->name.empty()) ids_.add(frames_[other]->name, other);
+  }
 }
 
 }  // namespace tfloom::tf2

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
+#include "tf2/name_index.hpp"
 #include "tf2/time_cache.hpp"
 
 namespace tfloom::tf2 {
@@ -16,11 +16,11 @@ struct Frame {
   enum class Kind : std::uint8_t { root, fixed, moving };
 
   std::string name;
-  std::string authority;  // who set it last
+  std::unique_ptr<TimeCache> history;  // of a moving frame
   Kind kind = Kind::root;
   FrameId fixed_parent = no_parent;
+  std::string authority;  // who set it last
   Transform fixed_value;
-  std::unique_ptr<TimeCache> history;  // of a moving frame
 
   // A static transform holds at any time; a frame that was never a child has no data at any.
   [[nodiscard]] Bracket find(Stamp stamp) const {
@@ -28,8 +28,14 @@ struct Frame {
     if (kind == Kind::root) return {};
     return {Bracket::Found::yes, fixed_parent, &fixed_value, nullptr, 0.0};
   }
-  [[nodiscard]] FrameId newest_parent() const;
-  [[nodiscard]] Stamp newest_stamp() const;  // 0: static, or no data
+  [[nodiscard]] FrameId newest_parent() const { return kind == Kind::moving ? history->newest_parent() : fixed_parent; }
+  [[nodiscard]] Stamp newest_stamp() const {  // 0: static, or no data
+    return kind == Kind::moving ? history->newest_stamp() : 0;
+  }
+  [[nodiscard]] const Transform* newest_value() const {  // null: no data
+    if (kind == Kind::moving) return history->newest_value();
+    return kind == Kind::fixed ? &fixed_value : nullptr;
+  }
   [[nodiscard]] Stamp oldest_stamp() const;
   [[nodiscard]] std::size_t sample_count() const;
 
@@ -38,6 +44,13 @@ struct Frame {
 
   void forget_parent(FrameId parent, Stamp max_age);
   void forget();  // all but the name: it's a root again
+};
+
+// A frame's newest link to its parent, again: queries of the latest time read these alone, which lie side by side.
+struct Newest {
+  Stamp stamp = 0;  // 0: static, or no data
+  FrameId parent = no_parent;
+  bool moves = false;
 };
 
 // Ids are dense, in order of registration; id 0 stands for "no parent" and has a name that nobody is to use.
@@ -55,9 +68,22 @@ class FrameTable {
   Frame& operator[](FrameId id) { return *frames_[id]; }
   const Frame& operator[](FrameId id) const { return *frames_[id]; }
 
+  [[nodiscard]] const Newest& newest(FrameId id) const { return newest_[id]; }
+  [[nodiscard]] const Transform& newest_value(FrameId id) const { return newest_values_[id]; }
+  // To be called after each change of what a frame holds.
+  void note_newest(FrameId id) {
+    const Frame& frame = *frames_[id];
+    newest_[id] = {frame.newest_stamp(), frame.newest_parent(), frame.kind == Frame::Kind::moving};
+    if (const Transform* value = frame.newest_value()) newest_values_[id] = *value;
+  }
+
  private:
+  Frame& add();
+
   std::vector<std::unique_ptr<Frame>> frames_;
-  std::unordered_map<std::string_view, FrameId> ids_;  // keys live in the frames
+  std::vector<Newest> newest_;
+  std::vector<Transform> newest_values_;
+  NameIndex ids_;
 };
 
 }  // namespace tfloom::tf2

@@ -206,6 +206,7 @@ Thawed thaw(std::span<const std::byte> frozen) {
   for (std::size_t i = 0; i < records.size(); ++i) {
     Frame& frame = thawed.frames[static_cast<FrameId>(i + 1)];
     read_contents(in, records[i], header.cache_time, thawed.frames.size(), frame);
+    thawed.frames.note_newest(static_cast<FrameId>(i + 1));
   }
   if (in.left() > 0) in.fail(join(std::to_string(in.left()), " bytes are left over"));
   return thawed;

@@ -4,6 +4,12 @@
 
 namespace tfloom::tf2 {
 
+void TimeCache::Block::append(const Sample& sample) {
+  stamps.append(sample.stamp);
+  parents.append(sample.parent);
+  values.append(sample.value);
+}
+
 void TimeCache::Block::insert(std::size_t index, const Sample& sample) {
   stamps.insert(index, sample.stamp);
   parents.insert(index, sample.parent);
@@ -32,6 +38,12 @@ TimeCache::Block TimeCache::Block::split() {
 bool TimeCache::insert(const Sample& sample) {
   const Stamp newest = newest_stamp();
   prune();
+  if (!empty() && sample.stamp > newest && blocks_.back().stamps.size() < block_size) {  // as most do
+    blocks_.back().append(sample);
+    ++size_;
+    note_newest();
+    return true;
+  }
   if (!empty() && is_older_than(sample.stamp, max_age_, newest)) return false;
   Position position = after(sample.stamp);
   if (holds(sample, position)) return true;
@@ -53,7 +65,7 @@ bool TimeCache::insert(const Sample& sample) {
   }
   blocks_[position.block].insert(position.index, sample);
   ++size_;
-  note_newest();
+  note_ends();
   return true;
 }
 
@@ -69,6 +81,9 @@ Bracket TimeCache::find(Stamp stamp) const {
   if (stamp == first.first_stamp()) {
     return {Found::yes, first.parents[first.begin], &first.values[first.begin], nullptr, 0.0};
   }
+  const Block& last = blocks_.back();
+  const std::size_t end = last.stamps.size() - 1;
+  if (end > last.begin && last.stamps[end - 1] <= stamp) return bracket(stamp, last, end - 1, last, end);
   return before(stamp, after(stamp));
 }
 
@@ -93,7 +108,12 @@ void TimeCache::view(std::span<const Stamp> stamps, std::span<const FrameId> par
                        Column(values.subspan(at, count)), 0});
   }
   size_ = stamps.size();
-  if (size_ > 0) note_newest();
+  if (size_ > 0) note_ends();
+}
+
+void TimeCache::note_ends() {
+  oldest_stamp_ = blocks_.front().first_stamp();
+  note_newest();
 }
 
 void TimeCache::note_newest() {
@@ -105,7 +125,7 @@ void TimeCache::note_newest() {
 void TimeCache::clear() {
   blocks_.clear();
   size_ = 0;
-  newest_stamp_ = 0;
+  newest_stamp_ = oldest_stamp_ = 0;
   newest_parent_ = no_parent;
   newest_value_ = nullptr;
 }
@@ -148,6 +168,7 @@ void TimeCache::prune() {
     ++first.begin;
     --size_;
     if (first.live() == 0) blocks_.erase(blocks_.begin());
+    oldest_stamp_ = blocks_.front().first_stamp();  // the newest is never too old, so there is one
   }
 }
 

@@ -18,9 +18,9 @@ using FrameId = std::uint32_t;
 inline constexpr FrameId no_parent = 0;
 inline constexpr Stamp unlimited = INT64_MAX;
 
-// stamp + age < newest, where the sum may lie beyond the range.
+// stamp + age < newest, where the sum may lie beyond the range. Nothing is older than unlimited.
 constexpr bool is_older_than(Stamp stamp, Stamp age, Stamp newest) {
-  return stamp <= INT64_MAX - age && stamp + age < newest;
+  return age != unlimited && stamp <= INT64_MAX - age && stamp + age < newest;
 }
 
 struct Sample {
@@ -89,8 +89,9 @@ class TimeCache {
   [[nodiscard]] bool empty() const { return size_ == 0; }
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] Stamp newest_stamp() const { return newest_stamp_; }
-  [[nodiscard]] Stamp oldest_stamp() const { return empty() ? 0 : blocks_.front().first_stamp(); }
+  [[nodiscard]] Stamp oldest_stamp() const { return oldest_stamp_; }
   [[nodiscard]] FrameId newest_parent() const { return newest_parent_; }
+  [[nodiscard]] const Transform* newest_value() const { return newest_value_; }  // null: empty
   [[nodiscard]] std::size_t memory() const;  // octets, without those viewed
 
   // Calls visit(stamp, parent, transform) for each sample, oldest first.
@@ -113,6 +114,7 @@ class TimeCache {
 
     [[nodiscard]] Stamp first_stamp() const { return stamps[begin]; }
     [[nodiscard]] std::size_t live() const { return stamps.size() - begin; }
+    void append(const Sample& sample);
     void insert(std::size_t index, const Sample& sample);
     void reserve();
     void drop_pruned();
@@ -139,12 +141,13 @@ class TimeCache {
   }
   void prune();
   void note_newest();
+  void note_ends();
 
   Stamp max_age_;
   std::size_t size_ = 0;
   std::vector<Block> blocks_;  // none is empty
-  // The last sample again: queries of the latest time read these alone. The pointer is into the last block.
-  Stamp newest_stamp_ = 0;
+  // The ends again, which most inserts and queries read alone. The pointer is into the last block.
+  Stamp newest_stamp_ = 0, oldest_stamp_ = 0;
   FrameId newest_parent_ = no_parent;
   const Transform* newest_value_ = nullptr;
 };

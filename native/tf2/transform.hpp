@@ -81,11 +81,22 @@ inline Quaternion quaternion_of_matrix(const std::array<double, 9>& m) {
 // Unit length and canonical sign. The zero quaternion gives NaN.
 inline Quaternion canonical(const Quaternion& q) {
   const double n = dot(q, q);
-  // The matrix's trace is 4w² - 1: where that is clearly positive, w > 0 is all there is to do, and 1/√n is its
-  // series, 1 - (n - 1)/2, to 1e-17.
-  if (std::abs(n - 1.0) < 5e-9 && q.w * q.w > 0.25001) {
-    const double s = std::copysign(1.5 - 0.5 * n, q.w);
-    return {s * q.x, s * q.y, s * q.z, s * q.w};
+  if (std::abs(n - 1.0) < 5e-9) {
+    const double s = 1.5 - 0.5 * n;  // 1/√n to 1e-17, by its series
+    const auto signed_as = [&](double leading) {
+      const double r = std::copysign(s, leading);
+      return Quaternion{r * q.x, r * q.y, r * q.z, r * q.w};
+    };
+    // The matrix's trace is 4w² - 1, and its diagonal is in the order of the squares: where these are clearly apart,
+    // the matrix would say no more than which number is to be positive.
+    constexpr double apart = 1e-6;
+    const double xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z, ww = q.w * q.w;
+    if (ww > 0.25 + apart) return signed_as(q.w);
+    if (ww < 0.25 - apart) {
+      if (xx > yy + apart && xx > zz + apart) return signed_as(q.x);
+      if (yy > xx + apart && yy > zz + apart) return signed_as(q.y);
+      if (zz > xx + apart && zz > yy + apart) return signed_as(q.z);
+    }
   }
   return quaternion_of_matrix(rotation_matrix(q));
 }

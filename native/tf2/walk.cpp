@@ -1,62 +1,91 @@
 #include "tf2/walk.hpp"
 
 #include <algorithm>
-#include <vector>
 
 namespace tfloom::tf2 {
-namespace {
 
-struct Link {
-  Stamp newest = 0;
-  FrameId parent = no_parent;
-};
+NewestChain::NewestChain(const FrameTable& frames, FrameId target, FrameId source) { find(frames, target, source); }
 
-Link newest_link(const Frame& frame) {
-  if (frame.kind != Frame::Kind::moving) return {0, frame.fixed_parent};
-  return {frame.history->newest_stamp(), frame.history->newest_parent()};
-}
-
-// Stamps of zero don't count: static frames have them.
-Stamp earlier(Stamp common, Stamp newest) { return newest == 0 ? common : std::min(common, newest); }
-Stamp settled(Stamp common) { return common == INT64_MAX ? 0 : common; }
-
-}  // namespace
-
-CommonTime latest_common_time(const FrameTable& frames, FrameId target, FrameId source) {
+void NewestChain::find(const FrameTable& frames, FrameId target, FrameId source) {
   using Kind = Failure::Kind;
-  if (target == no_parent || source == no_parent) return {{Kind::unconnected, {}, no_parent, 0}, 0};
-  if (target == source) return {{}, frames[source].newest_stamp()};
-
-  thread_local std::vector<Link> links;  // from the source up; keeps its memory from call to call
-  links.clear();
-  Stamp common = INT64_MAX;
-  FrameId frame = source;
-  for (int depth = 0;; ++depth) {
-    const Link link = newest_link(frames[frame]);
-    if (link.parent == no_parent) break;
-    if (depth >= longest_chain) return {{Kind::cycle, {}, frame, 0}, 0};
-    links.push_back(link);
-    common = earlier(common, link.newest);
-    frame = link.parent;
-    if (frame == target) return {{}, settled(common)};
+  constexpr auto longest = static_cast<std::size_t>(longest_chain);
+  if (target == no_parent || source == no_parent) {
+    failure_ = {Kind::unconnected, {}, no_parent, 0};
+    return;
   }
-
-  common = INT64_MAX;
-  frame = target;
-  for (int depth = 0;; ++depth) {
-    const Link link = newest_link(frames[frame]);
-    if (link.parent == no_parent) break;
-    if (depth >= longest_chain) return {{Kind::cycle, {}, frame, 0}, 0};
-    common = earlier(common, link.newest);
-    frame = link.parent;
-    if (frame == source) return {{}, settled(common)};
-    const auto meeting = std::find_if(links.begin(), links.end(), [&](const Link& l) { return l.parent == frame; });
-    if (meeting != links.end()) {
-      for (auto below = links.begin(); below <= meeting; ++below) common = earlier(common, below->newest);
-      return {{}, settled(common)};
+  FrameId top = source;
+  for (;;) {
+    const FrameId parent = frames.newest(top).parent;
+    if (parent == no_parent) break;
+    if (source_count_ == longest) {
+      failure_ = {Kind::cycle, {}, top, 0};
+      return;
+    }
+    source_[source_count_++] = top;
+    top = parent;
+    if (top == target) return settle(frames);
+  }
+  FrameId reached = target;
+  for (;;) {
+    const FrameId parent = frames.newest(reached).parent;
+    if (parent == no_parent) break;
+    if (target_count_ == longest) return meet_below(frames, reached);
+    target_[target_count_++] = reached;
+    reached = parent;
+    if (reached == source) {
+      source_count_ = 0;
+      return settle(frames);
     }
   }
-  return {{Kind::unconnected, {}, no_parent, 0}, 0};
+  if (reached != top) {
+    failure_ = {Kind::unconnected, {}, no_parent, 0};
+    return;
+  }
+  // Both branches go up to the root: what they share lies above where they meet.
+  while (source_count_ > 0 && target_count_ > 0 && source_[source_count_ - 1] == target_[target_count_ - 1]) {
+    --source_count_;
+    --target_count_;
+  }
+  settle(frames);
+}
+
+// The way to the root is too long, and what is above where the branches meet isn't asked for: they may do so in time.
+void NewestChain::meet_below(const FrameTable& frames, FrameId top) {
+  const std::size_t whole = target_count_;
+  for (target_count_ = 1; target_count_ <= whole; ++target_count_) {
+    const FrameId id = target_count_ < whole ? target_[target_count_] : top;
+    const auto all = source_links();
+    const auto meeting = std::ranges::find(all, id);
+    if (meeting == all.end()) continue;
+    source_count_ = static_cast<std::size_t>(meeting - all.begin());
+    settle(frames);
+    is_uniform_ = false;  // a lookup goes all the way, and fails
+    return;
+  }
+  failure_ = {Failure::Kind::cycle, {}, top, 0};
+}
+
+void NewestChain::settle(const FrameTable& frames) {
+  Stamp common = INT64_MAX, first = 0;
+  bool has_moving = false;
+  is_uniform_ = true;
+  for (const auto links : {source_links(), target_links()}) {
+    for (const FrameId id : links) {
+      const Newest& newest = frames.newest(id);
+      if (!newest.moves) continue;
+      if (newest.stamp != 0) common = std::min(common, newest.stamp);  // as static frames, stamps of zero don't count
+      if (!has_moving) first = newest.stamp;
+      has_moving = true;
+      is_uniform_ &= newest.stamp == first;
+    }
+  }
+  stamp_ = common == INT64_MAX ? 0 : common;
+}
+
+CommonTime latest_common_time(const FrameTable& frames, FrameId target, FrameId source) {
+  if (target == source && target != no_parent) return {{}, frames.newest(source).stamp};
+  const NewestChain chain(frames, target, source);
+  return {chain.failure(), chain.stamp()};
 }
 
 }  // namespace tfloom::tf2

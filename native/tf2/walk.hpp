@@ -1,6 +1,10 @@
 // The walk from two frames up to where their branches meet: the heart of every query. Callers hold the frames' lock.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <span>
+
 #include "tf2/frames.hpp"
 
 namespace tfloom::tf2 {
@@ -58,7 +62,35 @@ Failure walk(const FrameTable& frames, FrameId target, FrameId source, Stamp sta
   return {Kind::unconnected, {}, no_parent, stamp};
 }
 
-// The newest time at which the whole chain is known, by each frame's newest parent. Zero: all of it is static.
+// The chain between two different frames by each frame's newest parent, and the newest time at which all of it is
+// known. Zero: all of it is static.
+class NewestChain {
+ public:
+  NewestChain(const FrameTable& frames, FrameId target, FrameId source);
+
+  [[nodiscard]] const Failure& failure() const { return failure_; }
+  [[nodiscard]] Stamp stamp() const { return stamp_; }
+  // Whether each moving link's newest sample is of that time: then their newest values are the answer.
+  [[nodiscard]] bool is_uniform() const { return is_uniform_; }
+  // The frames below the one where the branches meet, from the bottom up.
+  [[nodiscard]] std::span<const FrameId> source_links() const { return {source_.data(), source_count_}; }
+  [[nodiscard]] std::span<const FrameId> target_links() const { return {target_.data(), target_count_}; }
+
+ private:
+  using Ids = std::array<FrameId, longest_chain + 1>;
+
+  void find(const FrameTable& frames, FrameId target, FrameId source);
+  void meet_below(const FrameTable& frames, FrameId top);
+  void settle(const FrameTable& frames);
+
+  Failure failure_;
+  Stamp stamp_ = 0;
+  bool is_uniform_ = false;
+  std::size_t source_count_ = 0, target_count_ = 0;
+  Ids source_, target_;  // not initialised: few are used
+};
+
+// Its time alone.
 struct CommonTime {
   Failure failure;
   Stamp stamp = 0;

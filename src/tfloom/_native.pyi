@@ -522,6 +522,20 @@ class Buffer:
     def memory(self) -> int:
         """What all histories take [octets]."""
 
+    def deskew_float32(self, fixed_frame: str, source_frame: str, target_from_fixed: Annotated[NDArray[numpy.float64], dict(shape=(7), order='C', device='cpu', writable=False)], stamps_ns: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], points: Annotated[NDArray[numpy.float32], dict(shape=(None, 3), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float32], dict(shape=(None, 3), order='C', device='cpu')], workers: int) -> None:
+        """
+        Write `points` (N, 3), each of `source_frame` at its of `stamps_ns` (N,), in `fixed_frame` and then moved by `target_from_fixed` (7,), into `out`.
+
+        Raises as `lookup` does for the first stamp without an answer, with its `index`.
+        """
+
+    def deskew_float64(self, fixed_frame: str, source_frame: str, target_from_fixed: Annotated[NDArray[numpy.float64], dict(shape=(7), order='C', device='cpu', writable=False)], stamps_ns: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], points: Annotated[NDArray[numpy.float64], dict(shape=(None, 3), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float64], dict(shape=(None, 3), order='C', device='cpu')], workers: int) -> None:
+        """
+        Write `points` (N, 3), each of `source_frame` at its of `stamps_ns` (N,), in `fixed_frame` and then moved by `target_from_fixed` (7,), into `out`.
+
+        Raises as `lookup` does for the first stamp without an answer, with its `index`.
+        """
+
     def frozen(self) -> bytes:
         """Return all that is stored as the bytes of a frozen buffer."""
 
@@ -601,19 +615,9 @@ def move_points_float32(transform: Annotated[NDArray[numpy.float64], dict(shape=
     Write `transform` (7,) of `points` (N, 3) into `out`, which may be `points`.
     """
 
-def move_each_point_float32(first: Annotated[NDArray[numpy.float64], dict(shape=(7), order='C', device='cpu', writable=False)], each: Annotated[NDArray[numpy.float64], dict(shape=(None, 7), order='C', device='cpu', writable=False)], points: Annotated[NDArray[numpy.float32], dict(shape=(None, 3), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float32], dict(shape=(None, 3), order='C', device='cpu')]) -> None:
-    """
-    Write first · each[i] of points[i] into out[i]: (7,), (N, 7), (N, 3), (N, 3).
-    """
-
 def move_points_float64(transform: Annotated[NDArray[numpy.float64], dict(shape=(7), order='C', device='cpu', writable=False)], points: Annotated[NDArray[numpy.float64], dict(shape=(None, 3), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float64], dict(shape=(None, 3), order='C', device='cpu')]) -> None:
     """
     Write `transform` (7,) of `points` (N, 3) into `out`, which may be `points`.
-    """
-
-def move_each_point_float64(first: Annotated[NDArray[numpy.float64], dict(shape=(7), order='C', device='cpu', writable=False)], each: Annotated[NDArray[numpy.float64], dict(shape=(None, 7), order='C', device='cpu', writable=False)], points: Annotated[NDArray[numpy.float64], dict(shape=(None, 3), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float64], dict(shape=(None, 3), order='C', device='cpu')]) -> None:
-    """
-    Write first · each[i] of points[i] into out[i]: (7,), (N, 7), (N, 3), (N, 3).
     """
 
 def matrices(rows: Annotated[NDArray[numpy.float64], dict(shape=(None, 7), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float64], dict(shape=(None, 4, 4), order='C', device='cpu')]) -> None:

@@ -1,5 +1,6 @@
 // Inserts, lookups, waits, requests and listings at once on one buffer. Ends with 0 if every answer was sound; the
 // sanitizer that it's built with watches the rest.
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -59,8 +60,11 @@ void look_many_up(const Buffer& buffer) {
   for (int k = 0; k < steps; ++k) stamps.push_back(start + k * step + step / 3);
   std::vector<Transform> out(stamps.size());
   std::vector<std::uint8_t> known(stamps.size());
-  while (!done) {
+  std::vector<float> points(3 * stamps.size());
+  for (int n = 0; !done; ++n) {
+    if (n % 2 == 1) std::ranges::reverse(stamps);  // in another order they're sorted first
     lookup_many(buffer, target, source, stamps, out, known, false, 2);
+    static_cast<void>(deskew(buffer, target, source, Transform{}, stamps, points.data(), points.data(), 2));
     for (std::size_t i = 0; i < out.size(); ++i) {
       if (known[i]) check(std::abs(out[i].translation.x - links * (links + 1) / 2.0) < 1e-9, "one of many lengths");
     }
@@ -90,9 +94,21 @@ void request(Buffer& buffer, std::atomic<int>& answered, int& asked) {
   }
 }
 
+// What the newest links say is kept twice, and must change with every change.
+void change(Buffer& buffer) {
+  for (int k = 0; k < 500; ++k) {  // an id is not used again
+    const Entry entry{"f0", "beside", start + k, {{1, 2, 3}, {}}};
+    buffer.set({&entry, 1}, "beside", k % 3 == 0);
+    const auto found = buffer.lookup(Query::at("f0", "beside", latest));
+    check(found && found->value.translation == Vector3{1, 2, 3}, "a frame that was just set");
+    check(buffer.remove_frame("beside"), "a frame to remove");
+    check(!buffer.can(Query::at("f0", "beside", latest)), "a frame that was removed");
+  }
+}
+
 void list(const Buffer& buffer) {
   while (!done) {
-    check(buffer.frame_names().size() <= links + 1, "the number of frames");
+    check(buffer.frame_names().size() <= links + 2, "the number of frames");
     static_cast<void>(buffer.all_frames_as_yaml(0.0));
     static_cast<void>(buffer.latest_common_time(name_of(0), name_of(links)));
   }
@@ -110,6 +126,7 @@ int main() {
   readers.emplace_back(look_up, std::cref(buffer));
   readers.emplace_back(look_many_up, std::cref(buffer));
   readers.emplace_back(list, std::cref(buffer));
+  readers.emplace_back(change, std::ref(buffer));
   std::thread waiter(wait, std::cref(buffer));
   std::thread requester(request, std::ref(buffer), std::ref(answered), std::ref(asked));
   std::thread even(insert, std::ref(buffer), 0), odd(insert, std::ref(buffer), 1);

@@ -97,6 +97,39 @@ def test_stamps_of_other_kinds(buffer: Buffer) -> None:
     assert not buffer.lookup_many("map", "laser", edges, strict=False).known.any()
 
 
+@pytest.mark.parametrize("count", [2, 300, 700, 20_000])
+@pytest.mark.parametrize("workers", [1, 3])
+def test_any_order_of_stamps_gives_the_answers_in_that_order(
+    buffer: Buffer, random: np.random.Generator, count: int, workers: int
+) -> None:
+    ascending = np.sort(random.integers(START, START + 10 * SECOND, count))
+    expected = buffer.lookup_many("map", "laser", ascending)
+    order = random.permutation(count)
+    poses = buffer.lookup_many("map", "laser", ascending[order], workers=workers)
+    assert np.abs(poses.positions - expected.positions[order]).max() < 1e-12
+    assert np.abs(poses.rotations_xyzw - expected.rotations_xyzw[order]).max() < 1e-12
+
+    points = random.normal(size=(count, 3))
+    moved = buffer.deskew(points, ascending, "map", "laser", "odom", START, workers=workers)
+    again = buffer.deskew(points[order], ascending[order], "map", "laser", "odom", START, workers=workers)
+    assert np.abs(again - moved[order]).max() < 1e-12
+
+
+@pytest.mark.parametrize("workers", [1, 3])
+def test_the_first_failure_is_the_first_in_the_order_given(
+    buffer: Buffer, random: np.random.Generator, workers: int
+) -> None:
+    stamps = random.integers(START, START + 10 * SECOND, 5000)
+    stamps[[40, 3000, 4999]] = START + 20 * SECOND, START - SECOND, START - 2 * SECOND
+    with pytest.raises(ExtrapolationException) as raised:
+        buffer.lookup_many("map", "laser", stamps, workers=workers)
+    assert raised.value.index == 40
+    assert raised.value.requested_ns == stamps[40]
+    with pytest.raises(ExtrapolationException) as raised:
+        buffer.deskew(np.zeros((5000, 3)), stamps, "map", "laser", "odom", START, workers=workers)
+    assert raised.value.index == 40
+
+
 @pytest.mark.parametrize(
     ("stamps", "kind", "text"),
     [

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tfloom import _native
-from tfloom.tf2.errors import TransformException
 from tfloom.tf2.frames import Frames
 
 if TYPE_CHECKING:
@@ -13,9 +12,6 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 __all__ = ["Arrays", "Poses", "Samples"]
-
-DESKEW_PART = 4096
-"""Points that a worker deskews at a time."""
 
 
 BEYOND = "stamps_ns must fit into 64 bits of nanoseconds: years 1677 to 2262"
@@ -147,7 +143,7 @@ class Arrays(Frames):
             fixed_frame: A frame that did not move meanwhile: odom or map.
             target_stamp_ns: The one time [ns since epoch]; 0 is the latest.
             out: Array to write into, as in `transform_points`.
-            workers: How many threads share the lookups.
+            workers: How many threads share the work.
 
         Returns:
             (N, 3) of the points' type: `out`, or a new array.
@@ -156,39 +152,22 @@ class Arrays(Frames):
             TransformException: as `lookup`; for a point's stamp, its `index` says which.
             TypeError, ValueError: an array has the wrong type or shape.
         """
-        import numpy as np
-
         checked = _points(points)
         stamps = _stamps(stamps_ns)
         if len(stamps) != len(checked):
             raise ValueError(
                 f"there must be a stamp for each point: {len(checked)} points, {len(stamps)} stamps"
             )
-        result = _out(checked, out)
+        if out is not None:
+            _out(checked, out)
+        result = _out(checked, None)  # `out` stays as it is where a stamp has no answer
         first = self.lookup(target_frame, fixed_frame, target_stamp_ns)
-        is_short = checked.dtype == "float32"
-        move = _native.move_each_point_float32 if is_short else _native.move_each_point_float64
-        # In parts whose transforms stay in the processor's cache, except where `out` would be left half done.
-        size = max(1, DESKEW_PART * workers if out is None else len(stamps))
-        rows, known = np.empty((min(size, len(stamps)), 7)), np.empty(min(size, len(stamps)), np.uint8)
-        for start in range(0, len(stamps), size):
-            part = slice(start, start + size)
-            count = len(stamps[part])
-            try:
-                self.fill_many(
-                    fixed_frame,
-                    source_frame,
-                    stamps[part],
-                    rows[:count],
-                    known[:count],
-                    True,
-                    max(1, workers),
-                )
-            except TransformException as error:
-                error.index += start  # type: ignore[attr-defined]
-                raise
-            move(_row(first), rows[:count], checked[part], result[part])
-        return result
+        fill = self.deskew_float32 if checked.dtype == "float32" else self.deskew_float64
+        fill(fixed_frame, source_frame, _row(first), stamps, checked, result, max(1, workers))
+        if out is None:
+            return result
+        out[...] = result
+        return out
 
     def set_many(
         self,

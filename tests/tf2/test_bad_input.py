@@ -1,0 +1,198 @@
+"""What is wrong with an input has a defined answer: an error that says so, a rejection, or numbers as they were given.
+
+Names, NaN and zero quaternions, and chains that are too long are in test_buffer.py; arrays of the wrong shape or type
+in test_arrays.py.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from tfloom.interfaces.geometry_msgs.msg import TransformStamped
+from tfloom.interfaces.tf2_msgs.msg import TFMessage
+from tfloom.rosidl import cdr
+from tfloom.tf2 import errors
+from tfloom.tf2.buffer import Buffer
+from tfloom.tf2.transform import Transform
+
+SECOND = 1_000_000_000
+HERE, UPRIGHT = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0)
+EXTREMES = [-(2**63), -SECOND, -1, 1, 2**63 - 1]
+
+
+@pytest.fixture
+def buffer() -> Buffer:
+    buffer = Buffer(None)
+    buffer.set_log_callback(None)
+    stamps = SECOND + np.arange(100) * 1000
+    buffer.set_many("a", "b", stamps, np.arange(300.0).reshape(100, 3), np.tile(UPRIGHT, (100, 1)))
+    return buffer
+
+
+@pytest.mark.parametrize("quaternion", [(math.inf, 0, 0, 1), (0, 0, -math.inf, 0), (math.inf,) * 4])
+def test_infinite_quaternions_are_rejected(buffer: Buffer, quaternion: tuple[float, ...]) -> None:
+    assert not buffer.set("a", "c", SECOND, HERE, quaternion)
+    assert not buffer.has_frame("c")
+    with pytest.raises(ValueError, match="rotation_xyzw has no direction"):
+        Transform(HERE, quaternion)
+
+
+@pytest.mark.parametrize("tiny", [5e-324, 1e-310, 1e-160])
+def test_denormal_quaternions_are_rejected(buffer: Buffer, tiny: float) -> None:
+    assert not buffer.set("a", "c", SECOND, HERE, (0, tiny, 0, tiny))
+    assert buffer.set("a", "c", SECOND, HERE, (0, tiny, 0, 1))
+    assert buffer.lookup("a", "c").rotation_xyzw == pytest.approx(UPRIGHT)
+
+
+def test_an_infinite_position_makes_the_answer_no_number_and_no_error(buffer: Buffer) -> None:
+    assert buffer.set("b", "c", SECOND, (math.inf, 0, 0), UPRIGHT)
+    assert not np.isfinite(buffer.lookup("a", "c").translation).all()
+    assert not np.isfinite(buffer.lookup("c", "a").translation).all()
+    assert not np.isfinite(buffer.lookup_many("a", "c", [SECOND]).positions).all()
+    assert buffer.lookup("a", "b").translation == (297, 298, 299)
+
+
+def test_arrays_store_what_is_sound(buffer: Buffer) -> None:
+    positions, rotations = np.ones((6, 3)), np.tile(UPRIGHT, (6, 1))
+    positions[1, 2], positions[2, 0] = math.nan, math.inf
+    rotations[3], rotations[4, 1], rotations[5] = 0, math.nan, (0, 0, 0, 1e-200)
+    stamps = 2 * SECOND + np.arange(6)
+    assert buffer.set_many("a", "new", stamps, positions, rotations) == 2
+    assert buffer.to_arrays("a", "new").stamps_ns.tolist() == [stamps[0], stamps[2]]
+
+
+@pytest.mark.parametrize("name", ["", "/", "//"])
+def test_names_that_are_none(buffer: Buffer, name: str) -> None:
+    if name != "//":  # known as "/", which nobody can ask for
+        assert not buffer.set("a", name, SECOND, HERE, UPRIGHT)
+        assert not buffer.set(name, "a", SECOND, HERE, UPRIGHT)
+        assert buffer.set_many(name, "a", [SECOND], [HERE], [UPRIGHT]) == 0
+        message = TransformStamped(child_frame_id=name)
+        message.header.frame_id = "a"
+        message.transform.rotation.w = 1.0
+        assert buffer.insert_cdr(cdr.encode(TFMessage(transforms=[message]))) == 0
+    assert not buffer.can("a", name)
+    for ask in (
+        lambda: buffer.lookup("a", name),
+        lambda: buffer.lookup_many("a", name, [SECOND]),
+        lambda: buffer.transform_points(np.zeros((1, 3)), name, "a"),
+        lambda: buffer.deskew(np.zeros((1, 3)), [SECOND], "a", name, "a"),
+        lambda: buffer.latest_common_time(name, "a"),
+    ):
+        with pytest.raises(errors.InvalidArgumentException, match="frame_ids cannot"):
+            ask()
+
+
+@pytest.mark.parametrize("stamp", EXTREMES)
+def test_arrays_hold_any_stamp_of_64_bits(stamp: int) -> None:
+    buffer = Buffer(None)
+    assert buffer.set_many("a", "b", [stamp], [(1, 2, 3)], [UPRIGHT]) == 1
+    assert buffer.lookup_many("a", "b", [stamp]).positions.tolist() == [[1, 2, 3]]
+    assert buffer.to_arrays("a", "b").stamps_ns.tolist() == [stamp]
+    others = [other for other in EXTREMES if other != stamp]
+    assert not buffer.lookup_many("a", "b", others * 500, strict=False).known.any()
+
+
+def test_stamps_over_all_of_time_in_any_order() -> None:
+    buffer = Buffer(None)
+    buffer.set_many("a", "b", EXTREMES, np.arange(15.0).reshape(5, 3), np.tile(UPRIGHT, (5, 1)))
+    random = np.random.default_rng(7)
+    asked = random.integers(-(2**63), 2**63 - 1, 2000, endpoint=True)
+    poses = buffer.lookup_many("a", "b", asked)
+    for index, stamp in enumerate(asked.tolist()):
+        assert poses.positions[index] == pytest.approx(buffer.lookup("a", "b", stamp).translation)
+
+
+def test_arrays_that_are_read_only_or_not_contiguous(buffer: Buffer) -> None:
+    stamps = np.repeat(SECOND + np.arange(100) * 1000, 2)[::2]
+    positions, rotations = np.asfortranarray(np.ones((100, 3))), np.ones((100, 8))[:, ::2]
+    points = np.ones((200, 3), np.float32)[::2]
+    for array in (stamps, positions, rotations, points):
+        array.flags.writeable = False
+    assert buffer.set_many("a", "c", stamps, positions, rotations) == 100
+    assert buffer.lookup_many("a", "b", stamps[::-1]).positions[0].tolist() == [297, 298, 299]
+    assert (buffer.deskew(points, stamps, "a", "b", "a")[:, 0] == 1 + 3 * np.arange(100)).all()
+    kept = np.zeros((100, 3), np.float32)
+    kept.flags.writeable = False
+    with pytest.raises(ValueError, match="writeable"):
+        buffer.deskew(points, stamps, "a", "b", "a", out=kept)
+    with pytest.raises(ValueError, match="writeable"):
+        buffer.transform_points(points, "a", "b", out=kept)
+
+
+def test_no_stamps_and_no_points(buffer: Buffer) -> None:
+    assert buffer.lookup_many("a", "b", []).positions.shape == (0, 3)
+    assert buffer.lookup_many("a", "b", [], workers=8).known.shape == (0,)
+    assert buffer.set_many("a", "b", [], np.empty((0, 3)), np.empty((0, 4))) == 0
+    assert buffer.transform_points(np.empty((0, 3)), "a", "b").shape == (0, 3)
+    assert buffer.deskew(np.empty((0, 3)), [], "a", "b", "a").shape == (0, 3)
+
+
+@pytest.mark.parametrize("workers", [-1, 0, 1, 3, 10**6])
+def test_any_number_of_workers(buffer: Buffer, workers: int) -> None:
+    stamps = np.random.default_rng(3).integers(SECOND, SECOND + 99_000, 5000)
+    assert (buffer.lookup_many("a", "b", stamps, workers=workers).positions[:, 0] >= 0).all()
+
+
+def test_points_that_are_no_numbers_stay_so(buffer: Buffer) -> None:
+    points = np.array([[math.nan, 0, 0], [0, math.inf, 0], [1, 2, 3]], np.float32)
+    for moved in (
+        buffer.transform_points(points, "a", "b"),
+        buffer.deskew(points, [SECOND + 99_000] * 3, "a", "b", "a"),
+    ):
+        assert np.isfinite(moved).all(axis=1).tolist() == [False, False, True]
+        assert moved[2].tolist() == [298, 300, 302]
+
+
+def test_a_failed_deskew_leaves_out_as_it_was(buffer: Buffer) -> None:
+    points = np.ones((2000, 3))
+    stamps = np.full(2000, SECOND)
+    stamps[[1700, 300]] = 5
+    with pytest.raises(errors.ExtrapolationException) as raised:
+        buffer.deskew(points, stamps, "a", "b", "a", out=points)
+    assert raised.value.index == 300
+    assert (points == 1).all()
+
+
+def test_a_chain_of_a_hundred_thousand_frames_is_too_long_and_ends() -> None:
+    buffer = Buffer()
+    for index in range(100_000):
+        buffer.set(f"f{index}", f"f{index + 1}", SECOND, (1, 0, 0), UPRIGHT)
+    assert buffer.lookup("f500", "f900").translation == (400, 0, 0)
+    for pair in (("f0", "f100000"), ("f100000", "f0")):
+        with pytest.raises(errors.LookupException, match="loop"):
+            buffer.lookup(*pair)
+        assert not buffer.lookup_many(*pair, [0, SECOND], strict=False).known.any()
+
+
+def test_common_time_needs_no_way_to_the_root() -> None:
+    buffer = Buffer()
+    for index in range(1200):
+        buffer.set(f"trunk{index}", f"trunk{index + 1}", 2 * SECOND, (1, 0, 0), UPRIGHT)
+    for side in ("left", "right"):
+        buffer.set("trunk900", side, 2 * SECOND, HERE, UPRIGHT)
+        for index in range(400):
+            below = side if index == 0 else f"{side}{index}"
+            buffer.set(below, f"{side}{index + 1}", 2 * SECOND, HERE, UPRIGHT)
+    assert buffer.latest_common_time("left99", "right9") == 2 * SECOND
+    assert buffer.latest_common_time("left400", "right9") == 2 * SECOND
+    assert buffer.latest_common_time("left400", "trunk900") == 2 * SECOND
+    with pytest.raises(errors.LookupException, match="loop"):
+        buffer.lookup("left400", "right9")
+
+
+def test_a_cycle_for_many_stamps_and_points(buffer: Buffer) -> None:
+    for parent, child in (("a", "b"), ("b", "c"), ("c", "a")):
+        buffer.set(parent, child, 9 * SECOND, HERE, UPRIGHT)
+    buffer.set("x", "y", 9 * SECOND, HERE, UPRIGHT)
+    for ask in (
+        lambda: buffer.lookup_many("x", "a", [9 * SECOND]),
+        lambda: buffer.lookup_many("x", "a", [0]),
+        lambda: buffer.transform_points(np.zeros((1, 3)), "x", "a"),
+        lambda: buffer.latest_common_time("x", "a"),
+    ):
+        with pytest.raises(errors.LookupException, match="loop"):
+            ask()
