@@ -5,11 +5,15 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 import transcript
+from test_usage import VERBS
+
+from tfloom.cli.completion import find_offer
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="completion is a shell's")
 
@@ -43,6 +47,8 @@ def complete(line: str, tmp_path: Path) -> list[str]:
         ("tfloom interface show geometry_msgs/msg/TwistW", None),
         ("tfloom interface package geo", {"geometry_msgs"}),
         ("tfloom topic pub /nobodys geometry_msgs/msg/Twist", None),
+        ("tfloom service find std_srvs/srv/Em", {"std_srvs/srv/Empty"}),
+        ("tfloom action send_goal /nobodys turtlesim/action/Rot", {"turtlesim/action/RotateAbsolute"}),
     ],
 )
 def test_words_and_names(
@@ -67,6 +73,30 @@ def test_a_workspaces_programs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path))
     assert complete("tfloom run my_p", tmp_path) == ["my_pkg"]
     assert complete("tfloom run my_pkg my", tmp_path) == ["my_program"]
+
+
+FREE = {"values", "goal", "value", "argv", "parameter_file"}
+
+
+@pytest.mark.parametrize("verb", VERBS)
+def test_each_argument_offers_something_or_is_free_text(verb: str) -> None:
+    for action in VERBS[verb]._actions:
+        if (
+            not action.option_strings
+            and not action.choices
+            and verb != "pkg create"
+            and action.dest not in FREE
+        ):
+            assert find_offer(verb.split(), action.dest), action.dest
+
+
+@pytest.mark.wire
+def test_lifecycle_nodes_and_what_they_can_be_asked_for(
+    domain_id: int, tmp_path: Path, start_program: Callable[..., object]
+) -> None:
+    start_program("python", Path(__file__).with_name("a_lifecycle_node.py")).wait_for("ready")
+    assert complete("tfloom lifecycle get /", tmp_path) == ["/a_node"]
+    assert complete("tfloom lifecycle set /a_node con", tmp_path) == ["configure"]
 
 
 @pytest.mark.wire
@@ -107,9 +137,17 @@ INTERACTIVE = {
 
 
 @pytest.mark.parametrize("name", INTERACTIVE)
-def test_in_a_real_shell(name: str, start_program: Callable[..., object]) -> None:
+def test_in_a_real_shell(
+    name: str, domain_id: int, tmp_path: Path, start_program: Callable[..., object]
+) -> None:
     if not shutil.which(name):
         pytest.skip(f"needs {name}")
+    start_program("tfloom", "topic", "pub", "/my_topic", "std_msgs/msg/Empty").wait_for("#1")
+    ros2 = tmp_path / "ros2"  # As the distribution tfloom-ros2 installs it.
+    ros2.write_text(
+        f"#!{sys.executable}\n# PYTHON_ARGCOMPLETE_OK\nfrom tfloom.cli.main import main\nmain(prog='ros2')\n"
+    )
+    ros2.chmod(0o755)
     command, setting_up = INTERACTIVE[name]
     shell = start_program("python", "-c", f"import pty; pty.spawn({command})", stdin=subprocess.PIPE)
     folder = transcript.PROGRAM.parent
@@ -119,13 +157,19 @@ def test_in_a_real_shell(name: str, start_program: Callable[..., object]) -> Non
         shell.process.stdin.flush()
 
     type_keys(
-        f"PATH={folder}:$PATH; {setting_up}; "
+        f"PATH={tmp_path}:{folder}:$PATH; {setting_up}; "
         'eval "$(register-python-argcomplete tfloom ros2)"; echo is re""ady\n'
     )
     shell.wait_for("is ready")
     # Control-A goes to the line's begin: the completed line is printed, not run.
-    type_keys("tfloom run turtlesim turtlesim_n\t\x01echo 'it is' \x05\n")
-    shell.wait_for("it is tfloom run turtlesim turtlesim_node")
+    for line, whole in (
+        ("tfloom run turtlesim turtlesim_n", "tfloom run turtlesim turtlesim_node"),
+        ("ros2 topic ech", "ros2 topic echo"),
+        ("ros2 topic echo /my_to", "ros2 topic echo /my_topic"),
+        ("ros2 topic pub /my_topic ", "ros2 topic pub /my_topic std_msgs/msg/Empty"),
+    ):
+        type_keys(f"{line}\t\x01echo 'it is' \x05\n")
+        shell.wait_for(f"it is {whole}")
     type_keys("exit\n")
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -14,7 +15,7 @@ import pytest
 import transcript
 
 from tfloom.cli import main as cli
-from tfloom.cli.parser import Group
+from tfloom.cli.parser import Group, VerbParser
 
 
 def verb_modules() -> list[str]:
@@ -32,6 +33,33 @@ def test_each_verb_of_the_table_is_a_file_with_its_two_functions(module: str) ->
     verb = import_module(module)
     assert callable(verb.add_arguments)
     assert callable(verb.main)
+
+
+def test_the_page_of_the_commands_names_each_verb_and_no_other() -> None:
+    page = (Path(__file__).parents[2] / "docs" / "commands.md").read_text("utf-8")
+    rows = [line.strip("|").split("|") for line in page.splitlines() if line.startswith("| `")]
+    named = {
+        word: set(re.findall(r"`(\w+)`", verbs)) if isinstance(cli.COMMANDS.get(word), Group) else set()
+        for words, verbs in rows
+        for word in re.findall(r"`(\w+)`", words)
+    }
+    table = {
+        word: set(command.verbs) if isinstance(command, Group) else set()
+        for word, command in cli.COMMANDS.items()
+    }
+    # That there is no daemon is said without its verbs.
+    assert named | {"daemon": set()} == table | {"daemon": set()}
+
+
+@pytest.mark.parametrize("word", ["topic", "param", "run", "doctor"])
+def test_flags_that_the_page_names_are_there(word: str) -> None:
+    page = (Path(__file__).parents[2] / "docs" / "commands.md").read_text("utf-8")
+    asked = re.findall(rf"`(?:ros2 )?{word} ?(\w*)[^`]*?(--[\w-]+)", page)
+    for verb, flag in asked:
+        module = import_module(f"tfloom.cli.{word}.{verb}" if verb else f"tfloom.cli.{word}")
+        parser = VerbParser()
+        module.add_arguments(parser)
+        assert flag in parser.flags(), (word, verb, flag)
 
 
 def test_without_a_verb_there_is_help() -> None:

@@ -6,6 +6,7 @@ import json
 import re
 from itertools import pairwise
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -14,6 +15,7 @@ from tfloom._native import DdsParticipant, DdsWriter, ReadyQueue
 from tfloom.rmw import node_lists
 from tfloom.rmw.base import NodeName, Service, Topic
 from tfloom.rmw.cyclone_config import configuration
+from tfloom.rmw.cyclone_graph import CycloneGraph
 from tfloom.rmw.cyclone_library import find_library
 from tfloom.rmw.cyclonedds import open_participant
 from tfloom.rmw.qos import (
@@ -218,3 +220,33 @@ def test_off_finds_nobody_and_nobody_finds_it(domain_id, monkeypatch, start_peer
         wait_until(lambda p=peer: p("nodes") == ["/peers/peer_0", "/peers/peer_1"])
     assert hidden.graph.nodes() == [NodeName("/", "hidden")]
     hidden.close()
+
+
+PARTICIPANT, WRITER, OTHER = (bytes([number]) * 16 for number in (1, 2, 3))
+QUALITY = (1, 1, 1, 1, 0, 0, 1, 0)
+LIST = node_lists.encode(PARTICIPANT, [node_lists.NodeEnds(NodeName("/", "a"), [], [WRITER])])
+
+
+def writer_on(topic: bytes) -> tuple[object, ...]:
+    return (WRITER, PARTICIPANT, True, topic, b"std_msgs::msg::dds_::Empty_", b"", QUALITY)
+
+
+@pytest.mark.parametrize(
+    ("user_data", "node_list", "endpoints", "is_whole"),
+    [
+        (b"enclave=/;", LIST, [writer_on(b"rt/x")], True),
+        (b"enclave=/;", LIST, [], False),
+        (b"enclave=/;", b"", [writer_on(b"rt/x")], False),
+        (b"enclave=/;", b"", [writer_on(b"rr/xReply")], False),
+        (b"enclave=/;", b"", [writer_on(b"ros_discovery_info")], True),
+        (b"enclave=/;", b"", [], True),
+        (b"", b"", [writer_on(b"rt/x")], True),
+    ],
+    ids=["all", "an end is to come", "a list", "a list, of a service", "no nodes", "nothing", "no ROS"],
+)
+def test_what_was_announced_is_missed(
+    user_data: bytes, node_list: bytes, endpoints: list[tuple[object, ...]], is_whole: bool
+) -> None:
+    graph = CycloneGraph.__new__(CycloneGraph)
+    graph._native = SimpleNamespace(snapshot=lambda: ([(PARTICIPANT, user_data, node_list)], endpoints))
+    assert graph._read(1).is_whole is is_whole

@@ -27,9 +27,15 @@ def complete_argument(
         values: Iterable[str] = [str(choice) for choice in action.choices]
     else:
         verb = parser.prog.split()[1:]
-        offer = _OFFERS.get((*verb[:1], action.dest)) or _OFFERS.get((action.dest,))
+        offer = find_offer(verb, action.dest)
         values = offer(parsed_args) if offer else ()
     return [value for value in values if value.startswith(prefix)]
+
+
+def find_offer(verb: list[str], argument: str) -> Callable[[argparse.Namespace], Iterable[str]] | None:
+    """Return what offers values for an argument of a verb, or None where it is free text."""
+    keys = [(*verb[-1:], argument), (*verb[:1], argument), (argument,)]
+    return next((_OFFERS[key] for key in keys if key in _OFFERS), None)
 
 
 def _topics(_: argparse.Namespace) -> list[str]:
@@ -102,6 +108,23 @@ def _parameters(args: argparse.Namespace) -> list[str]:
         return nodes[0][1].names()
 
 
+def _lifecycle_nodes(_: argparse.Namespace) -> list[str]:
+    from tfloom.cli import graph
+    from tfloom.cli.lifecycle.common import lifecycle_nodes
+
+    with graph.settled_graph(argparse.Namespace(spin_time=MOST_S)) as found:
+        return lifecycle_nodes(found, hidden=False)
+
+
+def _transitions(args: argparse.Namespace) -> list[str]:
+    """Return the transitions that the node can be asked for now."""
+    from tfloom.cli.lifecycle.common import lifecycles
+
+    asked = argparse.Namespace(spin_time=MOST_S, include_hidden_nodes=True)
+    with lifecycles(asked, args.node_name) as nodes:
+        return [each.transition.label for each in nodes[0].transitions()]
+
+
 def _packages(_: argparse.Namespace) -> list[str]:
     return sorted({*index.workspace_packages(), *index.own_packages()})
 
@@ -140,6 +163,9 @@ _OFFERS: dict[tuple[str, ...], Callable[[argparse.Namespace], Iterable[str]]] = 
     ("parameter_name",): _parameters,
     ("parameter_names",): _parameters,
     ("topic_type",): lambda _: _interfaces("msg"),
+    ("find", "service_type"): lambda _: _interfaces("srv"),
+    ("transition",): _transitions,
+    ("lifecycle", "node_name"): _lifecycle_nodes,
     ("node_name",): _nodes,
     ("package_name",): _packages,
     ("run", "package_name"): _packages_with_programs,
@@ -147,4 +173,4 @@ _OFFERS: dict[tuple[str, ...], Callable[[argparse.Namespace], Iterable[str]]] = 
     ("interface", "package_name"): lambda _: list(interfaces.interface_packages()),
     ("interface", "type"): lambda _: _interfaces(),
 }
-"""What to offer, by the first word of the verb and the argument's name, or by the name alone."""
+"""What to offer, by the last or first word of the verb and the argument's name, or by the name alone."""

@@ -16,6 +16,14 @@ QUIET_S = 0.15
 """Discovery is over when nothing new has come for so long [s]."""
 LEAST_S = 0.2
 """…and not before [s]."""
+PATIENCE_S = 1.0
+"""How much longer to wait at most for what is missing, and on a busy machine [s]."""
+LOOK_S = 0.05
+"""How long to sleep at a time [s]."""
+PUNCTUAL_S = 0.005
+"""How late a sleep may end [s]; what is later tells of a busy machine."""
+LATE_WEIGHT = 4.0
+"""How much longer to wait for each second that sleeps ended late."""
 MOST_S = 5.0
 """How long to listen at most when no --spin-time says so [s]."""
 
@@ -55,20 +63,30 @@ def settled_graph(args: argparse.Namespace) -> Iterator[Graph]:
 
 
 def wait_until_quiet(graph: Graph, most_s: float) -> None:
-    """Wait until the graph has not changed for `QUIET_S`: at least `LEAST_S`, at most `most_s` [s]."""
+    """Wait until the graph has not changed for `QUIET_S`: at least `LEAST_S`, at most `most_s` [s].
+
+    It waits longer, up to `PATIENCE_S`, while something is known to be missing, and where this process didn't get
+    the processor in time: then the others may not have got it either.
+    """
     queue = ReadyQueue()
     start = time.monotonic()
     graph.notify(queue)
     try:
-        seen, changed = graph.changes(), start
+        seen, changed, late_s = graph.changes(), start, 0.0
         while True:
-            until = min(max(start + LEAST_S, changed + QUIET_S), start + most_s)
-            left = until - time.monotonic()
-            if left <= 0:
-                return
-            queue.wait(int(left * 1e9) + 1)
-            if (now := graph.changes()) != seen:
-                seen, changed = now, time.monotonic()
+            now = time.monotonic()
+            quiet = max(start + LEAST_S, changed + QUIET_S) + min(LATE_WEIGHT * late_s, PATIENCE_S)
+            until = min(quiet, start + most_s)
+            if now >= until:
+                if now >= min(until + PATIENCE_S, start + most_s) or graph.is_whole():
+                    return
+                until = now + LOOK_S
+            asked_s = min(until - now, LOOK_S)
+            came = queue.wait(int(asked_s * 1e9) + 1)
+            if not came:
+                late_s += max(0.0, time.monotonic() - now - asked_s - PUNCTUAL_S)
+            if (changes := graph.changes()) != seen:
+                seen, changed = changes, time.monotonic()
     finally:
         graph.notify(None)
 

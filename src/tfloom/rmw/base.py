@@ -143,6 +143,9 @@ class Graph(Protocol):
     def changes(self) -> int:
         """Return a number that grows with each change, for "wait until it is quiet"."""
 
+    def is_whole(self) -> bool:
+        """Tell whether all has come of what is known to come; there may be others of whom nothing came yet."""
+
 
 class Endpoint(Protocol):
     """What a writer and a reader have in common."""

@@ -27,6 +27,7 @@ class _View(NamedTuple):
 
     changes: int
     enclaves: list[tuple[NodeName, str]]
+    is_whole: bool
     raw_endpoints: list[EndpointInfo]
     endpoints: list[EndpointInfo]
     service_ends: list[ServiceEndInfo]
@@ -44,7 +45,7 @@ class CycloneGraph:
             NODE_LIST_USER_DATA,
         )
         self._lock = threading.Lock()
-        self._view = _View(-1, [], [], [], [])
+        self._view = _View(-1, [], False, [], [], [])
 
     def nodes(self) -> list[NodeName]:
         """Return the nodes, one entry for each, in order of their full names."""
@@ -74,6 +75,10 @@ class CycloneGraph:
         """Return a number that grows with each change."""
         return self._native.changes()
 
+    def is_whole(self) -> bool:
+        """Tell whether each end that is in a list of nodes has come, and the list of each participant that has ends."""
+        return self._current().is_whole
+
     def close(self) -> None:
         """Stop listening."""
         self._native.close()
@@ -89,32 +94,39 @@ class CycloneGraph:
         participants, endpoints = self._native.snapshot()
         enclaves: list[tuple[NodeName, str]] = []
         node_of: dict[bytes, NodeName] = {}
-        for _, participant_data, node_list in participants:
-            enclave = key_values(participant_data).get("enclave", "")
+        silent: set[bytes] = set()  # ROS participants that have told of no nodes yet
+        for participant, participant_data, node_list in participants:
+            told = key_values(participant_data)
+            enclave = told.get("enclave", "")
+            if "enclave" in told and not node_list:
+                silent.add(participant)
             for ends in _decoded(node_list):
                 enclaves.append((ends.name, enclave))
                 node_of.update(dict.fromkeys((*ends.reader_gids, *ends.writer_gids), ends.name))
         raw: list[EndpointInfo] = []
         infos: list[EndpointInfo] = []
         service_ends: list[ServiceEndInfo] = []
-        for gid, _, is_writer, dds_topic, dds_type, user_data, qos in endpoints:
+        is_whole = True
+        for gid, participant, is_writer, dds_topic, dds_type, user_data, qos in endpoints:
             dds_name = dds_topic.decode("utf-8", "replace")
             dds_topic_type = dds_type.decode("utf-8", "replace")
             type_name = type_from_dds(dds_topic_type)
             topic = Topic(dds_name, dds_topic_type, key_values(user_data).get("typehash", ""))
             info = EndpointInfo(topic, node_of.get(gid), is_writer, gid, _qos(*qos))
             raw.append(info)
+            is_whole = is_whole and not (participant in silent and dds_name.startswith(("rt/", "rq/", "rr/")))
             if name := topic_from_dds(dds_name):
                 infos.append(info._replace(topic=topic._replace(name=name, type_name=type_name)))
             elif service := service_from_request_topic(dds_name, type_name):
                 service_ends.append(
                     ServiceEndInfo(*service, info.node, is_server=not is_writer, gid=gid, qos=info.qos)
                 )
+        is_whole = is_whole and node_of.keys() <= {info.gid for info in raw}
         enclaves.sort(key=lambda node: node[0].full)
         raw.sort(key=lambda info: info.topic.name)
         infos.sort(key=lambda info: info.topic.name)
         service_ends.sort(key=lambda end: end.name)
-        return _View(changes, enclaves, raw, infos, service_ends)
+        return _View(changes, enclaves, is_whole, raw, infos, service_ends)
 
 
 def _decoded(node_list: bytes) -> list[node_lists.NodeEnds]:

@@ -153,6 +153,10 @@ class LocalGraph:
         """Post `token` to `queue` whenever the graph has changed; None ends it."""
         self._listener = None if queue is None else (queue, token)
 
+    def is_whole(self) -> bool:
+        """Return True: here everything is known at once."""
+        return True
+
     def changes(self) -> int:
         """Return a number that grows with each change."""
         return self._domain.changes
