@@ -17,6 +17,7 @@ from tfloom.node.context import Context
 from tfloom.node.experimental import EventsExecutor
 from tfloom.node.node import Node
 from tfloom.node.task import Future
+from tfloom.node.timer import Timer
 
 MakeNode = Callable[..., Node]
 
@@ -37,15 +38,25 @@ def test_callbacks_run_in_the_order_of_their_events(node: Node, context: Context
 
 
 def test_timers_run_in_the_order_of_their_deadlines(node: Node, context: Context) -> None:
-    order: list[float] = []
+    order: list[Timer] = []
     with EventsExecutor(context=context) as executor:
-        for period in (0.03, 0.01, 0.02):
-            node.create_timer(period, lambda period=period: order.append(period))
-        node.create_timer(0.035, executor.shutdown)
+
+        def append(index: int) -> None:
+            timers[index].cancel()
+            order.append(timers[index])
+            if len(order) == len(timers):
+                executor.shutdown()
+
+        periods = (0.03, 0.01, 0.02)
+        timers = [
+            node.create_timer(period, lambda index=index: append(index))
+            for index, period in enumerate(periods)
+        ]
+        by_deadline = sorted(timers, key=lambda timer: timer.deadline_ns())
         executor.add_node(node)
-        wait_until(lambda: all(timer.is_ready() for timer in node.timers))
+        wait_until(lambda: all(timer.is_ready() for timer in timers))
         executor.spin()
-    assert order == [0.01, 0.02, 0.03]
+    assert order == by_deadline
 
 
 def test_what_an_error_left_undone_is_done_by_the_next_spin(node: Node, context: Context) -> None:
