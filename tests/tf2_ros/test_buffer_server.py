@@ -215,6 +215,19 @@ def test_the_server_times_out_in_time(goals: ActionClient) -> None:
     assert response.result.error.error == TF2Error.TIMEOUT_ERROR
 
 
+def test_a_negative_timeout_is_none(client: BufferClient) -> None:
+    with pytest.raises(ExtrapolationException):
+        client.lookup_transform("world", "robot", at(9), Duration(seconds=-60))
+
+
+def test_several_threads_ask_by_one_node_that_nobody_spins(client: BufferClient) -> None:
+    def ask(count: int) -> float:
+        return sum(where(client.lookup_transform("world", "robot", at(2)))[0] for _ in range(count))
+
+    with ThreadPoolExecutor(4) as pool:
+        assert sum(pool.map(ask, [10] * 4)) == 80.0
+
+
 @pytest.mark.parametrize(
     ("goal", "code"),
     [
@@ -345,9 +358,10 @@ def test_a_query_in_a_callback_of_the_only_thread_is_an_error(buffer: Buffer, ma
     assert client.wait_for_server(10)
     with SingleThreadedExecutor(context=node.context) as executor:
         executor.add_node(node)
-        task = executor.create_task(client.lookup_transform, "world", "robot", LATEST, PATIENCE)
+        task = executor.create_task(client.lookup_transform, "world", "robot", at(9), PATIENCE)
         with pytest.raises(RuntimeError, match="Use a MultiThreadedExecutor, or a Buffer of your own"):
             executor.spin_until_future_complete(task, 10)
+    assert waiting(buffer) == 0  # nothing was asked
 
 
 def test_a_query_in_a_callback_of_one_of_several_threads(buffer: Buffer, make_node: MakeNode) -> None:

@@ -1,1 +1,1 @@
-"""TODO one line."""
+"""Programs to learn from, and the demonstration."""

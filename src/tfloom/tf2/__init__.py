@@ -1,1 +1,1 @@
-"""TODO one line."""
+"""Frames over time, with no ROS types."""

@@ -1,1 +1,1 @@
-"""TODO one line."""
+"""Frames over time for ROS programs: buffers, listeners, broadcasters, and what is done with transforms."""

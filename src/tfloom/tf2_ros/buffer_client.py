@@ -162,11 +162,17 @@ class BufferClient(BufferInterface):
         self.action_client.destroy()
 
     def _ask(self, goal: LookupTransform_Goal) -> TransformStamped:
+        executor = self.node.executor
+        if executor is not None and executor.would_wait_for_itself():
+            raise RuntimeError(
+                "Waiting for the BufferServer in a callback would last for ever: its executor takes in the answer on "
+                "this very thread. Use a MultiThreadedExecutor, or a Buffer of your own"
+            )
         if not self.action_client.server_is_ready():
             raise TimeoutException("The BufferServer is not ready.")
         padding = self.timeout_padding
         padding_s = float(padding) if isinstance(padding, (int, float)) else duration_ns(padding) / 1e9
-        end_s = steady.monotonic() + duration_ns(goal.timeout) / 1e9 + padding_s
+        end_s = steady.monotonic() + max(0.0, duration_ns(goal.timeout) / 1e9) + padding_s
         handle: ClientGoalHandle = self._wait(self.action_client.send_goal_async(goal), end_s)
         if not handle.accepted:
             raise TimeoutException(
@@ -192,13 +198,7 @@ class BufferClient(BufferInterface):
         context.add_shutdown_hook(ended.set)
         try:
             while context.ok() and not future.done() and (left_s := end_s - steady.monotonic()) > 0.0:
-                executor = self.node.executor
-                if executor is not None and executor.would_wait_for_itself():
-                    raise RuntimeError(
-                        "Waiting for the BufferServer in a callback would last for ever: its executor takes in the "
-                        "answer on this very thread. Use a MultiThreadedExecutor, or a Buffer of your own"
-                    )
-                if executor is not None or not self._spin_alone(future, left_s):
+                if self.node.executor is not None or not self._spin_alone(future, left_s):
                     ended.wait(min(left_s, LOOK_AGAIN_S))
         finally:
             context.remove_shutdown_hook(ended.set)

@@ -1,1 +1,1 @@
-"""TODO one line."""
+"""Turtles that draw: their world, its picture, and the programs around it."""
