@@ -1,5 +1,7 @@
 #include "core/ready_queue.hpp"
 
+#include <utility>
+
 namespace tfloom {
 
 void ReadyQueue::post(Token token) {
@@ -7,7 +9,8 @@ void ReadyQueue::post(Token token) {
     const std::lock_guard lock(mutex_);
     if (!pending_.insert(token).second) return;
     order_.push_back(token);
-    if (order_.size() > 1) return;  // the waiter has been woken for the first one
+    // Who isn't waiting looks before it waits; to wake it would cost two calls of the system for nothing.
+    if (!std::exchange(is_waiting_, false)) return;
   }
   waker_.wake();
 }
@@ -17,6 +20,7 @@ bool ReadyQueue::take(std::vector<Token>& tokens) {
   tokens.clear();
   tokens.swap(order_);
   pending_.clear();
+  is_waiting_ = tokens.empty();
   return !tokens.empty();
 }
 

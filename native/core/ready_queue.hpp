@@ -29,6 +29,7 @@ class ReadyQueue {
   std::mutex mutex_;
   std::vector<Token> order_;
   std::unordered_set<Token> pending_;
+  bool is_waiting_ = false;  // the thread that waits found nothing, and hasn't been woken since
   Waker waker_;
 };
 

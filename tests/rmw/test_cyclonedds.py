@@ -221,6 +221,32 @@ def test_notify_wakes_a_waiting_thread(participant, start_peer, node, topic, wai
     peer.answer()
 
 
+def test_notify_posts_at_once_only_while_something_waits(
+    participant, start_peer, node, topic, wait_until
+) -> None:
+    first, second = ReadyQueue(), ReadyQueue()
+    reader = participant.create_reader(node, topic, KEEP_ALL)
+    reader.notify(first, 1)
+    assert first.wait(0) == []
+    peer = start_peer()
+    end, _ = peer("writer", topic, KEEP_ALL)
+    wait_until(lambda: peer("matched", end) and reader.matched_count())
+    for text in (b"one.", b"two."):
+        peer("write", end, (HEADER + text).hex())
+    wait_until(lambda: first.wait(0), what="the first sample")
+    assert reader.take().data == HEADER + b"one."
+    reader.notify(second, 2)  # as when a node goes from one executor to another
+    assert second.wait(10_000_000_000) == [2]
+    wait_until(lambda: (sample := reader.take()) is not None and sample.data == HEADER + b"two.")
+
+    def is_told_of_nothing() -> bool:
+        assert reader.take() is None
+        reader.notify(first, 3)
+        return first.wait(0) == []
+
+    wait_until(is_told_of_nothing)  # the word of a sample may come after it has been taken
+
+
 @pytest.mark.parametrize(
     ("data", "text"),
     [
