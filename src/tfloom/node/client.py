@@ -123,7 +123,7 @@ class Client(ServiceEnd["Requester"]):
             number = self._endpoint.send(data)
             self._pending[number] = future
         future.when_complete(lambda: self.remove_pending_request(future))
-        self._introspection.request_sent(request, RequestId(self._endpoint.gid, number))
+        self._introspection.request_sent(request, RequestId(self._endpoint.client_gid, number))
         return future
 
     def get_pending_request(self, sequence_number: int) -> Future[Any]:

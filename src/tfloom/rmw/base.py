@@ -213,6 +213,8 @@ class Requester(Protocol):
     """A client of a service."""
 
     gid: bytes
+    client_gid: bytes
+    """What its `RequestId`s hold: 16 octets."""
 
     def send(self, data: bytes) -> int:
         """Send a request, encapsulation header and CDR, and return its sequence number.

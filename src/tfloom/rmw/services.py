@@ -85,6 +85,7 @@ class HeaderRequester:
         self._requests = requests
         self._responses = responses
         self._servers = servers
+        self.client_gid = key + _GID_PADDING
         self._key = key
         self._lock = threading.Lock()
         self._sequence_number = 0
@@ -109,7 +110,7 @@ class HeaderRequester:
         while sample := self._responses.take():
             parts = _split(sample)
             if parts is not None and parts[0] == self._key:
-                request_id = RequestId(self._key + _GID_PADDING, parts[1])
+                request_id = RequestId(self.client_gid, parts[1])
                 return Response(parts[2], request_id, sample.source_stamp_ns, sample.received_stamp_ns)
         return None
 

@@ -13,8 +13,11 @@ from tests.conftest import Program, wait_until
 from tests.node.wire.conftest import LEASE_TIMEOUT_S, PROGRAMS
 
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
+from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
 from tfloom.node.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
+from tfloom.node.qos import QoSProfile
+from tfloom.node.service_introspection import ServiceIntrospectionState
 from tfloom.rmw import cyclone_services
 from tfloom.rmw.errors import ForeignPeerError
 
@@ -70,6 +73,34 @@ def test_a_server_that_is_back_at_once_is_called_at_once(node: Node, start: Star
     wait_until(lambda: client._endpoint._requests.matched_count() == 2)  # the dead one still has its lease
     wait_until(lambda: client._endpoint._responses.matched_count() == 2)
     assert finish(client.call_async(AddTwoInts.Request(a=1, b=2))).sum == 3
+
+
+def test_both_ends_of_a_call_tell_of_it_by_the_same_ids(
+    node: Node, start: Start, finish: Finish, spin_until: Callable[..., None]
+) -> None:
+    start("service_server")
+    client = node.create_client(AddTwoInts, "add")
+    qos = QoSProfile(depth=10)
+    client.configure_introspection(node.get_clock(), qos, ServiceIntrospectionState.METADATA)
+    events: list[AddTwoInts.Event] = []
+    subscription = node.create_subscription(AddTwoInts.Event, "add/_service_event", events.append, qos)
+    assert client.wait_for_service(timeout_sec=20)
+    spin_until(lambda: subscription.get_publisher_count() == 2)
+    for number in range(3):
+        assert finish(client.call_async(AddTwoInts.Request(a=number, b=1))).sum == number + 1
+    spin_until(lambda: len(events) == 12)
+    assert len({bytes(event.info.client_gid) for event in events}) == 1
+    for number in range(3):
+        told = {event.info.event_type: event for event in events if event.info.sequence_number == number + 1}
+        assert set(told) == {
+            ServiceEventInfo.REQUEST_SENT,
+            ServiceEventInfo.REQUEST_RECEIVED,
+            ServiceEventInfo.RESPONSE_SENT,
+            ServiceEventInfo.RESPONSE_RECEIVED,
+        }
+        assert told[ServiceEventInfo.REQUEST_RECEIVED].request[0].a == number
+        assert told[ServiceEventInfo.RESPONSE_SENT].response[0].sum == number + 1
+        assert not told[ServiceEventInfo.REQUEST_SENT].request  # metadata alone
 
 
 def test_many_clients_in_many_processes_get_their_own_answers(

@@ -1,9 +1,11 @@
-"""Serves /add, which adds, and /hang, which never answers."""
+"""Serves /add, which adds and tells what comes and goes, and /hang, which never answers."""
 
 import time
 
 import rclpy
 from example_interfaces.srv import AddTwoInts
+from rclpy.qos import QoSProfile
+from rclpy.service_introspection import ServiceIntrospectionState
 
 
 def add(request, response):
@@ -19,7 +21,8 @@ def hang(request, response):
 
 rclpy.init()
 node = rclpy.create_node("server")
-node.create_service(AddTwoInts, "add", add)
+adding = node.create_service(AddTwoInts, "add", add)
+adding.configure_introspection(node.get_clock(), QoSProfile(depth=10), ServiceIntrospectionState.CONTENTS)
 node.create_service(AddTwoInts, "hang", hang)
 print("ready", flush=True)
 rclpy.spin(node)
