@@ -78,3 +78,37 @@ def test_mistakes_are_told(tmp_path: Path) -> None:
     assert transcript.run("param", "describe", "/turtlesim", "nope").exit_code == 1
     missing = transcript.run("param", "load", "/turtlesim", str(tmp_path / "none.yaml"))
     assert missing.text == f"can't read {tmp_path / 'none.yaml'}: No such file or directory"
+
+
+A_NODE = """
+import math
+import rclpy
+from rclpy.parameter import Parameter
+
+rclpy.init()
+node = rclpy.create_node("a_node", namespace="/ns")
+values = {
+    "a.flag": True, "a.number": 5, "a.b.real": math.nan, "a.b.tiny": 1e-7, "text": "yes", "digits": "5", "none": "",
+    "letters": "h\\u00e9\\n", "flags": [True, False], "numbers": [1, -2], "reals": [1.0, math.nan, -math.inf],
+    "texts": ["a", "1", "true"],
+}
+for name, value in values.items():
+    node.declare_parameter(name, value)
+node.declare_parameter("unset", Parameter.Type.STRING_ARRAY)
+print("ready", flush=True)
+rclpy.spin(node)
+"""
+
+
+def test_values_of_every_type_go_round(tmp_path: Path, start_program: Callable[..., object]) -> None:
+    start_program("python", "-c", A_NODE).wait_for("ready")
+    dumped = transcript.run("param", "dump", "/ns/a_node").text
+    parameters = yaml.safe_load(dumped)["/ns/a_node"]["ros__parameters"]
+    assert parameters["a"]["number"] == 5
+    assert "unset" not in parameters
+    file = tmp_path / "parameters.yaml"
+    file.write_text(dumped)
+    loaded = transcript.run("param", "load", "/ns/a_node", str(file)).text
+    failed = [line for line in loaded.splitlines() if "failed" in line]
+    assert [line.split()[2] for line in failed] == ["start_type_description_service"]  # It is read-only.
+    assert transcript.run("param", "dump", "/ns/a_node").text == dumped

@@ -77,9 +77,11 @@ class ParameterServices:
         return values[0] if values else ParameterValue()
 
     def values(self, names: Sequence[str]) -> list[ParameterValue]:
-        """Return the values of parameters, in the order of the names."""
+        """Return the values of parameters, in the order of the names; the type of one that has none is 0."""
         request = srv.GetParameters.Request(names=list(names))
-        return self._one_each(names, self._call("get_parameters", srv.GetParameters, request).values)
+        values = list(self._call("get_parameters", srv.GetParameters, request).values)
+        # Where one was declared with a type and no value, nodes answer with no values at all.
+        return values if len(values) == len(names) else [self.value(name) for name in names]
 
     def types(self, names: Sequence[str]) -> list[int]:
         """Return the types of parameters, in the order of the names."""
