@@ -206,6 +206,9 @@ def test_a_cloud_with_too_few_bytes() -> None:
     cloud.width = 3
     with pytest.raises(ValueError, match="has 24 bytes, its sizes ask for 36"):
         read_points(cloud)
+    cloud.point_step = 4
+    with pytest.raises(ValueError, match="the fields take 12 bytes, more than the 4 from point to point"):
+        read_points(cloud)
 
 
 def test_points_as_an_array() -> None:

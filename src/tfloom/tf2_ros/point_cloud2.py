@@ -54,7 +54,7 @@ def dtype_from_fields(
 
     Raises:
         AssertionError: two fields have one name, or one has no elements.
-        ValueError: a field's datatype is none of PointField's.
+        ValueError: a field's datatype is none of PointField's, or the fields take more than `point_step`.
     """
     names: list[str] = []
     formats: list[str] = []
@@ -75,6 +75,11 @@ def dtype_from_fields(
             offsets.append(field.offset + element * kind.itemsize)
     layout: Any = {"names": names, "formats": formats, "offsets": offsets}
     if point_step is not None:
+        needed = np.dtype(layout).itemsize
+        if needed > point_step:
+            raise ValueError(
+                f"the fields take {needed} bytes, more than the {point_step} from point to point"
+            )
         layout["itemsize"] = point_step
     dtype: np.dtype[Any] = np.dtype(layout)
     return dtype
