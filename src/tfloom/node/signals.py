@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import _thread
 import _weakrefset
 import signal
 import threading
@@ -37,8 +36,6 @@ class SignalHandlerOptions(IntFlag):
 ECHO_S = 0.5
 """A Ctrl-C that follows one this soon is the same one: launchers send it to a process and to its group [s]."""
 
-LATER_S = 0.001
-"""After so long a KeyboardInterrupt is tried again that Python would drop [s]."""
 WEAKREF_FILES = (weakref.__file__, _weakrefset.__file__)
 
 _interrupted_at = -ECHO_S
@@ -59,9 +56,9 @@ def _on_signal(number: int, frame: FrameType | None) -> None:
     for guard in _guards:
         guard.trigger()
     previous = _previous.get(signal.Signals(number))
-    if number == signal.SIGINT and _is_in_finalizer(frame):
-        _thread.start_new_thread(_interrupt_later, ())
-    elif callable(previous) and number not in _handled_now:
+    if contexts and number == signal.SIGINT and _is_in_finalizer(frame):
+        return  # whatever spins ends in any case
+    if callable(previous) and number not in _handled_now:
         _handled_now.add(number)  # whoever came after us may call us in turn
         try:
             previous(number, frame)  # Python's own, for SIGINT, raises KeyboardInterrupt
@@ -94,18 +91,6 @@ def _is_in_finalizer(frame: FrameType | None) -> bool:
             return True
         frame = frame.f_back
     return False
-
-
-def _interrupt_later() -> None:
-    global _interrupted_at  # noqa: PLW0603
-    time.sleep(LATER_S)
-    _interrupted_at = -ECHO_S  # this one is meant
-    if hasattr(signal, "pthread_kill"):
-        main = threading.main_thread().ident
-        if main is not None:
-            signal.pthread_kill(main, signal.SIGINT)  # a real one, which ends what sleeps
-    else:
-        _thread.interrupt_main()
 
 
 def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
