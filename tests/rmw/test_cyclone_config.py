@@ -72,6 +72,20 @@ def test_sockets_hold_a_burst(discovery_range: str) -> None:
     assert buffer.attrib == {"max": "4MB"}
 
 
+@pytest.mark.parametrize(
+    ("discovery_range", "peers", "interval"),
+    [
+        ("LOCALHOST", [], "20ms"),
+        ("OFF", [], "20ms"),
+        ("LOCALHOST", ["192.0.2.1"], None),
+        ("SUBNET", [], None),
+    ],
+)
+def test_acknowledgements_are_asked_for_often_on_loopback_alone(discovery_range, peers, interval) -> None:
+    element = domain(configuration_for(discovery_range, peers))
+    assert element.findtext("Internal/HeartbeatInterval") == interval
+
+
 def test_localhost_with_static_peers_looks_at_them_too(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("ROS_STATIC_PEERS", " 192.0.2.1 ;; robot.example;localhost;192.0.2.1")
     element = domain(configuration())

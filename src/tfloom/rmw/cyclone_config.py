@@ -22,6 +22,9 @@ _LOOPBACK = ("127.0.0.1", "localhost", "::1")
 _LARGE_DATAGRAMS = "<MaxMessageSize>65500B</MaxMessageSize><FragmentSize>65000B</FragmentSize>"
 # A message of 5 MB at best effort comes in one burst; the system may allow less, and then that's what there is.
 _RECEIVE_BUFFER = '<SocketReceiveBufferSize max="4MB"/>'
+# A writer that leaves waits until its last samples are acknowledged, which it asks for this often. Cyclone's own 100 ms
+# are for networks; here they would have each program take 0.2 s to end.
+_PROMPT_ACKNOWLEDGEMENTS = "<HeartbeatInterval>20ms</HeartbeatInterval>"
 
 
 def configuration() -> str:
@@ -69,9 +72,10 @@ def configuration_for(discovery_range: str, static_peers: list[str]) -> str:
     others = [peer for peer in static_peers if peer not in _LOOPBACK]
     if discovery_range == "OFF":
         tag = f"<ParticipantIndex>none</ParticipantIndex><Tag>tfloom-off-{os.getpid()}</Tag>"
-        return _domain(_loopback(), tag, _RECEIVE_BUFFER)
+        return _domain(_loopback(), tag, _RECEIVE_BUFFER + _PROMPT_ACKNOWLEDGEMENTS)
     if discovery_range == "LOCALHOST":
-        return _domain(_loopback(reach_others=bool(others)), _peers(["127.0.0.1", *others]), _RECEIVE_BUFFER)
+        internal = _RECEIVE_BUFFER if others else _RECEIVE_BUFFER + _PROMPT_ACKNOWLEDGEMENTS
+        return _domain(_loopback(reach_others=bool(others)), _peers(["127.0.0.1", *others]), internal)
     discovery = _peers(static_peers) if static_peers else ""
     if discovery_range == "SUBNET":
         return _domain("<AllowMulticast>true</AllowMulticast>", discovery, _RECEIVE_BUFFER)
