@@ -177,8 +177,15 @@ def test_parameters_of_another_node(start: Start) -> None:
     end(blackboard)
 
 
-def test_a_parameter_that_sets_another(start: Start, start_program: Start) -> None:
+def test_a_parameter_that_sets_another(
+    start: Start, start_program: Start, wait_until: Callable[..., None]
+) -> None:
+    def is_there() -> bool:
+        listed = start_program("tfloom", "node", "list")
+        return listed.wait() == 0 and "/set_parameters_callback" in listed.lines
+
     node = start("set_parameters_callback")
+    wait_until(is_there)
     param = ("tfloom", "param")
     setter = start_program(*param, "set", "/set_parameters_callback", "param1", "28.0")
     assert setter.wait() == 0, setter.output
