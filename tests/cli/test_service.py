@@ -129,3 +129,11 @@ def test_events_of_a_service_that_nobody_has() -> None:
         1,
         "Could not determine the type of service '/nope': nobody has it; name its type",
     )
+
+
+def test_a_misspelt_service_names_the_nearest_while_it_is_waited_for(
+    start_program: Callable[..., object],
+) -> None:
+    call = start_program("tfloom", "service", "call", "/spwn", "turtlesim/srv/Spawn")
+    call.wait_for("did you mean /spawn?")
+    assert call.lines[:2] == ["waiting for service to become available...", "nobody serves /spwn yet"]

@@ -17,7 +17,9 @@ QUIET_S = 0.15
 LEAST_S = 0.2
 """…and not before [s]."""
 PATIENCE_S = 1.0
-"""How much longer to wait at most for what is missing, and on a busy machine [s]."""
+"""How much longer to wait at most for what is missing [s]."""
+LATE_MOST_S = 3.0
+"""How much longer to wait at most on a busy machine [s]."""
 LOOK_S = 0.05
 """How long to sleep at a time [s]."""
 PUNCTUAL_S = 0.005
@@ -65,8 +67,8 @@ def settled_graph(args: argparse.Namespace) -> Iterator[Graph]:
 def wait_until_quiet(graph: Graph, most_s: float) -> None:
     """Wait until the graph has not changed for `QUIET_S`: at least `LEAST_S`, at most `most_s` [s].
 
-    It waits longer, up to `PATIENCE_S`, while something is known to be missing, and where this process didn't get
-    the processor in time: then the others may not have got it either.
+    It waits longer while something is known to be missing, up to `PATIENCE_S`, and where this process didn't get
+    the processor in time, up to `LATE_MOST_S`: then the others may not have got it either.
     """
     queue = ReadyQueue()
     start = time.monotonic()
@@ -75,7 +77,7 @@ def wait_until_quiet(graph: Graph, most_s: float) -> None:
         seen, changed, late_s = graph.changes(), start, 0.0
         while True:
             now = time.monotonic()
-            quiet = max(start + LEAST_S, changed + QUIET_S) + min(LATE_WEIGHT * late_s, PATIENCE_S)
+            quiet = max(start + LEAST_S, changed + QUIET_S) + min(LATE_WEIGHT * late_s, LATE_MOST_S)
             until = min(quiet, start + most_s)
             if now >= until:
                 if now >= min(until + PATIENCE_S, start + most_s) or graph.is_whole():
