@@ -295,3 +295,23 @@ def test_a_signal_triggers_the_guard_conditions_that_ask_for_it() -> None:
     assert guard.becomes_ready()
     assert not ended.becomes_ready()
     guard.destroy()
+
+
+def test_no_interrupt_strikes_amid_the_handing_over_to_a_pool() -> None:
+    from concurrent.futures import thread
+
+    from tfloom import node as rclpy
+    from tfloom.node.executors import MultiThreadedExecutor
+
+    rclpy.init(args=[])
+    try:
+        MultiThreadedExecutor(2)
+        amid_submit = compile("signal.raise_signal(signal.SIGINT)", thread.__file__, "exec")
+        exec(amid_submit, {"signal": signal})
+        assert not rclpy.ok()
+        rclpy.try_shutdown()
+        rclpy.init(args=[])
+        with pytest.raises(KeyboardInterrupt):
+            signal.raise_signal(signal.SIGINT)
+    finally:
+        rclpy.try_shutdown()

@@ -59,12 +59,16 @@ class MultiThreadedExecutor(Executor):
     def __init__(self, num_threads: int | None = None, *, context: Context | None = None) -> None:
         super().__init__(context=context)
         import os
-        from concurrent.futures import ThreadPoolExecutor
+        from concurrent.futures import thread
 
+        from tfloom.node.signals import never_strike_in
+
+        # The pool's threads would never end after an exception between two lines of its `submit`.
+        never_strike_in(thread.__file__)
         if num_threads is None:
             num_threads = os.cpu_count() or 1
         self._num_threads = max(num_threads, 2) if num_threads != 1 else 1
-        self._pool = ThreadPoolExecutor(self._num_threads, thread_name_prefix="tfloom_executor")
+        self._pool = thread.ThreadPoolExecutor(self._num_threads, thread_name_prefix="tfloom_executor")
         self._busy = 0
         self._busy_lock = threading.Lock()
         self._errors: deque[BaseException] = deque()

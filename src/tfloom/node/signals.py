@@ -36,7 +36,8 @@ class SignalHandlerOptions(IntFlag):
 ECHO_S = 0.5
 """A Ctrl-C that follows one this soon is the same one: launchers send it to a process and to its group [s]."""
 
-WEAKREF_FILES = (weakref.__file__, _weakrefset.__file__)
+_not_to_strike = {weakref.__file__, _weakrefset.__file__}
+"""The files of code that an exception out of nowhere would break, or that would drop it."""
 
 _interrupted_at = -ECHO_S
 _previous: dict[signal.Signals, Any] = {}
@@ -56,7 +57,7 @@ def _on_signal(number: int, frame: FrameType | None) -> None:
     for guard in _guards:
         guard.trigger()
     previous = _previous.get(signal.Signals(number))
-    if contexts and number == signal.SIGINT and _is_in_finalizer(frame):
+    if contexts and number == signal.SIGINT and not _may_strike(frame):
         return  # whatever spins ends in any case
     if callable(previous) and number not in _handled_now:
         _handled_now.add(number)  # whoever came after us may call us in turn
@@ -84,13 +85,21 @@ class SignalHandlerGuardCondition(GuardCondition):
 _guards: tuple[SignalHandlerGuardCondition, ...] = ()
 
 
-def _is_in_finalizer(frame: FrameType | None) -> bool:
-    """Return whether Python would print and drop what is raised now, as an object is being deleted."""
+def _may_strike(frame: FrameType | None) -> bool:
+    """Return whether an exception raised now does no harm.
+
+    While an object is being deleted Python would print and drop it; other code would be left with a lock taken.
+    """
     while frame is not None:
-        if frame.f_code.co_name == "__del__" or frame.f_code.co_filename in WEAKREF_FILES:
-            return True
+        if frame.f_code.co_name == "__del__" or frame.f_code.co_filename in _not_to_strike:
+            return False
         frame = frame.f_back
-    return False
+    return True
+
+
+def never_strike_in(file: str) -> None:
+    """Raise no KeyboardInterrupt amid the functions of a Python file, as long as there is a context to shut down."""
+    _not_to_strike.add(file)
 
 
 def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
