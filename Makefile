@@ -36,12 +36,14 @@ stub: setup
 api: setup
 	$(BIN)/python docs/rclpy_api.py
 
+# Who is measured beside us is installed for this alone; a peer that can't be is named, and left out.
 bench: setup
+	-$(BIN)/python -m pip install --quiet --group bench
 	$(BIN)/python -m benchmarks $(ARGS)
 
-# The core tests on each Python 3.10 to 3.14 that this machine has.
+# The core tests on each Python 3.10 to 3.14 that this machine has, free-threaded ones too.
 matrix:
-	.ci/matrix
+	.ci/matrix $(ARGS)
 
 clean:
 	rm -rf $(VENV) build dist
