@@ -146,12 +146,64 @@ def test_descriptions_of_types(
     assert [each.type_name for each in description.referenced_type_descriptions] == [
         "geometry_msgs/msg/Vector3"
     ]
+    assert [each.type_name for each in response.type_sources] == [
+        "geometry_msgs/msg/Twist",
+        "geometry_msgs/msg/Vector3",
+    ]
     assert "Vector3 linear" in response.type_sources[0].raw_file_contents
+    assert "float64 x" in response.type_sources[1].raw_file_contents
     for bad in (
         GetTypeDescription.Request(type_name="no/msg/Such"),
         GetTypeDescription.Request(type_name="nonsense"),
         GetTypeDescription.Request(type_name=String._TYPE_NAME, type_hash="RIHS01_00"),
     ):
         answer = finish(client.call_async(bad))
+        assert not answer.successful
+        assert answer.failure_reason
+
+
+def test_descriptions_of_parts_and_of_a_programs_own_types(
+    remote: Node,
+    node: Node,
+    executor: SingleThreadedExecutor,
+    finish: Finish,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The topics of actions and of service events have such types; a tool asks for them by name."""
+    own = tmp_path / "share" / "own_described" / "msg"
+    own.mkdir(parents=True)
+    (own / "Mine.msg").write_text("std_msgs/Header header\n", "utf-8")
+    (own / "Broken.msg").write_text("int32\n", "utf-8")
+    (own / "Latin.msg").write_bytes(b"int32 a # \xe4\n")
+    monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path))
+    executor.add_node(node)
+    client = node.create_client(GetTypeDescription, "/ns/remote/get_type_description")
+    assert client.wait_for_service(5)
+
+    def ask(name: str) -> Any:
+        return finish(client.call_async(GetTypeDescription.Request(type_name=name)))
+
+    encodings = {
+        name: [each.encoding for each in ask(name).type_sources[:2]]
+        for name in (
+            "own_described/msg/Mine",
+            "turtlesim/srv/Spawn",
+            "turtlesim/srv/Spawn_Event",
+            "turtlesim/action/RotateAbsolute",
+            "turtlesim/action/RotateAbsolute_SendGoal",
+            "turtlesim/action/RotateAbsolute_FeedbackMessage",
+        )
+    }
+    assert encodings == {
+        "own_described/msg/Mine": ["msg", "msg"],
+        "turtlesim/srv/Spawn": ["srv", "msg"],
+        "turtlesim/srv/Spawn_Event": ["implicit", "msg"],
+        "turtlesim/action/RotateAbsolute": ["action", "msg"],
+        "turtlesim/action/RotateAbsolute_SendGoal": ["implicit", "msg"],
+        "turtlesim/action/RotateAbsolute_FeedbackMessage": ["implicit", "implicit"],
+    }
+    for name in ("own_described/msg/Broken", "own_described/msg/Latin", "turtlesim/srv/Spawn_Nothing"):
+        answer = ask(name)
         assert not answer.successful
         assert answer.failure_reason

@@ -22,6 +22,7 @@ from tfloom.node.parameter import ParameterType
 
 if TYPE_CHECKING:
     from tfloom.node.node import Node
+    from tfloom.rosidl import spec
 
 __all__ = ["START_TYPE_DESCRIPTION_SERVICE_PARAM", "TOPIC_SEPARATOR_STRING", "TypeDescriptionService"]
 
@@ -57,40 +58,63 @@ class TypeDescriptionService:
 
         try:
             known = find_class(request.type_name)
-        except LookupError as error:
+            if request.type_hash in ("", known._TYPE_HASH):  # ours
+                _describe(request.type_name, response, with_sources=request.include_type_sources)
+            else:
+                response.failure_reason = (
+                    f"{request.type_name} is known with the hash {known._TYPE_HASH} only"  # ours
+                )
+        except (LookupError, ValueError, OSError) as error:  # there is none, or its file can't be read
             response.failure_reason = str(error)
-            return response
-        if request.type_hash not in ("", known._TYPE_HASH):  # ours
-            response.failure_reason = f"{request.type_name} is known with the hash {known._TYPE_HASH} only"
-            return response
-        _describe(request.type_name, response, with_sources=request.include_type_sources)
         return response
 
 
 def _describe(name: str, response: GetTypeDescription_Response, *, with_sources: bool) -> None:
-    from tfloom.rosidl.parse import parse_interface
-    from tfloom.rosidl.registry import definitions_folder
+    """Fill a response in.
+
+    Raises:
+        LookupError, ParseError, UnicodeDecodeError, OSError: a definition isn't there, or can't be read.
+    """
+    from tfloom.rosidl.sources import find_message
     from tfloom.rosidl.type_hash import type_description
 
-    def read(type_name: str) -> tuple[str, str]:
-        package, kind, base = type_name.split("/")
-        path = definitions_folder() / package / kind / f"{base}.{kind}"
-        return path.read_text("utf-8"), kind
-
-    def find(type_name: str) -> Any:
-        return parse_interface(read(type_name)[0], type_name)
-
-    described = type_description(find(name), find)
+    described = type_description(_find_interface(name), find_message)
+    referenced = described["referenced_type_descriptions"]
+    names = [name, *(each["type_name"] for each in referenced)]
+    response.type_sources = [_source(each) for each in names] if with_sources else []
     response.type_description = TypeDescription(
         type_description=_individual(described["type_description"]),
-        referenced_type_descriptions=[
-            _individual(each) for each in described["referenced_type_descriptions"]
-        ],
+        referenced_type_descriptions=[_individual(each) for each in referenced],
     )
-    if with_sources:
-        text, kind = read(name)
-        response.type_sources = [TypeSource(type_name=name, encoding=kind, raw_file_contents=text)]
     response.successful = True
+
+
+def _find_interface(name: str) -> spec.Interface:
+    """Return the spec of a message, service or action, or of what is part of one.
+
+    Raises:
+        LookupError: there is none.
+    """
+    from tfloom.rosidl import sources, spec
+
+    whole = sources.find_interface(sources.definition_name(name))
+    known: list[spec.Interface] = [whole]
+    if isinstance(whole, spec.Action):
+        known += [whole.send_goal, whole.get_result]
+    for interface in known:
+        if interface.name == name:
+            return interface
+    return sources.find_message(name)
+
+
+def _source(name: str) -> TypeSource:
+    """Return the text that defines a type; a part of a service or an action has none of its own."""
+    from tfloom.rosidl.sources import definition_name, find_source
+
+    source = find_source(name) if name == definition_name(name) else None
+    if source is None:
+        return TypeSource(type_name=name, encoding="implicit")
+    return TypeSource(type_name=name, encoding=name.split("/")[1], raw_file_contents=source.text)
 
 
 def _individual(described: dict[str, Any]) -> IndividualTypeDescription:
