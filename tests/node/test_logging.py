@@ -119,6 +119,8 @@ def test_bad_options() -> None:
         logger.info("x", nope=1)
     with pytest.raises(TypeError, match="throttle_duration_sec"):
         logger.info("x", throttle_time_source_type=ROSClock())
+    with pytest.raises(TypeError, match="throttle_duration_sec must be a number of seconds, not str"):
+        logger.info("x", throttle_duration_sec="1")
     with pytest.raises(TypeError, match="is not a Clock instance"):
         logger.info("x", throttle_duration_sec=1, throttle_time_source_type=5)
     with pytest.raises(ValueError, match="severity cannot be changed"):  # noqa: PT012  # one place, two severities

@@ -88,6 +88,8 @@ def make_state(severity: LoggingSeverity, options: dict[str, Any]) -> CallState:
             raise TypeError(f'parameter "{name}" is not one of the recognized logging options "{known}"')
     period_s = options.get("throttle_duration_sec")
     clock = options.get("throttle_time_source_type")
+    if period_s is not None and not hasattr(period_s, "__float__"):
+        raise TypeError(f"throttle_duration_sec must be a number of seconds, not {type(period_s).__name__}")
     if clock is not None and period_s is None:
         raise TypeError(
             'required parameter "throttle_duration_sec" not specified but is required for the the logging filter '
