@@ -27,8 +27,12 @@ _lock_descriptors: set[int] = set()
 
 
 def pytest_configure() -> None:
-    """Have SIGTERM, which `timeout` sends, end the tests as Ctrl-C does: what they started is ended with them."""
+    """Have SIGTERM, which `timeout` sends, end the tests as Ctrl-C does: what they started is ended with them.
+
+    A shell's script has what it puts in the background ignore Ctrl-C, and so would the programs that tests start.
+    """
     signal.signal(signal.SIGTERM, signal.default_int_handler)
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
