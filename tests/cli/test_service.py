@@ -120,6 +120,8 @@ def test_a_services_events(start_program: Callable[..., object]) -> None:
     numbers = itertools.count()
     request = "request: [{x: 2.0, y: 0.0, theta: 0.0, name: NAME}]"
     call_until_heard(echo, request, "response: [{name: NAME}]")
+    assert "info:\n  event_type: REQUEST_RECEIVED\n  stamp:" in echo.output
+    assert "  event_type: RESPONSE_SENT\n" in echo.output
     call_until_heard(as_json, '"response": [{"name": "NAME"}]')
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import re
 import sys
 
 from tfloom.cli import graph, message_text
@@ -13,6 +14,9 @@ from tfloom.cli.names import full_topic_name
 from tfloom.cli.qos import suiting_qos
 from tfloom.cli.service.common import service_types
 from tfloom.rmw.base import Graph
+
+KINDS = ("REQUEST_SENT", "REQUEST_RECEIVED", "RESPONSE_SENT", "RESPONSE_RECEIVED")
+"""The constants of service_msgs/msg/ServiceEventInfo."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -41,8 +45,22 @@ def main(args: argparse.Namespace) -> int:
         publishers = wait_for_publishers(participant.graph, events, float("inf"))
         for sample in samples(participant, events, cls, suiting_qos(publishers)):
             if (event := decoded(cls, sample)) is not None:
-                print(text(event))
+                print(_with_names(text(event)))
     return 0
+
+
+def _with_names(text: str) -> str:
+    """Give the kind of event, a number in the first field of the text, its name."""
+    from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
+
+    names = {getattr(ServiceEventInfo, name): name for name in KINDS}
+    return re.sub(
+        r"^  event_type: (\d+)$",
+        lambda match: f"  event_type: {names.get(int(match[1]), match[1])}",
+        text,
+        count=1,
+        flags=re.MULTILINE,
+    )
 
 
 def _type_of(found: Graph, name: str) -> str:
