@@ -97,3 +97,27 @@ def test_a_name_that_is_none_is_told(name: str) -> None:
     answer = transcript.run("topic", "info", name)
     assert answer.exit_code == 1
     assert answer.text.startswith(f"'{name}' can't be a topic's name")
+
+
+@pytest.mark.parametrize(
+    ("words", "what", "nearest"),
+    [
+        (("topic", "find", "turtlesim/msg/Pse"), "message", "turtlesim/msg/Pose"),
+        (("service", "find", "std_srvs/srv/Emty"), "service", "std_srvs/srv/Empty"),
+    ],
+)
+def test_a_type_that_is_none_finds_nothing_and_names_the_nearest(
+    words: tuple[str, ...], what: str, nearest: str, deviations: dict[str, dict[str, str]]
+) -> None:
+    assert "cli-nearest-names" in deviations
+    answer = transcript.run(*words)
+    said = f"there is no {what} type '{words[-1]}'\ndid you mean {nearest}?"
+    assert (answer.text, answer.exit_code) == (said, 0)
+
+
+def test_a_type_that_nobody_uses_finds_nothing() -> None:
+    assert transcript.run("topic", "find", "std_msgs/msg/Int64") == (
+        ["topic", "find", "std_msgs/msg/Int64"],
+        "",
+        0,
+    )

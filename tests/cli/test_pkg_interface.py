@@ -82,6 +82,19 @@ def test_our_programs_are_listed() -> None:
     ]
 
 
+def test_a_name_without_its_package_names_the_interfaces_of_that_name() -> None:
+    answer = transcript.run("interface", "show", "twist")
+    assert answer.exit_code == 1
+    assert answer.text.endswith("not 'twist'\ndid you mean geometry_msgs/msg/Twist?")
+
+
+def test_turtlesims_programs_are_the_recorded_ones(deviations: dict[str, dict[str, str]]) -> None:
+    assert "turtlesim-multisim" in deviations
+    recorded = transcript.golden("pkg_executables")
+    listed = transcript.run(*recorded.command).text.splitlines()
+    assert [line for line in listed if line != "turtlesim multisim"] == recorded.text.splitlines()
+
+
 def test_packages() -> None:
     listed = transcript.run("pkg", "list").text.splitlines()
     assert {"geometry_msgs", "rclpy", "tf2_ros", "turtlesim"} <= set(listed)

@@ -115,7 +115,10 @@ def test_messages_are_chosen_by_a_filter(publish: Callable[..., object]) -> None
     mistaken = transcript.run(*words, "--filter", "m.q")
     assert (mistaken.exit_code, mistaken.text) == (
         1,
-        "--filter failed: AttributeError: 'Pose' object has no attribute 'q'",
+        (
+            "--filter failed: AttributeError: 'Pose' object has no attribute 'q'\n"
+            "there are: x, y, theta, linear_velocity, angular_velocity"
+        ),
     )
     assert transcript.run(*words, "--filter", "m.x >").text.startswith("--filter isn't a Python expression")
 
@@ -267,3 +270,11 @@ def test_lost_messages_are_told(
     assert out == "1.0,0.0,0.0,0.0,0.0\n2.0,0.0,0.0,0.0,0.0\n"
     told = "A message was lost!!!\n\ttotal count change:3\n\ttotal count: 5---\n"
     assert told in err if not flags else err == ""
+
+
+def test_a_type_that_is_not_the_topics_is_told(publish: Callable[..., object]) -> None:
+    publish("/turtle1/pose", "turtlesim/msg/Pose", POSE)
+    answer = transcript.run("topic", "echo", "/turtle1/pose", "std_msgs/msg/Empty", "--timeout", "1")
+    assert answer.text == (
+        "WARNING: /turtle1/pose is published as turtlesim/msg/Pose, not as std_msgs/msg/Empty"
+    )

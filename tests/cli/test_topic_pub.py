@@ -142,3 +142,44 @@ def test_a_node_name_that_is_none_is_refused(name: str) -> None:
     answer = transcript.run("topic", "pub", "-n", name, "/x", "std_msgs/msg/String")
     assert answer.exit_code == 1
     assert answer.text.startswith("Invalid node name: ")
+
+
+@pytest.mark.parametrize(
+    ("name", "type_name", "said"),
+    [
+        (
+            "/turtle1/cmdvel",
+            "geometry_msgs/msg/Twist",
+            ["nobody subscribes to /turtle1/cmdvel yet", "did you mean /turtle1/cmd_vel?"],
+        ),
+        (
+            "/turtle1/cmd_vel",
+            "std_msgs/msg/Empty",
+            ["/turtle1/cmd_vel is subscribed to as geometry_msgs/msg/Twist, not as std_msgs/msg/Empty"],
+        ),
+    ],
+)
+def test_why_nobody_listens_is_told(
+    name: str,
+    type_name: str,
+    said: list[str],
+    domain_id: int,
+    start_program: Callable[..., Program],
+    deviations: dict[str, dict[str, str]],
+) -> None:
+    assert "cli-other-type" in deviations
+    echo = start_program("tfloom", "topic", "echo", "/turtle1/cmd_vel", "geometry_msgs/msg/Twist")
+    echo.wait_for("waiting for a publisher")
+    start_program("tfloom", "topic", "pub", "/turtle1/cmd_vel", "geometry_msgs/msg/Twist").wait_for("#1")
+    echo.wait_for("linear:")
+    program = start_program("tfloom", "topic", "pub", "--once", name, type_name)
+    program.wait_for(said[-1])
+    assert [line for line in program.lines if not line.startswith("Waiting for at least")] == said
+
+
+def test_a_rate_prints_as_recorded(domain_id: int, start_program: Callable[..., Program]) -> None:
+    recorded = transcript.golden("topic_pub_rate")
+    program = start_program("tfloom", *recorded.command)
+    program.wait_for("publishing #5")
+    lines = recorded.text.rstrip("\n").splitlines()
+    assert program.lines[: len(lines)] == lines

@@ -24,6 +24,9 @@ from tfloom.rosidl.message import Message
 PATIENCE_S = 1.0
 """How long a wait may last before the user is told what for [s]."""
 
+HINT_S = 2.0
+"""How long a publisher waits for subscriptions until the user is told why there may be none [s]."""
+
 
 def find_type(graph: Graph, name: str) -> str:
     """Return the type of a topic that is on the graph.
@@ -68,6 +71,19 @@ def wait_for_publishers(graph: Graph, name: str, end_s: float) -> list[EndpointI
         return publishers
     finally:
         graph.notify(None)
+
+
+def unmet(graph: Graph, topic: Topic, *, is_publisher: bool) -> str:
+    """Return why a topic's publisher, or subscription, meets nobody, as far as names and types tell; else nothing."""
+    others = [end.topic for end in graph.endpoints() if end.is_writer is not is_publisher]
+    types = sorted({other.type_name for other in others if other.name == topic.name})
+    if not types:
+        verb = "subscribes to" if is_publisher else "publishes"
+        return f"nobody {verb} {topic.name} yet{did_you_mean(topic.name, sorted({each.name for each in others}))}"
+    if topic.type_name in types:
+        return ""
+    verb = "subscribed to" if is_publisher else "published"
+    return f"{topic.name} is {verb} as {', '.join(types)}, not as {topic.type_name}"
 
 
 def cli_node() -> NodeName:

@@ -27,7 +27,8 @@ def message_filter(expression: str | None) -> Callable[[Message], bool]:
         try:
             return bool(eval(code, {"m": message}))  # noqa: S307  # the user's own expression, on their machine
         except Exception as error:  # noqa: BLE001  # whatever a user's expression raises
-            raise CommandError(f"--filter failed: {type(error).__name__}: {error}") from None
+            fields = _there_are(error.obj) if isinstance(error, AttributeError) else ""
+            raise CommandError(f"--filter failed: {type(error).__name__}: {error}{fields}") from None
 
     return wanted
 

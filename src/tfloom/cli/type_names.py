@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import difflib
+import sys
 from collections.abc import Collection, Iterable
 
 from tfloom.cli import graph
@@ -30,6 +31,13 @@ def did_you_mean_type(name: str, kind: str, live: Collection[str] = ()) -> str:
     """
     near = nearest_types(name, known_types(kind) + list(live), live)
     return f"\ndid you mean {or_list(near)}?" if near else ""
+
+
+def warn_if_unknown(name: str, kind: str, live: Collection[str]) -> None:
+    """Say on stderr that a type is neither among the interfaces here nor in `live`, with the nearest that are."""
+    if name not in live and name not in known_types(kind):
+        what = {"msg": "message", "srv": "service"}.get(kind, kind)
+        print(f"there is no {what} type '{name}'{did_you_mean_type(name, kind, live)}", file=sys.stderr)
 
 
 def known_types(kind: str) -> list[str]:

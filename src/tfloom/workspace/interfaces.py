@@ -46,7 +46,15 @@ def split_name(name: str) -> tuple[str, str, str]:
         )
         parts = [package, kind, base]
     if len(parts) != 3 or parts[1] not in KINDS or not all(part.isidentifier() for part in parts):
-        raise LookupError(f"an interface's name is like std_msgs/msg/String, not '{name}'")
+        known = [
+            f"{package}/{kind}/{base}"
+            for package, folder in interface_packages().items()
+            for kind in KINDS
+            for base in interfaces_of(folder, kind)
+            if len(parts) == 1 and base.lower() == name.lower()
+        ]
+        near = f"\ndid you mean {' or '.join(known[:3])}?" if known else ""
+        raise LookupError(f"an interface's name is like std_msgs/msg/String, not '{name}'{near}")
     return parts[0], parts[1], parts[2]
 
 

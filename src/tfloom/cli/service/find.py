@@ -27,5 +27,9 @@ def main(args: argparse.Namespace) -> int:
         for name, types in services.items()
         if args.service_type in types and (args.include_hidden_services or not graph.is_hidden(name))
     ]
+    if not names:
+        from tfloom.cli.type_names import warn_if_unknown
+
+        warn_if_unknown(args.service_type, "srv", {each for types in services.values() for each in types})
     print_names(names, as_json=args.json, only_count=args.count_services)
     return 0

@@ -11,11 +11,11 @@ from typing import Any
 from tfloom.cli import graph, message_text, qos
 from tfloom.cli.errors import CommandError
 from tfloom.cli.interfaces import message_class
-from tfloom.cli.listen import decoded, find_type, samples, wait_for_publishers
+from tfloom.cli.listen import decoded, find_type, publishers_of, samples, unmet, wait_for_publishers
 from tfloom.cli.names import full_topic_name
 from tfloom.cli.numbers import seconds
 from tfloom.cli.selection import field_picker, message_filter
-from tfloom.rmw.base import Participant, Sample
+from tfloom.rmw.base import Participant, Sample, Topic
 from tfloom.rmw.events import Count
 from tfloom.rmw.qos import QoS, ReliabilityPolicy
 from tfloom.rosidl.message import Message
@@ -69,6 +69,11 @@ def main(args: argparse.Namespace) -> int:
         graph.wait_until_quiet(participant.graph, args.spin_time)
         listen_to = asked_class or message_class(find_type(participant.graph, name))
         quality = qos.asked_qos(args, SENSOR_DATA) or _suiting_qos(participant, name, end_s)
+        topic = Topic(name, listen_to._TYPE_NAME, listen_to._TYPE_HASH)
+        if publishers_of(participant.graph, name) and (
+            reason := unmet(participant.graph, topic, is_publisher=False)
+        ):
+            print(f"WARNING: {reason}", file=sys.stderr)
         for sample in samples(participant, name, listen_to, quality, end_s, on_lost):
             if show(sample, listen_to) and args.once:
                 return 0

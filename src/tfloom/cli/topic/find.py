@@ -32,5 +32,9 @@ def main(args: argparse.Namespace) -> int:
         for name, types in topics.items()
         if args.topic_type in types and (args.include_hidden_topics or not is_hidden(name))
     ]
+    if not names:
+        from tfloom.cli.type_names import warn_if_unknown
+
+        warn_if_unknown(args.topic_type, "msg", {each for types in topics.values() for each in types})
     print_names(names, as_json=args.json, only_count=args.count_topics)
     return 0

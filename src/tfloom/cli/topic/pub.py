@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 import sys
 import time
 from collections.abc import Callable, Iterator
@@ -11,7 +12,7 @@ from itertools import repeat
 from tfloom.cli import graph, qos
 from tfloom.cli.errors import CommandError, standard_input
 from tfloom.cli.interfaces import fill_message, message_class, parse_yaml, set_stamps, yaml_documents
-from tfloom.cli.listen import cli_node, shown_node, warn_of_mismatch
+from tfloom.cli.listen import HINT_S, cli_node, shown_node, unmet, warn_of_mismatch
 from tfloom.cli.names import full_topic_name
 from tfloom.cli.numbers import count, rate, seconds
 from tfloom.cli.sim_time import NowNs, clock, wait_until_known
@@ -84,7 +85,9 @@ def main(args: argparse.Namespace) -> int:
             warn_of_mismatch(writer, participant.graph, name, is_publisher=True)
 
         try:
-            _wait_for_subscriptions(writer, args, look_for_mismatch)
+            _wait_for_subscriptions(
+                writer, args, look_for_mismatch, lambda: unmet(participant.graph, topic, is_publisher=True)
+            )
             with clock(participant, node, simulated=args.use_sim_time) as now_ns:
                 _publish(writer, drafts, args, look_for_mismatch, now_ns)
             time.sleep(args.keep_alive)
@@ -119,12 +122,17 @@ def _named_node(name: str) -> NodeName:
 
 
 def _wait_for_subscriptions(
-    writer: Writer, args: argparse.Namespace, look_for_mismatch: Callable[[], None]
+    writer: Writer,
+    args: argparse.Namespace,
+    look_for_mismatch: Callable[[], None],
+    why_unmet: Callable[[], str],
 ) -> None:
+    """Wait for as many as were asked for; after `HINT_S` with none, tell on stderr why there may be none."""
     wanted = args.wait_matching_subscriptions
     if wanted is None:
         wanted = 1 if args.once or args.times else 0
     start = told = time.monotonic()
+    hint_s = start + HINT_S
     while (found := writer.matched_count()) < wanted:
         look_for_mismatch()
         now = time.monotonic()
@@ -135,6 +143,10 @@ def _wait_for_subscriptions(
         if now - told >= 1.0:
             print(f"Waiting for at least {wanted} matching subscription(s)...", file=sys.stderr)
             told = now
+        if now >= hint_s:
+            hint_s = math.inf
+            if not found and (reason := why_unmet()):
+                print(reason, file=sys.stderr)
         time.sleep(0.01)
 
 
