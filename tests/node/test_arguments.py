@@ -74,6 +74,8 @@ def test_topics_and_services_are_remapped_by_their_full_names() -> None:
         ("[a, 'b']", ["a", "b"]),
         ("''", ""),
         ("1.2.3", "1.2.3"),
+        ("!!binary AQI=", [b"\x01", b"\x02"]),
+        ("[!!binary AQ==, !!binary Ag==]", [b"\x01", b"\x02"]),
     ],
 )
 def test_values_are_read_as_ros_reads_them(text: str, value: object) -> None:

@@ -90,7 +90,7 @@ def _checked(node: str, name: str, value: Any) -> Any:
     kinds = {type(item) for item in value}
     if kinds == {int, float}:
         return [float(item) for item in value]
-    if len(kinds) > 1 or not kinds <= {bool, int, float, str}:
+    if len(kinds) > 1 or not kinds <= {bool, int, float, str, bytes}:
         found = ", ".join(sorted(kind.__name__ for kind in kinds))
         raise ValueError(f"{node}: the list of '{name}' must be of one scalar type, not {found}")
     return value

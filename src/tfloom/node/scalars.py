@@ -14,6 +14,7 @@ _INTEGER = re.compile(r"[-+]?(0[xX][0-9a-fA-F]+|[0-9]+)\Z")
 _MOST_DIGITS = 300
 _DOUBLE = re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\Z")
 _NOT_FINITE = re.compile(r"([-+]?)\.(inf|Inf|INF|nan|NaN|NAN)\Z")
+_BINARY = "tag:yaml.org,2002:binary"
 _NEEDS_YAML = re.compile(r"[\[\]{}'\"#&*!|>%@`,\n]|: |:$|^[-?] |^\s|\s$")
 
 
@@ -72,7 +73,22 @@ def _construct(node: Any) -> Any:
     if isinstance(node, yaml.MappingNode):
         return {str(key.value): _construct(value) for key, value in node.value}
     if isinstance(node, yaml.SequenceNode):
-        return [_construct(item) for item in node.value]
+        items = [_construct(item) for item in node.value]
+        is_bytes = items and all(item.tag == _BINARY for item in node.value)
+        return [byte for item in items for byte in item] if is_bytes else items
+    if node.tag == _BINARY:
+        return _bytes(node.value)
     if node.style is not None or node.tag == "!!str":
         return node.value
     return parse_scalar(node.value)
+
+
+def _bytes(text: str) -> list[bytes]:
+    """Return a byte array's bytes, which YAML writes in base64."""
+    import base64
+    import binascii
+
+    try:
+        return [bytes([byte]) for byte in base64.b64decode("".join(text.split()), validate=True)]
+    except binascii.Error as error:
+        raise ValueError(f"it is no base64, which !!binary stands for: {error}") from None
