@@ -51,7 +51,10 @@ def read_parameter_file(path: str | Path) -> list[ParameterRule]:
         text = Path(path).read_text("utf-8")
     except UnicodeDecodeError:
         raise ValueError(f"{path} isn't UTF-8 text") from None
-    content = parse_value(text)
+    try:
+        content = parse_value(text)
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from None
     if content == "":
         return []
     if not isinstance(content, dict):

@@ -57,6 +57,10 @@ def parse_value(text: str) -> Any:
 
     try:
         node = yaml.compose(text, Loader=yaml.SafeLoader)
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        place = f" at line {mark.line + 1}, column {mark.column + 1}" if mark else ""
+        raise ValueError(f"it is no valid YAML: {error.problem or error.context}{place}") from None
     except yaml.YAMLError as error:
         raise ValueError(f"it is no valid YAML: {' '.join(str(error).split())}") from None
     try:
