@@ -9,6 +9,11 @@ from pathlib import Path
 import pytest
 import transcript
 
+from tfloom.cli import health
+from tfloom.cli.health import Interface, Verdict, check_network
+
+LO, ETH0, TUN0 = Interface("lo", 0x9), Interface("eth0", 0x1003), Interface("tun0", 0x1)
+
 
 def findings(*flags: str, **environment: str) -> tuple[dict[str, dict[str, object]], int]:
     answer = transcript.run("doctor", "--json", *flags, env={**os.environ, **environment})
@@ -86,3 +91,57 @@ def test_what_is_not_needed_says_so(words: tuple[str, ...], exit_code: int, said
     assert answer.exit_code == exit_code
     assert answer.text.startswith(said)
     assert len(answer.text.splitlines()) == 1
+
+
+@pytest.mark.parametrize(
+    ("asked", "interfaces", "verdict", "said"),
+    [
+        ("LOCALHOST", [ETH0, LO], Verdict.OK, "eth0 (multicast), lo (no multicast); DDS uses lo, by unicast"),
+        (
+            "SUBNET",
+            [ETH0, LO],
+            Verdict.OK,
+            "eth0 (multicast), lo (no multicast); DDS uses eth0, by multicast",
+        ),
+        ("SUBNET", [LO, TUN0], Verdict.WARNING, "tun0 (no multicast); none finds others by multicast"),
+        (
+            "SYSTEM_DEFAULT",
+            [ETH0, LO],
+            Verdict.OK,
+            "interfaces that are up: eth0 (multicast), lo (no multicast)",
+        ),
+        ("NEAR", [ETH0], Verdict.OK, "interfaces that are up: eth0 (multicast)"),
+        ("SUBNET", [], Verdict.OK, "interfaces that are up: not known on this system"),
+    ],
+)
+def test_the_interface_that_is_used(
+    asked: str, interfaces: list[Interface], verdict: Verdict, said: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("CYCLONEDDS_URI", "ROS_LOCALHOST_ONLY", "ROS_STATIC_PEERS", "RMW_IMPLEMENTATION"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", asked)
+    monkeypatch.setattr(health, "_interfaces", lambda: iter(interfaces))
+    monkeypatch.setattr(health, "LARGE_BUFFER", 0)
+    found = check_network()
+    assert found.verdict is verdict
+    assert found.summary.endswith(said)
+
+
+def test_a_small_buffer_is_told_beside_the_interfaces(monkeypatch: pytest.MonkeyPatch) -> None:
+    if not Path("/proc/sys/net/core/rmem_max").is_file():
+        pytest.skip("needs Linux's /proc")
+    monkeypatch.setattr(health, "LARGE_BUFFER", 1 << 60)
+    found = check_network()
+    assert found.verdict is Verdict.WARNING
+    assert found.summary.startswith("interfaces that are up: ")
+    assert "octets at most" in found.summary
+
+
+def test_ranges_that_are_told_as_they_rule() -> None:
+    environment = {"ROS_AUTOMATIC_DISCOVERY_RANGE": "SUBNET", "ROS_LOCALHOST_ONLY": "1", "CYCLONEDDS_URI": ""}
+    found, _ = findings(RMW_IMPLEMENTATION="tfloom_local", **environment)
+    assert str(found["domain"]["summary"]).endswith("discovery range LOCALHOST")
+    found, _ = findings(
+        RMW_IMPLEMENTATION="tfloom_local", ROS_AUTOMATIC_DISCOVERY_RANGE="OFF", CYCLONEDDS_URI=""
+    )
+    assert "nobody is met" in str(found["domain"]["advice"])

@@ -79,7 +79,7 @@ def check_wire() -> Finding:
 def check_domain() -> Finding:
     """Look at ROS_DOMAIN_ID and the discovery range."""
     from tfloom.rmw.backends import domain_id_from_environment
-    from tfloom.rmw.cyclone_config import DEFAULT_RANGE, configuration, look_up_peers
+    from tfloom.rmw.cyclone_config import configuration, discovery_range, look_up_peers
 
     names = (
         "ROS_DOMAIN_ID",
@@ -97,7 +97,12 @@ def check_domain() -> Finding:
         return Finding(Verdict.FAILED, str(error), details=details)
     if os.environ.get("CYCLONEDDS_URI"):
         return Finding(Verdict.OK, f"domain {domain}, discovery as CYCLONEDDS_URI says", details=details)
-    asked = os.environ.get("ROS_AUTOMATIC_DISCOVERY_RANGE") or DEFAULT_RANGE
+    asked = discovery_range()
+    if asked == "OFF":
+        advice = (
+            "nobody is met, on this machine neither: export ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST or SUBNET"
+        )
+        return Finding(Verdict.OK, f"domain {domain}, discovery range OFF", advice, details)
     advice = (
         "a stock ROS is met only with the same range on both sides: "
         f"export ROS_AUTOMATIC_DISCOVERY_RANGE={'SUBNET' if asked == 'LOCALHOST' else asked} "
@@ -107,9 +112,14 @@ def check_domain() -> Finding:
 
 
 def check_network() -> Finding:
-    """Look at the network interfaces and at how much the system lets a socket hold."""
-    interfaces = dict(_interfaces())
-    details: dict[str, Any] = dict(interfaces)
+    """Look at the network interfaces, whether multicast finds others there, and how much a socket may hold."""
+    interfaces = list(_interfaces())
+    details: dict[str, Any] = {each.name: each.state for each in interfaces}
+    up = [f"{each.name} ({each.multicast})" for each in interfaces if each.is_up]
+    summary = f"interfaces that are up: {', '.join(up) or 'not known on this system'}{_used(interfaces)}"
+    if interfaces and _needs_multicast() and not any(each.may_find_others for each in interfaces):
+        advice = "ROS_STATIC_PEERS names hosts to look at without multicast"
+        return Finding(Verdict.WARNING, f"{summary}; none finds others by multicast", advice, details)
     limit = Path("/proc/sys/net/core/rmem_max")
     if limit.is_file():
         details["net.core.rmem_max"] = int(limit.read_text())
@@ -117,24 +127,77 @@ def check_network() -> Finding:
             advice = (
                 f"for messages of megabytes at best effort: sudo sysctl -w net.core.rmem_max={LARGE_BUFFER}"
             )
-            summary = f"a socket holds {details['net.core.rmem_max']} octets at most"
+            summary += f"; a socket holds {details['net.core.rmem_max']} octets at most"
             return Finding(Verdict.WARNING, summary, advice, details)
-    up = [name for name, state in interfaces.items() if "up" in state.split(", ")]
-    return Finding(
-        Verdict.OK, f"interfaces that are up: {', '.join(up) or 'not known on this system'}", details=details
-    )
+    return Finding(Verdict.OK, summary, details=details)
 
 
-def _interfaces() -> Iterator[tuple[str, str]]:
-    """Yield name and state of each interface, where Linux tells."""
-    is_up, has_multicast = 0x1, 0x1000  # IFF_UP and IFF_MULTICAST of linux/if.h
+def _asked_range() -> str:
+    """Return the discovery range; nothing where another check tells that it is none, or it doesn't rule."""
+    from tfloom.rmw.backends import DEFAULT, implementation_identifier
+    from tfloom.rmw.cyclone_config import discovery_range
+
+    try:
+        ruled = not os.environ.get("CYCLONEDDS_URI") and implementation_identifier() == DEFAULT
+        return discovery_range() if ruled else ""
+    except WireError:
+        return ""
+
+
+def _needs_multicast() -> bool:
+    return _asked_range() == "SUBNET" and not os.environ.get("ROS_STATIC_PEERS")
+
+
+def _used(interfaces: list[Interface]) -> str:
+    """Return which interface the wire uses, as far as that's known."""
+    if _asked_range() in {"LOCALHOST", "OFF"}:
+        loopback = next((each.name for each in interfaces if each.is_loopback), "the loopback interface")
+        beside = " and what leads to ROS_STATIC_PEERS" if os.environ.get("ROS_STATIC_PEERS") else ""
+        return f"; DDS uses {loopback}{beside}, by unicast"
+    far = [each.name for each in interfaces if each.may_find_others]
+    return f"; DDS uses {far[0]}, by multicast" if _asked_range() == "SUBNET" and len(far) == 1 else ""
+
+
+class Interface(NamedTuple):
+    """A network interface and its flags (IFF_UP and others of linux/if.h)."""
+
+    name: str
+    flags: int
+
+    @property
+    def is_up(self) -> bool:
+        """Whether it is switched on."""
+        return bool(self.flags & 0x1)
+
+    @property
+    def is_loopback(self) -> bool:
+        """Whether it leads to this machine alone."""
+        return bool(self.flags & 0x8)
+
+    @property
+    def multicast(self) -> str:
+        """Whether multicast goes there, in words."""
+        return "multicast" if self.flags & 0x1000 else "no multicast"
+
+    @property
+    def state(self) -> str:
+        """What `--report` says of it."""
+        return f"{'up' if self.is_up else 'down'}, {self.multicast}"
+
+    @property
+    def may_find_others(self) -> bool:
+        """Whether others on the network can be found by multicast there."""
+        return self.is_up and not self.is_loopback and self.multicast == "multicast"
+
+
+def _interfaces() -> Iterator[Interface]:
+    """Yield each interface, where Linux tells."""
     for folder in sorted(Path("/sys/class/net").glob("*")):
         try:
             flags = int((folder / "flags").read_text(), 16)
         except (OSError, ValueError):
             continue
-        up = "up" if flags & is_up else "down"
-        yield folder.name, f"{up}, {'multicast' if flags & has_multicast else 'no multicast'}"
+        yield Interface(folder.name, flags)
 
 
 def check_round_trip() -> Finding:

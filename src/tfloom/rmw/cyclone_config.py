@@ -33,8 +33,15 @@ def configuration() -> str:
     Raises:
         ConfigurationError: ROS_AUTOMATIC_DISCOVERY_RANGE isn't one of `RANGES`.
     """
-    if uri := os.environ.get("CYCLONEDDS_URI"):
-        return uri
+    return os.environ.get("CYCLONEDDS_URI") or configuration_for(discovery_range(), _static_peers())
+
+
+def discovery_range() -> str:
+    """Return which of `RANGES` the environment asks for.
+
+    Raises:
+        ConfigurationError: ROS_AUTOMATIC_DISCOVERY_RANGE isn't one of them.
+    """
     asked = os.environ.get("ROS_AUTOMATIC_DISCOVERY_RANGE") or DEFAULT_RANGE
     if os.environ.get("ROS_LOCALHOST_ONLY") == "1":
         asked = "LOCALHOST"
@@ -42,7 +49,7 @@ def configuration() -> str:
         raise ConfigurationError(
             f"ROS_AUTOMATIC_DISCOVERY_RANGE is {asked!r}, which is none of: {', '.join(RANGES)}"
         )
-    return configuration_for(asked, _static_peers())
+    return asked
 
 
 def look_up_peers() -> None:
@@ -67,17 +74,17 @@ def _static_peers() -> list[str]:
     return [peer.strip() for peer in os.environ.get("ROS_STATIC_PEERS", "").split(";") if peer.strip()]
 
 
-def configuration_for(discovery_range: str, static_peers: list[str]) -> str:
+def configuration_for(asked: str, static_peers: list[str]) -> str:
     """Return the configuration of one of `RANGES`; OFF ignores the peers."""
     others = [peer for peer in static_peers if peer not in _LOOPBACK]
-    if discovery_range == "OFF":
+    if asked == "OFF":
         tag = f"<ParticipantIndex>none</ParticipantIndex><Tag>tfloom-off-{os.getpid()}</Tag>"
         return _domain(_loopback(), tag, _RECEIVE_BUFFER + _PROMPT_ACKNOWLEDGEMENTS)
-    if discovery_range == "LOCALHOST":
+    if asked == "LOCALHOST":
         internal = _RECEIVE_BUFFER if others else _RECEIVE_BUFFER + _PROMPT_ACKNOWLEDGEMENTS
         return _domain(_loopback(reach_others=bool(others)), _peers(["127.0.0.1", *others]), internal)
     discovery = _peers(static_peers) if static_peers else ""
-    if discovery_range == "SUBNET":
+    if asked == "SUBNET":
         return _domain("<AllowMulticast>true</AllowMulticast>", discovery, _RECEIVE_BUFFER)
     return _domain("", discovery, "")
 
