@@ -379,10 +379,9 @@ void bind_tf2(nb::module_& m) {
   nb::class_<BufferHandle> type(m, "Buffer", "A tree of frames over time; see `tfloom.tf2.buffer.Buffer`.");
   type.def(
       "__init__",
-      [](BufferHandle* self, std::optional<StampArgument> cache_time) {
-        const tf2::Stamp limit = cache_time ? cache_time->value : tf2::unlimited;
-        if (limit < 0) throw nb::value_error("cache_time_ns must not be negative");
-        new (self) BufferHandle{std::make_shared<tf2::Buffer>(limit)};
+      [](BufferHandle* self, const AgeArgument& cache_time) {
+        if (cache_time.value < 0) throw nb::value_error("cache_time_ns must not be negative");
+        new (self) BufferHandle{std::make_shared<tf2::Buffer>(cache_time.value)};
       },
       "cache_time_ns"_a.none() = tf2::Buffer::default_cache_time,
       "Make an empty buffer; see `cache_time_ns`.");

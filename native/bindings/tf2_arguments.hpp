@@ -7,12 +7,19 @@
 #include <string_view>
 
 #include "tf2/errors.hpp"
+#include "tf2/time_cache.hpp"
 
 namespace tfloom::bindings {
 
 // An int of nanoseconds; one beyond 64 bits is a ValueError that says so.
 struct StampArgument {
   std::int64_t value = 0;
+};
+
+// The same for an age; None, where the argument takes it, is unlimited. std::optional<StampArgument> would not do: its
+// caster must not throw.
+struct AgeArgument {
+  std::int64_t value = tf2::unlimited;
 };
 
 // A str, and its UTF-8 for as long as the call.
@@ -62,9 +69,31 @@ struct type_caster<tfloom::bindings::StampArgument> {
     return value_;
   }
 
- private:
+ protected:
   tfloom::bindings::StampArgument value_;
   int overflow_ = 0;
+};
+
+template <>
+struct type_caster<tfloom::bindings::AgeArgument> : type_caster<tfloom::bindings::StampArgument> {
+  using Base = type_caster<tfloom::bindings::StampArgument>;
+  static constexpr auto Name = const_name("int");  // `.none()` adds None
+  template <typename T>
+  using Cast = tfloom::bindings::AgeArgument;
+
+  bool from_python(handle source, std::uint8_t flags, cleanup_list* cleanup) noexcept {
+    is_none_ = source.is_none();
+    return is_none_ || Base::from_python(source, flags, cleanup);
+  }
+
+  explicit operator tfloom::bindings::AgeArgument() {
+    if (is_none_) return {};
+    if (overflow_ != 0) throw nanobind::value_error("a time must fit into 64 bits of nanoseconds: 292 years");
+    return {value_.value};
+  }
+
+ private:
+  bool is_none_ = false;
 };
 
 template <>

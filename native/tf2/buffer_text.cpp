@@ -20,7 +20,8 @@ struct Summary {
         oldest(frame.oldest_stamp()) {
     constexpr double shortest_s = 1e-4;  // a single sample counts as 10 kHz
     newest_s = seconds(newest);
-    length_s = seconds(newest - oldest);
+    // Unsigned, as the difference of extreme stamps overflows.
+    length_s = static_cast<double>(static_cast<std::uint64_t>(newest) - static_cast<std::uint64_t>(oldest)) / 1e9;
     rate_hz = static_cast<double>(frame.sample_count()) / std::max(length_s, shortest_s);
   }
 };

@@ -106,6 +106,17 @@ def test_stamps_over_all_of_time_in_any_order() -> None:
         assert poses.positions[index] == pytest.approx(buffer.lookup("a", "b", stamp).translation)
 
 
+def test_the_listings_of_all_of_time() -> None:
+    buffer = Buffer(None)
+    for stamp in (EXTREMES[0], EXTREMES[-1]):
+        buffer.set("a", "b", stamp, HERE, UPRIGHT)
+    listing = buffer.all_frames_as_yaml()
+    assert "oldest_transform: -9223372036.854776" in listing
+    assert "buffer_length: 18446744073.710" in listing
+    assert "rate: 0.000" in listing
+    assert "Buffer length: 18446744073.710 sec" in buffer.all_frames_as_dot()
+
+
 def test_arrays_that_are_read_only_or_not_contiguous(buffer: Buffer) -> None:
     stamps = np.repeat(SECOND + np.arange(100) * 1000, 2)[::2]
     positions, rotations = np.asfortranarray(np.ones((100, 3))), np.ones((100, 8))[:, ::2]

@@ -365,6 +365,12 @@ def test_a_cache_time_is_not_negative() -> None:
         Buffer(-1)
 
 
+@pytest.mark.parametrize("beyond", [2**63, -(2**64)])
+def test_a_cache_time_beyond_64_bits_is_an_error_that_says_so(beyond: int) -> None:
+    with pytest.raises(ValueError, match="must fit into 64 bits of nanoseconds"):
+        Buffer(beyond)
+
+
 def test_unlimited_and_zero_cache_times() -> None:
     assert Buffer(None).cache_time_ns is None
     keeps_two = Buffer(0)
