@@ -331,6 +331,44 @@ def test_a_callback_may_spin_its_own_node_by_the_short_functions(node: Node, con
         assert node.executor is executor
 
 
+def test_a_node_that_another_executor_spins_goes_back_to_it(
+    node: Node, executor: Executor, context: Context
+) -> None:
+    ticks: list[None] = []
+    node.create_timer(0.001, lambda: ticks.append(None))
+    executor.add_node(node)
+    spinning = Spinning(executor)
+    with SingleThreadedExecutor(context=context) as own:
+        future: Future[None] = Future()
+        wake = threading.Timer(0.01, future.set_result, [None])
+        wake.start()
+        rclpy.spin_until_future_complete(node, future, own, timeout_sec=10)
+        assert future.done()
+        assert node.executor is executor
+        seen = len(ticks)
+        wait_until(lambda: len(ticks) > seen + 2)
+        wake.join()
+        assert own.get_nodes() == []
+    executor.shutdown(10)
+    assert spinning.join() is None
+
+
+def test_a_node_does_not_go_back_to_an_executor_that_has_ended_nor_once_it_is_destroyed(
+    make_node: Callable[..., Node], context: Context
+) -> None:
+    with SingleThreadedExecutor(context=context) as first, SingleThreadedExecutor(context=context) as own:
+        destroyed, left = make_node("destroyed"), make_node("left")
+        first.add_node(destroyed)
+        destroyed.create_timer(0.0, destroyed.destroy_node)
+        rclpy.spin_once(destroyed, executor=own, timeout_sec=5)
+        assert first.get_nodes() == []
+        first.add_node(left)
+        left.create_timer(0.0, first.shutdown)
+        rclpy.spin_once(left, executor=own, timeout_sec=5)
+        assert own.get_nodes() == []
+        assert left.executor is None
+
+
 class Throttled(CallbackGroup):
     """A group as programs write their own: so many callbacks, and one more with each `refill`."""
 

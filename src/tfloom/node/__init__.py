@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import TYPE_CHECKING
 
 from tfloom.node.context import Context
+from tfloom.node.executor_exceptions import ShutdownException
 from tfloom.node.parameter import Parameter
 from tfloom.node.signals import SignalHandlerOptions, install_signal_handlers, uninstall_signal_handlers
 from tfloom.node.task import Future
@@ -160,13 +161,21 @@ def get_global_executor() -> Executor:
 
 @contextmanager
 def _added(node: Node, executor: Executor) -> Iterator[None]:
-    """Have a node in an executor; who is in it already, and may be spun right now, stays there."""
+    """Have a node in an executor.
+
+    Who is in it already, and may be spun right now, stays there; who is taken from another goes back to it.
+    """
+    before = node.executor
     is_new = executor.add_node(node)
     try:
         yield
     finally:
         if is_new:
+            still_there = node in executor.get_nodes()  # a callback may have destroyed it, or moved it on
             executor.remove_node(node)
+            if before is not None and still_there:
+                with suppress(ShutdownException):
+                    before.add_node(node)
 
 
 def spin(node: Node, executor: Executor | None = None) -> None:
