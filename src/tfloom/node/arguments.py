@@ -15,7 +15,7 @@ from tfloom.node.exceptions import (
 )
 from tfloom.node.logging_severity import LoggingSeverity
 from tfloom.node.names import expand_topic_name, validate_namespace, validate_node_name, validate_topic_name
-from tfloom.node.parameter_file import ParameterRule, read_parameter_file
+from tfloom.node.parameter_file import ParameterRule, checked_value, read_parameter_file
 from tfloom.node.scalars import parse_value
 
 __all__ = ["Arguments", "RemapRule", "parse_arguments", "remove_ros_args"]
@@ -198,7 +198,7 @@ def _parse_param(parsed: Arguments, flag: str, value: str) -> None:
     if not name:
         raise _fail(flag, value, "the parameter has no name")
     try:
-        parameter = parse_value(text)
+        parameter = checked_value(name, parse_value(text))
     except ValueError as error:
         raise _fail(flag, value, str(error)) from None
     if text == "":

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 # A wrong form of a file is a wrong value, whichever Python type it has.
 # ruff: noqa: TRY004
 
-__all__ = ["ParameterRule", "read_parameter_file"]
+__all__ = ["ParameterRule", "checked_value", "read_parameter_file"]
 
 _KEY = "ros__parameters"
 
@@ -88,6 +88,18 @@ def _parameters(node: str, prefix: str, content: dict[str, Any]) -> Iterator[Par
 
 
 def _checked(node: str, name: str, value: Any) -> Any:
+    try:
+        return checked_value(name, value)
+    except ValueError as error:
+        raise ValueError(f"{node}: {error}") from None
+
+
+def checked_value(name: str, value: Any) -> Any:
+    """Return the value that a parameter takes: a list of whole and other numbers is one of floats.
+
+    Raises:
+        ValueError: it is a list, and no parameter has such a one.
+    """
     if not isinstance(value, list):
         return value
     kinds = {type(item) for item in value}
@@ -95,5 +107,5 @@ def _checked(node: str, name: str, value: Any) -> Any:
         return [float(item) for item in value]
     if len(kinds) > 1 or not kinds <= {bool, int, float, str, bytes}:
         found = ", ".join(sorted(kind.__name__ for kind in kinds))
-        raise ValueError(f"{node}: the list of '{name}' must be of one scalar type, not {found}")
+        raise ValueError(f"the list of '{name}' must be of one scalar type, not {found}")
     return value
