@@ -94,11 +94,15 @@ nb::tuple samples(const BufferHandle& self, const NameArgument& frame_id, const 
   rows.resize(found.size() * sizeof(Transform));
   auto* stamp = static_cast<char*>(stamps.data());
   auto* row = static_cast<char*>(rows.data());
-  for (const tf2::Sample& sample : found) {
-    std::memcpy(stamp, &sample.stamp, sizeof(Stamp));
-    std::memcpy(row, &sample.value, sizeof(Transform));
-    stamp += sizeof(Stamp);
-    row += sizeof(Transform);
+  {
+    const ReleasedGil release;  // Python hasn't seen the two yet
+    for (const tf2::Sample& sample : found) {
+      std::memcpy(stamp, &sample.stamp, sizeof(Stamp));
+      std::memcpy(row, &sample.value, sizeof(Transform));
+      stamp += sizeof(Stamp);
+      row += sizeof(Transform);
+    }
+    std::vector<tf2::Sample>().swap(found);  // which takes its time, too
   }
   return nb::make_tuple(stamps, rows);
 }

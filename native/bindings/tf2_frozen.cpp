@@ -2,6 +2,7 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 
+#include <cstring>
 #include <memory>
 #include <stdexcept>
 #include <vector>
@@ -24,7 +25,17 @@ nb::bytes freeze(const BufferHandle& self) {
     const ReleasedGil release;
     octets = self.buffer->freeze();
   }
-  return nb::bytes(octets.data(), octets.size());
+  // Python hasn't seen the object yet, so it may be filled without the GIL.
+  nb::bytes frozen = nb::steal<nb::bytes>(
+      PyBytes_FromStringAndSize(nullptr, static_cast<Py_ssize_t>(octets.size())));
+  if (!frozen.is_valid()) throw nb::python_error();
+  char* const data = PyBytes_AS_STRING(frozen.ptr());
+  {
+    const ReleasedGil release;
+    std::memcpy(data, octets.data(), octets.size());
+    std::vector<std::byte>().swap(octets);  // which takes its time, too
+  }
+  return frozen;
 }
 
 void map_frozen(BufferHandle& self, const Octets& data) {
