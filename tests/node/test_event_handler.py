@@ -84,6 +84,17 @@ def test_an_event_that_no_wire_tells_of(node: Node) -> None:
         PublisherEventCallbacks(incompatible_type=print)
 
 
+def test_an_end_whose_events_the_wire_does_not_know_is_not_made(node: Node) -> None:
+    with pytest.raises(UnsupportedEventTypeError, match="DEADLINE_MISSED"):
+        node.create_publisher(String, "numbers", 1, event_callbacks=PublisherEventCallbacks(deadline=print))
+    with pytest.raises(UnsupportedEventTypeError, match="MESSAGE_LOST"):
+        node.create_subscription(
+            String, "numbers", print, 1, event_callbacks=SubscriptionEventCallbacks(message_lost=print)
+        )
+    assert "/numbers" not in [each.topic_name for each in [*node.publishers, *node.subscriptions]]
+    assert node.count_publishers("numbers") == node.count_subscribers("numbers") == 0
+
+
 def test_acknowledgements_and_liveliness(node: Node) -> None:
     publisher = node.create_publisher(String, "chatter", 10)
     node.create_subscription(String, "chatter", print, 10)

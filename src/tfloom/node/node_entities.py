@@ -197,6 +197,7 @@ class NodeEntities:
             InvalidTopicNameException: the name isn't valid.
             TypeError, ValueError: `qos_profile` is neither a profile nor a depth.
             InvalidQosOverridesError: parameters override it with what can't be.
+            UnsupportedEventTypeError: the wire doesn't know an event that there is a callback for.
         """
         check_is_valid_msg_type(msg_type)
         name = self.resolve_topic_name(topic)
@@ -207,9 +208,13 @@ class NodeEntities:
         publisher = publisher_class(writer, msg_type, name, profile, None, group, context=self.__context)
         publisher._part_of = self  # noqa: SLF001  # ours
         self.__publishers.append(publisher)
-        publisher.event_handlers = self.__watch(
-            event_callbacks or PublisherEventCallbacks(), group, writer, name
-        )
+        try:
+            publisher.event_handlers = self.__watch(
+                event_callbacks or PublisherEventCallbacks(), group, writer, name
+            )
+        except BaseException:
+            self.destroy_publisher(publisher)
+            raise
         return publisher
 
     def create_subscription(
@@ -242,6 +247,7 @@ class NodeEntities:
             TypeError, ValueError: `qos_profile` is neither a profile nor a depth.
             InvalidQosOverridesError: parameters override it with what can't be.
             RuntimeError: `callback` takes neither one argument nor two.
+            UnsupportedEventTypeError: the wire doesn't know an event that there is a callback for.
         """
         check_is_valid_msg_type(msg_type)
         name = self.resolve_topic_name(topic)
@@ -257,9 +263,13 @@ class NodeEntities:
             reader.close()
             raise
         self.__add(subscription)
-        subscription.event_handlers = self.__watch(
-            event_callbacks or SubscriptionEventCallbacks(), group, reader, name
-        )
+        try:
+            subscription.event_handlers = self.__watch(
+                event_callbacks or SubscriptionEventCallbacks(), group, reader, name
+            )
+        except BaseException:
+            self.destroy_subscription(subscription)
+            raise
         return subscription
 
     def __profile(
