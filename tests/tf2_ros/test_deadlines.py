@@ -6,6 +6,8 @@ import threading
 import time
 from collections.abc import Callable
 
+import pytest
+
 from tfloom.tf2_ros import deadlines
 from tfloom.tf2_ros.deadlines import call_after
 
@@ -40,6 +42,24 @@ def test_a_call_may_call_off_itself_and_make_another() -> None:
 
     mine = call_after(0.01, first)
     assert ended.wait(10)
+
+
+def test_what_is_longer_than_a_thread_can_wait(
+    wait_until: Callable[..., None], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    broken: list[object] = []
+    monkeypatch.setattr(threading, "excepthook", broken.append)
+    with deadlines._changed:  # nothing that comes before
+        deadlines._waiting.clear()
+        deadlines._functions.clear()
+    called: list[str] = []
+    endless = call_after(10 * threading.TIMEOUT_MAX, lambda: called.append("endless"))
+    for _ in range(2):  # the first may still find the thread awake
+        call_after(0.01, lambda: called.append("short"))
+        wait_until(lambda: called)
+        called.clear()
+    endless.call_off()
+    assert broken == []
 
 
 def test_what_is_called_off_takes_no_room() -> None:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import threading
 import time
+from collections.abc import Callable
 
 import pytest
 from tests.tf2_ros.conftest import SECOND, transform_stamped
 
 from tfloom.node.clock import Clock
-from tfloom.node.duration import Duration
+from tfloom.node.duration import Duration, Infinite
 from tfloom.node.executors import Executor, MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.time import Time
@@ -55,6 +56,34 @@ def test_what_can_never_be_answered_is_told_at_once(
     ):
         assert isinstance(future.exception(), kind)
     assert time.monotonic() - start < 30
+
+
+def test_hopeless_for_ever_is_one_look(buffer: Buffer, monkeypatch: pytest.MonkeyPatch) -> None:
+    looks: list[float] = []
+
+    def wait(*query: object, timeout_s: float) -> bool:
+        looks.append(timeout_s)
+        return super(Buffer, buffer).wait(*query, timeout_s=timeout_s)
+
+    monkeypatch.setattr(buffer, "wait", wait)
+    assert not buffer.can_transform("map", "base", Time(seconds=1), Infinite)
+    assert len(looks) <= 2  # two, where the machine stops for a moment in the first
+
+
+def test_a_future_may_wait_for_ever(
+    buffer: Buffer, wait_until: Callable[..., None], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    broken: list[object] = []
+    monkeypatch.setattr(threading, "excepthook", broken.append)
+    endless = buffer.wait_for_transform_async("map", "arm", NOW, timeout=Infinite)
+    short = buffer.wait_for_transform_async("map", "leg", NOW, timeout=Duration(seconds=0.05))
+    wait_until(short.done)
+    again = buffer.wait_for_transform_async("map", "leg", NOW, timeout=Duration(seconds=0.05))
+    wait_until(again.done)
+    buffer.set_transform(transform_stamped("map", "arm", 100 * SECOND), "me")
+    assert endless.done()
+    assert endless.exception() is None
+    assert broken == []
 
 
 def test_a_lookup_wakes_with_the_transform_from_the_wire(node: Node) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import weakref
+from time import monotonic
 from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.tf2_msgs.srv import FrameGraph
@@ -144,9 +145,11 @@ class Buffer(BufferCore, BufferInterface):
         return verdict if return_debug_tuple else verdict[0]
 
     def _wait(self, timeout: Any, wait: Callable[..., bool], *query: Any) -> None:
-        left_s = duration_ns(timeout) / 1e9
-        while left_s > 0 and not wait(*query, timeout_s=min(left_s, SLICE_S)):
-            left_s -= SLICE_S
+        end_s = monotonic() + duration_ns(timeout) / 1e9
+        while (left_s := end_s - (start_s := monotonic())) > 0:
+            slice_s = min(left_s, SLICE_S)
+            if wait(*query, timeout_s=slice_s) or monotonic() - start_s < slice_s / 2:
+                return  # it's there; or it never can be, where the wait ends early
             if self._context is not None and not self._context.ok():
                 return
 

@@ -53,7 +53,8 @@ def _run() -> None:
     while True:
         with _changed:
             while not _waiting or _waiting[0][0] > time.monotonic():
-                _changed.wait(_waiting[0][0] - time.monotonic() if _waiting else None)
+                left_s = _waiting[0][0] - time.monotonic() if _waiting else threading.TIMEOUT_MAX
+                _changed.wait(min(left_s, threading.TIMEOUT_MAX))  # what is longer can't be waited for
             function = _functions.pop(heapq.heappop(_waiting)[1], None)
         if function is not None:
             function()
