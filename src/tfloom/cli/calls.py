@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from typing import Any
+from typing import Any, TypeVar
 
 from tfloom._native import ReadyQueue
 from tfloom.cli.action.common import GOAL_SERVICE
@@ -17,8 +17,12 @@ from tfloom.rmw.base import NodeName, Participant, Service
 from tfloom.rmw.qos import QoS
 from tfloom.rosidl import cdr
 
+T = TypeVar("T")
+
 HINT_S = 2.0
 """How long to wait for a server until the nearest names are told [s]: discovery is quicker on a busy machine, too."""
+PROGRESS_S = 1.0
+"""How long a response may take until the user is told what is waited for [s]."""
 LOOK_AGAIN_S = 0.05
 """How often a waiting client looks whether there is still a server [s]."""
 
@@ -97,8 +101,19 @@ class Client:
             self._queue.wait(int(LOOK_AGAIN_S * 1e9))
 
     def call(self, request: Any, timeout_s: float = math.inf) -> Any:
-        """Send a request and wait for its response; see `receive`."""
-        return self.receive(self.send(request), timeout_s)
+        """Send a request and wait for its response; see `receive`.
+
+        After `PROGRESS_S` a user at a terminal is told what is waited for.
+        """
+        told_s = time.monotonic() + PROGRESS_S if sys.stderr.isatty() else math.inf
+
+        def tell_once() -> None:
+            nonlocal told_s
+            if time.monotonic() > told_s:
+                told_s = math.inf
+                print(f"waiting for {self.name} to answer", file=sys.stderr)
+
+        return self.receive(self.send(request), timeout_s, tell_once)
 
     def _decoded(self, data: bytes) -> Any:
         try:
@@ -121,6 +136,29 @@ def service_client(
         yield client
     finally:
         client.close()
+
+
+def ask_each(asked: Mapping[str, Callable[[], T]]) -> dict[str, T]:
+    """Return what each of several answers, by its name; the user is told on stderr of those that don't answer.
+
+    Raises:
+        CommandError: none answers.
+    """
+    answers = {name: _answer(ask) for name, ask in asked.items()}
+    errors = [answer for answer in answers.values() if isinstance(answer, CommandError)]
+    text = "\n".join(map(str, errors))
+    if errors and len(errors) == len(answers):
+        raise CommandError(text)
+    if errors:
+        print(text, file=sys.stderr)
+    return {name: answer for name, answer in answers.items() if not isinstance(answer, CommandError)}
+
+
+def _answer(ask: Callable[[], T]) -> T | CommandError:
+    try:
+        return ask()
+    except CommandError as error:
+        return error
 
 
 def tell(text: str) -> Callable[[], None]:

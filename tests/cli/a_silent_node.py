@@ -1,0 +1,16 @@
+"""A node that is on the graph and answers nothing: it never spins. It ends with its input."""
+
+from __future__ import annotations
+
+import sys
+
+import rclpy
+from lifecycle_msgs.srv import GetState
+from std_srvs.srv import Empty
+
+rclpy.init()
+node = rclpy.create_node("a_silent_node")
+node.create_service(Empty, "/silence", lambda _, response: response)
+node.create_service(GetState, "~/get_state", lambda _, response: response)
+print("ready", flush=True)
+sys.stdin.read()

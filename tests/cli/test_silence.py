@@ -1,0 +1,52 @@
+"""A node that doesn't answer: the others do, and the user is told what is waited for."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+import transcript
+from tests.conftest import Program
+
+pytestmark = pytest.mark.wire
+HERE = Path(__file__).parent
+
+
+@pytest.fixture(autouse=True)
+def silent_node(domain_id: int, start_program: Callable[..., Program]) -> None:
+    start_program("python", HERE / "a_silent_node.py", stdin=subprocess.PIPE).wait_for("ready")
+
+
+def test_lists_hold_those_that_answer(start_program: Callable[..., Program]) -> None:
+    start_program("python", HERE / "a_lifecycle_node.py").wait_for("ready")
+    parameters = transcript.run("param", "list", "--filter", "use_sim_time")
+    assert parameters.text.splitlines() == [
+        "/a_silent_node/list_parameters didn't answer within 5 s",
+        "/a_node:",
+        "  use_sim_time",
+    ]
+    states = transcript.run("lifecycle", "get")
+    assert states.text.splitlines() == [
+        "/a_silent_node/get_state didn't answer within 10 s",
+        "/a_node: unconfigured [1]",
+    ]
+    assert parameters.exit_code == states.exit_code == 0
+
+
+def test_nobody_answers() -> None:
+    answer = transcript.run("param", "list")
+    assert (answer.text, answer.exit_code) == ("/a_silent_node/list_parameters didn't answer within 5 s", 1)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs a pseudo-terminal")
+def test_a_terminal_sees_what_is_waited_for(start_program: Callable[..., Program]) -> None:
+    words = ("service", "call", "--timeout", "2", "/silence", "std_srvs/srv/Empty")
+    piped = transcript.run(*words).text
+    assert "to answer" not in piped
+    command = [str(transcript.PROGRAM), *words]
+    shown = start_program("python", "-c", f"import pty; pty.spawn({command})")
+    shown.wait_for("waiting for /silence to answer")
+    shown.wait_for("/silence didn't answer within 2 s")
