@@ -20,7 +20,7 @@ from tfloom.interfaces.tf2_msgs.action import LookupTransform
 from tfloom.interfaces.tf2_msgs.msg import TF2Error
 from tfloom.node.action.client import ActionClient
 from tfloom.node.action.server import ActionServer
-from tfloom.node.duration import Duration
+from tfloom.node.duration import Duration, Infinite
 from tfloom.node.executors import ExternalShutdownException, MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.time import Time
@@ -126,6 +126,10 @@ def test_a_message_s_time_and_a_message_s_duration(client: BufferClient) -> None
     assert where(found) == (2.0, 0.0, 0.0)
     with pytest.raises(TypeError, match=r"^Must pass a rclpy\.time\.Time object\.$"):
         client.lookup_transform("world", "robot", 2.0)
+
+
+def test_a_timeout_that_no_message_can_hold(client: BufferClient) -> None:
+    assert where(client.lookup_transform("world", "robot", at(2), Infinite)) == (2.0, 0.0, 0.0)
 
 
 def test_the_full_form(client: BufferClient) -> None:

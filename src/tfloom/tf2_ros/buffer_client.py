@@ -33,6 +33,8 @@ if TYPE_CHECKING:
 
 __all__ = ["BufferClient"]
 
+LONGEST_S = 2**31 - 1
+"""What a message can hold: 68 years; rclpy's Infinite is longer [s]."""
 PADDING = Duration(seconds=2.0)
 WRONG = "Something is likely wrong with the server."
 ERRORS: dict[int, type[TransformException]] = {
@@ -257,5 +259,5 @@ def _time_message(time: Any) -> TimeMessage:
 
 
 def _duration_message(duration: Any) -> DurationMessage:
-    sec, nanosec = divmod(duration_ns(duration), S_TO_NS)
+    sec, nanosec = divmod(min(duration_ns(duration), LONGEST_S * S_TO_NS), S_TO_NS)
     return DurationMessage(sec=sec, nanosec=nanosec)
