@@ -197,7 +197,7 @@ void bind_tf2_messages(nb::class_<BufferHandle>& type) {
             return message_or_raise(self.buffer->lookup(tf2::Query::at(target.text, source.text, stamp)), target,
                                     source);
           },
-          "target_frame"_a, "source_frame"_a, "time"_a,
+          "target_frame"_a, "source_frame"_a, "time"_a.none(),
           nb::sig("def lookup_message(self, target_frame: str, source_frame: str, time: object) -> typing.Any"),
           "Return what `lookup` does as a `geometry_msgs/msg/TransformStamped`.\n\n"
           "`time` has `nanoseconds`, or `sec` and `nanosec`; TypeError if it has neither.")
@@ -210,7 +210,7 @@ void bind_tf2_messages(nb::class_<BufferHandle>& type) {
                                    fixed.text};
             return message_or_raise(self.buffer->lookup(query), target, source);
           },
-          "target_frame"_a, "target_time"_a, "source_frame"_a, "source_time"_a, "fixed_frame"_a,
+          "target_frame"_a, "target_time"_a.none(), "source_frame"_a, "source_time"_a.none(), "fixed_frame"_a,
           nb::sig("def lookup_message_full(self, target_frame: str, target_time: object, source_frame: str, "
                   "source_time: object, fixed_frame: str) -> typing.Any"),
           "Return what `lookup_full` does as a `geometry_msgs/msg/TransformStamped`; times as in `lookup_message`.");

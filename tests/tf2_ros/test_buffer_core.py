@@ -90,6 +90,19 @@ def test_takes_anything_with_nanoseconds_or_sec_and_nanosec(time: object) -> Non
     assert buffer.can_transform_core("a", "b", time) == (True, "")
 
 
+@pytest.mark.parametrize("time", [None, 5, 1.5, "now"])
+def test_what_is_no_time(time: object) -> None:
+    buffer = BufferCore()
+    for ask in (
+        lambda: buffer.lookup_transform_core("a", "b", time),
+        lambda: buffer.can_transform_core("a", "b", time),
+        lambda: buffer.lookup_transform_full_core("a", time, "b", Time(), "a"),
+        lambda: buffer.lookup_transform_full_core("a", Time(), "b", time, "a"),
+    ):
+        with pytest.raises(TypeError, match=r"^time must have sec and nanosec, or nanoseconds\.$"):
+            ask()
+
+
 def test_a_stamp_may_be_rclpy_time_and_numbers_ints() -> None:
     message = transform_stamped("a", "b", 0, (1, 2, 3), (0, 0, 0, 1))
     message.header.stamp = Time(seconds=3)
