@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-BUILD_TIMEOUT_S = 300
+BUILD_TIMEOUT_S = 900
 RUN_TIMEOUT_S = 120
 PROGRAMS = ["buffer_threads", "hostile_tf", "queue_threads"]
 
