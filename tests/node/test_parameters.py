@@ -294,7 +294,10 @@ def test_changes_are_published(
 
 
 def test_sim_time_by_parameter(
-    make_node: MakeNode, executor: SingleThreadedExecutor, spin_until: Callable[..., None]
+    make_node: MakeNode,
+    executor: SingleThreadedExecutor,
+    spin_until: Callable[..., None],
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
     from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMsg
     from tfloom.interfaces.rosgraph_msgs.msg import Clock
@@ -305,6 +308,9 @@ def test_sim_time_by_parameter(
     assert node.get_clock().now().nanoseconds == 0
     publisher.publish(Clock(clock=TimeMsg(sec=7)))
     spin_until(lambda: node.get_clock().now().nanoseconds == 7 * 10**9)
+    publisher.publish(Clock(clock=TimeMsg(sec=-5)))
+    spin_until(lambda: "Dropped a time on /clock that is before 0: -5 s" in capsys.readouterr().err)
+    assert node.get_clock().now().nanoseconds == 7 * 10**9
     assert node.set_parameters([Parameter("use_sim_time", value=False)])[0].successful
     assert node.get_clock().now().nanoseconds > 10**18
     assert node.count_subscribers("/clock") == 0

@@ -251,6 +251,23 @@ def test_what_does_not_wait_succeeds_even_with_an_error(
     assert response.result.error.error == code
 
 
+def test_a_time_that_no_stamp_can_tell_is_an_error(goals: ActionClient) -> None:
+    """The answer could not be sent."""
+    late = TimeMessage(sec=2**31 - 1, nanosec=2**32 - 1)
+    goal = LookupTransform.Goal(
+        target_frame="robot",
+        source_frame="laser",
+        source_time=late,
+        target_time=late,
+        fixed_frame="robot",
+        timeout=DurationMessage(sec=1),
+    )
+    for goal.advanced in (False, True):
+        result = goals.send_goal(goal).result
+        assert result.error.error == TF2Error.TRANSFORM_ERROR
+        assert result.error.error_string == "the time asked for is later than a stamp can tell"
+
+
 def test_what_waits_can_be_cancelled(
     goals: ActionClient, buffer: Buffer, wait_until: Callable[..., None]
 ) -> None:

@@ -10,6 +10,7 @@ from tfloom.node.clock import ROSClock
 from tfloom.node.clock_type import ClockType
 from tfloom.node.parameter import Parameter, ParameterType
 from tfloom.node.qos import QoSProfile, ReliabilityPolicy
+from tfloom.node.throttled_warning import ThrottledWarning
 from tfloom.node.time import Time
 
 if TYPE_CHECKING:
@@ -36,6 +37,7 @@ class TimeSource:
         self._subscription: Subscription[rosgraph_msg.Clock] | None = None
         self._last_time = Time(clock_type=ClockType.ROS_TIME)
         self._ros_time_is_active = False
+        self._warning: ThrottledWarning | None = None
         if node is not None:
             self.attach_node(node)
 
@@ -65,6 +67,7 @@ class TimeSource:
         if self._node is not None:
             self.detach_node()
         self._node = node
+        self._warning = ThrottledWarning(node.get_logger())
         if not node.has_parameter(USE_SIM_TIME_NAME):
             node.declare_parameter(USE_SIM_TIME_NAME, False)
         self.ros_time_is_active = bool(node.get_parameter(USE_SIM_TIME_NAME).value)
@@ -90,7 +93,11 @@ class TimeSource:
         self._clocks.append(clock)
 
     def clock_callback(self, msg: rosgraph_msg.Clock) -> None:
-        """Set the clocks to what a message of /clock says."""
+        """Set the clocks to what a message of /clock says; a time before 0, which no clock can show, is dropped."""
+        if msg.clock.sec < 0:
+            if self._warning is not None:
+                self._warning.log(f"Dropped a time on {CLOCK_TOPIC} that is before 0: {msg.clock.sec} s")
+            return
         self._last_time = Time.from_msg(msg.clock)
         for clock in self._clocks:
             clock.set_ros_time_override(self._last_time)

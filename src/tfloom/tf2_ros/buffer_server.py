@@ -39,6 +39,8 @@ CODES: dict[type[TransformException], int] = {
 """What each kind of error is called in an answer; the kinds of ExtrapolationException share one."""
 RESULT_TIMEOUT_S = 10.0
 """How long an answer is kept for a client that is slow to ask for it."""
+MOST_SECONDS = 2**31 - 1
+"""What the seconds of a stamp can be at most."""
 
 
 class BufferServer:
@@ -121,9 +123,12 @@ class _Query:
         from tfloom.interfaces.tf2_msgs.action import LookupTransform_Result
 
         try:
-            return LookupTransform_Result(transform=self._look_up())
+            transform = self._look_up()
         except TransformException as error:
             return _failure(error)
+        if transform.header.stamp.sec > MOST_SECONDS:  # a goal's nanoseconds may be some seconds more
+            return _failure(TransformException("the time asked for is later than a stamp can tell"))
+        return LookupTransform_Result(transform=transform)
 
     def wait(self) -> Future[bool]:
         """Return a future: True once the transform is there, or none can come any more; False after the timeout."""
