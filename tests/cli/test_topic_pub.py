@@ -43,6 +43,27 @@ def test_a_field_that_is_not_there_names_those_that_are(domain_id: int) -> None:
     assert answer.text.endswith("\nVector3 has: x, y, z")
 
 
+@pytest.mark.parametrize(
+    ("type_name", "values", "field"),
+    [
+        ("geometry_msgs/msg/Twist", "{linear: {x: 1, y: abc}}", "linear.y"),
+        ("geometry_msgs/msg/Twist", "{linear: {x: 1}, angular: 3}", "angular"),
+        (
+            "nav_msgs/msg/Path",
+            "{poses: [{header: auto}, {pose: {position: {z: up}}}]}",
+            "poses[1].pose.position.z",
+        ),
+        ("sensor_msgs/msg/JointState", "{name: [a, b], position: [1, b]}", "position[1]"),
+    ],
+)
+def test_a_value_that_does_not_fit_names_its_field(
+    type_name: str, values: str, field: str, domain_id: int
+) -> None:
+    answer = transcript.run("topic", "pub", "/x", type_name, values)
+    assert answer.exit_code == 1
+    assert answer.text.splitlines()[1:] == [f"in the field {field}"]
+
+
 def test_mistaken_yaml_is_shown_at_its_place(domain_id: int, deviations: dict[str, dict[str, str]]) -> None:
     assert "cli-yaml-mistake" in deviations
     recorded = transcript.golden("topic_pub_badyaml")

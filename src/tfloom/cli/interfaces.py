@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 
 from tfloom.cli.errors import CommandError
 from tfloom.rosidl import cdr, registry
-from tfloom.rosidl.fill import StampSetter, set_message_fields
+from tfloom.rosidl.fill import Filler, StampSetter
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.parse import ParseError
 
@@ -105,15 +105,18 @@ def fill_message(message: Message, values: dict[str, Any]) -> list[StampSetter]:
         A function for each such word, to be called with the time of publishing.
 
     Raises:
-        CommandError: a field doesn't exist, and which do, or a value doesn't fit.
+        CommandError: a field doesn't exist, and which do, or a value doesn't fit, and which field.
     """
+    filler = Filler(auto=True, now=True)
     try:
-        setters = set_message_fields(message, values, expand_header_auto=True, expand_time_now=True)
-        set_stamps(setters, time.time_ns())
+        filler.fill(message, values)
+        set_stamps(filler.setters, time.time_ns())
         cdr.encode(message)
     except (AttributeError, TypeError, ValueError, AssertionError, OverflowError) as error:
-        raise CommandError(f"Failed to populate field: {error}{_fields_there_are(error)}") from None
-    return setters
+        raise CommandError(
+            f"Failed to populate field: {error}{_fields_there_are(error) or _in_field(filler)}"
+        ) from None
+    return filler.setters
 
 
 def set_stamps(setters: list[StampSetter], now_ns: int) -> None:
@@ -124,6 +127,11 @@ def set_stamps(setters: list[StampSetter], now_ns: int) -> None:
         sec, nanosec = divmod(now_ns, 1_000_000_000)
         for set_stamp in setters:
             set_stamp(Time(sec=sec, nanosec=nanosec))
+
+
+def _in_field(filler: Filler) -> str:
+    path = "".join(filler.path).lstrip(".")
+    return f"\nin the field {path}" if path else ""
 
 
 def _fields_there_are(error: Exception) -> str:

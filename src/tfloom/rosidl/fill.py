@@ -34,19 +34,24 @@ def set_message_fields(
         AttributeError: there is no such field.
         TypeError, ValueError: a value doesn't fit its field.
     """
-    setters: list[StampSetter] = []
-    _Filler(setters, auto=expand_header_auto, now=expand_time_now).fill(msg, {} if values is None else values)
-    return setters
+    filler = Filler(auto=expand_header_auto, now=expand_time_now)
+    filler.fill(msg, {} if values is None else values)
+    return filler.setters
 
 
-class _Filler:
-    def __init__(self, setters: list[StampSetter], *, auto: bool, now: bool) -> None:
-        self.setters = setters
+class Filler:
+    """What `set_message_fields` does, for who asks which field a value didn't fit."""
+
+    def __init__(self, *, auto: bool, now: bool) -> None:
+        self.setters: list[StampSetter] = []
+        self.path: list[str] = []
+        """The steps to the field that is being set, or was when an error was raised: `.poses`, `[1]`, `.header`."""
         self.words = {"std_msgs/msg/Header": "auto"} if auto else {}
         if now:
             self.words["builtin_interfaces/msg/Time"] = "now"
 
     def fill(self, msg: Message, values: Any) -> None:
+        """Set fields of a message from a mapping; see `set_message_fields`."""
         if not isinstance(values, Mapping):
             kind = type(values).__name__
             raise TypeError(f"Value '{values}' is expected to be a dictionary but is a {kind}")
@@ -54,16 +59,18 @@ class _Filler:
             if name not in msg._FIELDS:
                 text = f"'{type(msg).__name__}' object has no attribute '{name}'"
                 raise AttributeError(text, name=name, obj=msg)
-            self.set(msg, name, parse_type(msg._FIELDS[name]), value)
+            self.path.append(f".{name}")
+            self._set(msg, name, parse_type(msg._FIELDS[name]), value)
+            self.path.pop()
 
-    def set(self, msg: Message, name: str, type_: Type, value: Any) -> None:
+    def _set(self, msg: Message, name: str, type_: Type, value: Any) -> None:
         if isinstance(value, str) and value == self.words.get(type_.base) and not type_.shape:
             is_time = value == "now"
             self.setters.append(
                 partial(setattr, msg if is_time else getattr(msg, name), name if is_time else "stamp")
             )
         elif type_.shape:
-            setattr(msg, name, self.array(type_, value))
+            setattr(msg, name, self._array(type_, value))
         elif type_.is_primitive:
             setattr(msg, name, _convert(type_, value))
         elif isinstance(value, Message):
@@ -71,21 +78,24 @@ class _Filler:
         else:
             self.fill(getattr(msg, name), value)
 
-    def array(self, type_: Type, values: Any) -> Any:
+    def _array(self, type_: Type, values: Any) -> Any:
         if isinstance(values, (str, Mapping)) or not hasattr(values, "__iter__"):
             raise TypeError(f"Value '{values}' is expected to be a list but is a {type(values).__name__}")
         if isinstance(values, (bytes, bytearray)) or hasattr(values, "typecode") or hasattr(values, "dtype"):
             return values if type_.base in ARRAY_CODES else [_convert(type_.element, each) for each in values]
-        return [self.element(type_.element, each) for each in values]
+        return [self._element(type_.element, index, each) for index, each in enumerate(values)]
 
-    def element(self, type_: Type, value: Any) -> Any:
+    def _element(self, type_: Type, index: int, value: Any) -> Any:
+        self.path.append(f"[{index}]")
         if type_.is_primitive:
-            return _convert(type_, value)
-        if isinstance(value, Message):
-            return value
-        message = get_message_class(type_.base)()
-        self.fill(message, value)
-        return message
+            element = _convert(type_, value)
+        elif isinstance(value, Message):
+            element = value
+        else:
+            element = get_message_class(type_.base)()
+            self.fill(element, value)
+        self.path.pop()
+        return element
 
 
 def _convert(type_: Type, value: Any) -> Any:
