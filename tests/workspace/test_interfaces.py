@@ -70,7 +70,11 @@ def test_a_type_that_holds_itself_has_an_end(workspace: Path) -> None:
             "my_msgs/msg/Iner",
             "Could not find the interface 'my_msgs/msg/Iner'\ndid you mean my_msgs/msg/Inner?",
         ),
-        ("Inner", "an interface's name is like std_msgs/msg/String, not 'Inner'"),
+        (
+            "Inner",
+            "an interface's name is like std_msgs/msg/String, not 'Inner'\ndid you mean my_msgs/msg/Inner?",
+        ),
+        ("Nobodys", "an interface's name is like std_msgs/msg/String, not 'Nobodys'"),
         ("../msg/Inner", "an interface's name is like std_msgs/msg/String, not '../msg/Inner'"),
     ],
 )
