@@ -165,6 +165,7 @@ class Buffer {
   [[nodiscard]] bool is_too_old(FrameId target, FrameId source, Stamp stamp) const;
   [[nodiscard]] std::string frames_as_string() const;
   [[nodiscard]] bool is_straggler(Stamp stamp);
+  void prefetch_frames(std::span<const Entry> entries) const;
   bool insert(Entry entry, std::string_view authority, bool is_static, Known& known,
               std::vector<Rejection>& rejections);
 

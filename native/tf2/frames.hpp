@@ -59,6 +59,10 @@ class FrameTable {
   FrameTable();
 
   [[nodiscard]] std::optional<FrameId> find(std::string_view name) const;
+  [[nodiscard]] const Frame* guess(std::string_view name) const {  // most likely the frame; null: likely unknown
+    const FrameId id = ids_.guess(name);
+    return id == NameIndex::none ? nullptr : frames_[id].get();
+  }
   FrameId intern(std::string_view name);
   void add_removed();  // takes an id as if it had been interned and removed
   // The id is not used again, as stored samples may hold it. The frame is then nameless.

@@ -26,6 +26,14 @@ class NameIndex {
     }
   }
 
+  // Most likely what `find` will say, without a look at any name.
+  [[nodiscard]] std::uint32_t guess(std::string_view name) const {
+    const std::uint32_t hash = hash_of(name);
+    for (std::size_t i = hash & mask();; i = (i + 1) & mask()) {
+      if (slots_[i].id == none || slots_[i].hash == hash) return slots_[i].id;
+    }
+  }
+
   // For a name that isn't there.
   void add(std::string_view name, std::uint32_t id) {
     if (2 * (count_ + 1) > slots_.size()) grow();

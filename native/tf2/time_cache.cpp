@@ -1,5 +1,7 @@
 #include "tf2/time_cache.hpp"
 
+#include "core/prefetch.hpp"
+
 #include <algorithm>
 
 namespace tfloom::tf2 {
@@ -67,6 +69,22 @@ bool TimeCache::insert(const Sample& sample) {
   ++size_;
   note_ends();
   return true;
+}
+
+void TimeCache::prefetch_blocks() const {
+  if (empty()) return;
+  prefetch(&blocks_.front(), sizeof(Block));
+  prefetch(&blocks_.back(), sizeof(Block));
+}
+
+void TimeCache::prefetch_ends() const {
+  if (empty()) return;
+  const Block& first = blocks_.front();
+  const Block& last = blocks_.back();
+  prefetch(first.stamps.begin() + first.begin);
+  prefetch(last.stamps.end(), sizeof(Stamp));
+  prefetch(last.parents.end(), sizeof(FrameId));
+  prefetch(last.values.end(), sizeof(Transform));
 }
 
 Bracket TimeCache::find(Stamp stamp) const {

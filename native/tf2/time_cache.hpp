@@ -58,6 +58,10 @@ class TimeCache {
   // sparse transforms rely on.
   bool insert(const Sample& sample);
 
+  // Two steps ahead of inserts after the newest sample: fetch what leads to the memory they touch, then that.
+  void prefetch_blocks() const;
+  void prefetch_ends() const;
+
   // The answer's pointers live until the next change. `stamp` of `latest` is the newest sample.
   [[nodiscard]] Bracket find(Stamp stamp) const;
 

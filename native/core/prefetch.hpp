@@ -1,0 +1,26 @@
+// Asks the processor for memory that will be wanted soon.
+#pragma once
+
+#include <cstddef>
+
+#if defined(_MSC_VER) && (defined(_M_X64) || defined(_M_IX86))
+#include <intrin.h>
+#endif
+
+namespace tfloom {
+
+// Of no effect on what a program computes: any address will do. A line of a cache holds 64 octets or more.
+inline void prefetch(const void* address, std::size_t octets = 1) {
+  const char* const begin = static_cast<const char*>(address);
+  for (std::size_t at = 0; at < octets; at += 64) {
+#if defined(__GNUC__) || defined(__clang__)
+    __builtin_prefetch(begin + at);
+#elif defined(_MSC_VER) && (defined(_M_X64) || defined(_M_IX86))
+    _mm_prefetch(begin + at, _MM_HINT_T0);
+#else
+    static_cast<void>(begin);
+#endif
+  }
+}
+
+}  // namespace tfloom
