@@ -12,7 +12,7 @@ _VAR_POSITIONAL = 0x04
 
 
 def takes(callback: Callable[..., Any], count: int) -> bool:
-    """Return whether `callback` can be called with `count` positional arguments."""
+    """Return whether `callback` can be called with `count` positional arguments, for all that it tells."""
     function = callback.__func__ if isinstance(callback, MethodType) else callback
     if not isinstance(function, FunctionType) or hasattr(function, "__wrapped__"):
         return _binds(callback, count)
@@ -31,6 +31,8 @@ def _binds(callback: Callable[..., Any], count: int) -> bool:
 
     try:
         signature(callback).bind(*range(count))
-    except (TypeError, ValueError):  # ValueError: a built-in that doesn't tell
+    except TypeError:
         return False
+    except ValueError:
+        pass  # a built-in that doesn't tell, as `print` before Python 3.11
     return True
