@@ -236,7 +236,10 @@ def _stamps_of_dates(dates: NDArray[np.datetime64]) -> NDArray[np.int64]:
 
     if np.isnat(dates).any():
         raise ValueError("stamps_ns holds NaT, which is no time")
-    in_ns = dates.astype("datetime64[ns]")
+    try:
+        in_ns = dates.astype("datetime64[ns]")
+    except OverflowError:  # from numpy 2.5 on; before it, they wrap
+        raise ValueError(BEYOND) from None
     if in_ns.dtype != dates.dtype:  # numpy wraps around where the nanoseconds don't fit
         seconds = dates.astype("datetime64[s]").view(np.int64)
         limit = np.iinfo(np.int64).max // 1_000_000_000

@@ -181,8 +181,12 @@ def test_its_log_goes_to_the_console_to_rosout_and_to_a_file_at_the_level_that_i
     assert records[0].function == "on_configure"
     assert records[0].line > 0
     assert records[0].stamp.sec > 0
-    console = [line for line in managed.lines if line.startswith("[")]
     (path,) = (path for path in (tmp_path / "log").iterdir() if path.name.startswith("managed_"))
     assert re.fullmatch(rf"managed_{managed.process.pid}_\d+\.log", path.name)
-    assert path.read_text().splitlines() == console
-    assert re.fullmatch(r"\[DEBUG\] \[\d{10}\.\d{9}\] \[managed\]: in detail", console[2])
+
+    def console() -> list[str]:
+        return [line for line in managed.lines if line.startswith("[")]
+
+    spin_until(lambda: len(console()) == 3)
+    assert path.read_text().splitlines() == console()
+    assert re.fullmatch(r"\[DEBUG\] \[\d{10}\.\d{9}\] \[managed\]: in detail", console()[2])
