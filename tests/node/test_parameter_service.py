@@ -11,12 +11,14 @@ import pytest
 from tfloom.interfaces.rcl_interfaces.msg import IntegerRange, LoggerLevel, ParameterDescriptor
 from tfloom.interfaces.rcl_interfaces.srv import GetLoggerLevels, SetLoggerLevels
 from tfloom.interfaces.std_msgs.msg import String
+from tfloom.interfaces.turtlesim.srv import Spawn
 from tfloom.interfaces.type_description_interfaces.srv import GetTypeDescription
 from tfloom.node.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.parameter import Parameter, parameter_value_to_python
 from tfloom.node.parameter_client import AsyncParameterClient
 from tfloom.node.task import Future
+from tfloom.rosidl.registry import find_class
 
 MakeNode = Callable[..., Node]
 Finish = Callable[[Future[Any]], Any]
@@ -207,3 +209,4 @@ def test_descriptions_of_parts_and_of_a_programs_own_types(
         answer = ask(name)
         assert not answer.successful
         assert answer.failure_reason
+    assert find_class("turtlesim/srv/Spawn") is Spawn  # and not another of the same name

@@ -121,10 +121,24 @@ def _load_definition(name: str) -> Any:
     definition = sources.definition_name(name)
     if sources.find_source(definition) is None:
         return None
+    if definition != name:  # a part of a class, which may be there: to load its definition would make another
+        return _part(find_class(definition), name)
     with dynamic.LOCK:  # one class for all threads
         if name not in _classes:
             dynamic.load(definition)
         return _classes.get(name)
+
+
+def _part(owner: type[Any], name: str) -> Any:
+    """Return the class of this type name among the parts of a service or action, or None."""
+    for each in vars(owner).values():
+        if not isinstance(each, type) or each.__qualname__ == owner.__qualname__:
+            continue
+        if getattr(each, "_TYPE_NAME", None) == name:
+            return each
+        if (found := _part(each, name)) is not None:
+            return found
+    return None
 
 
 def _import(module_name: str) -> Any:
