@@ -111,7 +111,8 @@ def test_a_services_events(start_program: Callable[..., object]) -> None:
     as_json = start_program("tfloom", "service", "echo", "/spawn", "--json")
 
     def call_until_heard(program: object, *texts: str) -> None:
-        for _ in range(30):  # The echo may not be listening yet; a name is given to one turtle only.
+        for _ in range(150):  # The graph must be still for a moment, and each call moves it.
+            # A name is given to one turtle only.
             name = f"heard_{next(numbers)}"
             words = ("service", "call", "/spawn", "turtlesim/srv/Spawn", f"{{x: 2.0, name: {name}}}")
             assert transcript.run(*words).exit_code == 0
