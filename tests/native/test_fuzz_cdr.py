@@ -20,6 +20,7 @@ from tfloom.rosidl.message import Message
 from tfloom.rosidl.registry import get_message_class
 from tfloom.rosidl.type_text import split_type
 
+pytestmark = pytest.mark.slow
 GOLDEN = Path(__file__).parents[1] / "golden" / "jazzy_types.jsonl"
 KINDS = [
     "bool",

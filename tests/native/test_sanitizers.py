@@ -13,6 +13,7 @@ import pytest
 ROOT = Path(__file__).parents[2]
 BUILD_TIMEOUT_S = 900
 RUN_TIMEOUT_S = 120
+pytestmark = pytest.mark.slow
 PROGRAMS = ["buffer_threads", "hostile_tf", "queue_threads"]
 
 

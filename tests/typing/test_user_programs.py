@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.slow
 ROOT = Path(__file__).parents[2]
-BUILD = ROOT / "build" / "wheel-under-test"  # kept, so that the next run compiles what has changed
 EXAMPLES = ROOT / "examples"
 PROGRAMS = [
     *sorted((Path(__file__).parent / "programs").glob("*.py")),

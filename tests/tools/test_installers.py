@@ -1,0 +1,94 @@
+"""A clone installed by pip, uv and pipx, each into a place of its own: what each leaves is a working `ros2`."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+COMMAND = "./packages/tfloom-ros2"
+TIMEOUT_S = 600.0
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(os.name != "posix", reason="the places of commands are POSIX's"),
+]
+
+
+@pytest.fixture(scope="module")
+def tools(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Install uv and pipx, and return the folder of their commands."""
+    folder = tmp_path_factory.mktemp("tools")
+    subprocess.run([sys.executable, "-m", "venv", folder], check=True, timeout=TIMEOUT_S)
+    run(folder, folder / "bin" / "python", "-m", "pip", "install", "--quiet", "uv", "pipx")
+    return folder / "bin"
+
+
+@pytest.fixture(scope="module")
+def clone(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Copy what a clone has, so that the builds leave nothing in this checkout."""
+    clone = tmp_path_factory.mktemp("a clone") / "tfloom"
+    unwanted = shutil.ignore_patterns(
+        ".git", ".venv", "build", "wheels", "__pycache__", ".*_cache", ".hypothesis"
+    )
+    return Path(shutil.copytree(ROOT, clone, ignore=unwanted))
+
+
+def run(home: Path, *command: str | Path, cwd: Path = ROOT, **environment: object) -> None:
+    """Run an installer with a home of its own; fail with what it printed."""
+    variables = {name: value for name, value in os.environ.items() if name != "VIRTUAL_ENV"}
+    done = subprocess.run(
+        command,
+        cwd=cwd,
+        env=variables | {"HOME": str(home)} | {name: str(value) for name, value in environment.items()},
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        timeout=TIMEOUT_S,
+        check=False,
+    )
+    assert done.returncode == 0, f"{command}\n{done.stdout}{done.stderr}"
+
+
+def expect_working(ros2: Path) -> None:
+    """Start what reads definitions and the native codec's plans, and takes no part in any domain."""
+    for arguments, expected in (
+        (["interface", "show", "geometry_msgs/msg/Vector3"], "float64 x"),
+        (["pkg", "executables", "turtlesim"], "turtlesim turtlesim_node"),
+    ):
+        done = subprocess.run([ros2, *arguments], capture_output=True, text=True, timeout=60, check=False)
+        assert expected in done.stdout, done.stdout + done.stderr
+
+
+def test_pip_installs_both_packages(clone: Path, tmp_path: Path) -> None:
+    subprocess.run([sys.executable, "-m", "venv", tmp_path / "venv"], check=True, timeout=TIMEOUT_S)
+    python = tmp_path / "venv" / "bin" / "python"
+    run(tmp_path, python, "-m", "pip", "install", "--quiet", ".[all]", COMMAND, cwd=clone)
+    expect_working(tmp_path / "venv" / "bin" / "ros2")
+
+
+def test_uv_pip_installs_both_packages(tools: Path, clone: Path, tmp_path: Path) -> None:
+    venv = tmp_path / "venv"
+    run(tmp_path, tools / "uv", "venv", "--python", sys.executable, venv, cwd=clone)
+    run(tmp_path, tools / "uv", "pip", "install", ".", COMMAND, cwd=clone, VIRTUAL_ENV=venv)
+    expect_working(venv / "bin" / "ros2")
+
+
+def test_uv_installs_a_tool(tools: Path, clone: Path, tmp_path: Path) -> None:
+    folders = {"UV_TOOL_DIR": tmp_path / "tools", "UV_TOOL_BIN_DIR": tmp_path / "bin"}
+    command = ["tool", "install", "--python", sys.executable, COMMAND, "--with", "."]
+    run(tmp_path, tools / "uv", *command, cwd=clone, **folders)
+    expect_working(tmp_path / "bin" / "ros2")
+
+
+def test_pipx_installs_and_injects(tools: Path, clone: Path, tmp_path: Path) -> None:
+    folders = {"PIPX_HOME": tmp_path / "pipx", "PIPX_BIN_DIR": tmp_path / "bin"}
+    run(tmp_path, tools / "pipx", "install", "--python", sys.executable, ".", cwd=clone, **folders)
+    run(tmp_path, tools / "pipx", "inject", "tfloom", COMMAND, "--include-apps", cwd=clone, **folders)
+    for name in ("ros2", "tfloom"):
+        expect_working(tmp_path / "bin" / name)

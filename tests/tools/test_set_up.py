@@ -1,0 +1,227 @@
+"""tools/set_up.py where something is missing or half there: what it says, and where a repeated run goes on."""
+
+from __future__ import annotations
+
+import json
+import os
+import platform
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from tools import set_up
+
+ROOT = Path(__file__).parents[2]
+NO_INDEX = {"PIP_NO_INDEX": "1", "PIP_FIND_LINKS": ""}
+"""pip finds nothing: the set-up ends at its first package."""
+AS_NOBODY = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"]
+
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="the Makefile's set-up is for POSIX systems")
+
+
+def run_set_up(venv: Path, *options: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, ROOT / "tools" / "set_up.py", "--venv", venv, *options, "demo"],
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=120,
+        env=os.environ | NO_INDEX | environment,
+    )
+
+
+def write_program(path: Path, text: str) -> Path:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(f"#!/bin/sh\n{text}\n")
+    path.chmod(0o755)
+    return path
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Give an environment that a set-up made, and then found no packages for."""
+    folder = tmp_path_factory.mktemp("set-up") / "a folder, ä"
+    done = run_set_up(folder)
+    assert done.returncode == 1
+    assert "Making" in done.stdout
+    assert "set-up: pip failed; its messages are above" in done.stderr
+    assert "No matching distribution" in done.stderr
+    return folder
+
+
+@pytest.fixture
+def environment(made: Path) -> Iterator[Path]:
+    """Give that environment, as it was made."""
+    record = (made / set_up.RECORD).read_text("utf-8")
+    yield made
+    (made / set_up.RECORD).write_text(record, "utf-8")
+
+
+def test_a_repeated_run_keeps_what_is_there(environment: Path) -> None:
+    assert "Making" not in run_set_up(environment).stdout
+
+
+def test_without_a_network_it_says_how_to_go_on(environment: Path) -> None:
+    done = run_set_up(
+        environment,
+        PIP_NO_INDEX="0",
+        PIP_INDEX_URL="http://127.0.0.1:9/simple",
+        PIP_EXTRA_INDEX_URL="",
+        PIP_RETRIES="1",
+    )
+    assert done.returncode == 1
+    assert "pip reaches no package index" in done.stderr
+    assert "make wheels" in done.stderr
+    assert "Traceback" not in done.stdout + done.stderr
+
+
+@pytest.mark.parametrize(
+    ("record", "said"),
+    [
+        ({"unfinished": "demo"}, "the one that is there was left unfinished"),
+        ({"folder": "/elsewhere/.venv"}, "the one that is there was made in another folder"),
+    ],
+)
+def test_what_was_interrupted_or_moved_is_made_anew(
+    environment: Path, record: dict[str, str], said: str
+) -> None:
+    marker = environment / "marker"
+    marker.touch()
+    (environment / set_up.RECORD).write_text(json.dumps({"folder": str(environment), **record}), "utf-8")
+    assert said in run_set_up(environment).stdout
+    assert not marker.exists()
+    assert json.loads((environment / set_up.RECORD).read_text("utf-8")) == {"folder": str(environment)}
+
+
+def test_an_environment_of_a_python_that_is_too_old_is_made_anew(tmp_path: Path) -> None:
+    write_program(tmp_path / "bin" / "python", "echo 3 9")
+    (tmp_path / "pyvenv.cfg").touch()
+    done = run_set_up(tmp_path)
+    assert f"with Python {platform.python_version()}: the one that is there has Python 3.9\n" in done.stdout
+    assert (tmp_path / "bin" / "pip").exists()
+
+
+@pytest.mark.parametrize(
+    ("python", "keep_python", "reason"),
+    [
+        ("exit 1", False, ": in the one that is there, Python or pip doesn't run"),
+        ("echo 3 9", True, ": the one that is there has Python 3.9"),
+        ("echo 3 99", False, ": the one that is there has Python 3.99"),
+        ("echo 3 99", True, None),
+    ],
+)
+def test_why_an_environment_is_made_anew(
+    tmp_path: Path, python: str, keep_python: bool, reason: str | None
+) -> None:
+    write_program(tmp_path / "bin" / "python", python)
+    (tmp_path / "pyvenv.cfg").touch()
+    assert set_up.Environment(tmp_path).why_make(keep_python) == reason
+
+
+def test_what_is_no_environment_is_left_alone(tmp_path: Path) -> None:
+    (tmp_path / "notes.txt").write_text("mine")
+    done = run_set_up(tmp_path)
+    assert done.returncode == 1
+    assert (
+        done.stderr
+        == f"set-up: {tmp_path} is there and is no virtual environment: move it away, and repeat\n"
+    )
+    assert (tmp_path / "notes.txt").read_text() == "mine"
+
+
+def test_a_place_that_cannot_be_written_is_named(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    for folder in (tmp_path / "file", tmp_path / "file" / "venv"):
+        done = run_set_up(folder)
+        assert done.returncode == 1
+        assert str(folder) in done.stderr
+        assert "Not a directory" in done.stderr
+        assert "make VENV=FOLDER" in done.stderr
+        assert "Traceback" not in done.stderr
+
+
+@pytest.mark.skipif(
+    os.geteuid() != 0 or not shutil.which("setpriv") or not Path("/usr/bin/python3").exists(),
+    reason="needs root, to become a user without rights, and a python3 that everybody may run",
+)
+def test_a_folder_without_permission_is_named(tmp_path: Path) -> None:
+    for folder in (tmp_path, *list(tmp_path.parents)[:2]):
+        folder.chmod(0o755)  # so that the other user can read the script
+    script = shutil.copytree(ROOT / "tools", tmp_path / "tools") / "set_up.py"
+    done = subprocess.run(
+        [*AS_NOBODY, "/usr/bin/python3", script, "--venv", tmp_path / "venv", "demo"],
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
+    )
+    assert done.returncode == 1
+    assert f"set-up: can't make {tmp_path / 'venv'}: " in done.stderr
+    assert "Permission denied" in done.stderr
+    assert "make VENV=FOLDER" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("release", "command"),
+    [
+        ({"ID": "debian"}, "apt-get install g++"),
+        ({"ID": "linuxmint", "ID_LIKE": "ubuntu debian"}, "apt-get install g++"),
+        ({"ID": "fedora"}, "dnf install gcc-c++"),
+        ({"ID": "alpine"}, "apk add g++"),
+        ({"ID": "unheard-of"}, "your system's package of g++"),
+    ],
+)
+def test_without_a_compiler_the_package_is_named(
+    release: dict[str, str], command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    monkeypatch.delenv("CXX", raising=False)
+    monkeypatch.setattr(sys, "platform", "linux")
+    monkeypatch.setattr(platform, "freedesktop_os_release", lambda: release)
+    with pytest.raises(set_up.SetUpError) as raised:
+        set_up.check_compiler()
+    assert str(raised.value) == f"no C++ compiler was found; this brings one: {command}"
+
+
+def test_a_compiler_that_is_too_old_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CXX", str(write_program(tmp_path / "g++-9", "exit 1")))
+    with pytest.raises(
+        set_up.SetUpError, match=r"g\+\+-9 compiles no C\+\+20: g\+\+ 12, clang 15 or newer does"
+    ):
+        set_up.check_compiler()
+
+
+def test_a_missing_header_of_python_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("sysconfig.get_path", lambda _: str(tmp_path))
+    with pytest.raises(set_up.SetUpError, match=r"Python\.h is missing; this brings it: "):
+        set_up.check_compiler()
+
+
+@pytest.mark.skipif(not shutil.which("make"), reason="make is not installed")
+def test_a_python_below_3_10_is_refused_in_one_line(tmp_path: Path) -> None:
+    python = write_program(
+        tmp_path / "python3", f'exec {sys.executable} -c "import sys; sys.version_info = (3, 9, 18); $2"'
+    )
+    for target in ("demo", "test"):
+        done = subprocess.run(
+            ["make", target, f"PYTHON={python}"],
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=60,
+            cwd=ROOT,
+        )
+        assert done.returncode == 2
+        assert f"set-up: tfloom needs Python 3.10 or newer, and {python} is 3.9" in done.stderr
+        assert "Traceback" not in done.stderr
+
+
+def test_no_extra_names_tfloom_and_all_is_the_others_together() -> None:
+    project = set_up.read_project(Path(sys.executable))["project"]
+    extras = project["optional-dependencies"]
+    together = {each for name, requirements in extras.items() if name != "all" for each in requirements}
+    assert set(extras["all"]) == together
+    assert not [each for each in together if set_up.distribution(each).startswith("tfloom")]

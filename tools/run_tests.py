@@ -1,0 +1,59 @@
+"""Run a tier of the tests: `python tools/run_tests.py [--slow] [PYTEST'S ARGUMENTS]`.
+
+A tier runs in two parts: first the few tests that measure time (marked `timing`), alone; then the others, side by side
+in several processes, because they wait more than they compute.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+WORKERS_PER_CORE = 2
+MOST_WORKERS = 16
+"""Each worker takes DDS domains from the same 70."""
+NOTHING_SELECTED = 5
+"""pytest's exit code when it ran no test."""
+
+
+def workers() -> int:
+    """Return how many processes run tests side by side."""
+    return min(MOST_WORKERS, WORKERS_PER_CORE * (os.cpu_count() or 1))
+
+
+def run(marks: str, arguments: list[str]) -> tuple[int, float]:
+    """Run pytest on the tests that a mark expression selects; return its exit code and the time it took [s]."""
+    started = time.monotonic()
+    command = [sys.executable, "-m", "pytest", "-m", marks, *arguments]
+    code = subprocess.run(command, cwd=ROOT, check=False).returncode
+    return code, time.monotonic() - started
+
+
+def main() -> int:
+    """Run both parts of a tier; return 0 if at least one test ran and none failed."""
+    parser = argparse.ArgumentParser(description="Run a tier of the tests.", allow_abbrev=False)
+    parser.add_argument(
+        "--slow", action="store_true", help="the tests that are slow by nature, instead of the others"
+    )
+    parser.add_argument("-m", dest="marks", help="of the tier, those with these marks (pytest's expression)")
+    options, rest = parser.parse_known_args()
+    tier = "slow" if options.slow else "not slow"
+    marks = f"{tier} and ({options.marks})" if options.marks else tier
+    side_by_side = [f"--numprocesses={workers()}", "--dist=loadfile", "--no-loadscope-reorder"]
+    parts = {
+        "alone": run(f"{marks} and timing", rest),
+        "side by side": run(f"{marks} and not timing", [*side_by_side, *rest]),
+    }
+    times = ", ".join(f"{name} {seconds:.0f} s" for name, (_, seconds) in parts.items())
+    print(f"Tests that are {tier}: {times}")
+    codes = [code for code, _ in parts.values() if code != NOTHING_SELECTED]
+    return max(codes) if codes else NOTHING_SELECTED
+
+
+if __name__ == "__main__":
+    sys.exit(main())

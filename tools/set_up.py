@@ -1,0 +1,405 @@
+"""Make the virtual environment of a checkout, or bring it up to date: `python3 tools/set_up.py STAGE`.
+
+Each stage holds the ones before it: `demo` is what the demonstration needs, `test` adds the tests and all extras,
+`check` the linters and type checkers, `bench` the libraries that are measured beside tfloom. A second run looks whether
+anything has changed, and ends at once if not. `wheels` collects all that the stage `check` downloads in a folder, for
+a machine without a network.
+
+Only the standard library is imported: this runs before anything is installed.
+"""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import json
+import os
+import platform
+import re
+import shutil
+import subprocess
+import sys
+import sysconfig
+import tempfile
+import time
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parents[1]
+STAGES: dict[str, tuple[list[str], list[str]]] = {
+    "demo": (["build"], []),
+    "test": (["test"], ["turtlesim", "transformations", "workspace"]),
+    "check": (["check"], []),
+    "bench": (["bench"], []),
+}
+"""What each stage adds to the one before it: dependency groups, and extras of tfloom."""
+COMMAND = ROOT / "packages" / "tfloom-ros2"
+"""Installed with the stage `test`, whose programs call `ros2`."""
+DDS = "cyclonedds"
+OLDEST = (3, 10)
+"""The first Python that tfloom runs on."""
+RECORD = "tfloom-set-up.json"
+"""File in the environment that says what has been installed, and from which sources."""
+NO_NETWORK = (
+    "NewConnectionError",
+    "NameResolutionError",
+    "ConnectTimeout",
+    "Failed to establish",
+    "ProxyError",
+)
+"""What pip prints when it reaches no package index."""
+OFFLINE = """\
+pip reaches no package index. Without a network, collect what is needed on a machine of the same kind that has one:
+    make wheels
+copy the folder wheels/ here, and repeat the command with these two variables:
+    PIP_NO_INDEX=1 PIP_FIND_LINKS=wheels"""
+ELSEWHERE = "Make the folder writable, or name another place: make VENV=FOLDER"
+COMPILER_PACKAGES = {
+    "debian": "apt-get install g++",
+    "ubuntu": "apt-get install g++",
+    "fedora": "dnf install gcc-c++",
+    "rhel": "dnf install gcc-c++",
+    "suse": "zypper install gcc-c++",
+    "arch": "pacman -S gcc",
+    "alpine": "apk add g++",
+    "darwin": "xcode-select --install",
+}
+HEADER_PACKAGES = {
+    "debian": "apt-get install python3-dev",
+    "ubuntu": "apt-get install python3-dev",
+    "fedora": "dnf install python3-devel",
+    "rhel": "dnf install python3-devel",
+    "suse": "zypper install python3-devel",
+    "alpine": "apk add python3-dev",
+}
+CXX_20 = (
+    "#include <concepts>\n#include <span>\nstatic_assert(std::integral<int>);\nint main() { return 0; }\n"
+)
+
+
+class SetUpError(Exception):
+    """The environment can't be made; the text says what to do."""
+
+
+def main() -> int:
+    """Bring the environment to the stage that the command line names; return the exit code."""
+    parser = argparse.ArgumentParser(description="Make or update the virtual environment of this checkout.")
+    parser.add_argument("stage", choices=[*STAGES, "wheels"])
+    parser.add_argument("--venv", type=Path, default=ROOT / ".venv", help="the environment's folder")
+    parser.add_argument(
+        "--keep-python", action="store_true", help="use an environment of another Python that is there"
+    )
+    parser.add_argument(
+        "--without-dds", action="store_true", help=f"leave {DDS} out, as where it has no wheel"
+    )
+    options = parser.parse_args()
+    try:
+        if options.stage == "wheels":
+            collect_wheels(ROOT / "wheels")
+        else:
+            Environment(options.venv.absolute(), options.without_dds).bring_to(
+                options.stage, options.keep_python
+            )
+    except SetUpError as error:
+        print(f"set-up: {error}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("\nset-up: interrupted; the next run makes good what is missing", file=sys.stderr)
+        return 130
+    return 0
+
+
+class Environment:
+    """A virtual environment, and the record of what this script has put into it.
+
+    Args:
+        folder: Where it is, or will be.
+        without_dds: Leave the DDS library out.
+    """
+
+    def __init__(self, folder: Path, without_dds: bool = False) -> None:
+        self.folder = folder
+        self.python = folder / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+        self._without_dds = without_dds
+
+    def bring_to(self, stage: str, keep_python: bool) -> None:
+        """Install what `stage` and the stages before it lack.
+
+        Args:
+            stage: A key of STAGES.
+            keep_python: Accept the environment's Python, whichever it is.
+
+        Raises:
+            SetUpError: a tool is missing, a folder can't be written, or pip failed.
+        """
+        started = time.monotonic()
+        self.make(keep_python)
+        project = read_project(self.python)
+        done = self._read_record()
+        steps = self._steps(stage, project)
+        missing = [(name, digest, step) for name, digest, step in steps if done.get(name) != digest]
+        if any(name == "native" for name, _, _ in missing):
+            check_compiler()
+        for name, digest, step in missing:
+            # A process that is killed while pip writes leaves packages of which files are missing.
+            self._write_record({**done, "unfinished": name})
+            try:
+                step()
+            except SetUpError:
+                self._write_record(done)
+                raise
+            done[name] = digest
+            self._write_record(done)
+        if missing:
+            say(f"The environment is ready, after {time.monotonic() - started:.0f} s")
+
+    def make(self, keep_python: bool) -> None:
+        """Make the environment with this Python, unless there is one that can be used.
+
+        Raises:
+            SetUpError: it can't be made.
+        """
+        reason = self.why_make(keep_python)
+        if reason is None:
+            return
+        say(f"Making {shown(self.folder)} with Python {platform.python_version()}{reason}")
+        command = [base_python(), "-I", "-m", "venv", "--clear", str(self.folder)]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        if done.returncode == 0:
+            return
+        output = done.stdout + done.stderr
+        if "ensurepip" in output:
+            package = f"python{sys.version_info[0]}.{sys.version_info[1]}-venv"
+            raise SetUpError(f"this Python lacks ensurepip; this brings it: apt-get install {package}")
+        raise SetUpError(f"can't make {self.folder}: {output.strip()}\n{ELSEWHERE}")
+
+    def why_make(self, keep_python: bool) -> str | None:
+        """Return why the environment has to be made, as the end of a sentence; None if there is one to use."""
+        try:
+            if not os.path.lexists(self.folder) or not any(self.folder.iterdir()):
+                return ""
+            if not (self.folder / "pyvenv.cfg").is_file():
+                raise SetUpError(
+                    f"{self.folder} is there and is no virtual environment: move it away, and repeat"
+                )
+        except OSError as error:
+            raise SetUpError(f"can't use {self.folder}: {error.strerror}. {ELSEWHERE}") from None
+        version = self._version()
+        record = self._read_record()
+        if version is None:
+            return ": in the one that is there, Python or pip doesn't run"
+        if "unfinished" in record:
+            return ": the one that is there was left unfinished"
+        if record.get("folder", str(self.folder)) != str(self.folder):
+            return ": the one that is there was made in another folder"
+        if version < OLDEST or (version != sys.version_info[:2] and not keep_python):
+            return f": the one that is there has Python {version[0]}.{version[1]}"
+        return None
+
+    def pip(self, *arguments: str, quietly: bool = False) -> bool:
+        """Run pip in the environment, its messages going to the terminal unless `quietly`; return whether it succeeded.
+
+        Raises:
+            SetUpError: pip reached no package index, or failed, unless `quietly`.
+        """
+        command = [str(self.python), "-I", "-m", "pip", *arguments, "--quiet", "--disable-pip-version-check"]
+        offline = False
+        with subprocess.Popen(
+            command,
+            cwd=ROOT,
+            env=os.environ | {"PIP_USER": "0"},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            errors="replace",
+        ) as process:
+            for line in process.stdout or ():
+                offline |= any(sign in line for sign in NO_NETWORK)
+                if not (quietly or line.startswith("Ignoring ")):  # a requirement of other platforms
+                    print(line, end="", file=sys.stderr, flush=True)
+        if process.returncode == 0 or quietly:
+            return process.returncode == 0
+        raise SetUpError(OFFLINE if offline else "pip failed; its messages are above")
+
+    def _version(self) -> tuple[int, int] | None:
+        """Return the version of the environment's Python; None where it or its pip doesn't run."""
+        code = "import sys, pip._internal.cli.main; print(*sys.version_info[:2])"
+        try:
+            done = subprocess.run(
+                [self.python, "-I", "-c", code], capture_output=True, text=True, check=False
+            )
+        except OSError:
+            return None
+        if done.returncode:
+            return None
+        major, minor = map(int, done.stdout.split())
+        return major, minor
+
+    def _steps(self, stage: str, project: Mapping[str, Any]) -> list[tuple[str, str, Callable[[], object]]]:
+        """Return what leads to a stage: for each step its name, a digest of what it depends on, and what does it."""
+        steps: list[tuple[str, str, Callable[[], object]]] = []
+        for name in up_to(stage):
+            requirements = requirements_of(project, name)
+            steps.append((name, digest_of(requirements), partial(self._download, name, requirements)))
+            if name == "demo":
+                settings = [project["build-system"], project["project"], project["tool"]["scikit-build"]]
+                sources = [ROOT / "CMakeLists.txt", *sorted((ROOT / "native").rglob("*.?pp"))]
+                steps.append(("native", digest_of(settings, sources), self._compile))
+            if name == "test":
+                sources = sorted(path for path in COMMAND.rglob("*") if path.suffix in {".py", ".toml"})
+                steps.append(("command", digest_of([], sources), self._install_command))
+        return steps
+
+    def _download(self, stage: str, requirements: Sequence[str]) -> None:
+        dds = [each for each in requirements if distribution(each) == DDS]
+        needed = [each for each in requirements if each not in dds]
+        say(f"Installing what '{stage}' needs: {', '.join(map(distribution, needed))}")
+        self.pip("install", *needed)
+        if not dds:
+            return
+        if not self._without_dds:
+            self.pip("install", "--only-binary", DDS, *dds, quietly=True)
+        look = f"import importlib.util as u, sys; sys.exit(u.find_spec({DDS!r}) is None)"
+        if subprocess.run([self.python, "-I", "-c", look], check=False).returncode:
+            say(
+                f"{DDS} has no wheel here (Python {platform.python_version()}, {sysconfig.get_platform()}): "
+                "nodes of one process meet on the wire tfloom_local, and nothing passes between processes"
+            )
+
+    def _compile(self) -> None:
+        """Compile native/ and install tfloom as an editable package."""
+        say("Compiling the C++ core, which takes half a minute on two cores")
+        options = ["--no-deps", "--no-build-isolation", "-C", "cmake.define.TFLOOM_WARNINGS_AS_ERRORS=ON"]
+        # The build tools stay in the environment, so that a second compile does what has changed alone.
+        self.pip("install", *options, "--editable", str(ROOT))
+
+    def _install_command(self) -> None:
+        self.pip("install", "--no-deps", "--no-build-isolation", str(COMMAND))
+
+    def _read_record(self) -> dict[str, str]:
+        with suppress(OSError, ValueError):
+            record = json.loads((self.folder / RECORD).read_text("utf-8"))
+            if isinstance(record, dict):
+                return record
+        return {}
+
+    def _write_record(self, record: Mapping[str, str]) -> None:
+        text = json.dumps({**record, "folder": str(self.folder)}, indent=1)
+        (self.folder / RECORD).write_text(f"{text}\n", "utf-8")
+
+
+def say(text: str) -> None:
+    """Print what is being done."""
+    print(f"-- {text}", flush=True)
+
+
+def collect_wheels(folder: Path) -> None:
+    """Put a wheel of all that the stages up to `check` install into a folder, for a machine without a network."""
+    with tempfile.TemporaryDirectory() as scratch:
+        environment = Environment(Path(scratch) / "venv")
+        environment.make(keep_python=False)
+        project = read_project(environment.python)
+        requirements = [each for name in up_to("check") for each in requirements_of(project, name)]
+        say(f"Collecting wheels in {shown(folder)}")
+        environment.pip("wheel", "--wheel-dir", str(folder), *requirements)
+
+
+def up_to(stage: str) -> list[str]:
+    """Return a stage and those before it, the first one first."""
+    names = list(STAGES)
+    return names[: names.index(stage) + 1]
+
+
+def read_project(python: Path) -> dict[str, Any]:
+    """Return pyproject.toml, read by an environment's Python: before 3.11 its pip has the parser."""
+    code = (
+        "import json, sys\n"
+        "if sys.version_info >= (3, 11): import tomllib\n"
+        "else: from pip._vendor import tomli as tomllib\n"
+        "json.dump(tomllib.load(open('pyproject.toml', 'rb')), sys.stdout)"
+    )
+    done = subprocess.run([python, "-I", "-c", code], capture_output=True, text=True, check=False, cwd=ROOT)
+    if done.returncode:
+        raise SetUpError(f"can't read {ROOT / 'pyproject.toml'}: {done.stderr.strip()}")
+    project: dict[str, Any] = json.loads(done.stdout)
+    return project
+
+
+def requirements_of(project: Mapping[str, Any], stage: str) -> list[str]:
+    """Return what a stage adds to the one before it, as requirements for pip."""
+    groups, extras = STAGES[stage]
+    own: list[str] = project["project"]["dependencies"] if stage == "demo" else []
+    grouped = [each for group in groups for each in project["dependency-groups"][group]]
+    extra = [each for name in extras for each in project["project"]["optional-dependencies"][name]]
+    return [*grouped, *own, *extra]
+
+
+def distribution(requirement: str) -> str:
+    """Return the name in a requirement: 'numpy' of 'numpy>=1.24'."""
+    return re.split(r"[^\w.-]", requirement, maxsplit=1)[0]
+
+
+def digest_of(values: object, files: Sequence[Path] = ()) -> str:
+    """Return a digest of values, and of files with their paths."""
+    digest = hashlib.sha256(json.dumps(values, sort_keys=True).encode())
+    for path in files:
+        digest.update(f"\0{path.relative_to(ROOT)}\0".encode() + hashlib.sha256(path.read_bytes()).digest())
+    return digest.hexdigest()
+
+
+def base_python() -> str:
+    """Return the interpreter that this one's environment was made with, or this one."""
+    return str(getattr(sys, "_base_executable", None) or sys.executable)
+
+
+def shown(path: Path) -> str:
+    """Return a path as it reads best: relative to the current folder where it is below it."""
+    with suppress(ValueError):
+        return str(path.relative_to(Path.cwd()))
+    return str(path)
+
+
+def check_compiler() -> None:
+    """Raise SetUpError with the package to install if there is no C++20 compiler, or no header of Python."""
+    if os.name == "nt":
+        return  # CMake finds Visual Studio by its own ways
+    compiler = os.environ.get("CXX") or next(filter(shutil.which, ("c++", "g++", "clang++")), None)
+    if compiler is None:
+        raise SetUpError(
+            f"no C++ compiler was found; this brings one: {package_command(COMPILER_PACKAGES, 'g++')}"
+        )
+    with tempfile.TemporaryDirectory() as folder:
+        program = Path(folder) / "program.cpp"
+        program.write_text(CXX_20)
+        command = [*compiler.split(), "-std=c++20", "-fsyntax-only", str(program)]
+        try:
+            works = subprocess.run(command, capture_output=True, check=False).returncode == 0
+        except OSError:
+            works = False
+    if not works:
+        raise SetUpError(
+            f"{compiler} compiles no C++20: g++ 12, clang 15 or newer does; CXX names another compiler"
+        )
+    header = Path(sysconfig.get_path("include")) / "Python.h"
+    if not header.is_file():
+        install = package_command(HEADER_PACKAGES, "Python's C headers")
+        raise SetUpError(f"{header} is missing; this brings it: {install}")
+
+
+def package_command(commands: Mapping[str, str], otherwise: str) -> str:
+    """Return the command that installs a system package on this system; elsewhere the thing's name."""
+    if sys.platform == "darwin":
+        return commands.get("darwin", otherwise)
+    with suppress(OSError, AttributeError):
+        release = platform.freedesktop_os_release()
+        for name in (release.get("ID", ""), *release.get("ID_LIKE", "").split()):
+            if name in commands:
+                return commands[name]
+    return f"your system's package of {otherwise}"
+
+
+if __name__ == "__main__":
+    sys.exit(main())
