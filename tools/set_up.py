@@ -272,7 +272,12 @@ class Environment:
     def _compile(self) -> None:
         """Compile native/ and install tfloom as an editable package."""
         say("Compiling the C++ core, which takes half a minute on two cores")
-        options = ["--no-deps", "--no-build-isolation", "-C", "cmake.define.TFLOOM_WARNINGS_AS_ERRORS=ON"]
+        options = [
+            "--no-deps",
+            "--no-build-isolation",
+            "--config-settings",
+            "cmake.define.TFLOOM_WARNINGS_AS_ERRORS=ON",
+        ]
         # The build tools stay in the environment, so that a second compile does what has changed alone.
         self.pip("install", *options, "--editable", str(ROOT))
 

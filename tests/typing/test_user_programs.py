@@ -35,7 +35,7 @@ def wheel_python(tmp_path_factory: pytest.TempPathFactory) -> Path:
         "wheel",
         "--no-deps",
         "--no-build-isolation",
-        "-C",
+        "--config-settings",
         f"build-dir={folder}/build",
         "-w",
         str(folder),
