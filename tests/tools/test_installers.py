@@ -75,20 +75,20 @@ def test_pip_installs_both_packages(clone: Path, tmp_path: Path) -> None:
 def test_uv_pip_installs_both_packages(tools: Path, clone: Path, tmp_path: Path) -> None:
     venv = tmp_path / "venv"
     run(tmp_path, tools / "uv", "venv", "--python", sys.executable, venv, cwd=clone)
-    run(tmp_path, tools / "uv", "pip", "install", ".", COMMAND, cwd=clone, VIRTUAL_ENV=venv)
+    run(tmp_path, tools / "uv", "pip", "install", ".[all]", COMMAND, cwd=clone, VIRTUAL_ENV=venv)
     expect_working(venv / "bin" / "ros2")
 
 
 def test_uv_installs_a_tool(tools: Path, clone: Path, tmp_path: Path) -> None:
     folders = {"UV_TOOL_DIR": tmp_path / "tools", "UV_TOOL_BIN_DIR": tmp_path / "bin"}
-    command = ["tool", "install", "--python", sys.executable, COMMAND, "--with", "."]
+    command = ["tool", "install", "--python", sys.executable, COMMAND, "--with", ".[all]"]
     run(tmp_path, tools / "uv", *command, cwd=clone, **folders)
     expect_working(tmp_path / "bin" / "ros2")
 
 
 def test_pipx_installs_and_injects(tools: Path, clone: Path, tmp_path: Path) -> None:
     folders = {"PIPX_HOME": tmp_path / "pipx", "PIPX_BIN_DIR": tmp_path / "bin"}
-    run(tmp_path, tools / "pipx", "install", "--python", sys.executable, ".", cwd=clone, **folders)
+    run(tmp_path, tools / "pipx", "install", "--python", sys.executable, ".[all]", cwd=clone, **folders)
     run(tmp_path, tools / "pipx", "inject", "tfloom", COMMAND, "--include-apps", cwd=clone, **folders)
     for name in ("ros2", "tfloom"):
         expect_working(tmp_path / "bin" / name)
