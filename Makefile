@@ -8,7 +8,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK = 1
 
 setup: $(VENV)/.installed
 
-$(VENV)/.installed: pyproject.toml CMakeLists.txt packages/tfloom-ros2/pyproject.toml $(shell find native -name '*.?pp')
+$(VENV)/.installed: pyproject.toml CMakeLists.txt packages/tfloom-ros2/pyproject.toml src/tfloom/__init__.py $(shell find native -name '*.?pp')
 	@echo "Setting up $(VENV): a compile and a handful of downloads, some minutes the first time"
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --upgrade "pip>=25.1"
