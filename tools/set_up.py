@@ -246,7 +246,8 @@ class Environment:
             steps.append((name, digest_of(requirements), partial(self._download, name, requirements)))
             if name == "demo":
                 settings = [project["build-system"], project["project"], project["tool"]["scikit-build"]]
-                sources = [ROOT / "CMakeLists.txt", *sorted((ROOT / "native").rglob("*.?pp"))]
+                version = ROOT / "src" / "tfloom" / "__init__.py"  # metadata of the installed package
+                sources = [version, ROOT / "CMakeLists.txt", *sorted((ROOT / "native").rglob("*.?pp"))]
                 steps.append(("native", digest_of(settings, sources), self._compile))
             if name == "test":
                 sources = sorted(path for path in COMMAND.rglob("*") if path.suffix in {".py", ".toml"})

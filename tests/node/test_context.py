@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import gc
 import signal
+import threading
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 
 import pytest
@@ -11,6 +14,7 @@ import pytest
 from tfloom import node as rclpy
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.node.context import Context
+from tfloom.node.defaults import own_defaults
 from tfloom.node.exceptions import (
     InvalidParameterTypeException,
     NotInitializedException,
@@ -68,6 +72,41 @@ def test_the_default_context_lives_again_and_again() -> None:
     with pytest.raises(RuntimeError, match="must be initialized before"):
         rclpy.shutdown()
     rclpy.try_shutdown()
+
+
+def test_programs_on_threads_of_their_own_share_no_defaults(wait_until: Callable[..., None]) -> None:
+    process = rclpy.get_default_context(), rclpy.get_global_executor()
+    both_run = threading.Barrier(2, timeout=20.0)
+    contexts = {name: Context() for name in ("one", "two")}
+    names: dict[str, str] = {}
+    ended: list[str] = []
+
+    def run(name: str) -> None:
+        with own_defaults(contexts[name]):
+            rclpy.init(args=["--ros-args", "-r", f"__node:={name}"])
+            node = rclpy.create_node("as_given")
+            names[name] = node.get_name()
+            executor = rclpy.get_global_executor()
+            assert executor.context is node.context is contexts[name]
+            both_run.wait()
+            with suppress(ExternalShutdownException):
+                rclpy.spin(node)
+            assert rclpy.get_global_executor() is not process[1]
+            ended.append(name)
+            contexts[name].destroy()
+        assert rclpy.get_default_context() is process[0]
+
+    with ThreadPoolExecutor(2) as pool:
+        one, two = (pool.submit(run, name) for name in contexts)
+        wait_until(lambda: len(names) == 2 or one.done() or two.done())
+        contexts["one"].interrupt()
+        one.result(20.0)
+        assert ended == ["one"]
+        assert contexts["two"].ok()
+        contexts["two"].interrupt()
+        two.result(20.0)
+    assert names == {"one": "one", "two": "two"}
+    assert (rclpy.get_default_context(), rclpy.get_global_executor()) == process
 
 
 def test_arguments_of_the_program(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import sys
 from importlib import import_module
+from pathlib import Path
 
 import pytest
 
@@ -71,3 +73,22 @@ def test_a_bad_domain_argument_is_refused_too(monkeypatch: pytest.MonkeyPatch) -
 def test_every_backend_is_a_module_that_opens_participants() -> None:
     for module in backends.BACKENDS.values():
         assert callable(import_module(module).open_participant)
+
+
+def test_which_wires_are_installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "path", [str(tmp_path)])
+    monkeypatch.setattr(sys, "path_importer_cache", {})
+    assert backends.is_installed("tfloom_local")
+    assert not backends.is_installed("rmw_cyclonedds_cpp")
+    for name in ("cyclonedds", "cyclonedds-11.0.1.dist-info", "cyclonedds.libs"):
+        (tmp_path / name).mkdir()
+    (tmp_path / "cyclonedds" / "__init__.py").touch()
+    assert not backends.is_installed("rmw_cyclonedds_cpp")
+    (tmp_path / "cyclonedds.libs" / "libddsc-ad12c33a.so.11.0.1").touch()
+    assert backends.is_installed("rmw_cyclonedds_cpp")
+
+
+def test_each_library_belongs_to_a_wire() -> None:
+    assert set(backends.LIBRARIES) <= set(backends.BACKENDS)
+    for module in backends.LIBRARIES.values():
+        assert callable(import_module(module).find_library)

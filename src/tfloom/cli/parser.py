@@ -7,6 +7,8 @@ from collections.abc import Mapping, Sequence
 from importlib import import_module
 from typing import Any, NamedTuple
 
+from tfloom import __version__
+
 
 class Group(NamedTuple):
     """A word with verbs of its own, like `topic`."""
@@ -100,7 +102,14 @@ def build_parser(prog: str, commands: Mapping[str, str | Group]) -> VerbParser:
         prog: What the user typed: `tfloom` or `ros2`.
         commands: A summary or a group for each first word.
     """
-    top = VerbParser(prog=prog, description="TF2, turtlesim and the ROS 2 workflow, with no ROS install.")
+    top = VerbParser(
+        prog=prog,
+        description="TF2, turtlesim and the ROS 2 workflow, with no ROS install.",
+        epilog=f"`{prog} --version` prints the version.",
+    )
+    name = prog if prog == "tfloom" else f"{prog} (tfloom)"
+    # Left out of the usage, which is the reference's to the letter.
+    top.add_argument("--version", action="version", version=f"{name} {__version__}", help=argparse.SUPPRESS)
     top.add_argument(
         "--use-python-default-buffering",
         action="store_true",

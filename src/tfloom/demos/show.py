@@ -1,25 +1,18 @@
 """The demonstration: a turtle that draws, one that follows it, a sensor, and what tf2 makes of them.
 
-Each is a process of its own and they talk over DDS, as a user's would; all of them end with this one.
+How its programs run is the caller's choice: as processes over DDS (`processes.py`), as a user's would, or on threads
+of this process (`threads.py`), where there is no DDS. All of them end with this one.
 """
 
 from __future__ import annotations
 
 import contextlib
 import math
-import os
 import queue
-import random
-import signal
-import socket
-import subprocess
-import sys
-import threading
 import time
-from collections import deque
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -46,122 +39,63 @@ PROGRAMS: dict[str, list[str]] = {
     ],
     "driver": [f"{DEMOS}.curve_driver:main"],
 }
-"""What runs all the time: `module:function` and arguments."""
+"""What runs all the time: `module:function` and arguments. Turtlesim opens its window where there is a display."""
 ECHO = ["tfloom.tf2_tools.echo:main", "world", "laser"]
 VIEW_FRAMES = ["tfloom.tf2_tools.view_frames:main", "-o", "frames", "-t", "3"]
 PATIENCE_S = 40.0
 """How long it may take until the tree is drawn [s]."""
 END_GRACE_S = 3.0
 LOG_LINES = 40
-DOMAINS = range(1, 101)
-"""Domains whose ports, by DDS's formula, stay clear of those that the system gives out."""
+"""How many of a program's last lines are kept."""
 
 
 class ShowError(Exception):
     """The demonstration can't go on; its text says why."""
 
 
-@contextlib.contextmanager
-def own_domain() -> Iterator[int]:
-    """Give a DDS domain that no other demonstration on this machine uses: a TCP port is the lock."""
-    for domain in random.sample(DOMAINS, len(DOMAINS)):
-        lock = socket.socket()
-        try:
-            lock.bind(("127.0.0.1", 7400 + 250 * domain))
-        except OSError:
-            lock.close()
-            continue
-        with lock:
-            yield domain
-        return
-    raise ShowError("all DDS domains from 1 to 100 are in use")
+class Program(Protocol):
+    """A program under our care: from its start on it runs by itself."""
 
-
-class Program:
-    """A process under our care.
-
-    Args:
-        command: `module:function` and arguments.
-        environment: Its environment variables.
-        folder: Where it runs.
-        on_line: Takes each line that it prints, on a thread of its own; `log` keeps the last of them, too.
-    """
-
-    def __init__(
-        self,
-        command: list[str],
-        environment: Mapping[str, str],
-        folder: Path,
-        on_line: Callable[[str], object] | None = None,
-    ) -> None:
-        self.log: deque[str] = deque(maxlen=LOG_LINES)
-        self._process = subprocess.Popen(
-            [sys.executable, "-m", "tfloom.demos.child", *command],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-            cwd=folder,
-            env=environment,
-            start_new_session=True,  # a Ctrl-C is for us, who then end the others
-        )
-        self._reader = threading.Thread(target=self._read, args=(on_line,), daemon=True)
-        self._reader.start()
-
-    def _read(self, on_line: Callable[[str], object] | None) -> None:
-        for line in self._process.stdout or ():
-            self.log.append(line.rstrip("\n"))
-            if on_line is not None:
-                on_line(self.log[-1])
+    @property
+    def log(self) -> Iterable[str]:
+        """The last lines that it printed."""
 
     def exit_code(self) -> int | None:
         """Return its exit code, None while it runs."""
-        code = self._process.poll()
-        if code is not None:
-            self._reader.join(END_GRACE_S)
-        return code
 
     def ask_to_end(self) -> None:
-        """Send it what Ctrl-C would."""
-        if self._process.poll() is None:
-            self._process.send_signal(signal.SIGINT if os.name == "posix" else signal.SIGTERM)
+        """End it as Ctrl-C would."""
 
     def end(self, grace_s: float) -> None:
-        """Wait for its end, and kill it when that takes too long."""
-        try:
-            self._process.wait(grace_s)
-        except subprocess.TimeoutExpired:
-            self._process.kill()
-            self._process.wait()
-        self._reader.join(END_GRACE_S)
-        for pipe in (self._process.stdin, self._process.stdout):
-            if pipe is not None:
-                pipe.close()
+        """Wait for its end, `grace_s` at most, and leave nothing open."""
+
+
+StartProgram = Callable[[list[str], Callable[[str], object] | None], Program]
+"""Starts `[module:function, *arguments]` in the current folder; the second argument takes each line that it prints, on
+a thread of the program's own."""
 
 
 class Show:
-    """Runs the programs and prints what tf2_echo sees; a context that leaves no process behind.
+    """Runs the programs and prints what tf2_echo sees; a context that leaves none of them running.
+
+    Drawings go to the current folder.
 
     Args:
-        domain_id: DDS domain of all programs; they use the loopback interface alone.
-        folder: Where the drawing goes.
+        start: Starts a program.
+        programs: What runs all the time beside tf2_echo, as `PROGRAMS`.
     """
 
-    def __init__(self, domain_id: int, folder: Path) -> None:
-        self._folder = folder
+    def __init__(self, start: StartProgram, programs: Mapping[str, list[str]] = PROGRAMS) -> None:
+        self._start_program = start
+        self._commands = programs
+        self._folder = Path.cwd()
         self._lines: queue.SimpleQueue[str] = queue.SimpleQueue()
         self._programs: dict[str, Program] = {}
         self._has_drawn = False
-        self._environment = os.environ | {
-            "ROS_DOMAIN_ID": str(domain_id),
-            "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
-            "RMW_IMPLEMENTATION": "rmw_cyclonedds_cpp",
-        }
-        self._environment.pop("CYCLONEDDS_URI", None)
 
     def __enter__(self) -> Self:
         try:
-            for name, command in PROGRAMS.items():
+            for name, command in self._commands.items():
                 self._start(name, command)
             self._start("tf2_echo", ECHO, self._lines.put)
         except BaseException:
@@ -173,7 +107,7 @@ class Show:
         self._end()
 
     def _start(self, name: str, command: list[str], on_line: Callable[[str], object] | None = None) -> None:
-        self._programs[name] = Program(command, self._environment, self._folder, on_line)
+        self._programs[name] = self._start_program(command, on_line)
 
     def _end(self) -> None:
         for program in self._programs.values():

@@ -9,6 +9,7 @@ from contextlib import suppress
 from typing import Any, TypeVar
 
 from tfloom.node.context import Context
+from tfloom.node.defaults import current_defaults
 from tfloom.node.executor import (
     ConditionReachedException,
     Executor,
@@ -122,18 +123,17 @@ class MultiThreadedExecutor(Executor):
         return True
 
 
-_global_executor: Executor | None = None
 _global_lock = threading.Lock()
 
 
 def get_global_executor() -> Executor:
     """Return the executor that `rclpy.spin` and its kin use where none is given, on the default context."""
-    global _global_executor  # noqa: PLW0603  # this is its one place
     with _global_lock:
-        executor = _global_executor
+        defaults = current_defaults()
+        executor = defaults.executor
         context = get_default_context()
         if executor is None or executor.context is not context or executor._is_shutdown:  # noqa: SLF001
             if executor is not None:
                 executor.shutdown(0.0)
-            executor = _global_executor = SingleThreadedExecutor(context=context)
+            executor = defaults.executor = SingleThreadedExecutor(context=context)
         return executor

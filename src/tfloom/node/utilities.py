@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from tfloom.node import arguments
 from tfloom.node.constants import S_TO_NS
 from tfloom.node.context import Context
+from tfloom.node.defaults import current_defaults
 
 __all__ = [
     "S_TO_NS",
@@ -23,18 +24,17 @@ __all__ = [
 ]
 
 _lock = threading.RLock()
-_default_context: Context | None = None
 
 
 def get_default_context(*, shutting_down: bool = False) -> Context:
     """Return the context used where none is given; one that is shutting down is the default no more."""
-    global _default_context  # noqa: PLW0603  # this is its one place
     with _lock:
-        if _default_context is None:
-            _default_context = Context()
-        context = _default_context
+        defaults = current_defaults()
+        context = defaults.context
+        if context is None:
+            context = defaults.context = Context()
         if shutting_down:
-            _default_context = None
+            defaults.context = None
         return context
 
 

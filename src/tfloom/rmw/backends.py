@@ -18,6 +18,9 @@ BACKENDS = {
 }
 """ROS's spelling of each wire, and the module that speaks it."""
 
+LIBRARIES = {"rmw_cyclonedds_cpp": "tfloom.rmw.cyclone_library"}
+"""The module whose `find_library` locates the library of a wire; a wire that isn't here needs none."""
+
 STAND_INS = {
     "rmw_fastrtps_cpp": "rmw_cyclonedds_cpp",
     "rmw_fastrtps_dynamic_cpp": "rmw_cyclonedds_cpp",
@@ -65,6 +68,21 @@ def implementation_identifier() -> str:
             file=sys.stderr,
         )
     return name
+
+
+def is_installed(name: str) -> bool:
+    """Return whether the library of a wire is there, in a version that can be used; it isn't loaded for that.
+
+    Args:
+        name: The wire, a key of `BACKENDS`.
+    """
+    if name not in LIBRARIES:
+        return True
+    try:
+        import_module(LIBRARIES[name]).find_library()
+    except NoBackendError:
+        return False
+    return True
 
 
 def domain_id_from_environment() -> int:

@@ -1,0 +1,105 @@
+"""The demonstration's programs as processes of their own, which talk over DDS on this machine alone."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import random
+import signal
+import socket
+import subprocess
+import sys
+import threading
+from collections import deque
+from collections.abc import Callable, Iterator, Mapping
+
+from tfloom.demos.show import END_GRACE_S, LOG_LINES, ShowError, StartProgram
+
+DOMAINS = range(1, 101)
+"""Domains whose ports, by DDS's formula, stay clear of those that the system gives out."""
+
+
+@contextlib.contextmanager
+def own_domain() -> Iterator[int]:
+    """Give a DDS domain that no other demonstration on this machine uses: a TCP port is the lock."""
+    for domain in random.sample(DOMAINS, len(DOMAINS)):
+        lock = socket.socket()
+        try:
+            lock.bind(("127.0.0.1", 7400 + 250 * domain))
+        except OSError:
+            lock.close()
+            continue
+        with lock:
+            yield domain
+        return
+    raise ShowError("all DDS domains from 1 to 100 are in use")
+
+
+def process_starter(domain_id: int) -> StartProgram:
+    """Return what starts a program as a process on a DDS domain, on the loopback interface alone."""
+    environment = os.environ | {
+        "ROS_DOMAIN_ID": str(domain_id),
+        "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
+        "RMW_IMPLEMENTATION": "rmw_cyclonedds_cpp",
+    }
+    environment.pop("CYCLONEDDS_URI", None)
+    return lambda command, on_line: ProcessProgram(command, environment, on_line)
+
+
+class ProcessProgram:
+    """A process under our care; see `show.Program`.
+
+    Args:
+        command: `module:function` and arguments.
+        environment: Its environment variables.
+        on_line: Takes each line that it prints, on a thread of its own; `log` keeps the last of them, too.
+    """
+
+    def __init__(
+        self,
+        command: list[str],
+        environment: Mapping[str, str],
+        on_line: Callable[[str], object] | None = None,
+    ) -> None:
+        self.log: deque[str] = deque(maxlen=LOG_LINES)
+        self._process = subprocess.Popen(
+            [sys.executable, "-m", "tfloom.demos.child", *command],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            env=environment,
+            start_new_session=True,  # a Ctrl-C is for us, who then end the others
+        )
+        self._reader = threading.Thread(target=self._read, args=(on_line,), daemon=True)
+        self._reader.start()
+
+    def _read(self, on_line: Callable[[str], object] | None) -> None:
+        for line in self._process.stdout or ():
+            self.log.append(line.rstrip("\n"))
+            if on_line is not None:
+                on_line(self.log[-1])
+
+    def exit_code(self) -> int | None:
+        """Return its exit code, None while it runs."""
+        code = self._process.poll()
+        if code is not None:
+            self._reader.join(END_GRACE_S)
+        return code
+
+    def ask_to_end(self) -> None:
+        """Send it what Ctrl-C would."""
+        if self._process.poll() is None:
+            self._process.send_signal(signal.SIGINT if os.name == "posix" else signal.SIGTERM)
+
+    def end(self, grace_s: float) -> None:
+        """Wait for its end, and kill it when that takes too long."""
+        try:
+            self._process.wait(grace_s)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+        self._reader.join(END_GRACE_S)
+        for pipe in (self._process.stdin, self._process.stdout):
+            if pipe is not None:
+                pipe.close()

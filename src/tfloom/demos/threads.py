@@ -1,0 +1,155 @@
+"""The demonstration's programs on threads of this process, where no DDS is: they talk over the wire `tfloom_local`.
+
+Each runs by the same `main` as in a process of its own, with its own command line, its own context, and its own output.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import sys
+import threading
+import time
+import traceback
+from collections import deque
+from collections.abc import Callable, Iterator
+from contextvars import ContextVar
+from importlib import import_module
+from typing import TextIO
+
+from tfloom.demos.show import LOG_LINES, PROGRAMS, StartProgram
+from tfloom.node.context import Context
+from tfloom.node.defaults import own_defaults
+
+WINDOWLESS_PROGRAMS = PROGRAMS | {"turtlesim": [*PROGRAMS["turtlesim"], "--headless"]}
+"""The programs without turtlesim's window, which only a program's main thread may open."""
+
+POLL_S = 0.05
+"""How long a wait for a program's end lasts before the program is asked again [s]."""
+
+
+@contextlib.contextmanager
+def thread_starter() -> Iterator[StartProgram]:
+    """Give what starts a program on a thread; for the block, this process is on the wire `tfloom_local`.
+
+    What the threads of programs print goes to their logs, and all else where it went before.
+    """
+    with (
+        _environment(RMW_IMPLEMENTATION="tfloom_local", ROS_DOMAIN_ID="0"),
+        contextlib.redirect_stdout(_Output(sys.stdout)),
+        contextlib.redirect_stderr(_Output(sys.stderr)),
+    ):
+        yield ThreadProgram
+
+
+@contextlib.contextmanager
+def _environment(**variables: str) -> Iterator[None]:
+    before = {name: os.environ.get(name) for name in variables}
+    os.environ.update(variables)
+    try:
+        yield
+    finally:
+        for name, value in before.items():
+            if value is None:
+                os.environ.pop(name, None)
+            else:
+                os.environ[name] = value
+
+
+class ThreadProgram:
+    """A program on a daemon thread; see `show.Program`.
+
+    Args:
+        command: `module:function` and arguments.
+        on_line: Takes each line that it prints, on the program's thread; `log` keeps the last of them, too.
+    """
+
+    def __init__(self, command: list[str], on_line: Callable[[str], object] | None = None) -> None:
+        self.log: deque[str] = deque(maxlen=LOG_LINES)
+        self._on_line = on_line
+        self._rest = ""
+        self._context = Context()
+        self._code = 0
+        target, *args = command
+        module, _, function = target.partition(":")
+        # Imported here, one after the other: threads that import modules of one ring could wait for each other.
+        main = getattr(import_module(module), function)
+        self._thread = threading.Thread(target=self._run, args=(main, args), name=module, daemon=True)
+        self._thread.start()
+
+    def _run(self, main: Callable[[list[str]], int | None], args: list[str]) -> None:
+        _printing.set(self)
+        try:
+            with own_defaults(self._context):
+                self._code = int(main(args) or 0)
+        except SystemExit as end:
+            self._code = _exit_code(end)
+        except BaseException:  # noqa: BLE001  # as the interpreter does with a process's main
+            traceback.print_exc()
+            self._code = 1
+        finally:
+            self._context.destroy()
+            if self._rest:
+                self.take("\n")
+
+    def take(self, text: str) -> None:
+        """Take what the program prints, of which each whole line is logged; on the program's thread."""
+        *lines, self._rest = (self._rest + text).split("\n")
+        for line in lines:
+            self.log.append(line)
+            if self._on_line is not None:
+                self._on_line(line)
+
+    def exit_code(self) -> int | None:
+        """Return its exit code, None while it runs."""
+        return None if self._thread.is_alive() else self._code
+
+    def ask_to_end(self) -> None:
+        """Shut its context down as Ctrl-C would; without effect before it has initialised it."""
+        self._context.interrupt()
+
+    def end(self, grace_s: float) -> None:
+        """Wait for its end, `grace_s` at most: a thread can't be killed, but ends with this process."""
+        until = time.monotonic() + grace_s
+        while self._thread.is_alive() and (left := until - time.monotonic()) > 0.0:
+            self.ask_to_end()
+            self._thread.join(min(left, POLL_S))
+
+
+def _exit_code(end: SystemExit) -> int:
+    """Return the exit code that the interpreter makes of `end`, and print its text if it has one."""
+    if isinstance(end.code, str):
+        print(end.code, file=sys.stderr)
+        return 1
+    return end.code or 0
+
+
+_printing: ContextVar[ThreadProgram | None] = ContextVar("printing", default=None)
+"""The program whose thread this is."""
+
+
+class _Output(io.TextIOBase):
+    """Stands for a standard stream: gives what programs print to them, and the rest to the stream.
+
+    Args:
+        stream: The stream; None if it is closed.
+    """
+
+    def __init__(self, stream: TextIO | None) -> None:
+        self._stream = stream
+
+    def write(self, text: str) -> int:
+        program = _printing.get()
+        if program is not None:
+            program.take(text)
+        elif self._stream is not None:
+            self._stream.write(text)
+        return len(text)
+
+    def flush(self) -> None:
+        if _printing.get() is None and self._stream is not None:
+            self._stream.flush()
+
+    def isatty(self) -> bool:
+        return _printing.get() is None and self._stream is not None and self._stream.isatty()

@@ -1,0 +1,193 @@
+"""`tfloom demo` where there is no DDS: the same demonstration, on threads of one process."""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+import sys
+import threading
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PIL import Image
+
+from tfloom.cli.demo import reason_for_one_process
+from tfloom.demos.show import Show, ShowError
+from tfloom.demos.threads import WINDOWLESS_PROGRAMS, ThreadProgram, thread_starter
+from tfloom.node import get_default_context
+
+CHOSEN = (
+    "RMW_IMPLEMENTATION is tfloom_local, a wire within one process, so all programs run within this process, "
+    "and other terminals can't join in."
+)
+MISSING = re.compile(
+    r"The library cyclonedds \(version 11\), which speaks DDS, is missing for Python 3\.\d+ on \S+ \S+, "
+    r"so all programs run within this process, and other terminals can't join in\."
+)
+Start = Callable[..., Any]
+
+
+@pytest.fixture
+def local(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+
+
+@pytest.fixture
+def without_library(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Have programs find another cyclonedds first: a module with no library beside it, so none is installed."""
+    folder = tmp_path / "first on the path"
+    folder.mkdir()
+    (folder / "cyclonedds.py").touch()
+    monkeypatch.setenv("PYTHONPATH", str(folder), prepend=os.pathsep)
+    monkeypatch.delenv("RMW_IMPLEMENTATION", raising=False)
+
+
+def test_it_shows_draws_and_ends(start_program: Start, tmp_path: Path, without_library: None) -> None:
+    demo = start_program("tfloom", "demo", "--seconds", "1", cwd=tmp_path)
+    assert demo.wait(60.0) == 0, demo.output
+    assert MISSING.fullmatch(demo.lines[2])
+    assert "ROS_DOMAIN_ID" not in demo.output
+    assert f"The tree of frames is drawn in {tmp_path / 'frames.pdf'}" in demo.lines
+    assert demo.lines[-1] == f"What the turtles drew is in {tmp_path / 'turtles.png'}"
+    first = next(i for i, line in enumerate(demo.lines) if line.startswith("At time"))
+    echoed = "\n".join(demo.lines[first : first + 9])
+    number = r" ?-?\d+\.\d{3}"
+    row = rf" (?:{number} ){{3}}{number}"
+    assert re.match(rf"At time \d+\.\d{{9}}\n- Translation: \[{number}, {number}, 0\.100\]\n", echoed)
+    assert re.search(rf"\n- Matrix:\n(?:{row}\n){{2}}{row}$", echoed), echoed
+    graph = (tmp_path / "frames.gv").read_text()
+    for ends in ('"world" -> "turtle1"', '"world" -> "turtle2"', '"turtle1" -> "laser"'):
+        assert ends in graph
+    assert (tmp_path / "frames.pdf").read_bytes().startswith(b"%PDF-")
+    with Image.open(tmp_path / "turtles.png") as picture:
+        colours = picture.convert("RGB").getcolors(picture.width * picture.height)
+    assert colours is not None
+    (_, background), (pen_pixels, _) = sorted(colours, reverse=True)[:2]
+    assert background == (69, 86, 255)
+    assert pen_pixels > 500, "the turtles have drawn next to nothing"
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="counts the process's children in /proc")
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_ends_its_one_process(
+    start_program: Start, tmp_path: Path, local: None, number: signal.Signals
+) -> None:
+    demo = start_program("tfloom", "demo", cwd=tmp_path)
+    demo.wait_for("At time")
+    assert demo.lines[2] == CHOSEN
+    pid = demo.process.pid
+    children = [path.read_text() for path in Path(f"/proc/{pid}/task").glob("*/children")]
+    assert "".join(children) == ""
+    demo.signal(number)
+    assert demo.wait() == 0
+    assert demo.lines[-2:] == [
+        f"What the turtles drew is in {tmp_path / 'turtles.png'}",
+        "The demonstration has ended.",
+    ]
+    assert "Traceback" not in demo.output
+
+
+def test_a_program_that_fails_is_named(start_program: Start, tmp_path: Path, local: None) -> None:
+    (tmp_path / "frames.pdf").mkdir()
+    demo = start_program("tfloom", "demo", cwd=tmp_path)
+    assert demo.wait(60.0) == 1
+    assert "view_frames ended by itself with exit code 1" in demo.lines
+    assert re.search(r"\[view_frames\]: can't write .*frames.pdf: Is a directory", demo.output)
+    assert "Traceback" not in demo.output
+
+
+def test_an_exception_in_a_program_is_told_with_its_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "a_broken_program.py").write_text("def main(args):\n    raise ValueError(args[0])\n")
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    default = get_default_context()
+    programs = WINDOWLESS_PROGRAMS | {"driver": ["a_broken_program:main", "no fuel"]}
+    with (
+        thread_starter() as start,
+        pytest.raises(ShowError) as caught,
+        Show(start, programs) as show,
+    ):
+        show.run(None)
+    first, second, *_, last = str(caught.value).splitlines()
+    assert first == "driver ended by itself with exit code 1"
+    assert second == "Traceback (most recent call last):"
+    assert last == "ValueError: no fuel"
+    assert capsys.readouterr().err == ""
+    left = [each.name for each in threading.enumerate() if each.name.startswith(("tfloom", "a_broken"))]
+    assert left == []
+    assert get_default_context() is default, "a program took the process's default context"
+
+
+@pytest.mark.parametrize(
+    ("ending", "code", "log"),
+    [
+        ("return None", 0, []),
+        ("return 3", 3, []),
+        ("sys.exit(2)", 2, []),
+        ("sys.exit('no more')", 1, ["no more"]),
+        ("print('one\\ntwo', end='')", 0, ["one", "two"]),
+        ("print('out'); print('err', file=sys.stderr)", 0, ["out", "err"]),
+    ],
+)
+def test_a_program_ends_as_a_process_would(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    wait_until: Callable[..., None],
+    ending: str,
+    code: int,
+    log: list[str],
+) -> None:
+    (tmp_path / "a_program.py").write_text(f"import sys\ndef main(args):\n    {ending}\n")
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.delitem(sys.modules, "a_program", raising=False)
+    lines: list[str] = []
+    with thread_starter() as start:
+        program = start(["a_program:main"], lines.append)
+        wait_until(lambda: program.exit_code() is not None)
+    assert program.exit_code() == code
+    assert list(program.log) == lines == log
+
+
+def test_a_program_that_is_asked_before_it_has_begun_ends_too(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "a_slow_starter.py").write_text(
+        "from threading import Event\n"
+        "from tfloom.node import create_node, spin\n"
+        "from tfloom.node.program import run_program\n"
+        "may_begin = Event()\n"
+        "def main(args):\n"
+        "    may_begin.wait()\n"
+        "    return run_program(args, lambda: spin(create_node('slow')), if_stopped=7)\n"
+    )
+    monkeypatch.syspath_prepend(tmp_path)
+    with thread_starter() as start:
+        program = start(["a_slow_starter:main"], None)
+        assert isinstance(program, ThreadProgram)
+        program.ask_to_end()
+        sys.modules["a_slow_starter"].may_begin.set()
+        program.end(10.0)
+    assert program.exit_code() == 7
+
+
+def test_processes_where_the_library_is(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("RMW_IMPLEMENTATION", raising=False)
+    monkeypatch.setattr("tfloom.rmw.cyclone_library.find_library", lambda: "libddsc.so")
+    assert reason_for_one_process() == ""
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+    assert f"{reason_for_one_process()}, so all" in CHOSEN
+
+
+def test_the_environment_and_the_streams_are_given_back(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("RMW_IMPLEMENTATION", raising=False)
+    monkeypatch.setenv("ROS_DOMAIN_ID", "5")
+    before = dict(os.environ), sys.stdout, sys.stderr
+    with thread_starter():
+        assert os.environ["RMW_IMPLEMENTATION"] == "tfloom_local"
+        assert sys.stdout is not before[1]
+    assert (dict(os.environ), sys.stdout, sys.stderr) == before

@@ -1,0 +1,79 @@
+"""The version has one place, `tfloom.__version__`, and the distributions claim only what was run."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from importlib.metadata import metadata, version
+from pathlib import Path
+
+import pytest
+
+import tfloom
+
+ROOT = Path(__file__).parents[1]
+
+
+def classifiers() -> list[str]:
+    return metadata("tfloom").get_all("Classifier") or []
+
+
+@pytest.mark.parametrize(
+    ("command", "name"),
+    [
+        (["-m", "tfloom"], "tfloom"),
+        (["-m", "tfloom.cli"], "tfloom"),
+        (["-c", "import sys, tfloom_ros2; sys.exit(tfloom_ros2.main())"], "ros2 (tfloom)"),
+    ],
+)
+def test_each_command_prints_it(command: list[str], name: str) -> None:
+    answer = subprocess.run(
+        [sys.executable, *command, "--version"], capture_output=True, text=True, timeout=60, check=False
+    )
+    assert (answer.returncode, answer.stdout, answer.stderr) == (0, f"{name} {tfloom.__version__}\n", "")
+
+
+def test_it_is_printed_without_loading_the_rooms() -> None:
+    code = (
+        "import sys\n"
+        "from tfloom.cli.main import main\n"
+        "try:\n    main(['--version'])\n"
+        "finally:\n    print(*sys.modules, sep='\\n')\n"
+    )
+    loaded = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False
+    ).stdout
+    assert loaded.startswith(f"tfloom {tfloom.__version__}\n")
+    ours = {name for name in loaded.splitlines() if name.startswith("tfloom.")}
+    assert ours == {"tfloom.cli", "tfloom.cli.errors", "tfloom.cli.main", "tfloom.cli.parser"}
+    assert not {"numpy", "importlib.metadata"} & set(loaded.splitlines())
+
+
+def test_it_is_in_the_metadata_of_both_distributions() -> None:
+    assert version("tfloom") == tfloom.__version__, "run `make setup`"
+    assert version("tfloom-ros2") == tfloom.__version__, "run `make setup`"
+
+
+def test_it_is_written_in_one_place_and_in_step_beside_it() -> None:
+    own, beside = (
+        re.findall(r'^version = "(.*)"$', path.read_text("utf-8"), re.MULTILINE)
+        for path in (ROOT / "pyproject.toml", ROOT / "packages" / "tfloom-ros2" / "pyproject.toml")
+    )
+    assert own == []
+    # Its sdist is built without tfloom's sources, so it can't read them.
+    assert beside == [tfloom.__version__]
+
+
+def test_classifiers_claim_what_the_readme_says_was_run() -> None:
+    text = (ROOT / "README.md").read_text("utf-8")
+    was_run = re.search(r"What has been run: (.*?)\. Not yet run: (.*?)\.\n", text, re.DOTALL)
+    assert was_run
+    run = set(re.findall(r"\b3\.\d+\b", was_run[1]))
+    prefix = "Programming Language :: Python :: "
+    named = {each.removeprefix(prefix) for each in classifiers() if each.startswith(f"{prefix}3.")}
+    assert named == run
+    systems = {each.split(" :: ")[-1] for each in classifiers() if each.startswith("Operating System")}
+    assert systems == {name for name in ("Linux", "MacOS", "Windows") if name.lower() in was_run[1].lower()}
+    assert not any("Free Threading" in each for each in classifiers())
+    assert metadata("tfloom").get_all("Project-URL") is None
