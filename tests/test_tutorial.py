@@ -14,7 +14,6 @@ from pathlib import Path
 import pytest
 
 pytestmark = [
-    pytest.mark.wire,
     pytest.mark.skipif(os.name != "posix", reason="needs bash and a pseudo-terminal"),
 ]
 

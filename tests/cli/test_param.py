@@ -10,8 +10,6 @@ import pytest
 import transcript
 import yaml
 
-pytestmark = pytest.mark.wire
-
 
 @pytest.fixture(autouse=True)
 def turtlesim(domain_id: int, start_program: Callable[..., object]) -> object:

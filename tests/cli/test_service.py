@@ -12,8 +12,6 @@ from pathlib import Path
 import pytest
 import transcript
 
-pytestmark = pytest.mark.wire
-
 
 @pytest.fixture(autouse=True)
 def server(domain_id: int, start_program: Callable[..., object]) -> object:

@@ -16,7 +16,6 @@ from tfloom.rmw.base import Sample
 from tfloom.rmw.events import Count, Event
 from tfloom.rosidl import cdr
 
-pytestmark = pytest.mark.wire
 POSE = "{x: 5.544444561004639, y: 5.544444561004639}"
 CAMERA = (
     "{transforms: [{header: {stamp: {sec: 1795257442, nanosec: 127281577}, frame_id: world}, child_frame_id: camera,"

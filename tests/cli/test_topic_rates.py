@@ -10,8 +10,6 @@ import transcript
 
 from tfloom.cli.topic import bw, rates
 
-pytestmark = pytest.mark.wire
-
 
 @pytest.fixture
 def listen(domain_id: int, start_program: Callable[..., object]) -> Callable[..., object]:

@@ -8,8 +8,6 @@ from collections.abc import Callable
 import pytest
 import transcript
 
-pytestmark = pytest.mark.wire
-
 
 @pytest.fixture(autouse=True)
 def turtlesim(domain_id: int, start_program: Callable[..., object]) -> object:

@@ -8,10 +8,12 @@ import subprocess
 import sys
 from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import NamedTuple
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
 PROGRAM = Path(sys.executable).with_name("tfloom")
+NO_CONSTANTS: Mapping[str, float] = MappingProxyType({})
 
 
 class Transcript(NamedTuple):
@@ -32,11 +34,36 @@ def golden(name: str) -> Transcript:
     return Transcript(command, "\n".join(lines), int(exit_code[1]))
 
 
-def run(*words: str, env: Mapping[str, str] | None = None, timeout_s: float = 60.0) -> Transcript:
-    """Run the command with ros2's name and return what it printed on both streams together."""
-    code = "import sys; from tfloom.cli.main import main; sys.exit(main(prog='ros2'))"
+def python_words(*words: str, constants: Mapping[str, float] = NO_CONSTANTS) -> list[str]:
+    """Return Python's words by which it runs the command with ros2's name.
+
+    `constants` are module constants to replace first, as {"tfloom.cli.calls.HINT_S": 1.0}: a wait as long as users
+    have it tests no more than a short one.
+    """
+    code = ["import importlib, sys"]
+    for constant, value in constants.items():
+        module, _, name = constant.rpartition(".")
+        code += [
+            f"module = importlib.import_module({module!r})",
+            f"module.{name}",
+            f"module.{name} = {value!r}",
+        ]
+    code += ["from tfloom.cli.main import main", "sys.exit(main(prog='ros2'))"]
+    return ["-c", "\n".join(code), *words]
+
+
+def run(
+    *words: str,
+    env: Mapping[str, str] | None = None,
+    timeout_s: float = 60.0,
+    constants: Mapping[str, float] = NO_CONSTANTS,
+) -> Transcript:
+    """Run the command with ros2's name and return what it printed on both streams together.
+
+    `constants` as `python_words` takes them.
+    """
     result = subprocess.run(
-        [sys.executable, "-c", code, *words],
+        [sys.executable, *python_words(*words, constants=constants)],
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         stdin=subprocess.DEVNULL,

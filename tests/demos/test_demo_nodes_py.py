@@ -10,8 +10,6 @@ from pathlib import Path
 import pytest
 from tests.conftest import Program
 
-pytestmark = pytest.mark.wire
-
 GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
 NAMES = [
     *("add_two_ints_client", "add_two_ints_client_async", "add_two_ints_server", "async_param_client"),

@@ -15,7 +15,6 @@ from tfloom.node.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.utilities import try_shutdown
 
-pytestmark = pytest.mark.wire
 CENTRE = 5.544
 START = ("tfloom", "run", "turtle_tf2_py")
 

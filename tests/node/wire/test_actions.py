@@ -20,8 +20,6 @@ from tfloom.node.node import Node
 from tfloom.node.qos import qos_profile_action_status_default
 from tfloom.node.task import Future
 
-pytestmark = pytest.mark.wire
-
 Start = Callable[..., Program]
 Finish = Callable[..., Any]
 SpinUntil = Callable[..., None]

@@ -21,8 +21,6 @@ from tfloom.node.service_introspection import ServiceIntrospectionState
 from tfloom.rmw import cyclone_services
 from tfloom.rmw.errors import ForeignPeerError
 
-pytestmark = pytest.mark.wire
-
 Start = Callable[..., Program]
 Finish = Callable[..., Any]
 
@@ -104,7 +102,7 @@ def test_both_ends_of_a_call_tell_of_it_by_the_same_ids(
 
 
 def test_many_clients_in_many_processes_get_their_own_answers(
-    start: Start, start_program: Callable[..., Program]
+    domain_id: int, start: Start, start_program: Callable[..., Program]
 ) -> None:
     start("service_server")
     callers = [

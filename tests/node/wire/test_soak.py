@@ -6,10 +6,7 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
-import pytest
 from tests.conftest import Program
-
-pytestmark = pytest.mark.wire
 
 ROOT = Path(__file__).parents[3]
 
