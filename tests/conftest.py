@@ -11,7 +11,7 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
@@ -225,6 +225,22 @@ class Program:
         self.process.stdout.close()
         if self.process.stdin is not None:
             self.process.stdin.close()
+
+
+def python_with(constants: Mapping[str, object], code: str, *words: str | Path) -> list[str | Path]:
+    """Return Python's words by which it runs `code` with `words` as arguments, after replacing module constants.
+
+    {"tfloom.cli.calls.HINT_S": 1.0}, say: a wait as long as users have it tests no more than a short one.
+    """
+    lines = ["import importlib, sys"]
+    for constant, value in constants.items():
+        module, _, name = constant.rpartition(".")
+        lines += [
+            f"module = importlib.import_module({module!r})",
+            f"module.{name}",
+            f"module.{name} = {value!r}",
+        ]
+    return ["-c", "\n".join([*lines, code]), *words]
 
 
 @contextmanager

@@ -11,6 +11,8 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import NamedTuple
 
+from tests.conftest import python_with
+
 GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
 PROGRAM = Path(sys.executable).with_name("tfloom")
 NO_CONSTANTS: Mapping[str, float] = MappingProxyType({})
@@ -34,22 +36,9 @@ def golden(name: str) -> Transcript:
     return Transcript(command, "\n".join(lines), int(exit_code[1]))
 
 
-def python_words(*words: str, constants: Mapping[str, float] = NO_CONSTANTS) -> list[str]:
-    """Return Python's words by which it runs the command with ros2's name.
-
-    `constants` are module constants to replace first, as {"tfloom.cli.calls.HINT_S": 1.0}: a wait as long as users
-    have it tests no more than a short one.
-    """
-    code = ["import importlib, sys"]
-    for constant, value in constants.items():
-        module, _, name = constant.rpartition(".")
-        code += [
-            f"module = importlib.import_module({module!r})",
-            f"module.{name}",
-            f"module.{name} = {value!r}",
-        ]
-    code += ["from tfloom.cli.main import main", "sys.exit(main(prog='ros2'))"]
-    return ["-c", "\n".join(code), *words]
+def python_words(*words: str, constants: Mapping[str, float] = NO_CONSTANTS) -> list[str | Path]:
+    """Return Python's words by which it runs the command with ros2's name, as `python_with` does."""
+    return python_with(constants, "from tfloom.cli.main import main; sys.exit(main(prog='ros2'))", *words)
 
 
 def run(
@@ -60,7 +49,7 @@ def run(
 ) -> Transcript:
     """Run the command with ros2's name and return what it printed on both streams together.
 
-    `constants` as `python_words` takes them.
+    `constants` as `python_with` takes them.
     """
     result = subprocess.run(
         [sys.executable, *python_words(*words, constants=constants)],

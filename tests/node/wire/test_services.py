@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 from tests.conftest import Program, wait_until
-from tests.node.wire.conftest import LEASE_TIMEOUT_S, PROGRAMS
+from tests.node.wire.conftest import PROGRAMS
 
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
@@ -26,7 +26,7 @@ Finish = Callable[..., Any]
 
 
 def test_a_server_killed_in_mid_call(
-    node: Node, executor: SingleThreadedExecutor, start: Start, finish: Finish
+    short_lease: float, node: Node, executor: SingleThreadedExecutor, start: Start, finish: Finish
 ) -> None:
     server = start("service_server")
     client, hang = node.create_client(AddTwoInts, "add"), node.create_client(AddTwoInts, "hang")
@@ -50,7 +50,7 @@ def test_a_server_killed_in_mid_call(
     while waiting.is_alive():
         executor.spin_once(timeout_sec=0.1)
     assert str(outcome[0]) == "no response from /hang in 1.0 s"
-    wait_until(lambda: not hang.service_is_ready(), LEASE_TIMEOUT_S)
+    wait_until(lambda: not hang.service_is_ready())
     assert not hang.wait_for_service(timeout_sec=0.0)
     assert not client.service_is_ready()
     assert list(hang._pending.values()) == [lost]
