@@ -85,6 +85,18 @@ def deviations() -> dict[str, dict[str, str]]:
     return {row[0].strip("`"): dict(zip(header[1:], row[1:], strict=True)) for row in body}
 
 
+@pytest.fixture
+def planted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """Give a new package, `planted`, that can be imported in this test alone."""
+    package = tmp_path / "planted"
+    package.mkdir()
+    (package / "__init__.py").touch()
+    monkeypatch.syspath_prepend(tmp_path)
+    yield package
+    for name in [name for name in sys.modules if name.split(".")[0] == "planted"]:
+        del sys.modules[name]
+
+
 @pytest.fixture(scope="session", autouse=True)
 def _log_directory(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     """Keep log files out of the home directory."""
