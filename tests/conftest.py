@@ -11,16 +11,22 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 import pytest
 
+from tfloom.rmw.cyclone_library import find_library
+from tfloom.rmw.errors import NoBackendError
+
 # By the RTPS port formula, domains up to 100 keep clear of Linux's ephemeral ports; the rest of them is for
 # programs that a person starts while the tests run.
 DOMAINS = range(1, 71)
+FIRST_LOCK_PORT = 7400
 TIMEOUT_S = 30.0
+DOMAIN_TIMEOUT_S = 300.0
+DOMAIN_FIXTURES = {"domain_id", "module_domain_id"}
 
 _lock_descriptors: set[int] = set()
 """Of the locks of the domains that this process's tests are on."""
@@ -35,15 +41,29 @@ def pytest_configure() -> None:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
+@pytest.hookimpl(tryfirst=True)  # before -m selects
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """In the CI, give a test of real processes on a real wire a second try, which the summary names.
+    """Mark the tests that take a domain as `wire`, and skip those marked so where there is no DDS library.
 
-    There a machine that stalls for seconds is a fact of life. On a desk the first failure counts.
+    Their files come first: a whole file goes to one worker, and a long one that started last would run on alone.
+
+    In the CI such a test has a second try, which the summary names: there a machine that stalls for seconds is a
+    fact of life. On a desk the first failure counts.
     """
+    for item in items:
+        if DOMAIN_FIXTURES & set(getattr(item, "fixturenames", ())):
+            item.add_marker(pytest.mark.wire)
+    wire = [item for item in items if item.get_closest_marker("wire")]
+    wire_files = {item.path for item in wire}
+    items.sort(key=lambda item: item.path not in wire_files)
+    try:
+        find_library()
+    except NoBackendError as error:
+        for item in wire:
+            item.add_marker(pytest.mark.skip(reason=f"needs DDS: {error}"))
     if os.environ.get("CI"):
-        for item in items:
-            if "domain_id" in getattr(item, "fixturenames", ()):
-                item.add_marker(pytest.mark.flaky(reruns=1))
+        for item in wire:
+            item.add_marker(pytest.mark.flaky(reruns=1))
 
 
 def wait_until(condition: Callable[[], object], timeout_s: float = TIMEOUT_S, what: str = "") -> None:
@@ -69,6 +89,18 @@ def deviations() -> dict[str, dict[str, str]]:
     return {row[0].strip("`"): dict(zip(header[1:], row[1:], strict=True)) for row in body}
 
 
+@pytest.fixture
+def planted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """Give a new package, `planted`, that can be imported in this test alone."""
+    package = tmp_path / "planted"
+    package.mkdir()
+    (package / "__init__.py").touch()
+    monkeypatch.syspath_prepend(tmp_path)
+    yield package
+    for name in [name for name in sys.modules if name.split(".")[0] == "planted"]:
+        del sys.modules[name]
+
+
 @pytest.fixture(scope="session", autouse=True)
 def _log_directory(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     """Keep log files out of the home directory."""
@@ -77,29 +109,59 @@ def _log_directory(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
         yield
 
 
-@pytest.fixture
-def domain_id(monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
-    """Give a DDS domain that no other test on this machine uses now, and set ROS_DOMAIN_ID to it.
+@contextmanager
+def hold_domain() -> Iterator[int]:
+    """Hold a DDS domain that no other test on this machine uses, and set ROS_DOMAIN_ID to it.
 
-    A TCP port of the loopback interface is the lock. It is held as long as the test runs, and by each program that
-    the test starts as long as that runs: should a program outlive its test, nobody meets it.
+    The lock is a TCP port of the loopback interface, bound and never listened on. The kernel gives it to one process
+    at a time, whichever worker or neighbour that is, and each program that a test starts inherits it: while a program
+    outlives its test, its domain stays taken. The ports, 7650 to 24900, are below the ephemeral ones, and Cyclone's
+    are of UDP. Where all domains are taken, wait for one.
     """
-    for domain in random.sample(DOMAINS, len(DOMAINS)):
-        lock = socket.socket()
-        try:
-            lock.bind(("127.0.0.1", 7400 + 250 * domain))
-        except OSError:
-            lock.close()
-            continue
-        monkeypatch.setenv("ROS_DOMAIN_ID", str(domain))
-        monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
+    with _lock_a_domain() as (domain, lock), pytest.MonkeyPatch.context() as patch:
+        patch.setenv("ROS_DOMAIN_ID", str(domain))
+        patch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
         _lock_descriptors.add(lock.fileno())
-        with lock:
+        try:
             yield domain
+        finally:
             _lock_descriptors.discard(lock.fileno())
-            _expect_nobody_left(domain)
-        return
-    pytest.fail("all DDS domains are in use")
+        _expect_nobody_left(domain)
+
+
+@contextmanager
+def _lock_a_domain() -> Iterator[tuple[int, socket.socket]]:
+    end = time.monotonic() + DOMAIN_TIMEOUT_S
+    while True:
+        for domain in random.sample(DOMAINS, len(DOMAINS)):
+            with socket.socket() as lock:
+                try:
+                    lock.bind(("127.0.0.1", FIRST_LOCK_PORT + 250 * domain))
+                except OSError:
+                    continue
+                yield domain, lock
+                return
+        if time.monotonic() > end:
+            pytest.fail(f"all DDS domains have been in use for {DOMAIN_TIMEOUT_S:g} s")
+        time.sleep(0.1)
+
+
+@pytest.fixture
+def domain_id(start_program: Callable[..., Program]) -> Iterator[int]:
+    """Give a domain to the test: see `hold_domain`.
+
+    The test's own participants are closed before its programs are ended: a writer whose reader was killed would wait
+    for its acknowledgements for a second.
+    """
+    with hold_domain() as domain:
+        yield domain
+
+
+@pytest.fixture(scope="module")
+def module_domain_id(start_module_program: Callable[..., Program]) -> Iterator[int]:
+    """Give a domain to the tests of a module that ask the same graph and leave it as it was."""
+    with hold_domain() as domain:
+        yield domain
 
 
 def _expect_nobody_left(domain: int) -> None:
@@ -181,18 +243,65 @@ class Program:
             self.process.stdin.close()
 
 
-@pytest.fixture
-def start_program() -> Iterator[Callable[..., Program]]:
-    """Start processes that are ended with the test: `start_program("ros2", "topic", "list")`."""
-    programs: list[Program] = []
+def python_with(constants: Mapping[str, object], code: str, *words: str | Path) -> list[str | Path]:
+    """Return Python's words by which it runs `code` with `words` as arguments, after replacing module constants.
+
+    {"tfloom.cli.calls.HINT_S": 1.0}, say: a wait as long as users have it tests no more than a short one.
+    """
+    lines = ["import importlib, sys"]
+    for constant, value in constants.items():
+        module, _, name = constant.rpartition(".")
+        lines += [
+            f"module = importlib.import_module({module!r})",
+            f"module.{name}",
+            f"module.{name} = {value!r}",
+        ]
+    return ["-c", "\n".join([*lines, code]), *words]
+
+
+@contextmanager
+def programs() -> Iterator[Callable[..., Program]]:
+    """Give what starts processes, as `start("ros2", "topic", "list")`; they are ended with the block."""
+    started: list[Program] = []
 
     def start(*command: str | Path, **options: object) -> Program:
         first, *rest = command
         beside_python = Path(sys.executable).with_name(str(first))
         program = Program([beside_python if beside_python.exists() else first, *rest], **options)
-        programs.append(program)
+        started.append(program)
         return program
 
-    yield start
-    for program in programs:
-        program.end()
+    try:
+        yield start
+    finally:
+        for program in started:
+            program.end()
+
+
+@pytest.fixture
+def start_program() -> Iterator[Callable[..., Program]]:
+    """Start processes that are ended with the test: `start_program("ros2", "topic", "list")`."""
+    with programs() as start:
+        yield start
+
+
+@pytest.fixture(scope="module")
+def start_module_program() -> Iterator[Callable[..., Program]]:
+    """Start processes, as `start_program` does, that are ended with the module."""
+    with programs() as start:
+        yield start
+
+
+@pytest.fixture
+def short_lease(domain_id: int, monkeypatch: pytest.MonkeyPatch) -> float:
+    """Have a killed peer missed after 3 s instead of 10, on the loopback interface as ever; return the lease [s].
+
+    Participants of this test have it, and programs that it starts.
+    """
+    from tfloom.rmw.cyclone_config import configuration
+
+    lease_s = 3.0
+    lease = f"<LeaseDuration>{lease_s:g}s</LeaseDuration>"
+    shortened = f"<CycloneDDS><Domain><Discovery>{lease}</Discovery></Domain></CycloneDDS>"
+    monkeypatch.setenv("CYCLONEDDS_URI", f"{configuration()},{shortened}")
+    return lease_s

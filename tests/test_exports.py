@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import ast
 import importlib
+from collections import Counter
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -22,17 +24,34 @@ def has_all(path: Path) -> bool:
     )
 
 
-MODULES = sorted(
-    ".".join(path.relative_to(HOUSE.parent).with_suffix("").parts).removesuffix(".__init__")
-    for path in HOUSE.rglob("*.py")
-    if "ros_names" not in path.parts and has_all(path)
+def broken_exports(folder: Path, package: str) -> Iterator[str]:
+    """Yield what is amiss in the `__all__` of each module under a package's folder."""
+    for path in sorted(folder.rglob("*.py")):
+        if "ros_names" in path.parts or not has_all(path):
+            continue
+        parts = path.relative_to(folder).with_suffix("").parts
+        name = ".".join([package, *parts]).removesuffix(".__init__")
+        module = importlib.import_module(name)
+        exported = list(module.__all__)
+        yield from (f"{name} names {each} twice" for each, times in Counter(exported).items() if times > 1)
+        yield from (f"{name} has no {each}" for each in exported if not hasattr(module, each))
+
+
+def test_all_names_what_is_there() -> None:
+    assert any(has_all(path) for path in HOUSE.rglob("*.py"))
+    broken = list(broken_exports(HOUSE, "tfloom"))
+    assert not broken, "\n".join(broken)
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("__all__ = ['here']\nhere = 1", []),
+        ("__all__ = ['here', 'here']\nhere = 1", ["planted.module names here twice"]),
+        ("__all__: list[str] = ['gone']", ["planted.module has no gone"]),
+        ("gone = 1", []),
+    ],
 )
-
-
-@pytest.mark.parametrize("name", MODULES)
-def test_all_names_what_is_there(name: str) -> None:
-    module = importlib.import_module(name)
-    exported = list(module.__all__)
-    assert len(exported) == len(set(exported)), "a name stands twice"
-    missing = [each for each in exported if not hasattr(module, each)]
-    assert not missing
+def test_what_is_amiss_is_found(text: str, found: list[str], planted: Path) -> None:
+    (planted / "module.py").write_text(text)
+    assert list(broken_exports(planted, "planted")) == found

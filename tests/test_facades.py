@@ -1,23 +1,31 @@
-"""The doors with ROS's names on them: thin, typed, last on the path, and never half of a mixture."""
+"""The doors with ROS's names on them: thin, typed, last on the path, and never half of a mixture.
+
+Each rule is a function over a folder of façades that yields what breaks it.
+"""
 
 from __future__ import annotations
 
 import ast
 import importlib
+import json
 import os
 import subprocess
 import sys
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
 ROS_NAMES = Path(__file__).parents[1] / "src" / "tfloom" / "ros_names"
-PACKAGES = sorted(path for path in ROS_NAMES.iterdir() if path.is_dir() and path.name != "__pycache__")
-MODULES = sorted(ROS_NAMES.rglob("*.py"))
+Rule = Callable[[Path], Iterator[str]]
 
 
-def dotted(path: Path) -> str:
-    return ".".join(path.relative_to(ROS_NAMES).with_suffix("").parts).removesuffix(".__init__")
+def dotted(path: Path, folder: Path) -> str:
+    return ".".join(path.relative_to(folder).with_suffix("").parts).removesuffix(".__init__")
+
+
+def modules(folder: Path) -> list[Path]:
+    return sorted(folder.rglob("*.py"))
 
 
 def python(code: str, **environment: str) -> subprocess.CompletedProcess[str]:
@@ -31,39 +39,121 @@ def python(code: str, **environment: str) -> subprocess.CompletedProcess[str]:
     )
 
 
-@pytest.mark.parametrize("package", PACKAGES, ids=lambda path: path.name)
-def test_a_facade_is_a_typed_package(package: Path) -> None:
-    assert (package / "__init__.py").is_file()
-    assert (package / "py.typed").is_file()
+def not_typed_packages(folder: Path) -> Iterator[str]:
+    """A façade is a package with type information."""
+    for package in sorted(folder.iterdir()):
+        if package.is_dir() and package.name != "__pycache__":
+            for name in ("__init__.py", "py.typed"):
+                if not (package / name).is_file():
+                    yield f"{package.name} has no {name}"
 
 
-def test_nothing_stands_beside_the_facades() -> None:
-    assert not [path.name for path in ROS_NAMES.iterdir() if path.is_file()]
+def files_beside_the_facades(folder: Path) -> Iterator[str]:
+    """Nothing but packages is in the folder."""
+    yield from (f"{path.name} stands beside the façades" for path in folder.iterdir() if path.is_file())
 
 
-@pytest.mark.parametrize("path", MODULES, ids=dotted)
-def test_a_facade_only_hands_on(path: Path) -> None:
-    """Its statements are a docstring, imports from the house, `__all__`, and the claim of its name."""
-    for node in ast.parse(path.read_text("utf-8")).body:
-        where = f"{path.relative_to(ROS_NAMES)}:{node.lineno}"
-        if isinstance(node, ast.ImportFrom):
-            assert node.module, where
-            assert node.module.split(".")[0] in {"tfloom", "__future__"}, where
-        elif isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
-            assert ast.unparse(node.value.func) == "claim", where
-        elif isinstance(node, (ast.Assign, ast.AnnAssign)):
-            target = node.targets[0] if isinstance(node, ast.Assign) else node.target
-            assert ast.unparse(target) == "__all__", where
+def more_than_handing_on(folder: Path) -> Iterator[str]:
+    """A façade's statements are a docstring, imports from the house, `__all__`, and the claim of its name."""
+    for path in modules(folder):
+        for node in ast.parse(path.read_text("utf-8")).body:
+            if not hands_on(node):
+                yield f"{path.relative_to(folder)}:{node.lineno}: {ast.unparse(node).splitlines()[0]}"
+
+
+def hands_on(node: ast.stmt) -> bool:
+    if isinstance(node, ast.ImportFrom):
+        return (node.module or "").split(".")[0] in {"tfloom", "__future__"}
+    if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
+        return ast.unparse(node.value.func) == "claim"
+    if isinstance(node, (ast.Assign, ast.AnnAssign)):
+        target = node.targets[0] if isinstance(node, ast.Assign) else node.target
+        return ast.unparse(target) == "__all__"
+    return isinstance(node, (ast.Expr, ast.Import))
+
+
+def names_that_are_missing(folder: Path) -> Iterator[str]:
+    """A façade can be imported, from this folder, and has what its `__all__` names."""
+    for path in modules(folder):
+        name = dotted(path, folder)
+        try:
+            module = importlib.import_module(name)
+        except ImportError as error:
+            yield f"{name}: {error}"
+            continue
+        if Path(module.__file__) != path:
+            yield f"{name} comes from {module.__file__}"
+        yield from (
+            f"{name} has no {each}" for each in getattr(module, "__all__", []) if not hasattr(module, each)
+        )
+
+
+RULES: list[Rule] = [
+    not_typed_packages,
+    files_beside_the_facades,
+    more_than_handing_on,
+    names_that_are_missing,
+]
+
+
+@pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.__name__)
+def test_each_facade_keeps_the_rule(rule: Rule) -> None:
+    assert modules(ROS_NAMES)
+    broken = list(rule(ROS_NAMES))
+    assert not broken, "\n".join(broken)
+
+
+GOOD = '''"""Hand on."""
+
+from __future__ import annotations
+
+from tfloom.ros_guard import claim
+
+__all__ = ["claim"]
+'''
+
+
+@pytest.mark.parametrize(
+    ("rule", "changes", "found"),
+    [
+        (not_typed_packages, {"planted/py.typed": None}, "planted has no py.typed"),
+        (not_typed_packages, {"planted/__init__.py": None}, "planted has no __init__.py"),
+        (files_beside_the_facades, {"stray.py": ""}, "stray.py stands beside the façades"),
+        (more_than_handing_on, {"planted/more.py": "X = 1"}, "planted/more.py:1: X = 1"),
+        (more_than_handing_on, {"planted/more.py": "X: int = 1"}, "planted/more.py:1: X: int = 1"),
+        (more_than_handing_on, {"planted/more.py": "print()"}, "planted/more.py:1: print()"),
+        (more_than_handing_on, {"planted/more.py": "def f(): ..."}, "planted/more.py:1: def f():"),
+        (
+            more_than_handing_on,
+            {"planted/more.py": "from os import sep"},
+            "planted/more.py:1: from os import sep",
+        ),
+        (more_than_handing_on, {"planted/more.py": "from . import x"}, "planted/more.py:1: from . import x"),
+        (names_that_are_missing, {"planted/more.py": "__all__ = ['x']"}, "planted.more has no x"),
+        (
+            names_that_are_missing,
+            {"planted/more.py": "import no_such"},
+            "planted.more: No module named 'no_such'",
+        ),
+        (names_that_are_missing, {"json/__init__.py": ""}, f"json comes from {json.__file__}"),
+    ],
+)
+def test_each_rule_finds_what_breaks_it(
+    rule: Rule, changes: dict[str, str | None], found: str, planted: Path
+) -> None:
+    folder = planted.parent
+    (planted / "__init__.py").write_text(GOOD)
+    (planted / "py.typed").touch()
+    assert not list(rule(folder))
+    for name, text in changes.items():
+        path = folder / name
+        path.parent.mkdir(exist_ok=True)
+        if text is None:
+            path.unlink()
         else:
-            assert isinstance(node, (ast.Expr, ast.Import)), where
-
-
-@pytest.mark.parametrize("path", MODULES, ids=dotted)
-def test_a_facade_imports_and_exports_what_it_names(path: Path) -> None:
-    module = importlib.import_module(dotted(path))
-    assert Path(module.__file__) == path
-    missing = [name for name in getattr(module, "__all__", []) if not hasattr(module, name)]
-    assert not missing
+            path.write_text(text)
+    importlib.invalidate_caches()
+    assert list(rule(folder)) == [found]
 
 
 def test_a_real_ros_comes_first(tmp_path: Path) -> None:

@@ -10,13 +10,12 @@ from pathlib import Path
 import pytest
 import transcript
 
-pytestmark = pytest.mark.wire
 SEND = ("action", "send_goal", "/turtle1/rotate_absolute", "turtlesim/action/RotateAbsolute")
 
 
-@pytest.fixture(autouse=True)
-def server(domain_id: int, start_program: Callable[..., object]) -> object:
-    program = start_program("python", Path(__file__).with_name("an_action_server.py"))
+@pytest.fixture(scope="module", autouse=True)
+def server(module_domain_id: int, start_module_program: Callable[..., object]) -> object:
+    program = start_module_program("python", Path(__file__).with_name("an_action_server.py"))
     program.wait_for("ready")
     return program
 

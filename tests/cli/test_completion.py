@@ -90,7 +90,6 @@ def test_each_argument_offers_something_or_is_free_text(verb: str) -> None:
             assert find_offer(verb.split(), action.dest), action.dest
 
 
-@pytest.mark.wire
 def test_lifecycle_nodes_and_what_they_can_be_asked_for(
     domain_id: int, tmp_path: Path, start_program: Callable[..., object]
 ) -> None:
@@ -99,7 +98,6 @@ def test_lifecycle_nodes_and_what_they_can_be_asked_for(
     assert complete("tfloom lifecycle set /a_node con", tmp_path) == ["configure"]
 
 
-@pytest.mark.wire
 def test_live_topics_nodes_and_types(
     domain_id: int, tmp_path: Path, start_program: Callable[..., object]
 ) -> None:
@@ -112,7 +110,6 @@ def test_live_topics_nodes_and_types(
     assert complete("tfloom topic pub /my_topic ", tmp_path) == ["geometry_msgs/msg/Twist"]
 
 
-@pytest.mark.wire
 def test_live_services_actions_and_parameters(
     domain_id: int, tmp_path: Path, start_program: Callable[..., object]
 ) -> None:

@@ -20,7 +20,6 @@ def findings(*flags: str, **environment: str) -> tuple[dict[str, dict[str, objec
     return {finding["check"]: finding for finding in json.loads(answer.text)}, answer.exit_code
 
 
-@pytest.mark.wire
 def test_all_is_well(domain_id: int) -> None:
     answer = transcript.run("doctor")
     assert answer.exit_code == 0, answer.text

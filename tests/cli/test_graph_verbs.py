@@ -11,13 +11,13 @@ from pathlib import Path
 import pytest
 import transcript
 
-pytestmark = pytest.mark.wire
 
-
-@pytest.fixture(autouse=True)
-def recorded_graph(domain_id: int, start_program: Callable[..., object]) -> None:
+@pytest.fixture(scope="module", autouse=True)
+def recorded_graph(module_domain_id: int, start_module_program: Callable[..., object]) -> None:
     """Run the recorded graph in a domain of its own."""
-    start_program("python", Path(__file__).with_name("a_graph.py"), stdin=subprocess.PIPE).wait_for("ready")
+    start_module_program("python", Path(__file__).with_name("a_graph.py"), stdin=subprocess.PIPE).wait_for(
+        "ready"
+    )
 
 
 @pytest.mark.parametrize(

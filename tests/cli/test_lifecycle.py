@@ -8,8 +8,6 @@ from pathlib import Path
 import pytest
 import transcript
 
-pytestmark = pytest.mark.wire
-
 
 @pytest.fixture(autouse=True)
 def node(domain_id: int, start_program: Callable[..., object]) -> None:

@@ -122,7 +122,27 @@ def test_ctrl_c_is_quiet(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureF
     assert capfd.readouterr() == ("", "")
 
 
-@pytest.mark.wire
+@pytest.mark.skipif(os.name != "posix", reason="a process signals itself otherwise elsewhere")
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_amid_the_interpreters_end_leaves_the_exit_code(number: int) -> None:
+    """By then the interpreter has given the signals that have handlers their default action."""
+    code = f"""
+import os, sys
+from tfloom.cli import main
+
+class Late:
+    def __del__(self):
+        os.kill(os.getpid(), {int(number)})
+
+late = Late()
+sys.exit(main.main(prog="ros2"))
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", code, "topc"], stderr=subprocess.PIPE, timeout=60, check=False
+    )
+    assert done.returncode == 2, done
+
+
 def test_a_command_that_is_terminated_says_goodbye(
     domain_id: int, start_program: Callable[..., object], wait_until: Callable[..., None]
 ) -> None:
@@ -153,7 +173,7 @@ def test_a_closed_pipe_is_quiet() -> None:
 
 
 @pytest.mark.skipif(os.name != "posix", reason="closes a file descriptor")
-def test_a_closed_output_is_no_crash(domain_id: int) -> None:
+def test_a_closed_output_is_no_crash() -> None:
     command = f"exec '{sys.executable}' -m tfloom.cli pkg list >&-"
     done = subprocess.run(["sh", "-c", command], capture_output=True, text=True, timeout=30, check=False)
     assert (done.returncode, done.stderr) == (0, "")

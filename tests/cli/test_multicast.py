@@ -4,21 +4,21 @@ from __future__ import annotations
 
 import re
 import socket
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
 import transcript
+from tests.conftest import hold_domain
 
 from tfloom.cli.multicast.common import interface
 
-pytestmark = pytest.mark.wire
-
 
 @pytest.fixture
-def port(domain_id: int) -> str:
+def port() -> Iterator[str]:
     """Give a port that no other test uses now."""
-    return str(49150 - domain_id)
+    with hold_domain() as domain:
+        yield str(49150 - domain)
 
 
 def test_a_datagram_comes_through(port: str, start_program: Callable[..., Any]) -> None:

@@ -105,7 +105,10 @@ def test_packages() -> None:
     assert transcript.run("pkg", "xml", "turtlesim").exit_code == 1
 
 
-def test_a_new_package_builds_and_runs(tmp_path: Path, start_program: Callable[..., object]) -> None:
+def test_a_new_package_builds_and_runs(
+    tmp_path: Path, start_program: Callable[..., object], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
     words = (
         "pkg",
         "create",
@@ -127,8 +130,9 @@ def test_a_new_package_builds_and_runs(tmp_path: Path, start_program: Callable[.
     line = f"source {tmp_path}/install/setup.bash && exec {transcript.PROGRAM} run my_pkg my_node"
     node = start_program("bash", "-c", line)
     node.wait_for("[my_node]: Hi from my_pkg.")
-    node.wait_for("[my_node]: 2 s")
+    node.wait_for("[my_node]: 1 s")
     node.signal(2)
+    node.wait()
     assert "Traceback" not in node.output
 
 

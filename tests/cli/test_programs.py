@@ -48,7 +48,6 @@ def graph(domain_id: int) -> Iterator[Node]:
     context.destroy()
 
 
-@pytest.mark.wire
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_they_end_quietly(
     graph: Node, number: int, start_program: Callable[..., Program], wait_until: Callable[..., None]

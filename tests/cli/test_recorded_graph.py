@@ -5,10 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-import pytest
 import transcript
-
-pytestmark = pytest.mark.wire
 
 STATIC = (
     "--x",

@@ -12,16 +12,21 @@ from pathlib import Path
 import pytest
 import transcript
 
-pytestmark = pytest.mark.wire
+A_SERVER = Path(__file__).with_name("a_server.py")
 
 
-@pytest.fixture(autouse=True)
-def server(domain_id: int, start_program: Callable[..., object]) -> object:
-    program = start_program("python", Path(__file__).with_name("a_server.py"))
-    program.wait_for("ready")
-    return program
+@pytest.fixture(scope="module", autouse=True)
+def server(module_domain_id: int, start_module_program: Callable[..., object]) -> None:
+    start_module_program("python", A_SERVER).wait_for("ready")
 
 
+@pytest.fixture
+def server_to_change(domain_id: int, start_program: Callable[..., object]) -> None:
+    """Start another server, on a domain of the test's own."""
+    start_program("python", A_SERVER).wait_for("ready")
+
+
+@pytest.mark.usefixtures("server_to_change")
 def test_calls_print_as_recorded() -> None:
     for name in ("service_call", "service_call_again", "service_call_empty"):
         recorded = transcript.golden(name)
@@ -88,7 +93,7 @@ def test_mistakes_are_told() -> None:
     )
 
 
-def test_requests_come_from_the_input(start_program: Callable[..., object]) -> None:
+def test_requests_come_from_the_input(server_to_change: None, start_program: Callable[..., object]) -> None:
     program = start_program(
         "tfloom", "service", "call", "--stdin", "/spawn", "turtlesim/srv/Spawn", stdin=subprocess.PIPE
     )
@@ -139,6 +144,8 @@ def test_events_of_a_service_that_nobody_has() -> None:
 def test_a_misspelt_service_names_the_nearest_while_it_is_waited_for(
     start_program: Callable[..., object],
 ) -> None:
-    call = start_program("tfloom", "service", "call", "/spwn", "turtlesim/srv/Spawn")
+    words = ("service", "call", "/spwn", "turtlesim/srv/Spawn")
+    quick = {"tfloom.cli.calls.HINT_S": 1.0}
+    call = start_program("python", *transcript.python_words(*words, constants=quick))
     call.wait_for("did you mean /spawn?")
     assert call.lines[:2] == ["waiting for service to become available...", "nobody serves /spwn yet"]

@@ -11,42 +11,54 @@ import pytest
 import transcript
 from tests.conftest import Program
 
-pytestmark = pytest.mark.wire
+from tfloom.cli.lifecycle import common as lifecycle_common
+from tfloom.cli.param import common as param_common
+
 HERE = Path(__file__).parent
 
 
-@pytest.fixture(autouse=True)
+QUICK = {"tfloom.cli.param.common.TIMEOUT_S": 2.0, "tfloom.cli.lifecycle.common.TIMEOUT_S": 2.5}
+
+
+def test_how_long_users_wait() -> None:
+    assert (param_common.TIMEOUT_S, lifecycle_common.TIMEOUT_S) == (5.0, 10.0)
+
+
+@pytest.fixture
 def silent_node(domain_id: int, start_program: Callable[..., Program]) -> None:
     start_program("python", HERE / "a_silent_node.py", stdin=subprocess.PIPE).wait_for("ready")
 
 
+@pytest.mark.usefixtures("silent_node")
 def test_lists_hold_those_that_answer(start_program: Callable[..., Program]) -> None:
     start_program("python", HERE / "a_lifecycle_node.py").wait_for("ready")
-    parameters = transcript.run("param", "list", "--filter", "use_sim_time")
+    parameters = transcript.run("param", "list", "--filter", "use_sim_time", constants=QUICK)
     assert parameters.text.splitlines() == [
-        "/a_silent_node/list_parameters didn't answer within 5 s",
+        "/a_silent_node/list_parameters didn't answer within 2 s",
         "/a_node:",
         "  use_sim_time",
     ]
-    states = transcript.run("lifecycle", "get")
+    states = transcript.run("lifecycle", "get", constants=QUICK)
     assert states.text.splitlines() == [
-        "/a_silent_node/get_state didn't answer within 10 s",
+        "/a_silent_node/get_state didn't answer within 2.5 s",
         "/a_node: unconfigured [1]",
     ]
     assert parameters.exit_code == states.exit_code == 0
 
 
+@pytest.mark.usefixtures("silent_node")
 def test_nobody_answers() -> None:
-    answer = transcript.run("param", "list")
-    assert (answer.text, answer.exit_code) == ("/a_silent_node/list_parameters didn't answer within 5 s", 1)
+    answer = transcript.run("param", "list", constants=QUICK)
+    assert (answer.text, answer.exit_code) == ("/a_silent_node/list_parameters didn't answer within 2 s", 1)
 
 
+@pytest.mark.usefixtures("silent_node")
 @pytest.mark.skipif(os.name != "posix", reason="needs a pseudo-terminal")
 def test_a_terminal_sees_what_is_waited_for(start_program: Callable[..., Program]) -> None:
-    words = ("service", "call", "--timeout", "2", "/silence", "std_srvs/srv/Empty")
+    words = ("service", "call", "--timeout", "1.2", "/silence", "std_srvs/srv/Empty")
     piped = transcript.run(*words).text
     assert "to answer" not in piped
     command = [str(transcript.PROGRAM), *words]
     shown = start_program("python", "-c", f"import pty; pty.spawn({command})")
     shown.wait_for("waiting for /silence to answer")
-    shown.wait_for("/silence didn't answer within 2 s")
+    shown.wait_for("/silence didn't answer within 1.2 s")

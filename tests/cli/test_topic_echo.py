@@ -5,10 +5,13 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 
 import pytest
 import transcript
 import yaml
+from tests.conftest import Program
 
 from tfloom.cli import main as cli
 from tfloom.interfaces.turtlesim.msg import Pose
@@ -16,7 +19,6 @@ from tfloom.rmw.base import Sample
 from tfloom.rmw.events import Count, Event
 from tfloom.rosidl import cdr
 
-pytestmark = pytest.mark.wire
 POSE = "{x: 5.544444561004639, y: 5.544444561004639}"
 CAMERA = (
     "{transforms: [{header: {stamp: {sec: 1795257442, nanosec: 127281577}, frame_id: world}, child_frame_id: camera,"
@@ -30,33 +32,52 @@ LOG = (
 TRANSIENT = ("--qos-durability", "transient_local")
 
 
-@pytest.fixture
-def publish(domain_id: int, start_program: Callable[..., object]) -> Callable[..., object]:
+def publish_with(
+    start_program: Callable[..., Program], topic: str, kind: str, values: str, *flags: str
+) -> Program:
     """Publish values on a topic from a process of its own, ten times a second."""
-
-    def start(topic: str, kind: str, values: str, *flags: str) -> object:
-        program = start_program("tfloom", "topic", "pub", "-r", "10", *flags, topic, kind, values)
-        program.wait_for("publishing #1")
-        return program
-
-    return start
+    program = start_program("tfloom", "topic", "pub", "-r", "10", *flags, topic, kind, values)
+    program.wait_for("publishing #1")
+    return program
 
 
+@pytest.fixture
+def publish(domain_id: int, start_program: Callable[..., Program]) -> Callable[..., Program]:
+    """Publish on a domain of the test's own: `publish(topic, kind, values, *flags)`."""
+    return partial(publish_with, start_program)
+
+
+@pytest.fixture(scope="module")
+def pose(module_domain_id: int, start_module_program: Callable[..., Program]) -> None:
+    """Have POSE published."""
+    publish_with(start_module_program, "/turtle1/pose", "turtlesim/msg/Pose", POSE)
+
+
+@pytest.fixture(scope="module")
+def camera(module_domain_id: int, start_module_program: Callable[..., Program]) -> None:
+    """Have CAMERA published, for late listeners too."""
+    publish_with(start_module_program, "/tf_static", "tf2_msgs/msg/TFMessage", CAMERA, *TRANSIENT)
+
+
+@pytest.fixture(scope="module")
+def log(module_domain_id: int, start_module_program: Callable[..., Program]) -> None:
+    """Have LOG published."""
+    publish_with(start_module_program, "/rosout", "rcl_interfaces/msg/Log", LOG)
+
+
+@pytest.mark.usefixtures("pose", "camera", "log")
 @pytest.mark.parametrize(
-    ("name", "publication"),
+    "name",
     [
-        ("topic_echo_once", ("/turtle1/pose", "turtlesim/msg/Pose", POSE)),
-        ("topic_echo_csv", ("/turtle1/pose", "turtlesim/msg/Pose", POSE)),
-        ("topic_echo_field", ("/turtle1/pose", "turtlesim/msg/Pose", POSE)),
-        ("topic_echo_flow", ("/tf_static", "tf2_msgs/msg/TFMessage", CAMERA, *TRANSIENT)),
-        ("topic_echo_tf_static", ("/tf_static", "tf2_msgs/msg/TFMessage", CAMERA, *TRANSIENT)),
-        ("topic_echo_noarr", ("/rosout", "rcl_interfaces/msg/Log", LOG)),
+        "topic_echo_once",
+        "topic_echo_csv",
+        "topic_echo_field",
+        "topic_echo_flow",
+        "topic_echo_tf_static",
+        "topic_echo_noarr",
     ],
 )
-def test_messages_print_as_recorded(
-    name: str, publication: tuple[str, ...], publish: Callable[..., object]
-) -> None:
-    publish(*publication)
+def test_messages_print_as_recorded(name: str) -> None:
     recorded = transcript.golden(name)
     assert transcript.run(*recorded.command) == recorded
 
@@ -70,8 +91,7 @@ def test_mistakes_begin_as_recorded(name: str, domain_id: int, deviations: dict[
     assert answer.text.startswith(recorded.text)
 
 
-def test_a_misspelt_topic_or_type_names_the_nearest(publish: Callable[..., object]) -> None:
-    publish("/turtle1/pose", "turtlesim/msg/Pose", POSE)
+def test_a_misspelt_topic_or_type_names_the_nearest(pose: None) -> None:
     assert transcript.run("topic", "echo", "/turtle/pose").text.endswith("\ndid you mean /turtle1/pose?")
     assert "turtlesim/msg/Pose" in transcript.run("topic", "echo", "/x", "turtlesim/msg/Poze").text
 
@@ -100,18 +120,21 @@ def test_it_waits_for_a_topic_whose_type_is_given(
 def test_what_was_published_before_is_heard_from_every_transient_publisher(
     publish: Callable[..., object],
 ) -> None:
-    for number in range(7):
-        publish("/late", "std_msgs/msg/Int32", f"{{data: {number}}}", *TRANSIENT, "--times", "1", "-w", "0",
-                "--keep-alive", "60")  # fmt: skip
+    flags = (*TRANSIENT, "--times", "1", "-w", "0", "--keep-alive", "60")
+
+    def publish_one(number: int) -> None:
+        publish("/late", "std_msgs/msg/Int32", f"{{data: {number}}}", *flags)
+
+    with ThreadPoolExecutor() as pool:
+        list(pool.map(publish_one, range(7)))
     answer = transcript.run("topic", "echo", "--csv", "--timeout", "2", "/late")
     assert sorted(answer.text.splitlines()) == [str(number) for number in range(7)]
 
 
-def test_messages_are_chosen_by_a_filter(publish: Callable[..., object]) -> None:
-    publish("/turtle1/pose", "turtlesim/msg/Pose", POSE)
+def test_messages_are_chosen_by_a_filter(pose: None) -> None:
     words = ("topic", "echo", "/turtle1/pose")
     assert transcript.run(*words, "--once", "--csv", "--filter", "m.x > 5").exit_code == 0
-    assert transcript.run(*words, "--timeout", "1", "--filter", "m.x < 5").text == ""
+    assert transcript.run(*words, "--timeout", "0.5", "--filter", "m.x < 5").text == ""
     mistaken = transcript.run(*words, "--filter", "m.q")
     assert (mistaken.exit_code, mistaken.text) == (
         1,
@@ -123,8 +146,7 @@ def test_messages_are_chosen_by_a_filter(publish: Callable[..., object]) -> None
     assert transcript.run(*words, "--filter", "m.x >").text.startswith("--filter isn't a Python expression")
 
 
-def test_a_field_inside_an_array(publish: Callable[..., object]) -> None:
-    publish("/tf_static", "tf2_msgs/msg/TFMessage", CAMERA, *TRANSIENT)
+def test_a_field_inside_an_array(camera: None) -> None:
     words = ("topic", "echo", "--once", "/tf_static", "--field")
     assert transcript.run(*words, "transforms[0].transform.translation.z").text == "3.0\n---"
     assert (
@@ -138,8 +160,7 @@ def test_a_field_inside_an_array(publish: Callable[..., object]) -> None:
     assert wrong.text.endswith("there are: stamp, frame_id")
 
 
-def test_forms_for_programs(publish: Callable[..., object]) -> None:
-    publish("/tf_static", "tf2_msgs/msg/TFMessage", CAMERA, *TRANSIENT)
+def test_forms_for_programs(camera: None) -> None:
     words = ("topic", "echo", "--once", "/tf_static")
     message = json.loads(transcript.run(*words, "--json").text)
     assert message["transforms"][0]["transform"]["translation"] == {"x": 1.0, "y": 2.0, "z": 3.0}
@@ -165,8 +186,7 @@ def test_arrays_and_strings_are_cut_where_asked(publish: Callable[..., object]) 
 INFO = ["publication_sequence_number", "received_timestamp", "reception_sequence_number", "source_timestamp"]
 
 
-def test_what_is_known_of_a_message_comes_before_it(publish: Callable[..., object]) -> None:
-    publish("/turtle1/pose", "turtlesim/msg/Pose", POSE)
+def test_what_is_known_of_a_message_comes_before_it(pose: None) -> None:
     words = ("topic", "echo", "--once", "--include-message-info", "/turtle1/pose")
     info, message, _ = transcript.run(*words).text.split("---")
     assert list(yaml.safe_load(info)) == INFO
@@ -179,9 +199,8 @@ def test_what_is_known_of_a_message_comes_before_it(publish: Callable[..., objec
     assert as_json["message"]["theta"] == 0.0
 
 
-def test_several_fields(publish: Callable[..., object], deviations: dict[str, dict[str, str]]) -> None:
+def test_several_fields(camera: None, deviations: dict[str, dict[str, str]]) -> None:
     assert "echo-several-fields" in deviations
-    publish("/tf_static", "tf2_msgs/msg/TFMessage", CAMERA, *TRANSIENT)
     words = ("topic", "echo", "--once", "/tf_static", "--field", "transforms[0].child_frame_id",
              "--field", "transforms[0].transform.translation")  # fmt: skip
     assert transcript.run(*words).text == (
@@ -195,15 +214,13 @@ def test_several_fields(publish: Callable[..., object], deviations: dict[str, di
     }
 
 
-def test_a_filter_sees_the_field(publish: Callable[..., object]) -> None:
-    publish("/turtle1/pose", "turtlesim/msg/Pose", POSE)
+def test_a_filter_sees_the_field(pose: None) -> None:
     words = ("topic", "echo", "/turtle1/pose", "--field", "x", "--filter")
     assert transcript.run(*words, "m > 5", "--once").text == "5.544444561004639\n---"
     assert transcript.run(*words, "m < 5", "--timeout", "0.5").text == ""
 
 
-def test_raw_bytes_go_through_a_filter_and_into_json(publish: Callable[..., object]) -> None:
-    publish("/turtle1/pose", "turtlesim/msg/Pose", POSE)
+def test_raw_bytes_go_through_a_filter_and_into_json(pose: None) -> None:
     words = ("topic", "echo", "/turtle1/pose", "--raw")
     assert transcript.run(*words, "--filter", "m.x < 5", "--timeout", "0.5").text == ""
     raw = bytes.fromhex(json.loads(transcript.run(*words, "--once", "--json").text))
@@ -215,8 +232,7 @@ def test_raw_bytes_go_through_a_filter_and_into_json(publish: Callable[..., obje
     )
 
 
-def test_what_is_no_field_is_none(publish: Callable[..., object]) -> None:
-    publish("/turtle1/pose", "turtlesim/msg/Pose", POSE)
+def test_what_is_no_field_is_none(pose: None) -> None:
     answer = transcript.run("topic", "echo", "--once", "/turtle1/pose", "--field", "__class__")
     assert answer.exit_code == 1
     assert answer.text.endswith("there are: x, y, theta, linear_velocity, angular_velocity")
@@ -272,8 +288,7 @@ def test_lost_messages_are_told(
     assert told in err if not flags else err == ""
 
 
-def test_a_type_that_is_not_the_topics_is_told(publish: Callable[..., object]) -> None:
-    publish("/turtle1/pose", "turtlesim/msg/Pose", POSE)
+def test_a_type_that_is_not_the_topics_is_told(pose: None) -> None:
     answer = transcript.run("topic", "echo", "/turtle1/pose", "std_msgs/msg/Empty", "--timeout", "1")
     assert answer.text == (
         "WARNING: /turtle1/pose is published as turtlesim/msg/Pose, not as std_msgs/msg/Empty"

@@ -10,8 +10,6 @@ import pytest
 import transcript
 from tests.conftest import Program
 
-pytestmark = pytest.mark.wire
-
 
 def test_once_waits_for_a_subscription_and_prints_as_recorded(
     domain_id: int, start_program: Callable[..., object]
@@ -190,10 +188,12 @@ def test_why_nobody_listens_is_told(
 ) -> None:
     assert "cli-other-type" in deviations
     echo = start_program("tfloom", "topic", "echo", "/turtle1/cmd_vel", "geometry_msgs/msg/Twist")
-    echo.wait_for("waiting for a publisher")
-    start_program("tfloom", "topic", "pub", "/turtle1/cmd_vel", "geometry_msgs/msg/Twist").wait_for("#1")
+    start_program("tfloom", "topic", "pub", "-r", "10", "/turtle1/cmd_vel", "geometry_msgs/msg/Twist")
     echo.wait_for("linear:")
-    program = start_program("tfloom", "topic", "pub", "--once", name, type_name)
+    words = transcript.python_words(
+        *("topic", "pub", "--once", name, type_name), constants={"tfloom.cli.topic.pub.HINT_S": 1.0}
+    )
+    program = start_program("python", *words)
     program.wait_for(said[-1])
     assert [line for line in program.lines if not line.startswith("Waiting for at least")] == said
 

@@ -7,20 +7,25 @@ from collections.abc import Callable
 
 import pytest
 import transcript
+from tests.conftest import Program
 
 from tfloom.cli.topic import bw, rates
 
-pytestmark = pytest.mark.wire
+QUICK = {"tfloom.cli.topic.rates.REPORT_S": 0.4, "tfloom.cli.sim_time.PATIENCE_S": 0.4}
+
+
+def test_how_often_users_have_a_report() -> None:
+    assert rates.REPORT_S == 1.0
 
 
 @pytest.fixture
-def listen(domain_id: int, start_program: Callable[..., object]) -> Callable[..., object]:
+def listen(domain_id: int, start_program: Callable[..., Program]) -> Callable[..., Program]:
     """Publish on /x at 50 Hz and start a verb on it."""
 
-    def start(verb: str, *flags: str, kind: str = "std_msgs/msg/Header", values: str = "{}") -> object:
+    def start(verb: str, *flags: str, kind: str = "std_msgs/msg/Header", values: str = "{}") -> Program:
         publisher = start_program("tfloom", "topic", "pub", "-r", "50", "-p", "0", "/x", kind, values)
         publisher.wait_for("beginning")
-        return start_program("tfloom", "topic", verb, *flags, "/x")
+        return start_program("python", *transcript.python_words("topic", verb, *flags, "/x", constants=QUICK))
 
     return start
 
@@ -68,7 +73,7 @@ def test_delay_needs_a_header(domain_id: int, listen: Callable[..., object]) -> 
 def test_a_topic_that_is_not_there_yet_is_waited_for(
     domain_id: int, start_program: Callable[..., object]
 ) -> None:
-    program = start_program("tfloom", "topic", "hz", "/late")
+    program = start_program("python", *transcript.python_words("topic", "hz", "/late", constants=QUICK))
     program.wait_for("WARNING: topic [/late] does not appear to be published yet")
     start_program("tfloom", "topic", "pub", "-r", "50", "/late", "std_msgs/msg/Empty")
     program.wait_for("average rate: ")

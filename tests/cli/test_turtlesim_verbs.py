@@ -8,13 +8,20 @@ from collections.abc import Callable
 import pytest
 import transcript
 
-pytestmark = pytest.mark.wire
+TURTLESIM = ("tfloom", "run", "turtlesim", "turtlesim_node")
+SPAWNED = "Spawning turtle [turtle1]"
 
 
-@pytest.fixture(autouse=True)
+@pytest.fixture(scope="module", autouse=True)
+def turtlesim_to_ask(module_domain_id: int, start_module_program: Callable[..., object]) -> None:
+    start_module_program(*TURTLESIM).wait_for(SPAWNED)
+
+
+@pytest.fixture
 def turtlesim(domain_id: int, start_program: Callable[..., object]) -> object:
-    program = start_program("tfloom", "run", "turtlesim", "turtlesim_node")
-    program.wait_for("Spawning turtle [turtle1]")
+    """Start another turtlesim, on a domain of the test's own."""
+    program = start_program(*TURTLESIM)
+    program.wait_for(SPAWNED)
     return program
 
 
@@ -64,7 +71,7 @@ def test_a_goal_turns_the_turtle(turtlesim: object) -> None:
     assert theta == pytest.approx(1.57, abs=0.02)
 
 
-def test_ctrl_c_stops_the_turtle(start_program: Callable[..., object]) -> None:
+def test_ctrl_c_stops_the_turtle(turtlesim: object, start_program: Callable[..., object]) -> None:
     words = ("action", "send_goal", "-f", "/turtle1/rotate_absolute", "turtlesim/action/RotateAbsolute")
     goal = start_program("tfloom", *words, "{theta: 3.0}")
     goal.wait_for("Feedback:")

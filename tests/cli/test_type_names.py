@@ -41,7 +41,6 @@ def test_what_is_live_comes_before_what_is_familiar() -> None:
     assert nearest_types("Pos", ["a/msg/Pose"], {"a/msg/Pose"}) == ["a/msg/Pose"]
 
 
-@pytest.mark.wire
 @pytest.mark.parametrize(
     ("words", "meant"),
     [

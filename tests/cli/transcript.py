@@ -8,10 +8,14 @@ import subprocess
 import sys
 from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import NamedTuple
+
+from tests.conftest import python_with
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
 PROGRAM = Path(sys.executable).with_name("tfloom")
+NO_CONSTANTS: Mapping[str, float] = MappingProxyType({})
 
 
 class Transcript(NamedTuple):
@@ -32,11 +36,23 @@ def golden(name: str) -> Transcript:
     return Transcript(command, "\n".join(lines), int(exit_code[1]))
 
 
-def run(*words: str, env: Mapping[str, str] | None = None, timeout_s: float = 60.0) -> Transcript:
-    """Run the command with ros2's name and return what it printed on both streams together."""
-    code = "import sys; from tfloom.cli.main import main; sys.exit(main(prog='ros2'))"
+def python_words(*words: str, constants: Mapping[str, float] = NO_CONSTANTS) -> list[str | Path]:
+    """Return Python's words by which it runs the command with ros2's name, as `python_with` does."""
+    return python_with(constants, "from tfloom.cli.main import main; sys.exit(main(prog='ros2'))", *words)
+
+
+def run(
+    *words: str,
+    env: Mapping[str, str] | None = None,
+    timeout_s: float = 60.0,
+    constants: Mapping[str, float] = NO_CONSTANTS,
+) -> Transcript:
+    """Run the command with ros2's name and return what it printed on both streams together.
+
+    `constants` as `python_with` takes them.
+    """
     result = subprocess.run(
-        [sys.executable, "-c", code, *words],
+        [sys.executable, *python_words(*words, constants=constants)],
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         stdin=subprocess.DEVNULL,

@@ -8,9 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from tests.conftest import Program
-
-pytestmark = pytest.mark.wire
+from tests.conftest import Program, python_with
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
 NAMES = [
@@ -24,6 +22,24 @@ Start = Callable[..., Program]
 @pytest.fixture
 def start(start_program: Start, domain_id: int) -> Start:
     return lambda name, *words: start_program("tfloom", "run", "demo_nodes_py", name, *words)
+
+
+def main_of(name: str) -> str:
+    """Return the code that runs a program in Python."""
+    return f"from tfloom.demos.demo_nodes_py.{name} import main; sys.exit(main(sys.argv[1:]))"
+
+
+@pytest.fixture
+def start_quick(start_program: Start, domain_id: int) -> Start:
+    """Start programs with a module constant replaced: `start_quick("talker", {"PERIOD_S": 0.2}, *words)`."""
+
+    def start(name: str, constants: dict[str, float], *words: str) -> Program:
+        full = {
+            f"tfloom.demos.demo_nodes_py.{name}.{constant}": value for constant, value in constants.items()
+        }
+        return start_program("python", *python_with(full, main_of(name), *words))
+
+    return start
 
 
 def masked(lines: list[str]) -> list[str]:
@@ -50,9 +66,9 @@ def test_they_are_listed(start_program: Start) -> None:
     assert listed.lines == [f"demo_nodes_py {name}" for name in NAMES]
 
 
-def test_a_talker_is_heard(start: Start) -> None:
+def test_a_talker_is_heard(start: Start, start_quick: Start) -> None:
     listeners = [start(name) for name in ("listener", "listener_qos", "listener_serialized")]
-    talker = start("talker")
+    talker = start_quick("talker", {"PERIOD_S": 0.3})
     golden = (GOLDEN / "talker_log.txt").read_text().splitlines()[1:-1]
     talker.wait_for(golden[2].split("]: ")[1])
     assert masked(talker.lines)[:3] == masked(golden)[:3]
@@ -67,10 +83,10 @@ def test_a_talker_is_heard(start: Start) -> None:
     end(serialized, number=signal.SIGTERM)
 
 
-def test_a_reliable_talker_that_ends_by_itself(start: Start) -> None:
+def test_a_reliable_talker_that_ends_by_itself(start: Start, start_quick: Start) -> None:
     listener = start("listener_qos", "--reliable", "-n", "1")
     listener.wait_for("Reliable listener")
-    talker = start("talker_qos", "--reliable", "--number_of_cycles", "2")
+    talker = start_quick("talker_qos", {"PERIOD_S": 0.4}, "--reliable", "--number_of_cycles", "2")
     assert talker.wait() == 0
     assert said(talker.lines, "talker_qos") == [
         "Reliable talker",
@@ -132,8 +148,8 @@ def test_levels_by_service(start: Start) -> None:
     ]
 
 
-def test_parameters_of_another_node(start: Start) -> None:
-    lonely = start("async_param_client")
+def test_parameters_of_another_node(start: Start, start_quick: Start) -> None:
+    lonely = start_quick("async_param_client", {"PATIENCE_S": 0.3})
     assert lonely.wait() == 1
     assert lonely.lines[0] == (
         "parameter_blackboard is not available, start parameter blackboard with "

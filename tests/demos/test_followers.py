@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
+from tests.conftest import python_with
 
 from tfloom.interfaces.turtlesim.msg import Pose
 from tfloom.interfaces.turtlesim.srv import TeleportAbsolute
@@ -15,9 +16,17 @@ from tfloom.node.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.utilities import try_shutdown
 
-pytestmark = pytest.mark.wire
 CENTRE = 5.544
 START = ("tfloom", "run", "turtle_tf2_py")
+FOLLOWING = "tfloom.demos.turtle_tf2_py.turtle_tf2_listener"
+QUICK = {f"{FOLLOWING}.PERIOD_S": 0.1, f"{FOLLOWING}.TURN_GAIN": 4.0, f"{FOLLOWING}.SPEED_GAIN": 1.5}
+"""How a follower is there in two seconds."""
+
+
+def quick(name: str, *words: str) -> list[str]:
+    """Return Python's words by which it runs a program that follows, quickly."""
+    main = f"from tfloom.demos.turtle_tf2_py.{name} import main; sys.exit(main(sys.argv[1:]))"
+    return ["python", *python_with(QUICK, main, *words)]
 
 
 class Observer:
@@ -81,7 +90,7 @@ def test_it_follows_a_carrot_beside_the_turtle(
 ) -> None:
     start_turtles()
     start_program(*START, "fixed_frame_tf2_broadcaster")
-    listener = start_program(*START, "turtle_tf2_listener", "--ros-args", "-p", "target_frame:=carrot1")
+    listener = start_program(*quick("turtle_tf2_listener", "--ros-args", "-p", "target_frame:=carrot1"))
     listener.wait_for("Successfully spawned turtle2")
     observer.spin_until(lambda: observer.distance_to(CENTRE, CENTRE + 2.0) < 0.3, wait_until)
 
@@ -93,7 +102,7 @@ def test_it_travels_in_time(
     wait_until: Callable[..., None],
 ) -> None:
     start_turtles()
-    traveller = start_program(*START, "turtle_tf2_time_travel", "--ros-args", "-p", "delay:=3.0")
+    traveller = start_program(*quick("turtle_tf2_time_travel", "--ros-args", "-p", "delay:=1.5"))
     traveller.wait_for("Successfully spawned turtle2")
     traveller.wait_for("Could not transform turtle2 to turtle1: ")
     observer.spin_until(lambda: observer.distance_to(4.0, 2.0) > 0.2, wait_until)

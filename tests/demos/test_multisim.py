@@ -15,7 +15,6 @@ from tfloom.node.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.utilities import try_shutdown
 
-pytestmark = pytest.mark.wire
 MULTISIM = ("tfloom", "run", "turtlesim", "multisim", "--headless")
 NAMESPACES = ("turtlesim1", "turtlesim2")
 

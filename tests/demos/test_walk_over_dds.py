@@ -12,7 +12,6 @@ from typing import Any
 
 import pytest
 
-pytestmark = pytest.mark.wire
 PROGRAMS = {
     "turtlesim": ("tfloom", "run", "turtlesim", "turtlesim_node", "--headless"),
     "broadcaster": (

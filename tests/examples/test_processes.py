@@ -10,7 +10,6 @@ from pathlib import Path
 import pytest
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
-pytestmark = pytest.mark.wire
 
 # Programs that run until they are told to end, and what each prints in the end.
 SPINNING: dict[str, dict[str, list[str]]] = {

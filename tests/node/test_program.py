@@ -55,6 +55,25 @@ def test_a_busy_program_ends_quietly_whenever_it_is_stopped(
         assert program.lines == ["up"]
 
 
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_amid_the_interpreters_end_leaves_the_exit_code(
+    number: int, start_program: Callable[..., Program]
+) -> None:
+    """By then the interpreter has given the signals that have handlers their default action."""
+    code = f"""
+import os
+from tfloom.node.program import run_program
+
+class Late:
+    def __del__(self):
+        os.kill(os.getpid(), {int(number)})
+
+late = Late()
+raise SystemExit(run_program([], lambda: 3))
+"""
+    assert start_program("python", "-c", code).wait() == 3
+
+
 @pytest.fixture(autouse=True)
 def _local(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")

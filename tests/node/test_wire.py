@@ -18,8 +18,6 @@ from tfloom.node.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.qos import QoSProfile
 
-pytestmark = pytest.mark.wire
-
 SERVER = """
 import rclpy
 from example_interfaces.srv import AddTwoInts

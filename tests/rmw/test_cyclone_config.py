@@ -147,7 +147,6 @@ def test_a_peer_can_not_break_out_of_its_element() -> None:
     assert peers(domain(configuration_for("SUBNET", [odd]))) == [odd]
 
 
-@pytest.mark.wire
 def test_a_uri_that_cyclone_refuses_is_an_error_that_names_it(domain_id, monkeypatch, capfd) -> None:
     monkeypatch.setenv("CYCLONEDDS_URI", "<CycloneDDS><Domain><Nonsense/></Domain></CycloneDDS>")
     with pytest.raises(WireError, match="see above what Cyclone says of it, and check CYCLONEDDS_URI"):
@@ -155,7 +154,6 @@ def test_a_uri_that_cyclone_refuses_is_an_error_that_names_it(domain_id, monkeyp
     assert "Nonsense" in capfd.readouterr().err
 
 
-@pytest.mark.wire
 def test_a_full_domain_says_so(domain_id, monkeypatch, start_peer, capfd) -> None:
     start_peer()
     monkeypatch.setattr(cyclone_config, "LOCAL_PARTICIPANTS", 1)

@@ -29,8 +29,6 @@ from tfloom.rmw.qos import (
 from tfloom.rmw.services import LEAST_WAITING
 from tfloom.rmw.topic_names import key_values, topic_from_dds, type_from_dds, type_to_dds
 
-pytestmark = pytest.mark.wire
-
 GOLDEN = json.loads((Path(__file__).parents[1] / "golden" / "wire_jazzy_cyclonedds.json").read_text("utf-8"))
 OBSERVE = Path(__file__).parent / "programs" / "observe.py"
 

@@ -30,6 +30,7 @@ def install(site: Path, version: str, library: str | None) -> None:
         path.touch()
 
 
+@pytest.mark.wire
 def test_the_library_is_found_without_importing_its_package() -> None:
     sys.modules.pop("cyclonedds", None)
     path = Path(find_library())

@@ -12,8 +12,6 @@ from tfloom.rmw.cyclonedds import open_participant
 from tfloom.rmw.errors import ClosedError
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoS, ReliabilityPolicy
 
-pytestmark = pytest.mark.wire
-
 HEADER = b"\0\1\0\0"
 KEEP_ALL = QoS(history=HistoryPolicy.KEEP_ALL)
 TRANSIENT_LOCAL = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, depth=5)

@@ -14,8 +14,6 @@ from tfloom.rmw.cyclone_config import configuration
 from tfloom.rmw.cyclonedds import open_participant
 from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
 
-pytestmark = pytest.mark.wire
-
 DATA = b"\0\1\0\0data"
 STRESS_S = 1.5
 

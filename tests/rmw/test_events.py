@@ -92,7 +92,6 @@ def test_tokens_are_posted_at_the_start_and_with_news(wire, topic, wait_until) -
     assert queue.wait(0) == []
 
 
-@pytest.mark.wire
 def test_each_kind_of_end_has_its_events(participant, node, topic) -> None:
     writer = participant.create_writer(node, topic, QoS())
     reader = participant.create_reader(node, topic, QoS())
@@ -120,7 +119,6 @@ def test_the_local_wire_says_what_it_has(topic) -> None:
     participant.close()
 
 
-@pytest.mark.wire
 def test_missed_deadlines_are_counted_on_both_ends(participant, node, topic, take_event) -> None:
     queue = ReadyQueue()
     qos = QoS(deadline_ns=20 * MS)
@@ -139,7 +137,6 @@ def test_missed_deadlines_are_counted_on_both_ends(participant, node, topic, tak
         assert second.total_count == first.total_count + second.total_count_change
 
 
-@pytest.mark.wire
 def test_a_writer_that_is_silent_loses_its_liveliness(
     participant, start_peer, node, topic, take_event
 ) -> None:
@@ -161,7 +158,6 @@ def test_a_writer_that_is_silent_loses_its_liveliness(
         wait_for_counts(0, 1)
 
 
-@pytest.mark.wire
 def test_a_writer_that_says_so_stays_alive(participant, start_peer, node, topic, take_event) -> None:
     qos = QoS(liveliness=LivelinessPolicy.MANUAL_BY_TOPIC, liveliness_lease_ns=600 * MS)
     reader = participant.create_reader(node, topic, qos)
@@ -174,7 +170,6 @@ def test_a_writer_that_says_so_stays_alive(participant, start_peer, node, topic,
     assert take_event(reader, Event.LIVELINESS_CHANGED) == LivelinessChanged(0, 1, -1, 1)
 
 
-@pytest.mark.wire
 def test_a_silent_writer_is_told_so_itself(participant, node, topic, take_event) -> None:
     qos = QoS(liveliness=LivelinessPolicy.MANUAL_BY_TOPIC, liveliness_lease_ns=20 * MS)
     writer = participant.create_writer(node, topic, qos)
@@ -182,7 +177,6 @@ def test_a_silent_writer_is_told_so_itself(participant, node, topic, take_event)
     assert take_event(writer, Event.LIVELINESS_LOST) == Count(1, 1)
 
 
-@pytest.mark.wire
 def test_a_killed_writer_is_not_alive_when_its_lease_ends(
     participant, start_peer, node, topic, take_event
 ) -> None:
@@ -195,7 +189,6 @@ def test_a_killed_writer_is_not_alive_when_its_lease_ends(
     assert take_event(reader, Event.LIVELINESS_CHANGED) == LivelinessChanged(0, 1, -1, 1)
 
 
-@pytest.mark.wire
 def test_waiting_for_acks(participant, start_peer, node, topic, wait_until) -> None:
     writer = participant.create_writer(node, topic, QoS(history=HistoryPolicy.KEEP_ALL))
     assert writer.wait_for_acks(0)

@@ -6,12 +6,8 @@ import struct
 import subprocess
 from pathlib import Path
 
-import pytest
-
 from tfloom.rmw.cyclone_config import configuration
 from tfloom.rmw.qos import DurabilityPolicy, QoS
-
-pytestmark = pytest.mark.wire
 
 PROGRAM = Path(__file__).parent / "programs" / "idl_string.py"
 TEXTS = ["one", "two and a half", "three"]

@@ -215,7 +215,6 @@ REQUESTS = ("rq/killRequest", "turtlesim::srv::dds_::Kill_Request_")
 RESPONSES = ("rr/killReply", "turtlesim::srv::dds_::Kill_Response_")
 
 
-@pytest.mark.wire
 def test_requests_on_the_wire_are_header_and_message(domain_id, bare, wait_until) -> None:
     participant = cyclonedds.open_participant(domain_id)
     requests = DdsReader(bare, *REQUESTS, QoS(), b"serviceid= 1.10.2;")
@@ -239,7 +238,6 @@ def test_requests_on_the_wire_are_header_and_message(domain_id, bare, wait_until
     participant.close()
 
 
-@pytest.mark.wire
 def test_a_server_answers_what_rmw_cyclonedds_would_send(domain_id, bare, take, wait_until) -> None:
     participant = cyclonedds.open_participant(domain_id)
     server = participant.create_responder(SERVER, KILL, QoS())

@@ -9,8 +9,6 @@ from collections.abc import Callable
 import pytest
 from tests.conftest import Program
 
-pytestmark = pytest.mark.wire
-
 BROADCASTER = """
 import rclpy
 from geometry_msgs.msg import TransformStamped

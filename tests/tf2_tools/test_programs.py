@@ -10,7 +10,6 @@ from typing import Any
 
 import pytest
 
-pytestmark = pytest.mark.wire
 GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
 STATIC = ("tfloom", "run", "tf2_ros", "static_transform_publisher")
 ECHO = ("tfloom", "run", "tf2_ros", "tf2_echo")

@@ -10,7 +10,6 @@ from typing import Any
 
 import pytest
 
-pytestmark = pytest.mark.wire
 GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
 # Starts the turtle so that it turns as far as the recorded one did.
 TELEPORT = (

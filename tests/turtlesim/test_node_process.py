@@ -12,7 +12,6 @@ from typing import Any
 import pytest
 from PIL import Image
 
-pytestmark = pytest.mark.wire
 TURTLESIM = ("tfloom", "run", "turtlesim", "turtlesim_node")
 SPAWNED = "Spawning turtle [turtle1]"
 

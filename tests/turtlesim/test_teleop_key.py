@@ -18,7 +18,6 @@ from tfloom.node.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.utilities import try_shutdown
 
-pytestmark = pytest.mark.wire
 TELEOP = ("tfloom", "run", "turtlesim", "turtle_teleop_key")
 TURTLESIM = ("tfloom", "run", "turtlesim", "turtlesim_node", "--headless")
 

@@ -28,7 +28,6 @@ from tfloom.turtlesim.simulation import TurtleSim
 pygame = pytest.importorskip("pygame", reason="the extra `turtlesim` isn't installed")
 MISSING = [name for name in ("Xvfb", "xdotool", "xwininfo", "import") if shutil.which(name) is None]
 pytestmark = [
-    pytest.mark.wire,
     pytest.mark.skipif(
         bool(MISSING), reason=f"not installed: {', '.join(MISSING)}; the window isn't looked at"
     ),

@@ -10,6 +10,7 @@ import os
 import signal
 import sys
 from collections.abc import Sequence
+from contextlib import suppress
 from types import FrameType
 
 from tfloom.cli.errors import CommandError, refuse_bytes
@@ -134,6 +135,19 @@ def main(argv: Sequence[str] | None = None, prog: str = "tfloom") -> int:
         argv: The words after the program's name; None takes sys.argv's.
         prog: The program's name in help and errors.
     """
+    is_process_ours = argv is None
+    try:
+        try:
+            return _exit_code(argv, prog)
+        finally:
+            if is_process_ours:
+                _ignore_signals()
+    except KeyboardInterrupt:
+        return INTERRUPTED
+
+
+def _exit_code(argv: Sequence[str] | None, prog: str) -> int:
+    """Run one command line; print the error that ended it, if it is the user's."""
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         # A script's background jobs start so; ROS programs end on SIGINT there, too.
         signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -144,8 +158,6 @@ def main(argv: Sequence[str] | None = None, prog: str = "tfloom") -> int:
         code = _run(argv, prog)
         if sys.stdout is not None:
             sys.stdout.flush()
-    except KeyboardInterrupt:
-        return INTERRUPTED
     except BrokenPipeError:
         _drop_output()
         return PIPE_CLOSED
@@ -157,6 +169,20 @@ def main(argv: Sequence[str] | None = None, prog: str = "tfloom") -> int:
             _drop_output()
         return error.exit_code if isinstance(error, CommandError) else 1
     return code
+
+
+def _ignore_signals() -> None:
+    """Ignore SIGINT and SIGTERM for the rest of the process: its exit code is known.
+
+    The interpreter's end would give them their default action, which ends the process with a code of its own.
+    """
+    if hasattr(signal, "setitimer"):
+        signal.setitimer(signal.ITIMER_REAL, 0)  # of `_told_in_vain`
+    for number in (signal.SIGINT, signal.SIGTERM):
+        # One that has come and waits for its handler is handled by the first call.
+        with suppress(KeyboardInterrupt, SystemExit):
+            signal.signal(number, signal.SIG_IGN)
+        signal.signal(number, signal.SIG_IGN)
 
 
 def _sentence(error: Exception, prog: str) -> str | None:

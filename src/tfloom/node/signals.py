@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import _weakrefset
+import atexit
 import signal
 import threading
 import time
@@ -135,6 +136,18 @@ def get_current_signal_handlers_options() -> SignalHandlerOptions:
         if number in _previous:
             options |= option
     return options
+
+
+@atexit.register
+def _ignore_handled_signals() -> None:
+    """Ignore the signals that are handled here for the rest of the process, whose exit code is known by now.
+
+    The interpreter's end gives each signal its default action, by which one that comes late would end the process
+    with a code of its own. Ignored signals stay ignored.
+    """
+    for number in list(_previous):
+        if signal.getsignal(number) is _on_signal:
+            signal.signal(number, signal.SIG_IGN)
 
 
 def _install(number: signal.Signals) -> None:

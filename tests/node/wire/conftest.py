@@ -16,8 +16,6 @@ from tfloom.node.node import Node
 from tfloom.node.task import Future
 
 PROGRAMS = Path(__file__).parent / "programs"
-# A peer that is killed is missed when its lease ends, after 10 s.
-LEASE_TIMEOUT_S = 40.0
 
 
 @pytest.fixture(autouse=True)

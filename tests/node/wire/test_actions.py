@@ -8,7 +8,6 @@ from typing import Any
 
 import pytest
 from tests.conftest import Program, wait_until
-from tests.node.wire.conftest import LEASE_TIMEOUT_S
 
 from tfloom.interfaces.action_msgs.msg import GoalInfo, GoalStatus, GoalStatusArray
 from tfloom.interfaces.action_msgs.srv import CancelGoal
@@ -19,8 +18,6 @@ from tfloom.node.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.qos import qos_profile_action_status_default
 from tfloom.node.task import Future
-
-pytestmark = pytest.mark.wire
 
 Start = Callable[..., Program]
 Finish = Callable[..., Any]
@@ -175,14 +172,14 @@ def test_a_client_killed_in_mid_goal_leaves_the_server_well(
 
 
 def test_a_server_killed_in_mid_goal(
-    client: ActionClient, server: Program, start: Start, finish: Finish
+    short_lease: float, client: ActionClient, server: Program, start: Start, finish: Finish
 ) -> None:
     handle = finish(send(client, WAITS))
     result = handle.get_result_async()
     server.wait_for("executing 100")
     server.signal(signal.SIGKILL)
     server.wait()
-    wait_until(lambda: not client.server_is_ready(), LEASE_TIMEOUT_S)
+    wait_until(lambda: not client.server_is_ready())
     assert not client.wait_for_server(timeout_sec=0.0)
     assert not result.done()
     start("action_server", 900)

@@ -26,8 +26,6 @@ from tfloom.node.qos import (
 )
 from tfloom.rmw.compatibility import PolicyKind
 
-pytestmark = pytest.mark.wire
-
 SpinUntil = Callable[..., None]
 StartTalker = Callable[..., Program]
 

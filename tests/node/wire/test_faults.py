@@ -21,8 +21,6 @@ from tfloom.rmw.errors import WireError
 from tfloom.rmw.qos import QoS
 from tfloom.rosidl import cdr
 
-pytestmark = pytest.mark.wire
-
 Start = Callable[..., Program]
 SpinUntil = Callable[..., None]
 

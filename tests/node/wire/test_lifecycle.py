@@ -25,8 +25,6 @@ from tfloom.node.parameter import Parameter
 from tfloom.node.parameter_client import AsyncParameterClient
 from tfloom.node.qos import qos_profile_rosout_default
 
-pytestmark = pytest.mark.wire
-
 Start = Callable[..., Program]
 Call = Callable[..., Any]
 SpinUntil = Callable[..., None]

@@ -15,8 +15,6 @@ from tfloom.node.parameter import Parameter, parameter_value_to_python
 from tfloom.node.parameter_client import AsyncParameterClient
 from tfloom.node.qos import ReliabilityPolicy
 
-pytestmark = pytest.mark.wire
-
 Start = Callable[..., Program]
 Finish = Callable[..., Any]
 SpinUntil = Callable[..., None]

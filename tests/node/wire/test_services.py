@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 from tests.conftest import Program, wait_until
-from tests.node.wire.conftest import LEASE_TIMEOUT_S, PROGRAMS
+from tests.node.wire.conftest import PROGRAMS
 
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
@@ -21,14 +21,12 @@ from tfloom.node.service_introspection import ServiceIntrospectionState
 from tfloom.rmw import cyclone_services
 from tfloom.rmw.errors import ForeignPeerError
 
-pytestmark = pytest.mark.wire
-
 Start = Callable[..., Program]
 Finish = Callable[..., Any]
 
 
 def test_a_server_killed_in_mid_call(
-    node: Node, executor: SingleThreadedExecutor, start: Start, finish: Finish
+    short_lease: float, node: Node, executor: SingleThreadedExecutor, start: Start, finish: Finish
 ) -> None:
     server = start("service_server")
     client, hang = node.create_client(AddTwoInts, "add"), node.create_client(AddTwoInts, "hang")
@@ -52,7 +50,7 @@ def test_a_server_killed_in_mid_call(
     while waiting.is_alive():
         executor.spin_once(timeout_sec=0.1)
     assert str(outcome[0]) == "no response from /hang in 1.0 s"
-    wait_until(lambda: not hang.service_is_ready(), LEASE_TIMEOUT_S)
+    wait_until(lambda: not hang.service_is_ready())
     assert not hang.wait_for_service(timeout_sec=0.0)
     assert not client.service_is_ready()
     assert list(hang._pending.values()) == [lost]
@@ -104,7 +102,7 @@ def test_both_ends_of_a_call_tell_of_it_by_the_same_ids(
 
 
 def test_many_clients_in_many_processes_get_their_own_answers(
-    start: Start, start_program: Callable[..., Program]
+    domain_id: int, start: Start, start_program: Callable[..., Program]
 ) -> None:
     start("service_server")
     callers = [

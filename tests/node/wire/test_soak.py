@@ -9,8 +9,7 @@ from pathlib import Path
 import pytest
 from tests.conftest import Program
 
-pytestmark = [pytest.mark.wire, pytest.mark.slow]
-
+pytestmark = pytest.mark.slow
 ROOT = Path(__file__).parents[3]
 
 
