@@ -8,6 +8,7 @@ import platform
 import shutil
 import subprocess
 import sys
+import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -147,19 +148,20 @@ def test_a_place_that_cannot_be_written_is_named(tmp_path: Path) -> None:
     os.geteuid() != 0 or not shutil.which("setpriv") or not Path("/usr/bin/python3").exists(),
     reason="needs root, to become a user without rights, and a python3 that everybody may run",
 )
-def test_a_folder_without_permission_is_named(tmp_path: Path) -> None:
-    for folder in (tmp_path, *list(tmp_path.parents)[:2]):
-        folder.chmod(0o755)  # so that the other user can read the script
-    script = shutil.copytree(ROOT / "tools", tmp_path / "tools") / "set_up.py"
-    done = subprocess.run(
-        [*AS_NOBODY, "/usr/bin/python3", script, "--venv", tmp_path / "venv", "demo"],
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=60,
-    )
+def test_a_folder_without_permission_is_named() -> None:
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder).chmod(0o755)  # so that the other user can read the script
+        venv = Path(folder) / "venv"
+        script = shutil.copytree(ROOT / "tools", Path(folder) / "tools") / "set_up.py"
+        done = subprocess.run(
+            [*AS_NOBODY, "/usr/bin/python3", script, "--venv", venv, "demo"],
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=60,
+        )
     assert done.returncode == 1
-    assert f"set-up: can't make {tmp_path / 'venv'}: " in done.stderr
+    assert f"set-up: can't make {venv}: " in done.stderr
     assert "Permission denied" in done.stderr
     assert "make VENV=FOLDER" in done.stderr
 
