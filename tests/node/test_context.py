@@ -10,17 +10,17 @@ import pytest
 
 from tfloom import node as rclpy
 from tfloom.interfaces.std_msgs.msg import String
-from tfloom.node.context import Context
-from tfloom.node.exceptions import (
+from tfloom.node.context.context import Context
+from tfloom.node.executing.executors import ExternalShutdownException, SingleThreadedExecutor
+from tfloom.node.executing.signals import SignalHandlerOptions, get_current_signal_handlers_options
+from tfloom.node.log.logging import get_logger_effective_level
+from tfloom.node.node import Node
+from tfloom.node.values.exceptions import (
     InvalidParameterTypeException,
     NotInitializedException,
     RCLError,
     RCLInvalidROSArgsError,
 )
-from tfloom.node.executors import ExternalShutdownException, SingleThreadedExecutor
-from tfloom.node.logging import get_logger_effective_level
-from tfloom.node.node import Node
-from tfloom.node.signals import SignalHandlerOptions, get_current_signal_handlers_options
 
 
 def test_one_life(context: Context) -> None:

@@ -12,7 +12,7 @@ from contextlib import suppress
 import pytest
 from tests.conftest import Program
 
-from tfloom.node.signals import (
+from tfloom.node.executing.signals import (
     SignalHandlerGuardCondition,
     SignalHandlerOptions,
     install_signal_handlers,
@@ -191,7 +191,7 @@ except rclpy.exceptions.NotInitializedException:
 
 def test_handlers_are_given_back() -> None:
     from tfloom import node as rclpy
-    from tfloom.node.signals import get_current_signal_handlers_options
+    from tfloom.node.executing.signals import get_current_signal_handlers_options
 
     mine: list[int] = []
     before = signal.signal(signal.SIGTERM, lambda number, frame: mine.append(number))
@@ -301,7 +301,7 @@ def test_no_interrupt_strikes_amid_the_handing_over_to_a_pool() -> None:
     from concurrent.futures import thread
 
     from tfloom import node as rclpy
-    from tfloom.node.executors import MultiThreadedExecutor
+    from tfloom.node.executing.executors import MultiThreadedExecutor
 
     rclpy.init(args=[])
     try:

@@ -95,7 +95,7 @@ def run_here(target: str, name: str, argv: list[str]) -> int:
             return 1
         return end.code or 0
     except Exception as error:
-        if type(error).__module__ != "tfloom.node.exceptions":
+        if type(error).__module__ != "tfloom.node.values.exceptions":
             raise
         # Names, parameters and ROS arguments that can't be used; the rest are mistakes of ours.
         print(f"{name}: {error}", file=sys.stderr)

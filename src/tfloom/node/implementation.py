@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from tfloom.node import guard_condition, timer
-from tfloom.node.clock import ClockType
-from tfloom.node.endpoint import Endpoint, TakingEnd
-from tfloom.node.event_handler import UnsupportedEventTypeError
-from tfloom.node.exceptions import (
+from tfloom.node.clock.clock import ClockType
+from tfloom.node.endpoints.endpoint import Endpoint, TakingEnd
+from tfloom.node.executing import guard_condition, timer
+from tfloom.node.executing.event_handler import UnsupportedEventTypeError
+from tfloom.node.executing.signals import SignalHandlerOptions
+from tfloom.node.executing.wait_set import WaitSet
+from tfloom.node.log.throttled_warning import ThrottledWarning
+from tfloom.node.qos.qos import QoSCompatibility, QoSProfile
+from tfloom.node.values.exceptions import (
     InvalidHandle,
     NodeNameNonExistentError,
     RCLError,
@@ -16,24 +20,20 @@ from tfloom.node.exceptions import (
     TimerCancelledError,
     UnknownROSArgsError,
 )
-from tfloom.node.handle import Handle, thing_of
-from tfloom.node.qos import QoSCompatibility, QoSProfile
-from tfloom.node.signals import SignalHandlerOptions
-from tfloom.node.throttled_warning import ThrottledWarning
-from tfloom.node.type_support import (
+from tfloom.node.values.handle import Handle, thing_of
+from tfloom.node.values.type_support import (
     check_is_valid_msg_type,
     check_is_valid_srv_type,
     service_of,
     topic_of,
 )
-from tfloom.node.wait_set import WaitSet
 from tfloom.rmw.base import Reader, Requester, Responder
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:
     from tfloom._native import ReadyQueue
-    from tfloom.node.clock import Clock
-    from tfloom.node.context import Context
+    from tfloom.node.clock.clock import Clock
+    from tfloom.node.context.context import Context
     from tfloom.node.node import Node
     from tfloom.rmw.base import RequestId
     from tfloom.rosidl.message import Message

@@ -6,27 +6,27 @@ import weakref
 from typing import TYPE_CHECKING, TypeVar
 
 from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
-from tfloom.node.arguments import Arguments, parse_arguments
-from tfloom.node.clock import Clock, ROSClock
-from tfloom.node.constants import S_TO_NS
-from tfloom.node.entity import Entity
-from tfloom.node.handle import Handle
-from tfloom.node.logging_service import LoggingService
-from tfloom.node.names import validate_namespace, validate_node_name
-from tfloom.node.node_entities import NodeEntities
-from tfloom.node.node_graph import NodeGraph, resolve_name
-from tfloom.node.node_parameters import NodeParameters
-from tfloom.node.parameter import PARAMETER_SEPARATOR_STRING, Parameter
-from tfloom.node.parameter_service import ParameterService
-from tfloom.node.publisher import Publisher
-from tfloom.node.qos import qos_profile_parameter_events
-from tfloom.node.qos_overriding_options import QoSOverridingOptions
-from tfloom.node.rcutils_logger import RcutilsLogger
-from tfloom.node.rosout import Rosout
-from tfloom.node.service import SrvType, SrvTypeRequest, SrvTypeResponse
-from tfloom.node.time_source import TimeSource
-from tfloom.node.type_description_service import TypeDescriptionService
-from tfloom.node.utilities import get_default_context
+from tfloom.node.base.node_entities import NodeEntities
+from tfloom.node.base.node_graph import NodeGraph, resolve_name
+from tfloom.node.builtin.logging_service import LoggingService
+from tfloom.node.builtin.parameter_service import ParameterService
+from tfloom.node.builtin.rosout import Rosout
+from tfloom.node.builtin.time_source import TimeSource
+from tfloom.node.builtin.type_description_service import TypeDescriptionService
+from tfloom.node.clock.clock import Clock, ROSClock
+from tfloom.node.context.arguments import Arguments, parse_arguments
+from tfloom.node.context.utilities import get_default_context
+from tfloom.node.endpoints.publisher import Publisher
+from tfloom.node.endpoints.service import SrvType, SrvTypeRequest, SrvTypeResponse
+from tfloom.node.executing.entity import Entity
+from tfloom.node.log.rcutils_logger import RcutilsLogger
+from tfloom.node.parameters.node_parameters import NodeParameters
+from tfloom.node.parameters.parameter import PARAMETER_SEPARATOR_STRING, Parameter
+from tfloom.node.qos.qos import qos_profile_parameter_events
+from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions
+from tfloom.node.values.constants import S_TO_NS
+from tfloom.node.values.handle import Handle
+from tfloom.node.values.names import validate_namespace, validate_node_name
 from tfloom.rmw.base import NodeName
 from tfloom.rosidl.message import Message
 
@@ -35,8 +35,8 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
-    from tfloom.node.context import Context
-    from tfloom.node.executor import Executor
+    from tfloom.node.context.context import Context
+    from tfloom.node.executing.executor import Executor
 
 __all__ = [
     "HIDDEN_NODE_PREFIX",

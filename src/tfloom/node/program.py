@@ -5,9 +5,9 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 
-from tfloom.node import init
-from tfloom.node.executor import ExternalShutdownException
-from tfloom.node.utilities import get_default_context, remove_ros_args, try_shutdown
+from tfloom.node.client_library import init
+from tfloom.node.context.utilities import get_default_context, remove_ros_args, try_shutdown
+from tfloom.node.executing.executor import ExternalShutdownException
 
 __all__ = ["expect_no_arguments", "run_program"]
 

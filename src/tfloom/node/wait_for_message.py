@@ -5,10 +5,10 @@ from __future__ import annotations
 import threading
 from typing import TYPE_CHECKING, Any
 
-from tfloom.node.callback_groups import MutuallyExclusiveCallbackGroup
-from tfloom.node.executors import SingleThreadedExecutor
-from tfloom.node.qos import QoSProfile
-from tfloom.node.task import Future
+from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.executing.task import Future
+from tfloom.node.qos.qos import QoSProfile
 
 if TYPE_CHECKING:
     from tfloom.node.node import Node

@@ -24,19 +24,15 @@ from tfloom.node.action.names import (
     key_of,
     new_goal_id,
 )
-from tfloom.node.qos import (
-    QoSProfile,
-    qos_profile_action_status_default,
-    qos_profile_services_default,
-)
-from tfloom.node.task import Future
+from tfloom.node.executing.task import Future
+from tfloom.node.qos.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from tfloom.rosidl.service import Action
 
 if TYPE_CHECKING:
     from typing_extensions import Self
 
-    from tfloom.node.callback_groups import CallbackGroup
-    from tfloom.node.client import Client
+    from tfloom.node.endpoints.client import Client
+    from tfloom.node.executing.callback_groups import CallbackGroup
     from tfloom.node.node import Node
 
 __all__ = ["ActionClient", "ClientGoalHandle"]

@@ -13,7 +13,7 @@ from __future__ import annotations
 from enum import IntEnum
 
 from tfloom.interfaces.action_msgs.msg import GoalStatus
-from tfloom.node.exceptions import RCLError
+from tfloom.node.values.exceptions import RCLError
 
 __all__ = ["ACTIVE", "GoalEvent", "next_state"]
 

@@ -31,7 +31,7 @@ def check_is_valid_action_type(action_type: Any) -> None:
     Raises:
         NoTypeSupportImportedException: it isn't.
     """
-    from tfloom.node.exceptions import NoTypeSupportImportedException
+    from tfloom.node.values.exceptions import NoTypeSupportImportedException
 
     if not (isinstance(action_type, type) and issubclass(action_type, Action)):
         raise NoTypeSupportImportedException

@@ -24,22 +24,18 @@ from tfloom.node.action.names import (
     key_of,
 )
 from tfloom.node.action.server_goal_handle import ServerGoalHandle
-from tfloom.node.constants import S_TO_NS
-from tfloom.node.exceptions import InvalidHandle, RCLError
-from tfloom.node.executors import await_or_execute
-from tfloom.node.qos import (
-    QoSProfile,
-    qos_profile_action_status_default,
-    qos_profile_services_default,
-)
+from tfloom.node.executing.executors import await_or_execute
+from tfloom.node.qos.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
+from tfloom.node.values.constants import S_TO_NS
+from tfloom.node.values.exceptions import InvalidHandle, RCLError
 from tfloom.rosidl.service import Action
 
 if TYPE_CHECKING:
     from typing_extensions import Self
 
-    from tfloom.node.callback_groups import CallbackGroup
+    from tfloom.node.executing.callback_groups import CallbackGroup
+    from tfloom.node.executing.timer import Timer
     from tfloom.node.node import Node
-    from tfloom.node.timer import Timer
 
 __all__ = [
     "ActionServer",

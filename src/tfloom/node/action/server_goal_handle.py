@@ -10,7 +10,7 @@ from tfloom.interfaces.action_msgs.msg import GoalInfo, GoalStatus
 from tfloom.interfaces.unique_identifier_msgs.msg import UUID
 from tfloom.node.action.goal_states import ACTIVE, GoalEvent, next_state
 from tfloom.node.action.names import key_of
-from tfloom.node.task import Future
+from tfloom.node.executing.task import Future
 
 if TYPE_CHECKING:
     from tfloom.node.action.server import ActionServer

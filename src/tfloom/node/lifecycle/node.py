@@ -13,7 +13,6 @@ from tfloom.interfaces.lifecycle_msgs.srv import (
     GetAvailableTransitions,
     GetState,
 )
-from tfloom.node.exceptions import RCLError
 from tfloom.node.lifecycle.managed_entity import ManagedEntity, TransitionCallbackReturn
 from tfloom.node.lifecycle.publisher import LifecyclePublisher
 from tfloom.node.lifecycle.state_machine import (
@@ -30,10 +29,11 @@ from tfloom.node.lifecycle.state_machine import (
     Step,
 )
 from tfloom.node.node import Node
+from tfloom.node.values.exceptions import RCLError
 
 if TYPE_CHECKING:
-    from tfloom.node.callback_groups import CallbackGroup
-    from tfloom.node.publisher import Publisher
+    from tfloom.node.endpoints.publisher import Publisher
+    from tfloom.node.executing.callback_groups import CallbackGroup
 
 __all__ = ["LifecycleNode", "LifecycleNodeMixin", "LifecycleState"]
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from tfloom.node.endpoints.publisher import MsgType, Publisher
 from tfloom.node.lifecycle.managed_entity import SimpleManagedEntity
-from tfloom.node.publisher import MsgType, Publisher
 
 __all__ = ["LifecyclePublisher"]
 

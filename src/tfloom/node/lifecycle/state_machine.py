@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 from tfloom.interfaces.lifecycle_msgs import msg as lifecycle_msg
 from tfloom.interfaces.lifecycle_msgs.msg import State, Transition
-from tfloom.node.exceptions import RCLError
 from tfloom.node.lifecycle.managed_entity import TransitionCallbackReturn
+from tfloom.node.values.exceptions import RCLError
 
 __all__ = ["LifecycleState", "StateMachine", "Step"]
 

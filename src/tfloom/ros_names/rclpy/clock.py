@@ -1,4 +1,4 @@
 """Clocks."""
 
-from tfloom.node.clock import *
-from tfloom.node.clock import __all__
+from tfloom.node.clock.clock import *
+from tfloom.node.clock.clock import __all__

@@ -1,4 +1,4 @@
 """What rclpy raises."""
 
-from tfloom.node.exceptions import *
-from tfloom.node.exceptions import __all__
+from tfloom.node.values.exceptions import *
+from tfloom.node.values.exceptions import __all__

@@ -1,4 +1,4 @@
 """Executors."""
 
-from tfloom.node.executors import *
-from tfloom.node.executors import __all__
+from tfloom.node.executing.executors import *
+from tfloom.node.executing.executors import __all__

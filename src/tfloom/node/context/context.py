@@ -1,0 +1,350 @@
+"""One life of the library in a process: from `init` to `shutdown`."""
+
+from __future__ import annotations
+
+import _thread
+import sys
+import threading
+import weakref
+from collections import deque
+from collections.abc import Callable
+from types import MethodType, TracebackType
+from typing import TYPE_CHECKING, Any
+
+from tfloom._native import keep_other_threads_out
+from tfloom.node.context.arguments import Arguments, parse_arguments
+from tfloom.node.executing.executor_exceptions import ExternalShutdownException
+from tfloom.node.log import log_output
+from tfloom.node.log.log_file import LogFile
+from tfloom.node.values.exceptions import NotInitializedException, RCLError, ROSInterruptException
+from tfloom.node.values.handle import Handle
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+    from tfloom._native import ReadyQueue
+    from tfloom.node.node import Node
+    from tfloom.rmw.base import NodeName, Participant
+
+__all__ = ["Context"]
+
+WAKE = 0
+"""The token that only wakes an executor."""
+
+_contexts: weakref.WeakSet[Context] = weakref.WeakSet()
+
+
+class StoppedException(NotInitializedException, ExternalShutdownException):
+    """A signal has shut the context down, so nothing can be begun on it.
+
+    It is an ExternalShutdownException too: who expects that of `spin` need not think of what comes before.
+    """
+
+    def __init__(self) -> None:
+        Exception.__init__(self, "a signal has shut the context down")
+
+
+class Context:
+    """One life of the library: its arguments, its domain, and whether it is still on.
+
+    Nodes of a context share one participant on the wire, opened with the first of them and closed when the
+    context is shut down and the last of them is destroyed, or when the program ends.
+
+    As a context manager it is initialised with the program's arguments, and shut down at the end.
+    """
+
+    def __init__(self) -> None:
+        self._lock = threading.RLock()
+        self._initialized = False
+        self._valid = False
+        self._interrupted = False
+        self._hooks: list[Callable[[], Any]] = []
+        self._queues: list[ReadyQueue] = []
+        self._participant: Participant | None = None
+        self._nodes = 0
+        self._abandoned: deque[Node] = deque()
+        self._domain_id: int | None = None
+        self._arguments = Arguments()
+
+    def init(
+        self, args: list[str] | None = None, *, initialize_logging: bool = True, domain_id: int | None = None
+    ) -> None:
+        """Begin. A context lives once.
+
+        Args:
+            args: Command line, program's name first or not; None: `sys.argv`. Its ROS arguments hold for all nodes.
+            initialize_logging: Whether the arguments about logging are obeyed, and records go to a file.
+            domain_id: The domain to be on; None: from ROS_DOMAIN_ID.
+
+        Raises:
+            RuntimeError: it was initialised before; or `domain_id` is negative.
+            RCLInvalidROSArgsError: a ROS argument makes no sense.
+            UnknownROSArgsError: a ROS argument isn't known.
+            RCLError: a configuration file for logging is given, which has no use here.
+        """
+        if domain_id is not None and domain_id < 0:
+            raise RuntimeError(f"Domain id ({domain_id}) should not be lower than zero.")
+        arguments = parse_arguments(sys.argv if args is None else args)
+        if initialize_logging:
+            _check_logging(arguments)
+        with self._lock:
+            if self._initialized:
+                raise RuntimeError("Context.init() must only be called once")
+            self._arguments = arguments
+            self._domain_id = domain_id
+            self._initialized = self._valid = True
+        if initialize_logging:
+            _set_up_logging(arguments)
+        _contexts.add(self)
+
+    @property
+    def arguments(self) -> Arguments:
+        """The ROS arguments it was initialised with."""
+        return self._arguments
+
+    @property
+    def handle(self) -> Handle:
+        """What stands for the library's own context."""
+        return Handle(self)
+
+    def get_domain_id(self) -> int:
+        """Return the domain the context is on.
+
+        Raises:
+            NotInitializedException: before `init`.
+        """
+        from tfloom.rmw.backends import domain_id_from_environment
+
+        if not self._initialized:
+            raise NotInitializedException("cannot tell the domain")
+        return domain_id_from_environment() if self._domain_id is None else self._domain_id
+
+    def ok(self) -> bool:
+        """Return whether it is initialised and not shut down."""
+        return self._valid
+
+    def is_over(self) -> bool:
+        """Return whether it was initialised, and shut down."""
+        return self._initialized and not self._valid
+
+    def is_interrupted(self) -> bool:
+        """Return whether it was a signal that shut it down."""
+        return self._interrupted
+
+    def explains(self, error: BaseException) -> bool:
+        """Return whether an error says no more than that a signal has shut the context down amid its use."""
+        return self._interrupted and isinstance(
+            error, (RCLError, NotInitializedException, ROSInterruptException)
+        )
+
+    def shutdown(self) -> None:
+        """End: whatever spins stops, and the callbacks of `on_shutdown` are called, here.
+
+        Raises:
+            RuntimeError: before `init`.
+            RCLError: it is shut down already.
+        """
+        if not self._initialized:
+            raise RuntimeError("Context must be initialized before it can be shut down")
+        if not self.try_shutdown():
+            raise RCLError("failed to shutdown: rcl_shutdown already called on the given context")
+
+    def try_shutdown(self) -> bool:
+        """End as `shutdown` does, and tell whether it was this call that did it."""
+        with self._lock:
+            if not self._valid:
+                return False
+            self._valid = False
+        self._wake_all()
+        self._run_hooks()
+        self._destroy_abandoned()
+        self._close_if_unused()
+        return True
+
+    def interrupt(self) -> None:
+        """End from a signal handler: takes no lock that the interrupted code may hold.
+
+        The callbacks of `on_shutdown` are called on a thread of their own.
+        """
+        if self._valid:
+            self._interrupted = True
+            self._valid = False
+            self._wake_all()
+            _thread.start_new_thread(self._run_hooks, ())
+
+    def on_shutdown(self, callback: Callable[[], Any]) -> None:
+        """Have `callback()` called at shutdown; at once if that has come. A method doesn't keep its object alive.
+
+        Raises:
+            TypeError: `callback` isn't callable.
+        """
+        if not callable(callback):
+            raise TypeError(f"callback should be a callable, got {type(callback)}")
+        if not self._valid:
+            callback()
+        elif isinstance(callback, MethodType):
+            method = weakref.WeakMethod(callback)
+
+            def call_if_alive() -> None:
+                alive = method()
+                if alive is not None:
+                    alive()
+
+            self.add_shutdown_hook(call_if_alive)
+        else:
+            self.add_shutdown_hook(callback)
+
+    def add_shutdown_hook(self, hook: Callable[[], Any]) -> None:
+        """Have `hook()` called at shutdown, until `remove_shutdown_hook`; at once if shutdown has come."""
+        with self._lock:
+            if not self.is_over():
+                self._hooks.append(hook)
+                return
+        hook()
+
+    def remove_shutdown_hook(self, hook: Callable[[], Any]) -> None:
+        """Undo one `add_shutdown_hook`."""
+        with self._lock:
+            if hook in self._hooks:
+                self._hooks.remove(hook)
+
+    def add_queue(self, queue: ReadyQueue) -> None:
+        """Post `WAKE` to an executor's queue at shutdown."""
+        with self._lock:
+            self._queues = [*self._queues, queue]
+
+    def remove_queue(self, queue: ReadyQueue) -> None:
+        """Undo `add_queue`."""
+        with self._lock:
+            self._queues = [other for other in self._queues if other is not queue]
+
+    def _wake_all(self) -> None:
+        for queue in self._queues:
+            queue.post(WAKE)
+
+    def _run_hooks(self) -> None:
+        with self._lock:
+            hooks, self._hooks = self._hooks, []
+        for hook in hooks:
+            _call(hook)
+
+    def join(self, node: NodeName) -> Participant:
+        """Show a node on the graph, and return the participant it is to use.
+
+        Raises:
+            NotInitializedException: the context isn't initialised, or shut down.
+            StoppedException: a signal has shut it down.
+            ConfigurationError, NoBackendError: the wire can't be opened.
+        """
+        from tfloom.rmw.backends import open_participant
+
+        self._destroy_abandoned()
+        with self._lock:
+            if not self._valid:
+                raise StoppedException if self._interrupted else NotInitializedException("cannot create node")
+            if self._participant is None:
+                self._participant = open_participant(self._domain_id, self._arguments.enclave or "/")
+                _close_at_exit()
+            self._participant.add_node(node)
+            self._nodes += 1
+            return self._participant
+
+    def abandon(self, node: Node) -> None:
+        """Take in a node that nobody holds any more, to be destroyed when another joins, or at shutdown.
+
+        The garbage collector calls this amid anything, under whatever lock: so not at once.
+        """
+        self._abandoned.append(node)
+
+    def _destroy_abandoned(self) -> None:
+        while self._abandoned:
+            self._abandoned.popleft().destroy_node()
+
+    def leave(self, node: NodeName) -> None:
+        """Take a node off the graph."""
+        with self._lock:
+            if self._participant is not None:
+                self._participant.remove_node(node)
+                self._nodes -= 1
+        self._close_if_unused()
+
+    def _close_if_unused(self) -> None:
+        with self._lock:
+            if not self._valid and self._nodes == 0:
+                self._close_participant()
+
+    def _close_participant(self) -> None:
+        with self._lock:
+            participant, self._participant = self._participant, None
+        if participant is not None:
+            participant.close()
+
+    def destroy(self) -> None:
+        """Shut down if need be, and leave the wire with all that is still there."""
+        self.try_shutdown()
+        self._close_participant()
+        self._nodes = 0
+
+    def __enter__(self) -> Self:
+        self.init()
+        return self
+
+    def __exit__(
+        self, t: type[BaseException] | None, v: BaseException | None, tb: TracebackType | None
+    ) -> None:
+        self.destroy()
+
+
+def _check_logging(arguments: Arguments) -> None:
+    # The reference's logging backend can't be configured by a file either, and refuses one in the same place.
+    if arguments.log_config_file is not None and arguments.external_lib_logs:
+        raise RCLError(
+            f"failed to initialize logging: --log-config-file {arguments.log_config_file}: the logging backend "
+            "doesn't support a configuration file; use --log-level, --log-file-name, ROS_LOG_DIR and "
+            "RCUTILS_CONSOLE_OUTPUT_FORMAT, or --disable-external-lib-logs"
+        )
+
+
+def _set_up_logging(arguments: Arguments) -> None:
+    for name, level in arguments.log_levels:
+        log_output.set_level(name, level)
+    file = LogFile(arguments.log_file_name) if arguments.external_lib_logs else None
+    log_output.configure(file=file, console=arguments.stdout_logs)
+
+
+def _call(hook: Callable[[], Any]) -> None:
+    try:
+        hook()
+    except Exception:  # noqa: BLE001  # the other hooks must run too
+        import traceback
+
+        traceback.print_exc()
+
+
+def live_contexts() -> list[Context]:
+    """Return the contexts that are initialised and not shut down."""
+    return [context for context in _contexts if context.ok()]
+
+
+_will_close_at_exit = False
+
+
+def _close_at_exit() -> None:
+    global _will_close_at_exit  # noqa: PLW0603  # once a process
+    if not _will_close_at_exit:
+        import atexit
+
+        _will_close_at_exit = True
+        atexit.register(_destroy_all)
+
+
+def _destroy_all() -> None:
+    import signal
+
+    # Some send two at once, to the process and to its group: the second is no more news.
+    if threading.current_thread() is threading.main_thread():
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+    # A daemon thread that spins is to end with the program, not with an exception.
+    keep_other_threads_out()
+    for context in list(_contexts):
+        context.destroy()

@@ -1,0 +1,139 @@
+"""The executors to choose from, and the one that `rclpy.spin` uses."""
+
+from __future__ import annotations
+
+import threading
+from collections import deque
+from collections.abc import Callable, Coroutine
+from contextlib import suppress
+from typing import Any, TypeVar
+
+from tfloom.node.context.context import Context
+from tfloom.node.context.utilities import get_default_context
+from tfloom.node.executing.executor import (
+    ConditionReachedException,
+    Executor,
+    ExternalShutdownException,
+    ShutdownException,
+    TimeoutException,
+    TimeoutObject,
+    Work,
+)
+
+__all__ = [
+    "ConditionReachedException",
+    "Executor",
+    "ExternalShutdownException",
+    "MultiThreadedExecutor",
+    "ShutdownException",
+    "SingleThreadedExecutor",
+    "TimeoutException",
+    "TimeoutObject",
+    "WaitableEntityType",
+    "await_or_execute",
+    "get_global_executor",
+]
+
+
+WaitableEntityType = TypeVar("WaitableEntityType")
+
+
+async def await_or_execute(callback: Callable[..., Any] | Coroutine[Any, Any, Any], *args: Any) -> Any:
+    """Call a function, or await a coroutine or what a coroutine function returns."""
+    outcome = callback if isinstance(callback, Coroutine) else callback(*args)
+    return await outcome if isinstance(outcome, Coroutine) else outcome
+
+
+class SingleThreadedExecutor(Executor):
+    """Runs callbacks on the thread that spins."""
+
+
+class MultiThreadedExecutor(Executor):
+    """Runs callbacks on threads of its own, as far as their groups allow.
+
+    Args:
+        num_threads: How many; None: as many as there are CPUs, 2 at least.
+        context: As for every executor.
+    """
+
+    def __init__(self, num_threads: int | None = None, *, context: Context | None = None) -> None:
+        super().__init__(context=context)
+        import os
+        from concurrent.futures import thread
+
+        from tfloom.node.executing.signals import never_strike_in
+
+        # The pool's threads would never end after an exception between two lines of its `submit`.
+        never_strike_in(thread.__file__)
+        if num_threads is None:
+            num_threads = os.cpu_count() or 1
+        self._num_threads = max(num_threads, 2) if num_threads != 1 else 1
+        self._pool = thread.ThreadPoolExecutor(self._num_threads, thread_name_prefix="tfloom_executor")
+        self._busy = 0
+        self._busy_lock = threading.Lock()
+        self._errors: deque[BaseException] = deque()
+
+    def _has_room(self) -> bool:
+        # A message that no thread is free for stays with its reader, whose history depth it counts for.
+        return self._busy < self._num_threads
+
+    def _spin_once(self, timeout_sec: float | None, condition: Callable[[], bool] | None = None) -> None:
+        def stop() -> bool:
+            return bool(self._errors) or (condition is not None and condition())
+
+        with suppress(TimeoutException, ShutdownException, ConditionReachedException):
+            work = self._wait_for_work(timeout_sec, stop, until_response=True)
+            self._hand_out(work)
+        if self._errors:
+            raise self._errors.popleft()
+
+    def _hand_out(self, work: Work) -> None:
+        with self._busy_lock:
+            self._busy += 1
+        try:
+            self._pool.submit(self._run_in_pool, work)
+        except RuntimeError:
+            if not self._is_shutdown:
+                raise
+            with self._busy_lock:  # another thread shut down just now: the callback doesn't begin any more
+                self._busy -= 1
+            if work.entity is not None:
+                self._end(work.entity)
+
+    def _run_in_pool(self, work: Work) -> None:
+        try:
+            self._run(work)
+        except BaseException as error:  # noqa: BLE001  # raised on the thread that spins
+            self._errors.append(error)
+        finally:
+            with self._busy_lock:
+                self._busy -= 1
+            self.wake()
+
+    def would_wait_for_itself(self) -> bool:
+        """Return False: the thread that spins takes in what comes, whatever its callbacks do."""
+        return False
+
+    def shutdown(self, timeout_sec: float | None = None) -> bool:
+        """End every spin and wait for running callbacks; see `Executor.shutdown`."""
+        if not super().shutdown(timeout_sec):
+            return False
+        self._pool.shutdown(wait=False)
+        return True
+
+
+_global_executor: Executor | None = None
+_global_lock = threading.Lock()
+
+
+def get_global_executor() -> Executor:
+    """Return the executor that `rclpy.spin` and its kin use where none is given, on the default context."""
+    global _global_executor  # noqa: PLW0603  # this is its one place
+    with _global_lock:
+        executor = _global_executor
+        context = get_default_context()
+        if executor is None or executor.context is not context or executor._is_shutdown:  # noqa: SLF001
+            if executor is not None:
+                executor.shutdown(0.0)
+            executor = _global_executor = SingleThreadedExecutor(context=context)
+        return executor

@@ -1,0 +1,443 @@
+"""The parameters of a node."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
+from tfloom.node.parameters.parameter import PARAMETER_SEPARATOR_STRING, Parameter, ParameterType
+from tfloom.node.parameters.parameter_declaration import Declaration, read_declarations
+from tfloom.node.parameters.parameter_rules import check_against_descriptor
+from tfloom.node.values.exceptions import (
+    InvalidParameterTypeException,
+    InvalidParameterValueException,
+    ParameterAlreadyDeclaredException,
+    ParameterImmutableException,
+    ParameterNotDeclaredException,
+    ParameterUninitializedException,
+)
+from tfloom.node.values.names import validate_parameter_name
+
+if TYPE_CHECKING:
+    from tfloom.node.clock.clock import Clock
+
+__all__ = ["NodeParameters"]
+
+_SetCallback = Callable[[list[Parameter]], rcl_msg.SetParametersResult]
+_PreCallback = Callable[[list[Parameter]], list[Parameter]]
+_PostCallback = Callable[[list[Parameter]], None]
+
+
+class NodeParameters:
+    """Declares, reads and sets parameters; a base of Node."""
+
+    def __init__(
+        self,
+        overrides: dict[str, Parameter],
+        *,
+        allow_undeclared: bool,
+        publish_event: Callable[[rcl_msg.ParameterEvent], None],
+    ) -> None:
+        # These four are called as in rclpy, whose users look at them.
+        self._parameters: dict[str, Parameter] = {}
+        self._descriptors: dict[str, rcl_msg.ParameterDescriptor] = {}
+        self._parameter_overrides = overrides
+        self._allow_undeclared_parameters = allow_undeclared
+        self.__publish_event = publish_event
+        self.__pre_set_callbacks: list[_PreCallback] = []
+        self.__on_set_callbacks: list[_SetCallback] = []
+        self.__post_set_callbacks: list[_PostCallback] = []
+        self.__parameters_lock = threading.RLock()
+
+    def get_clock(self) -> Clock:
+        """Return the node's clock."""
+        raise NotImplementedError
+
+    def get_fully_qualified_name(self) -> str:
+        """Return the node's full name."""
+        raise NotImplementedError
+
+    # Declaring
+
+    def declare_parameter(
+        self,
+        name: str,
+        value: Any = None,
+        descriptor: rcl_msg.ParameterDescriptor | None = None,
+        ignore_override: bool = False,
+    ) -> Parameter:
+        """Declare one parameter, and return it with the value it has now.
+
+        Args:
+            name: Its name.
+            value: Its default, which fixes its type; or a Parameter.Type, for a parameter with no default.
+            descriptor: Its description, and what it allows.
+            ignore_override: Whether to begin with the default even if the command line gives a value.
+
+        Raises:
+            ParameterAlreadyDeclaredException: it is declared.
+            InvalidParameterException: the name is empty.
+            InvalidParameterTypeException: the value given on the command line is of another type.
+            InvalidParameterValueException: the first value is out of range, or refused by a callback.
+        """
+        if value is None and descriptor is None:
+            return self.declare_parameters("", [(name,)], ignore_override)[0]
+        descriptor = rcl_msg.ParameterDescriptor() if descriptor is None else descriptor
+        return self.declare_parameters("", [(name, value, descriptor)], ignore_override)[0]
+
+    def declare_parameters(
+        self,
+        namespace: str,
+        parameters: Sequence[tuple[Any, ...]],
+        ignore_override: bool = False,
+    ) -> list[Parameter]:
+        """Declare several parameters; each is a tuple of the first one to three arguments of `declare_parameter`.
+
+        Args:
+            namespace: Put before each name, with a dot; "" for none.
+            parameters: The tuples.
+            ignore_override: As for `declare_parameter`.
+
+        Raises:
+            TypeError: a tuple isn't of that form.
+            ValueError: a type is NOT_SET, or given together with dynamic typing.
+            ParameterException: as from `declare_parameter`; what stood before in the list is declared then.
+        """
+        declarations = read_declarations(namespace, parameters)
+        with self.__parameters_lock:
+            known = [each.name for each in declarations if each.name in self._parameters]
+            if known:
+                raise ParameterAlreadyDeclaredException(known)
+            for each in declarations:
+                validate_parameter_name(each.name)
+            for each in declarations:
+                self.__declare(each, ignore_override)
+            return [self._parameters[each.name] for each in declarations]
+
+    def __declare(self, declaration: Declaration, ignore_override: bool) -> None:
+        parameter = Parameter(declaration.name, value=declaration.default)
+        if not ignore_override and declaration.name in self._parameter_overrides:
+            parameter = self._parameter_overrides[declaration.name]
+        descriptor = declaration.descriptor
+        if parameter.type_ is ParameterType.NOT_SET:
+            self._descriptors[parameter.name] = descriptor
+            self._parameters[parameter.name] = parameter
+            return
+        result = self.__apply([parameter], {parameter.name: descriptor})
+        if result.successful:
+            return
+        if result.reason.startswith("Wrong parameter type"):
+            raise InvalidParameterTypeException(parameter, ParameterType(descriptor.type).name)
+        raise InvalidParameterValueException(parameter.name, parameter.value, result.reason)
+
+    def undeclare_parameter(self, name: str) -> None:
+        """Take a parameter away.
+
+        Raises:
+            ParameterNotDeclaredException: it isn't declared.
+            ParameterImmutableException: it is read-only.
+        """
+        with self.__parameters_lock:
+            if name not in self._parameters:
+                raise ParameterNotDeclaredException(name)
+            if self._descriptors[name].read_only:
+                raise ParameterImmutableException(name)
+            del self._parameters[name]
+            del self._descriptors[name]
+
+    def has_parameter(self, name: str) -> bool:
+        """Return whether a parameter is declared."""
+        return name in self._parameters
+
+    # Reading
+
+    def get_parameter(self, name: str) -> Parameter:
+        """Return a parameter.
+
+        Raises:
+            ParameterNotDeclaredException: it isn't declared, and the node doesn't allow undeclared ones.
+            ParameterUninitializedException: it was declared with a type, and has no value yet.
+        """
+        parameter = self._parameters.get(name)
+        if parameter is None:
+            if self._allow_undeclared_parameters:
+                return Parameter(name, ParameterType.NOT_SET, None)
+            raise ParameterNotDeclaredException(name)
+        if parameter.type_ is ParameterType.NOT_SET and not self._descriptors[name].dynamic_typing:
+            raise ParameterUninitializedException(name)
+        return parameter
+
+    def get_parameters(self, names: list[str]) -> list[Parameter]:
+        """Return parameters, as `get_parameter` does each.
+
+        Raises:
+            TypeError: `names` isn't a list of strings.
+            ParameterException: as from `get_parameter`.
+        """
+        if not all(isinstance(name, str) for name in names):
+            raise TypeError("All names must be instances of type str")
+        return [self.get_parameter(name) for name in names]
+
+    def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
+        """Return a parameter, or the alternative (None: one that isn't set) if it is undeclared or has no value."""
+        if alternative_value is None:
+            alternative_value = Parameter(name, ParameterType.NOT_SET, None)
+        parameter = self._parameters.get(name)
+        if parameter is None or parameter.type_ is ParameterType.NOT_SET:
+            return alternative_value
+        return parameter
+
+    def get_parameters_by_prefix(self, prefix: str) -> dict[str, Parameter]:
+        """Return the parameters below a prefix (`a.b`; "" for all), by the rest of their names."""
+        if prefix:
+            prefix += PARAMETER_SEPARATOR_STRING
+        return {
+            name[len(prefix) :]: parameter
+            for name, parameter in list(self._parameters.items())
+            if name.startswith(prefix)
+        }
+
+    def get_parameter_type(self, name: str) -> ParameterType:
+        """Return a parameter's type.
+
+        Raises:
+            ParameterNotDeclaredException: it isn't declared, and the node doesn't allow undeclared ones.
+        """
+        if name in self._parameters:
+            return self._parameters[name].type_
+        if self._allow_undeclared_parameters:
+            return ParameterType.NOT_SET
+        raise ParameterNotDeclaredException(name)
+
+    def get_parameter_types(self, names: list[str]) -> list[ParameterType]:
+        """Return the types of parameters, as `get_parameter_type` does each."""
+        if not all(isinstance(name, str) for name in names):
+            raise TypeError("All names must be instances of type str")
+        return [self.get_parameter_type(name) for name in names]
+
+    def describe_parameter(self, name: str) -> rcl_msg.ParameterDescriptor:
+        """Return a parameter's descriptor.
+
+        Raises:
+            ParameterNotDeclaredException: it isn't declared, and the node doesn't allow undeclared ones.
+        """
+        descriptor = self._descriptors.get(name)
+        if descriptor is not None:
+            return descriptor
+        if self._allow_undeclared_parameters:
+            return rcl_msg.ParameterDescriptor()
+        raise ParameterNotDeclaredException(name)
+
+    def describe_parameters(self, names: list[str]) -> list[rcl_msg.ParameterDescriptor]:
+        """Return the descriptors of parameters, as `describe_parameter` does each."""
+        return [self.describe_parameter(name) for name in names]
+
+    def list_parameters(self, prefixes: list[str], depth: int) -> rcl_msg.ListParametersResult:
+        """Return the names below any of some prefixes ([]: all), no more than `depth` parts deep (0: any).
+
+        Raises:
+            TypeError: an argument is of the wrong type.
+            ValueError: `depth` is negative.
+        """
+        if isinstance(prefixes, str) or not all(isinstance(prefix, str) for prefix in prefixes):
+            raise TypeError("The prefixes argument must be a list of str")
+        if not isinstance(depth, int):
+            raise TypeError("The depth must be an int")
+        if depth < 0:
+            raise ValueError("The depth must be greater than or equal to zero")
+        result = rcl_msg.ListParametersResult()
+        for name in list(self._parameters):
+            if any(_is_below(name, prefix, depth) for prefix in prefixes or [""]):
+                result.names.append(name)
+                parent = name.rpartition(PARAMETER_SEPARATOR_STRING)[0]
+                if parent and parent not in result.prefixes:
+                    result.prefixes.append(parent)
+        return result
+
+    # Setting
+
+    def set_parameters(self, parameter_list: list[Parameter]) -> list[rcl_msg.SetParametersResult]:
+        """Set parameters one by one, and return how each went: refused, with a reason, or done.
+
+        Raises:
+            TypeError: an item is no Parameter.
+            ParameterNotDeclaredException: one isn't declared, and the node doesn't allow undeclared ones; those
+                before it are set then.
+        """
+        results: list[rcl_msg.SetParametersResult] = []
+        for parameter in parameter_list:
+            self.__check_declared([parameter])
+            results.append(self.__set_atomically([parameter]))
+        return results
+
+    def set_parameters_atomically(self, parameter_list: list[Parameter]) -> rcl_msg.SetParametersResult:
+        """Set all parameters, or none of them if one is refused.
+
+        Raises:
+            TypeError: an item is no Parameter.
+            ParameterNotDeclaredException: one isn't declared, and the node doesn't allow undeclared ones.
+        """
+        self.__check_declared(parameter_list)
+        return self.__set_atomically(parameter_list)
+
+    def __check_declared(self, parameters: Sequence[Parameter]) -> None:
+        if not all(isinstance(parameter, Parameter) for parameter in parameters):
+            raise TypeError("parameter must be instance of type 'rclpy.parameter.Parameter'")
+        if self._allow_undeclared_parameters:
+            return
+        unknown = [each.name for each in parameters if each.name not in self._parameters]
+        if unknown:
+            raise ParameterNotDeclaredException(unknown)
+
+    def __set_atomically(self, parameters: list[Parameter]) -> rcl_msg.SetParametersResult:
+        with self.__parameters_lock:
+            for pre_callback in self.__pre_set_callbacks:
+                parameters = pre_callback(parameters)
+                if not parameters:
+                    reason = (
+                        "parameter list cannot be empty, this might be due to pre_set_parameters_callback "
+                        "modifying the original parameters list."
+                    )
+                    return rcl_msg.SetParametersResult(successful=False, reason=reason)
+            self.__check_declared(parameters)
+            descriptors = {each.name: self.__descriptor_for(each.name) for each in parameters}
+            return self.__apply(parameters, descriptors, check_read_only=True)
+
+    def __descriptor_for(self, name: str) -> rcl_msg.ParameterDescriptor:
+        return self._descriptors.get(name) or rcl_msg.ParameterDescriptor(name=name, dynamic_typing=True)
+
+    def __apply(
+        self,
+        parameters: list[Parameter],
+        descriptors: dict[str, rcl_msg.ParameterDescriptor],
+        *,
+        check_read_only: bool = False,
+    ) -> rcl_msg.SetParametersResult:
+        """Set parameters that their descriptors and all callbacks allow, and tell everybody."""
+        for parameter in parameters:
+            reason = check_against_descriptor(
+                parameter, descriptors[parameter.name], check_read_only=check_read_only
+            )
+            if reason is not None:
+                return rcl_msg.SetParametersResult(successful=False, reason=reason)
+        result = rcl_msg.SetParametersResult(successful=True)
+        for callback in self.__on_set_callbacks:
+            result = callback(parameters)
+            if not result.successful:
+                return result
+        event = self.__event()
+        for parameter in parameters:
+            self.__store(parameter, descriptors[parameter.name], event)
+        self.__publish_event(event)
+        for post_callback in self.__post_set_callbacks:
+            post_callback(parameters)
+        return result
+
+    def __event(self) -> rcl_msg.ParameterEvent:
+        stamp = self.get_clock().now().to_msg()
+        return rcl_msg.ParameterEvent(stamp=stamp, node=self.get_fully_qualified_name())
+
+    def __store(
+        self, parameter: Parameter, descriptor: rcl_msg.ParameterDescriptor, event: rcl_msg.ParameterEvent
+    ) -> None:
+        name = parameter.name
+        old = self._parameters.get(name)
+        was_set = old is not None and old.type_ is not ParameterType.NOT_SET
+        if parameter.type_ is ParameterType.NOT_SET:
+            self._parameters.pop(name, None)
+            self._descriptors.pop(name, None)
+            if was_set:
+                event.deleted_parameters.append(parameter.to_parameter_msg())
+            return
+        self._parameters[name] = parameter
+        descriptor.name = name
+        if descriptor.dynamic_typing or descriptor.type == ParameterType.NOT_SET.value:
+            descriptor.type = parameter.type_.value
+        self._descriptors[name] = descriptor
+        changes = event.changed_parameters if was_set else event.new_parameters
+        changes.append(parameter.to_parameter_msg())
+
+    def set_descriptor(
+        self,
+        name: str,
+        descriptor: rcl_msg.ParameterDescriptor,
+        alternative_value: rcl_msg.ParameterValue | None = None,
+    ) -> rcl_msg.ParameterValue:
+        """Give a parameter another descriptor, and the alternative value if it doesn't allow the present one.
+
+        Returns:
+            The value it has then.
+
+        Raises:
+            ParameterNotDeclaredException: it isn't declared, and the node doesn't allow undeclared ones.
+            ParameterImmutableException: it is read-only.
+            InvalidParameterValueException: the descriptor allows neither value.
+        """
+        with self.__parameters_lock:
+            if name not in self._parameters:
+                if not self._allow_undeclared_parameters:
+                    raise ParameterNotDeclaredException(name)
+                return Parameter(name).get_parameter_value()
+            if self.describe_parameter(name).read_only:
+                raise ParameterImmutableException(name)
+            current = self._parameters[name]
+            wanted = current
+            if alternative_value is not None:
+                as_msg = rcl_msg.Parameter(name=name, value=alternative_value)
+                wanted = Parameter.from_parameter_msg(as_msg)
+            if not descriptor.dynamic_typing and descriptor.type == ParameterType.NOT_SET.value:
+                descriptor.type = wanted.type_.value
+            result = self.__apply([wanted], {name: descriptor})
+            if not result.successful:
+                raise InvalidParameterValueException(name, wanted.value, result.reason)
+            return self._parameters[name].get_parameter_value()
+
+    # Callbacks
+
+    def add_pre_set_parameters_callback(self, callback: _PreCallback) -> None:
+        """Have `callback(parameters)` give the list that is to be set instead of each that is; last added first."""
+        self.__pre_set_callbacks.insert(0, callback)
+
+    def add_on_set_parameters_callback(self, callback: _SetCallback) -> None:
+        """Have `callback(parameters)` allow or refuse each setting, declarations too; last added first."""
+        self.__on_set_callbacks.insert(0, callback)
+
+    def add_post_set_parameters_callback(self, callback: _PostCallback) -> None:
+        """Have `callback(parameters)` told of each setting that is done; last added first."""
+        self.__post_set_callbacks.insert(0, callback)
+
+    def remove_pre_set_parameters_callback(self, callback: _PreCallback) -> None:
+        """Undo one `add_pre_set_parameters_callback`.
+
+        Raises:
+            ValueError: it wasn't added.
+        """
+        self.__pre_set_callbacks.remove(callback)
+
+    def remove_on_set_parameters_callback(self, callback: _SetCallback) -> None:
+        """Undo one `add_on_set_parameters_callback`.
+
+        Raises:
+            ValueError: it wasn't added.
+        """
+        self.__on_set_callbacks.remove(callback)
+
+    def remove_post_set_parameters_callback(self, callback: _PostCallback) -> None:
+        """Undo one `add_post_set_parameters_callback`.
+
+        Raises:
+            ValueError: it wasn't added.
+        """
+        self.__post_set_callbacks.remove(callback)
+
+
+def _is_below(name: str, prefix: str, depth: int) -> bool:
+    if prefix:
+        if name == prefix:
+            return True
+        if not name.startswith(prefix + PARAMETER_SEPARATOR_STRING):
+            return False
+        name = name[len(prefix) + 1 :]
+    return depth == 0 or name.count(PARAMETER_SEPARATOR_STRING) < depth
