@@ -7,10 +7,15 @@ from pathlib import Path
 
 import pytest
 
-from tfloom.node.context.arguments import parse_arguments, remove_ros_args
+from tfloom.node.context.arguments import (
+    RCLInvalidROSArgsError,
+    UnknownROSArgsError,
+    parse_arguments,
+    remove_ros_args,
+)
 from tfloom.node.context.context import Context
 from tfloom.node.log.logging_severity import LoggingSeverity
-from tfloom.node.values.exceptions import RCLError, RCLInvalidROSArgsError, UnknownROSArgsError
+from tfloom.node.values.exceptions import RCLError
 from tfloom.node.values.scalars import parse_value
 
 

@@ -6,7 +6,8 @@ import threading
 
 import pytest
 
-from tfloom.node.clock.clock import Clock, ClockChange, JumpThreshold, ROSClock, TimeJump
+from tfloom.node.clock.clock import Clock, ROSClock
+from tfloom.node.clock.time_jump import ClockChange, JumpThreshold, TimeJump
 from tfloom.node.context.context import Context
 from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.duration import Duration

@@ -11,14 +11,11 @@ import pytest
 from tfloom.interfaces.std_msgs.msg import Int32
 from tfloom.node.context.context import Context
 from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
-from tfloom.node.executing.executors import (
-    ExternalShutdownException,
-    MultiThreadedExecutor,
-    ShutdownException,
-    SingleThreadedExecutor,
-)
+from tfloom.node.executing.executor_exceptions import ShutdownException
+from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
+from tfloom.node.values.exceptions import ExternalShutdownException
 
 SpinUntil = Callable[..., None]
 

@@ -14,15 +14,14 @@ from tfloom.node.context.context import Context
 from tfloom.node.endpoints.client import Client
 from tfloom.node.endpoints.service_introspection import ServiceIntrospectionState
 from tfloom.node.executing.callback_groups import ReentrantCallbackGroup
-from tfloom.node.executing.executors import Executor, MultiThreadedExecutor, SingleThreadedExecutor
+from tfloom.node.executing.executor import Executor
+from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import QoSProfile
-from tfloom.node.values.exceptions import (
-    InvalidHandle,
-    InvalidServiceNameException,
-    NoTypeSupportImportedException,
-)
+from tfloom.node.values.exceptions import InvalidHandle
+from tfloom.node.values.names import InvalidServiceNameException
+from tfloom.node.values.type_support import NoTypeSupportImportedException
 
 MakeNode = Callable[..., Node]
 SpinUntil = Callable[..., None]

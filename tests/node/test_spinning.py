@@ -22,18 +22,12 @@ from tfloom.node.executing.callback_groups import (
 )
 from tfloom.node.executing.events_executor import EventsExecutor
 from tfloom.node.executing.executor import Executor
-from tfloom.node.executing.executors import (
-    ExternalShutdownException,
-    MultiThreadedExecutor,
-    ShutdownException,
-    SingleThreadedExecutor,
-    TimeoutException,
-    TimeoutObject,
-)
+from tfloom.node.executing.executor_exceptions import ShutdownException, TimeoutException, TimeoutObject
+from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
-from tfloom.node.values.exceptions import ROSInterruptException
+from tfloom.node.values.exceptions import ExternalShutdownException, ROSInterruptException
 
 EXECUTORS = [SingleThreadedExecutor, MultiThreadedExecutor, EventsExecutor]
 WIRES = ["tfloom_local", pytest.param("rmw_cyclonedds_cpp", marks=pytest.mark.wire)]

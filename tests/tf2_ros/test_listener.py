@@ -315,7 +315,7 @@ def test_futures_time_out_with_the_reason(wait_until: Callable[..., None]) -> No
 
 
 def test_a_listener_makes_a_node_of_its_own(local_context: object, monkeypatch: pytest.MonkeyPatch) -> None:
-    from tfloom import node as rclpy
+    from tfloom.node import client_library as rclpy
 
     monkeypatch.setenv("ROS_DOMAIN_ID", "77")
     rclpy.init(args=["program", "--ros-args", "-r", "__node:=renamed"])

@@ -10,7 +10,8 @@ import pytest
 from tests.tf2_ros.conftest import SECOND, transform_stamped
 
 from tfloom.node.clock.clock import Clock
-from tfloom.node.executing.executors import Executor, MultiThreadedExecutor, SingleThreadedExecutor
+from tfloom.node.executing.executor import Executor
+from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.values.duration import Duration, Infinite
 from tfloom.node.values.time import Time

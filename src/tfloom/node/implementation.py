@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from tfloom.node.clock.clock import ClockType
+from tfloom.node.context.arguments import RCLInvalidROSArgsError, UnknownROSArgsError
 from tfloom.node.endpoints.endpoint import Endpoint, TakingEnd
 from tfloom.node.executing import guard_condition, timer
 from tfloom.node.executing.event_handler import UnsupportedEventTypeError
@@ -12,13 +12,12 @@ from tfloom.node.executing.signals import SignalHandlerOptions
 from tfloom.node.executing.wait_set import WaitSet
 from tfloom.node.log.throttled_warning import ThrottledWarning
 from tfloom.node.qos.qos import QoSCompatibility, QoSProfile
+from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.exceptions import (
     InvalidHandle,
     NodeNameNonExistentError,
     RCLError,
-    RCLInvalidROSArgsError,
     TimerCancelledError,
-    UnknownROSArgsError,
 )
 from tfloom.node.values.handle import Handle, thing_of
 from tfloom.node.values.type_support import (
@@ -32,9 +31,9 @@ from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:
     from tfloom._native import ReadyQueue
+    from tfloom.node.base.node_base import NodeBase
     from tfloom.node.clock.clock import Clock
     from tfloom.node.context.context import Context
-    from tfloom.node.node import Node
     from tfloom.rmw.base import RequestId
     from tfloom.rosidl.message import Message
     from tfloom.rosidl.service import Service as ServiceType
@@ -124,7 +123,7 @@ class Timer(timer.Timer):
 class _WaitedEnd(Endpoint[TakingEnd]):
     """An end on the wire that a wait set waits for, and the program takes from. Its node's end is its own."""
 
-    def __init__(self, endpoint: TakingEnd, name: str, node: Node) -> None:
+    def __init__(self, endpoint: TakingEnd, name: str, node: NodeBase) -> None:
         super().__init__(endpoint, name)
         self._warning = ThrottledWarning(node.get_logger())
         self._seen: Any = None
@@ -178,7 +177,7 @@ class Subscription(_WaitedEnd[Reader]):
     _kind = "subscription"
 
     def __init__(
-        self, node: Node | Handle, pymsg_type: type[Message], topic: str, pyqos_profile: QoSProfile
+        self, node: NodeBase | Handle, pymsg_type: type[Message], topic: str, pyqos_profile: QoSProfile
     ) -> None:
         check_is_valid_msg_type(pymsg_type)
         owner = thing_of(node)
@@ -211,7 +210,11 @@ class Service(_WaitedEnd[Responder]):
     _kind = "service"
 
     def __init__(
-        self, node: Node | Handle, pysrv_type: type[ServiceType], service_name: str, pyqos_profile: QoSProfile
+        self,
+        node: NodeBase | Handle,
+        pysrv_type: type[ServiceType],
+        service_name: str,
+        pyqos_profile: QoSProfile,
     ) -> None:
         check_is_valid_srv_type(pysrv_type)
         owner = thing_of(node)
@@ -238,7 +241,11 @@ class Client(_WaitedEnd[Requester]):
     _kind = "client"
 
     def __init__(
-        self, node: Node | Handle, pysrv_type: type[ServiceType], service_name: str, pyqos_profile: QoSProfile
+        self,
+        node: NodeBase | Handle,
+        pysrv_type: type[ServiceType],
+        service_name: str,
+        pyqos_profile: QoSProfile,
     ) -> None:
         check_is_valid_srv_type(pysrv_type)
         owner = thing_of(node)

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from tfloom.node.client_library import init
 from tfloom.node.context.utilities import get_default_context, remove_ros_args, try_shutdown
-from tfloom.node.executing.executor import ExternalShutdownException
+from tfloom.node.values.exceptions import ExternalShutdownException
 
 __all__ = ["expect_no_arguments", "run_program"]
 

@@ -7,7 +7,8 @@ from time import monotonic
 from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.tf2_msgs.srv import FrameGraph
-from tfloom.node.clock.clock import Clock, ClockChange, JumpThreshold
+from tfloom.node.clock.clock import Clock
+from tfloom.node.clock.time_jump import ClockChange, JumpThreshold
 from tfloom.node.executing.task import Future
 from tfloom.node.log.logging import get_logger
 from tfloom.node.values.duration import Duration
@@ -20,7 +21,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from tfloom.interfaces.geometry_msgs.msg import TransformStamped
-    from tfloom.node.clock.clock import JumpHandle, TimeJump
+    from tfloom.node.clock.clock import JumpHandle
+    from tfloom.node.clock.time_jump import TimeJump
     from tfloom.node.context.context import Context
     from tfloom.node.node import Node
 

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.node.executing.callback_groups import ReentrantCallbackGroup
-from tfloom.node.executing.executors import ExternalShutdownException, SingleThreadedExecutor
+from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
+from tfloom.node.values.exceptions import ExternalShutdownException
 from tfloom.tf2_ros.buffer_core import BufferCore
 
 if TYPE_CHECKING:

@@ -11,10 +11,11 @@ from tfloom.interfaces.rcl_interfaces.srv import GetLoggerLevels, SetLoggerLevel
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.node.client_library import spin_until_future_complete
 from tfloom.node.endpoints.client import Client
-from tfloom.node.executing.executors import ExternalShutdownException, SingleThreadedExecutor
+from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.log.logging_severity import LoggingSeverity
 from tfloom.node.node import Node
 from tfloom.node.program import expect_no_arguments, run_program
+from tfloom.node.values.exceptions import ExternalShutdownException
 
 __all__ = ["LoggerServiceNode", "TestNode", "main"]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from tfloom.interfaces.action_msgs.msg import GoalInfo, GoalStatus
 from tfloom.interfaces.unique_identifier_msgs.msg import UUID
@@ -12,10 +12,25 @@ from tfloom.node.action.goal_states import ACTIVE, GoalEvent, next_state
 from tfloom.node.action.names import key_of
 from tfloom.node.executing.task import Future
 
-if TYPE_CHECKING:
-    from tfloom.node.action.server import ActionServer
+__all__ = ["GoalServer", "ServerGoalHandle"]
 
-__all__ = ["ServerGoalHandle"]
+
+class GoalServer(Protocol):
+    """What a goal handle calls of its action server."""
+
+    def notify_goal_done(self) -> None:
+        """Publish the states of the goals, because one has changed."""
+
+    def notify_execute(
+        self, goal_handle: ServerGoalHandle, execute_callback: Callable[[ServerGoalHandle], Any] | None
+    ) -> None:
+        """Execute a goal by `execute_callback`; None: by the server's own."""
+
+    def publish_feedback(self, goal_id: UUID, feedback: Any) -> None:
+        """Publish the feedback of a goal; TypeError if it isn't of the action's feedback type."""
+
+    def forget(self, goal_handle: ServerGoalHandle) -> None:
+        """Drop a goal."""
 
 
 class ServerGoalHandle:
@@ -24,7 +39,7 @@ class ServerGoalHandle:
     Once it is destroyed, with its server or by itself, its state is unknown and nothing is told any more.
     """
 
-    def __init__(self, action_server: ActionServer, goal_info: GoalInfo, goal_request: Any) -> None:
+    def __init__(self, action_server: GoalServer, goal_info: GoalInfo, goal_request: Any) -> None:
         self._server = action_server
         self._info = goal_info
         self._request = goal_request

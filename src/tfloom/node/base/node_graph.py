@@ -1,4 +1,4 @@
-"""What a node sees of the others."""
+"""What a node is called, and what it sees of the other nodes."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 
 from tfloom.node.qos.topic_endpoint_info import TopicEndpointInfo
 from tfloom.node.values.exceptions import NodeNameNonExistentError
-from tfloom.node.values.names import expand_topic_name, validate_full_topic_name, validate_topic_name
 from tfloom.rmw.base import NodeName
 
 if TYPE_CHECKING:
+    from tfloom.node.base.node_names import NodeNames
     from tfloom.rmw.base import EndpointInfo, Graph, ServiceEndInfo
 
 __all__ = ["NodeGraph"]
@@ -21,18 +21,39 @@ _POLL_PERIOD_S = 0.02
 
 
 class NodeGraph:
-    """Asks the graph; a base of Node."""
+    """What a node is called, and what it sees of the other nodes; a base of Node."""
 
-    def __init__(self, graph: Graph) -> None:
+    def __init__(self, names: NodeNames, graph: Graph) -> None:
+        self.__names = names
         self.__graph = graph
 
+    def get_name(self) -> str:
+        """Return the node's name."""
+        return self.__names.node.name
+
+    def get_namespace(self) -> str:
+        """Return the node's namespace, `/` or `/a/b`."""
+        return self.__names.node.namespace
+
+    def get_fully_qualified_name(self) -> str:
+        """Return namespace and name."""
+        return self.__names.node.full
+
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
-        """Return a topic's full name."""
-        raise NotImplementedError
+        """Return a topic's full name, remapped unless `only_expand`.
+
+        Raises:
+            InvalidTopicNameException: the name isn't valid.
+        """
+        return self.__names.resolve(topic, only_expand=only_expand, is_service=False)
 
     def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
-        """Return a service's full name."""
-        raise NotImplementedError
+        """Return a service's full name, remapped unless `only_expand`.
+
+        Raises:
+            InvalidServiceNameException: the name isn't valid.
+        """
+        return self.__names.resolve(service, only_expand=only_expand, is_service=True)
 
     def get_node_names(self) -> list[str]:
         """Return the names of all nodes, without their namespaces."""
@@ -207,25 +228,3 @@ class NodeGraph:
             for info in (self.__graph.raw_endpoints() if no_mangle else self.__graph.endpoints())
             if info.topic.name == name and info.is_writer == is_writer
         ]
-
-
-def resolve_name(
-    name: str,
-    node: NodeName,
-    remap: Callable[[str], str | None] | None,
-    *,
-    is_service: bool = False,
-) -> str:
-    """Return a topic's or service's full name: expanded, remapped and checked.
-
-    Raises:
-        NameValidationException: the name isn't valid, before or after.
-    """
-    validate_topic_name(name, is_service=is_service)
-    full_name = expand_topic_name(name, node.name, node.namespace)
-    validate_full_topic_name(full_name, is_service=is_service)
-    remapped = None if remap is None else remap(full_name)
-    if remapped is None:
-        return full_name
-    validate_full_topic_name(remapped, is_service=is_service)
-    return remapped

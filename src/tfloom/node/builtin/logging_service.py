@@ -17,7 +17,7 @@ from tfloom.node.log.logging import get_logger_level, set_logger_level
 from tfloom.node.values.names import TOPIC_SEPARATOR_STRING
 
 if TYPE_CHECKING:
-    from tfloom.node.node import Node
+    from tfloom.node.base.node_base import NodeBase
 
 __all__ = ["TOPIC_SEPARATOR_STRING", "LoggingService"]
 
@@ -25,7 +25,7 @@ __all__ = ["TOPIC_SEPARATOR_STRING", "LoggingService"]
 class LoggingService:
     """Serves the levels of all loggers of the process, below a node's name."""
 
-    def __init__(self, node: Node) -> None:
+    def __init__(self, node: NodeBase) -> None:
         node.create_service(GetLoggerLevels, "~/get_logger_levels", self._get)
         node.create_service(SetLoggerLevels, "~/set_logger_levels", self._set)
 

@@ -21,10 +21,10 @@ from tfloom.node.parameters.parameter import Parameter, ParameterType, parameter
 from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
 
 if TYPE_CHECKING:
+    from tfloom.node.base.node_base import NodeBase
     from tfloom.node.endpoints.client import Client
     from tfloom.node.endpoints.subscription import Subscription
     from tfloom.node.executing.callback_groups import CallbackGroup
-    from tfloom.node.node import Node
 
 __all__ = ["AsyncParameterClient"]
 
@@ -43,7 +43,7 @@ class AsyncParameterClient:
 
     def __init__(
         self,
-        node: Node,
+        node: NodeBase,
         remote_node_name: str,
         qos_profile: QoSProfile = qos_profile_services_default,
         callback_group: CallbackGroup | None = None,

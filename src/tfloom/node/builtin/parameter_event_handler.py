@@ -10,9 +10,9 @@ from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events
 from tfloom.node.values.names import full_node_name
 
 if TYPE_CHECKING:
+    from tfloom.node.base.node_base import NodeBase
     from tfloom.node.executing.callback_groups import CallbackGroup
     from tfloom.node.executing.event_handler import SubscriptionEventCallbacks
-    from tfloom.node.node import Node
 
 __all__ = ["ParameterCallbackHandle", "ParameterEventCallbackHandle", "ParameterEventHandler"]
 
@@ -47,7 +47,7 @@ class ParameterEventHandler:
 
     def __init__(
         self,
-        node: Node,
+        node: NodeBase,
         qos_profile: QoSProfile = qos_profile_parameter_events,
         callback_group: CallbackGroup | None = None,
         event_callbacks: SubscriptionEventCallbacks | None = None,

@@ -27,13 +27,13 @@ from tfloom.interfaces.rcl_interfaces.srv import (
     SetParametersAtomically_Request,
     SetParametersAtomically_Response,
 )
+from tfloom.node.parameters.exceptions import ParameterNotDeclaredException, ParameterUninitializedException
 from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.qos.qos import qos_profile_parameters
-from tfloom.node.values.exceptions import ParameterNotDeclaredException, ParameterUninitializedException
 from tfloom.node.values.names import TOPIC_SEPARATOR_STRING
 
 if TYPE_CHECKING:
-    from tfloom.node.node import Node
+    from tfloom.node.base.node_base import NodeBase
 
 __all__ = ["TOPIC_SEPARATOR_STRING", "ParameterService"]
 
@@ -44,7 +44,7 @@ class ParameterService:
     A request that names a parameter which isn't declared gets an empty list, not an error.
     """
 
-    def __init__(self, node: Node) -> None:
+    def __init__(self, node: NodeBase) -> None:
         self._node = node
         for srv_type, name, callback in (
             (DescribeParameters, "describe_parameters", self._describe),

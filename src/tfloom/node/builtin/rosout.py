@@ -14,7 +14,7 @@ from tfloom.rmw.errors import ClosedError
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:
-    from tfloom.rmw.base import NodeName, Participant
+    from tfloom.node.base.node_base import NodeBase
 
 __all__ = ["Rosout"]
 
@@ -22,13 +22,15 @@ TOPIC = "/rosout"
 
 
 class Rosout:
-    """Publishes what a logger, and those below it, write."""
+    """Publishes the records of a node's logger, and of the loggers below it."""
 
-    def __init__(self, participant: Participant, node: NodeName, logger_name: str) -> None:
+    def __init__(self, node: NodeBase) -> None:
         topic = topic_of(rcl_msg.Log, TOPIC)
-        self._writer = participant.create_writer(node, topic, qos_profile_rosout_default.to_wire())
-        self._logger_name = logger_name
-        log_output.add_listener(logger_name, self._publish)
+        self._writer = node._open(  # noqa: SLF001  # how endpoints are opened that no executor runs
+            self, lambda wire, name: wire.create_writer(name, topic, qos_profile_rosout_default.to_wire())
+        )
+        self._logger_name = node.get_logger().name
+        log_output.add_listener(self._logger_name, self._publish)
 
     def _publish(self, record: log_output.Record) -> None:
         sec, nanosec = divmod(record.stamp_ns, S_TO_NS)
@@ -46,8 +48,8 @@ class Rosout:
         except ClosedError:  # its context has left the wire; whoever logs by this name now is not to blame
             log_output.remove_listener(self._logger_name, self._publish)
 
-    def close(self) -> None:
-        """Publish no more."""
+    def destroy(self) -> None:
+        """Stop publishing; the node does it when it is destroyed."""
         log_output.remove_listener(self._logger_name, self._publish)
         self._writer.close()
 

@@ -14,9 +14,9 @@ from tfloom.node.values.clock_type import ClockType
 from tfloom.node.values.time import Time
 
 if TYPE_CHECKING:
+    from tfloom.node.base.node_base import NodeBase
     from tfloom.node.clock.clock import Clock
     from tfloom.node.endpoints.subscription import Subscription
-    from tfloom.node.node import Node
 
 __all__ = ["CLOCK_TOPIC", "USE_SIM_TIME_NAME", "TimeSource"]
 
@@ -31,8 +31,8 @@ class TimeSource:
         node: Attached at once, if given.
     """
 
-    def __init__(self, *, node: Node | None = None) -> None:
-        self._node: Node | None = None
+    def __init__(self, *, node: NodeBase | None = None) -> None:
+        self._node: NodeBase | None = None
         self._clocks: list[ROSClock] = []
         self._subscription: Subscription[rosgraph_msg.Clock] | None = None
         self._last_time = Time(clock_type=ClockType.ROS_TIME)
@@ -58,7 +58,7 @@ class TimeSource:
         else:
             self._unsubscribe()
 
-    def attach_node(self, node: Node) -> None:
+    def attach_node(self, node: NodeBase) -> None:
         """Go by a node's `use_sim_time`, which is declared if it isn't yet, and subscribe in its name.
 
         Raises:

@@ -21,7 +21,7 @@ from tfloom.node.parameters.parameter import ParameterType
 from tfloom.node.values.names import TOPIC_SEPARATOR_STRING
 
 if TYPE_CHECKING:
-    from tfloom.node.node import Node
+    from tfloom.node.base.node_base import NodeBase
     from tfloom.rosidl import spec
 
 __all__ = ["START_TYPE_DESCRIPTION_SERVICE_PARAM", "TOPIC_SEPARATOR_STRING", "TypeDescriptionService"]
@@ -32,7 +32,7 @@ START_TYPE_DESCRIPTION_SERVICE_PARAM = "start_type_description_service"
 class TypeDescriptionService:
     """Serves the definitions of types, below a node's name, unless its parameter says not to."""
 
-    def __init__(self, node: Node) -> None:
+    def __init__(self, node: NodeBase) -> None:
         self._node = node
         self._service = None
         descriptor = ParameterDescriptor(

@@ -5,13 +5,17 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable
-from enum import IntEnum
 from typing import TYPE_CHECKING
 
+from tfloom.node.clock.time_jump import ANY_JUMP, SOURCE_CHANGES, ClockChange, JumpThreshold, TimeJump
+from tfloom.node.context.utilities import get_default_context
 from tfloom.node.values.clock_type import ClockType
+from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.duration import Duration
+from tfloom.node.values.exceptions import NotInitializedException
 from tfloom.node.values.handle import Handle
-from tfloom.node.values.time import Time, make_time
+from tfloom.node.values.readable_clock import ReadableClock
+from tfloom.node.values.time import Time
 
 if TYPE_CHECKING:
     from types import TracebackType
@@ -20,66 +24,10 @@ if TYPE_CHECKING:
 
     from tfloom.node.context.context import Context
 
-__all__ = ["Clock", "ClockChange", "ClockType", "JumpHandle", "JumpThreshold", "ROSClock", "TimeJump"]
+__all__ = ["Clock", "JumpHandle", "ROSClock"]
 
-
-class ClockChange(IntEnum):
-    """What became of a clock's source at a jump."""
-
-    ROS_TIME_NO_CHANGE = 1
-    ROS_TIME_ACTIVATED = 2
-    ROS_TIME_DEACTIVATED = 3
-    SYSTEM_TIME_NO_CHANGE = 4
-
-
-class JumpThreshold:
-    """Which jumps a callback is to hear of.
-
-    Args:
-        min_forward: The least jump forward, above 0; None for no jump forward.
-        min_backward: The least jump backward, below 0; None for no jump backward.
-        on_clock_change: Whether to hear of simulated time being turned on or off.
-
-    Raises:
-        ValueError: `min_forward` is not above, or `min_backward` not below, zero.
-    """
-
-    def __init__(
-        self, *, min_forward: Duration | None, min_backward: Duration | None, on_clock_change: bool = True
-    ) -> None:
-        if min_forward is not None and min_forward.nanoseconds <= 0:
-            raise ValueError("min_forward must be a positive non-zero duration")
-        if min_backward is not None and min_backward.nanoseconds >= 0:
-            raise ValueError("min_backward must be a negative non-zero duration")
-        self.min_forward = min_forward
-        self.min_backward = min_backward
-        self.on_clock_change = on_clock_change
-
-    def is_passed_by(self, jump: TimeJump) -> bool:
-        """Return whether `jump` is one of these."""
-        if jump.clock_change in (ClockChange.ROS_TIME_ACTIVATED, ClockChange.ROS_TIME_DEACTIVATED):
-            return self.on_clock_change
-        if self.min_forward is not None and jump.delta >= self.min_forward:
-            return True
-        return self.min_backward is not None and jump.delta <= self.min_backward
-
-
-class TimeJump:
-    """A jump of a clock: by how much, and whether its source changed."""
-
-    def __init__(self, clock_change: ClockChange, delta: Duration) -> None:
-        self._clock_change = clock_change
-        self._delta = delta
-
-    @property
-    def clock_change(self) -> ClockChange:
-        """What became of the source."""
-        return self._clock_change
-
-    @property
-    def delta(self) -> Duration:
-        """How far: negative for a jump back."""
-        return self._delta
+_LONGEST_SLICE_S = 1.0
+"""The longest wait of a sleep by system time [s], because the system's clock may be set meanwhile."""
 
 
 class JumpHandle:
@@ -123,8 +71,8 @@ class JumpHandle:
         self.unregister()
 
 
-class Clock:
-    """Tells the time. `Clock(clock_type=ClockType.ROS_TIME)` gives a ROSClock."""
+class Clock(ReadableClock):
+    """A clock. `Clock(clock_type=ClockType.ROS_TIME)` returns a ROSClock."""
 
     def __new__(cls, *, clock_type: ClockType = ClockType.SYSTEM_TIME) -> Self:
         """Return a clock of the class that `clock_type` asks for."""
@@ -134,31 +82,18 @@ class Clock:
         return object.__new__(wanted)  # type: ignore[return-value]  # a ROSClock is a Clock, and only Clock is asked
 
     def __init__(self, *, clock_type: ClockType = ClockType.SYSTEM_TIME) -> None:
-        self._clock_type = clock_type
+        super().__init__(clock_type=clock_type)
         self._lock = threading.RLock()
+        """Guards `_handles`, and in a ROSClock the source and the simulated time."""
         self._handles: list[JumpHandle] = []
-        self._read_ns = time.monotonic_ns if clock_type is ClockType.STEADY_TIME else time.time_ns
-
-    @property
-    def clock_type(self) -> ClockType:
-        """What kind of clock it is."""
-        return self._clock_type
 
     @property
     def handle(self) -> Handle:
-        """What stands for the library's own clock."""
+        """Proxy of the clock, for code that expects rclpy's C handle."""
         return Handle(self)
 
     def __repr__(self) -> str:
         return f"Clock(clock_type={self._clock_type.name})"
-
-    def now(self) -> Time:
-        """Return the time it is by this clock."""
-        return make_time(self._read_ns(), self._clock_type)
-
-    def now_ns(self) -> int:
-        """Return the time it is by this clock [ns]."""
-        return self._read_ns()
 
     def create_jump_callback(
         self,
@@ -167,13 +102,13 @@ class Clock:
         pre_callback: Callable[[], None] | None = None,
         post_callback: Callable[[TimeJump], None] | None = None,
     ) -> JumpHandle:
-        """Have callbacks called before and after each jump that passes `threshold`.
+        """Call callbacks before and after each jump that passes `threshold`.
 
-        They are called on the thread that sets the clock. Only simulated time jumps: the operating system
-        doesn't tell of changes to its own.
+        They are called on the thread that sets the clock. Only simulated time jumps, because the operating system
+        reports no changes of its own clock.
 
         Returns:
-            The handle whose `unregister` ends it.
+            The handle; its `unregister` ends the calls.
 
         Raises:
             ValueError: neither callback is given, or one isn't callable.
@@ -183,7 +118,7 @@ class Clock:
         )
 
     def jump_handles(self) -> list[JumpHandle]:
-        """Return what is registered now."""
+        """Return the handles that are registered now."""
         with self._lock:
             return list(self._handles)
 
@@ -193,7 +128,7 @@ class Clock:
             self._handles.append(handle)
 
     def remove_jump_handle(self, handle: JumpHandle) -> None:
-        """Take a handle off again."""
+        """Remove a handle."""
         with self._lock:
             if handle in self._handles:
                 self._handles.remove(handle)
@@ -208,13 +143,40 @@ class Clock:
             ValueError: `until` is of another clock.
             NotInitializedException: the context isn't initialised.
         """
-        from tfloom.node.clock.clock_sleep import sleep_until
+        context = context or get_default_context()
+        if not context.ok():
+            raise NotInitializedException
+        if until.clock_type != self._clock_type:
+            raise ValueError("until's clock type does not match this clock's type")
+        woken = threading.Event()
+        source_changed = False
 
-        return sleep_until(self, until, context)
+        def on_jump(jump: TimeJump) -> None:
+            nonlocal source_changed
+            if jump.clock_change in SOURCE_CHANGES:
+                source_changed = True
+            woken.set()
+
+        with self.create_jump_callback(ANY_JUMP, post_callback=on_jump):
+            context.add_shutdown_hook(woken.set)
+            try:
+                while context.ok() and not source_changed:
+                    left_ns = until.nanoseconds - self.now_ns()
+                    if left_ns <= 0:
+                        return True
+                    woken.wait(None if self._is_simulated() else min(left_ns / S_TO_NS, _LONGEST_SLICE_S))
+                    woken.clear()
+            finally:
+                context.remove_shutdown_hook(woken.set)
+        return False
 
     def sleep_for(self, rel_time: Duration, context: Context | None = None) -> bool:
         """Wait for a span of time by this clock; as `sleep_until`."""
         return self.sleep_until(self.now() + rel_time, context)
+
+    def _is_simulated(self) -> bool:
+        """Return whether the time only changes when it is set."""
+        return False
 
 
 class ROSClock(Clock):
@@ -232,6 +194,9 @@ class ROSClock(Clock):
     @property
     def ros_time_is_active(self) -> bool:
         """Whether the clock shows simulated time."""
+        return self._is_active
+
+    def _is_simulated(self) -> bool:
         return self._is_active
 
     def set_ros_time_is_active(self, enabled: bool) -> None:

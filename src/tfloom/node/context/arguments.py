@@ -8,14 +8,11 @@ from typing import Any, NamedTuple
 
 from tfloom.node.log.logging_severity import LoggingSeverity
 from tfloom.node.parameters.parameter_file import ParameterRule, checked_value, read_parameter_file
-from tfloom.node.values.exceptions import (
+from tfloom.node.values.exceptions import RCLError
+from tfloom.node.values.names import (
     InvalidNamespaceException,
     InvalidNodeNameException,
     InvalidTopicNameException,
-    RCLInvalidROSArgsError,
-    UnknownROSArgsError,
-)
-from tfloom.node.values.names import (
     expand_topic_name,
     validate_namespace,
     validate_node_name,
@@ -23,7 +20,14 @@ from tfloom.node.values.names import (
 )
 from tfloom.node.values.scalars import parse_value
 
-__all__ = ["Arguments", "RemapRule", "parse_arguments", "remove_ros_args"]
+__all__ = [
+    "Arguments",
+    "RCLInvalidROSArgsError",
+    "RemapRule",
+    "UnknownROSArgsError",
+    "parse_arguments",
+    "remove_ros_args",
+]
 
 _FLAGS = {
     "--enable-rosout-logs": ("rosout_logs", True),
@@ -46,6 +50,21 @@ _TAKES_VALUE = {
     "--enclave": "enclave",
 }
 _NODE_PREFIX = re.compile(r"([A-Za-z_][A-Za-z0-9_]*):(?!=|//)")
+
+
+class RCLInvalidROSArgsError(RCLError):
+    """An argument behind `--ros-args` can't be understood."""
+
+    def __init__(self, why: str) -> None:
+        super().__init__(f"Failed to parse ROS arguments: {why}")
+
+
+class UnknownROSArgsError(RuntimeError):
+    """Something behind `--ros-args` is no ROS argument."""
+
+    def __init__(self, unknown: list[str]) -> None:
+        super().__init__(f"Found unknown ROS arguments: [{', '.join(repr(word) for word in unknown)}]")
+        self.unknown = unknown
 
 
 class RemapRule(NamedTuple):

@@ -9,21 +9,24 @@ import weakref
 from collections import deque
 from collections.abc import Callable
 from types import MethodType, TracebackType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from tfloom._native import keep_other_threads_out
 from tfloom.node.context.arguments import Arguments, parse_arguments
-from tfloom.node.executing.executor_exceptions import ExternalShutdownException
 from tfloom.node.log import log_output
 from tfloom.node.log.log_file import LogFile
-from tfloom.node.values.exceptions import NotInitializedException, RCLError, ROSInterruptException
+from tfloom.node.values.exceptions import (
+    ExternalShutdownException,
+    NotInitializedException,
+    RCLError,
+    ROSInterruptException,
+)
 from tfloom.node.values.handle import Handle
 
 if TYPE_CHECKING:
     from typing_extensions import Self
 
     from tfloom._native import ReadyQueue
-    from tfloom.node.node import Node
     from tfloom.rmw.base import NodeName, Participant
 
 __all__ = ["Context"]
@@ -44,6 +47,13 @@ class StoppedException(NotInitializedException, ExternalShutdownException):
         Exception.__init__(self, "a signal has shut the context down")
 
 
+class DestroyableNode(Protocol):
+    """A node, as far as a context destroys it."""
+
+    def destroy_node(self) -> None:
+        """Leave the graph."""
+
+
 class Context:
     """One life of the library: its arguments, its domain, and whether it is still on.
 
@@ -62,7 +72,7 @@ class Context:
         self._queues: list[ReadyQueue] = []
         self._participant: Participant | None = None
         self._nodes = 0
-        self._abandoned: deque[Node] = deque()
+        self._abandoned: deque[DestroyableNode] = deque()
         self._domain_id: int | None = None
         self._arguments = Arguments()
 
@@ -249,7 +259,7 @@ class Context:
             self._nodes += 1
             return self._participant
 
-    def abandon(self, node: Node) -> None:
+    def abandon(self, node: DestroyableNode) -> None:
         """Take in a node that nobody holds any more, to be destroyed when another joins, or at shutdown.
 
         The garbage collector calls this amid anything, under whatever lock: so not at once.

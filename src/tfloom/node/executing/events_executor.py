@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from tfloom.node.executing.executor import Executor, ExternalShutdownException
+from tfloom.node.executing.executor import Executor
+from tfloom.node.values.exceptions import ExternalShutdownException
 
 __all__ = ["EventsExecutor"]
 

@@ -1,69 +1,58 @@
-"""What all executors are: they wait for entities that have something to do, and run their callbacks.
-
-Entities post tokens to one queue; no set of things to wait for is built, however many there are. In each pass an
-executor takes one thing from each entity that posted, and looks at an entity again as long as it had something.
-"""
+"""The base of all executors: nodes come and go, and callbacks run while one thread spins."""
 
 from __future__ import annotations
 
 import threading
 import time
-from collections import deque
-from collections.abc import Callable, Coroutine
-from itertools import count
+from collections.abc import Callable
 from types import CoroutineType, TracebackType
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, Protocol
 
-from tfloom._native import ReadyQueue
-from tfloom.node.context.context import WAKE, Context
+from tfloom.node.context.context import Context
 from tfloom.node.context.utilities import get_default_context, timeout_sec_to_nsec
-from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from tfloom.node.executing.executor_exceptions import (
     ConditionReachedException,
-    ExternalShutdownException,
     ShutdownException,
     TimeoutException,
     TimeoutObject,
 )
 from tfloom.node.executing.running_work import RunningWork
 from tfloom.node.executing.task import Future, Task
-from tfloom.node.executing.timer_schedule import TimerSchedule
+from tfloom.node.executing.work_queue import Work, WorkQueue
+from tfloom.node.values.exceptions import ExternalShutdownException
 
 if TYPE_CHECKING:
     from typing_extensions import Self
 
-    from tfloom.node.executing.callback_groups import CallbackGroup
     from tfloom.node.executing.entity import Entity
     from tfloom.node.executing.waitable import Waitable
-    from tfloom.node.node import Node
 
-__all__ = [
-    "ConditionReachedException",
-    "Executor",
-    "ExternalShutdownException",
-    "ShutdownException",
-    "TimeoutException",
-    "TimeoutObject",
-    "Work",
-]
-
-T = TypeVar("T")
-_FREED_BY_AN_END = (MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup)
-"""Groups that let others in when a callback has ended, and never else."""
-
-MOST_AT_ONCE = 1000
-"""How much an entity may have run on the thread that spins before others have their turn."""
+__all__ = ["Executor", "SpunNode"]
 
 
-class Work(NamedTuple):
-    """A callback that may begin: its group has been told so."""
+class SpunNode(Protocol):
+    """A node, as far as executors need one."""
 
-    entity: Entity | None
-    taken: Any
-    """What the entity gave; without entity, a Task."""
+    executor: Executor | None
+    """The executor that the node is in."""
+
+    def entities(self) -> list[Entity]:
+        """Return all that the executor is to run."""
+
+    def get_name(self) -> str:
+        """Return the node's name."""
+
+    def get_namespace(self) -> str:
+        """Return the node's namespace."""
+
+    def get_fully_qualified_name(self) -> str:
+        """Return namespace and name."""
+
+    def destroy_node(self) -> None:
+        """Leave the executor and the graph."""
 
 
-class Executor:
+class Executor(WorkQueue):
     """Runs the callbacks of the nodes added to it, while one of its `spin` methods is called.
 
     Nodes, and their entities, may come and go from any thread at any time. One thread at a time may spin.
@@ -73,24 +62,17 @@ class Executor:
     """
 
     def __init__(self, *, context: Context | None = None) -> None:
+        super().__init__()
         self._context = context or get_default_context()
-        self._queue = ReadyQueue()
         self._context.add_queue(self._queue)
-        self._lock = threading.RLock()
         self._spinning = threading.RLock()
-        self._nodes: list[Node] = []
-        self._entities: dict[int, Entity] = {}
-        self._tokens: dict[Entity, int] = {}
-        self._polled: list[int] = []
-        self._tasks: dict[int, Task[Any]] = {}
-        self._numbers = count(WAKE + 1)
-        self._ready: deque[int] = deque()
-        self._refused: list[int] = []
-        self._held: dict[int, Any] = {}
-        self._pass_left = 0
-        self._timers = TimerSchedule()
+        """Held by the thread that spins."""
+        self._nodes: list[SpunNode] = []
+        """The nodes that were added. Guarded by `_lock`."""
         self._is_shutdown = False
+        """Set once, by `shutdown`, without a lock."""
         self._running = RunningWork()
+        """The threads that run callbacks now."""
 
     @property
     def context(self) -> Context:
@@ -99,7 +81,7 @@ class Executor:
 
     # Nodes and entities
 
-    def add_node(self, node: Node) -> bool:
+    def add_node(self, node: SpunNode) -> bool:
         """Run a node's callbacks from now on; False if they are already. A node is in one executor at a time."""
         with self._lock:
             if self._is_shutdown:
@@ -112,7 +94,7 @@ class Executor:
             self.add_entity(entity)
         return True
 
-    def remove_node(self, node: Node) -> None:
+    def remove_node(self, node: SpunNode) -> None:
         """Run a node's callbacks no more."""
         with self._lock:
             if node not in self._nodes:
@@ -123,73 +105,12 @@ class Executor:
         if node.executor is self:
             node.executor = None
 
-    def get_nodes(self) -> list[Node]:
+    def get_nodes(self) -> list[SpunNode]:
         """Return the nodes that were added."""
         with self._lock:
             return list(self._nodes)
 
-    def add_entity(self, entity: Entity) -> None:
-        """Run an entity; nodes call it for what they create."""
-        with self._lock:
-            if entity in self._tokens:
-                return
-            token = next(self._numbers)
-            self._tokens[entity] = token
-            self._entities[token] = entity
-            if entity.is_polled:
-                self._polled = [*self._polled, token]
-        entity.attach(self._queue, token)
-
-    def remove_entity(self, entity: Entity) -> None:
-        """Run an entity no more; what it has posted is ignored."""
-        with self._lock:
-            token = self._tokens.pop(entity, None)
-            if token is None:
-                return
-            del self._entities[token]
-            self._held.pop(token, None)
-            if entity.is_polled:
-                self._polled = [each for each in self._polled if each != token]
-            entity.detach()
-
-    def create_task(
-        self, callback: Callable[..., T] | Coroutine[Any, Any, T], *args: Any, **kwargs: Any
-    ) -> Task[T]:
-        """Have a function or coroutine run; the task is a future of its result.
-
-        An exception in it is raised from `spin` too, as a callback's is.
-        """
-        task: Task[T] = Task(callback, args, kwargs, executor=self)
-        self._queue.post(self._keep_task(task))
-        return task
-
-    def create_future(self) -> Future[Any]:
-        """Return a future whose callbacks run as tasks of this executor."""
-        return Future(executor=self)
-
-    def _keep_task(self, task: Task[Any]) -> int:
-        """Have a task go on here whenever it can, until it is complete; return its token."""
-        token = next(self._numbers)
-        queue, tasks = self._queue, self._tasks
-
-        def forget() -> None:
-            tasks.pop(token, None)
-
-        task.on_resume(lambda: queue.post(token))
-        tasks[token] = task
-        task.when_complete(forget)
-        return token
-
     # Waiting
-
-    def wake(self) -> None:
-        """End the wait of whatever spins, for it to look again at what it waits for."""
-        self._queue.post(WAKE)
-
-    def can_execute(self, entity: Entity) -> bool:
-        """Return whether the group of an entity lets its callback begin now."""
-        group = entity.callback_group if entity.goes_by_group else None
-        return group is None or group.can_execute(entity)
 
     def would_wait_for_itself(self) -> bool:
         """Return whether this is called from a callback, while nothing else takes in what comes."""
@@ -197,7 +118,7 @@ class Executor:
 
     def wait_for_ready_callbacks(
         self, timeout_sec: float | None = None, condition: Callable[[], bool] | None = None
-    ) -> tuple[Task[Any], Entity | Waitable | None, Node | None]:
+    ) -> tuple[Task[Any], Entity | Waitable | None, SpunNode | None]:
         """Wait for a callback that may begin; for executors of a program's own, which then call the task.
 
         The callback's group counts it as begun. A task that awaits comes again when it can go on.
@@ -264,126 +185,6 @@ class Executor:
                 raise TimeoutException
             waited = True
             has_response = self._collect(end_ns)
-
-    def _has_room(self) -> bool:
-        """Return whether one more callback may be run now."""
-        return True
-
-    def _work_of_this_pass(self) -> Work | None:
-        while self._pass_left:
-            self._pass_left -= 1
-            work = self._begin(self._ready.popleft())
-            if work is not None:
-                return work
-        return None
-
-    def _collect(self, end_ns: int | None) -> bool:
-        """Wait for posts and timers, not beyond `end_ns`, and begin a new pass over all that is ready.
-
-        Returns:
-            Whether responses came; they are taken in already.
-        """
-        has_response = False
-        if self._refused:
-            self._ask_again()
-        tokens = self._queue.wait(self._wait_ns(end_ns))
-        for token in tokens:
-            entity = self._entities.get(token)
-            if entity is None:
-                if token != WAKE:
-                    self._ready.append(token)
-            elif not entity.goes_by_group:
-                has_response |= self._run_here(entity, token)
-            elif entity.is_timed and not entity.is_polled and (due_ns := entity.deadline_ns()) is not None:
-                self._timers.set(token, due_ns)  # timers have their turns by their deadlines alone
-            else:
-                self._ready.append(token)
-        self._ready.extend(self._timers.take_due(time.monotonic_ns()))
-        if self._polled:
-            self._ready.extend(token for token in self._polled if token not in tokens)
-        self._pass_left = len(self._ready)
-        return has_response
-
-    def _ask_again(self) -> None:
-        """Make ready again what a group refused and would let run now."""
-        refused, self._refused = dict.fromkeys(self._refused), []
-        for token in refused:
-            entity = self._entities.get(token)
-            if entity is not None:
-                (self._ready if self.can_execute(entity) else self._refused).append(token)
-
-    def _run_here(self, entity: Entity, token: int) -> bool:
-        """Run what runs no callback of the program's at once, on the thread that spins; False if there is none."""
-        for number in range(MOST_AT_ONCE):
-            taken = entity.take()
-            if taken is None:
-                return number > 0
-            entity.run(taken)
-        self._queue.post(token)
-        return True
-
-    def _wait_ns(self, end_ns: int | None) -> int:
-        if self._ready and self._has_room():
-            return 0
-        ends = [end for end in (end_ns, self._timers.next_ns()) if end is not None]
-        return max(0, min(ends) - time.monotonic_ns()) if ends else -1
-
-    def _begin(self, token: int) -> Work | None:
-        entity = self._entities.get(token)
-        if entity is None:
-            task = self._tasks.get(token)
-            return None if task is None else Work(None, task)
-        taken = self._take(entity, token)
-        return None if taken is None else Work(entity, taken)
-
-    def _take(self, entity: Entity, token: int) -> Any:
-        """Begin a callback in its group and take what it is to run with; None if it may not, or has nothing to run."""
-        group = entity.callback_group
-        if group is not None and type(group) not in _FREED_BY_AN_END:
-            return self._take_if_asked(group, entity, token)
-        if group is not None and not group.beginning_execution(entity):
-            group.park(lambda: self._queue.post(token))
-            if group.can_execute(entity):  # it ended in between
-                group.release_parked()
-            return None
-        taken = None
-        try:
-            taken = entity.take()
-        finally:
-            if taken is None:
-                self._end(entity)
-        self._look_again(entity, token, taken)
-        return taken
-
-    def _take_if_asked(self, group: CallbackGroup, entity: Entity, token: int) -> Any:
-        """Do as `_take` with a group of the program's own: it hears of beginnings only where there is something to run.
-
-        What it refuses it is asked about again each time the executor wakes, as it may change its mind unasked.
-        """
-        if not group.can_execute(entity):
-            self._refused.append(token)
-            return None
-        taken = self._held.pop(token, None)
-        if taken is None:
-            taken = entity.take()
-            self._look_again(entity, token, taken)
-        if taken is not None and not group.beginning_execution(entity):
-            self._held[token] = taken
-            self._refused.append(token)
-            return None
-        return taken
-
-    def _look_again(self, entity: Entity, token: int, taken: Any) -> None:
-        if entity.is_timed:
-            self._timers.set(token, entity.deadline_ns())
-        elif taken is not None:
-            self._ready.append(token)
-
-    def _end(self, entity: Entity) -> None:
-        group = entity.callback_group
-        if group is not None:
-            group.ending_execution(entity)
-            group.release_parked()
 
     # Running
 

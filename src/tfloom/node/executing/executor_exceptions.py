@@ -4,7 +4,6 @@ from __future__ import annotations
 
 __all__ = [
     "ConditionReachedException",
-    "ExternalShutdownException",
     "ShutdownException",
     "TimeoutException",
     "TimeoutObject",
@@ -19,13 +18,6 @@ class TimeoutException(Exception):
 
 class ShutdownException(Exception):
     """The executor was shut down."""
-
-
-class ExternalShutdownException(Exception):
-    """The context was shut down while an executor was at work."""
-
-    def __init__(self) -> None:
-        super().__init__("the context was shut down, by a signal or by another thread")
 
 
 class ConditionReachedException(Exception):

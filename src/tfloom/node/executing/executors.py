@@ -10,25 +10,18 @@ from typing import Any, TypeVar
 
 from tfloom.node.context.context import Context
 from tfloom.node.context.utilities import get_default_context
-from tfloom.node.executing.executor import (
+from tfloom.node.executing.executor import Executor
+from tfloom.node.executing.executor_exceptions import (
     ConditionReachedException,
-    Executor,
-    ExternalShutdownException,
     ShutdownException,
     TimeoutException,
-    TimeoutObject,
-    Work,
 )
+from tfloom.node.executing.signals import never_strike_in
+from tfloom.node.executing.work_queue import Work
 
 __all__ = [
-    "ConditionReachedException",
-    "Executor",
-    "ExternalShutdownException",
     "MultiThreadedExecutor",
-    "ShutdownException",
     "SingleThreadedExecutor",
-    "TimeoutException",
-    "TimeoutObject",
     "WaitableEntityType",
     "await_or_execute",
     "get_global_executor",
@@ -60,8 +53,6 @@ class MultiThreadedExecutor(Executor):
         super().__init__(context=context)
         import os
         from concurrent.futures import thread
-
-        from tfloom.node.executing.signals import never_strike_in
 
         # The pool's threads would never end after an exception between two lines of its `submit`.
         never_strike_in(thread.__file__)

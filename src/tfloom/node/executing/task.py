@@ -6,14 +6,18 @@ import sys
 import threading
 import weakref
 from collections.abc import Callable, Coroutine, Generator, Iterable, Mapping
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import Any, Generic, Protocol, TypeVar
 
-if TYPE_CHECKING:
-    from tfloom.node.executing.executor import Executor
-
-__all__ = ["Future", "Task"]
+__all__ = ["Future", "Task", "TaskRunner"]
 
 T = TypeVar("T")
+
+
+class TaskRunner(Protocol):
+    """What a future needs of an executor."""
+
+    def create_task(self, callback: Callable[..., Any], /, *args: Any) -> Any:
+        """Call `callback(*args)` on a thread that runs callbacks."""
 
 
 class Future(Generic[T]):
@@ -23,7 +27,7 @@ class Future(Generic[T]):
     if there is one; else at once, on the thread that completes the future.
     """
 
-    def __init__(self, *, executor: Executor | None = None) -> None:
+    def __init__(self, *, executor: TaskRunner | None = None) -> None:
         self._done = False
         self._cancelled = False
         self._result: T | None = None
@@ -32,7 +36,7 @@ class Future(Generic[T]):
         self._callbacks: list[Callable[[Future[T]], Any]] = []
         self._resumers: list[Callable[[], None]] = []
         self._lock = threading.RLock()
-        self._executor: weakref.ref[Executor] | None = None
+        self._executor: weakref.ref[TaskRunner] | None = None
         self.set_executor(executor)
 
     def __del__(self) -> None:
@@ -120,7 +124,7 @@ class Future(Generic[T]):
                 return
         resume()
 
-    def set_executor(self, executor: Executor | None) -> None:
+    def set_executor(self, executor: TaskRunner | None) -> None:
         """Have callbacks run as tasks of `executor`; None: at once, by whoever completes the future."""
         self._executor = None if executor is None else weakref.ref(executor)
 
@@ -158,7 +162,7 @@ class Task(Future[T]):
         handler: Callable[..., T] | Callable[..., Coroutine[Any, Any, T]] | Coroutine[Any, Any, T],
         args: Iterable[Any] | None = None,
         kwargs: Mapping[str, Any] | None = None,
-        executor: Executor | None = None,
+        executor: TaskRunner | None = None,
     ) -> None:
         super().__init__(executor=executor)
         self._coroutine: Coroutine[Any, Any, T] | None = None

@@ -7,9 +7,9 @@ import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from tfloom.node.clock.clock import Clock, ClockChange, JumpHandle, JumpThreshold, ROSClock, TimeJump
+from tfloom.node.clock.clock import Clock, JumpHandle, ROSClock
+from tfloom.node.clock.time_jump import ANY_JUMP, SOURCE_CHANGES, TimeJump
 from tfloom.node.executing.entity import Entity
-from tfloom.node.values.duration import Duration
 from tfloom.node.values.exceptions import InvalidHandle, ROSInterruptException
 from tfloom.node.values.handle import Handle
 
@@ -19,9 +19,6 @@ if TYPE_CHECKING:
     from tfloom.node.executing.callback_groups import CallbackGroup
 
 __all__ = ["Rate", "Timer"]
-
-_ANY_JUMP = JumpThreshold(min_forward=Duration(nanoseconds=1), min_backward=Duration(nanoseconds=-1))
-_SOURCE_CHANGES = (ClockChange.ROS_TIME_ACTIVATED, ClockChange.ROS_TIME_DEACTIVATED)
 
 
 class Timer(Entity):
@@ -70,7 +67,7 @@ class Timer(Entity):
         self._jump_handle: JumpHandle | None = None
         if isinstance(clock, ROSClock):
             self._jump_handle = clock.create_jump_callback(
-                _ANY_JUMP, pre_callback=self._before_jump, post_callback=self._after_jump
+                ANY_JUMP, pre_callback=self._before_jump, post_callback=self._after_jump
             )
         self._before_jump_ns = self._last_ns
 
@@ -199,7 +196,7 @@ class Timer(Entity):
     def _after_jump(self, jump: TimeJump) -> None:
         with self._lock:
             now_ns = self._now_ns()
-            if jump.clock_change in _SOURCE_CHANGES:
+            if jump.clock_change in SOURCE_CHANGES:
                 # What was left of the period is left of it on the new source too.
                 shift_ns = now_ns - self._before_jump_ns
                 self._last_ns += shift_ns

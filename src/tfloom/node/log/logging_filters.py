@@ -6,9 +6,9 @@ import time
 from types import CodeType
 from typing import Any, NamedTuple
 
-from tfloom.node.clock.clock import Clock
 from tfloom.node.log.logging_severity import LoggingSeverity
 from tfloom.node.values.constants import S_TO_NS
+from tfloom.node.values.readable_clock import ReadableClock
 
 __all__ = ["CallState", "CallerId", "make_state"]
 
@@ -49,7 +49,7 @@ class CallState:
         once: bool,
         skip_first: bool,
         period_s: float | None,
-        clock: Clock | None,
+        clock: ReadableClock | None,
     ) -> None:
         self.severity = severity
         self._once = once
@@ -95,7 +95,7 @@ def make_state(severity: LoggingSeverity, options: dict[str, Any]) -> CallState:
             'required parameter "throttle_duration_sec" not specified but is required for the the logging filter '
             '"throttle"'
         )
-    if clock is not None and not isinstance(clock, Clock):
+    if clock is not None and not isinstance(clock, ReadableClock):
         raise TypeError(
             f"Received throttle_time_source_type of '{type(clock).__name__}' is not a Clock instance"
         )

@@ -4,23 +4,23 @@ from __future__ import annotations
 
 import re
 
-from tfloom.node.values.exceptions import (
-    InvalidNamespaceException,
-    InvalidNodeNameException,
-    InvalidServiceNameException,
-    InvalidTopicNameException,
-)
+# ROS's own names end in "Exception".
+# ruff: noqa: N818
 
 __all__ = [
     "HIDDEN_TOPIC_PREFIX",
     "TOPIC_SEPARATOR_STRING",
+    "InvalidNamespaceException",
+    "InvalidNodeNameException",
+    "InvalidServiceNameException",
+    "InvalidTopicNameException",
+    "NameValidationException",
     "expand_topic_name",
     "full_node_name",
     "topic_or_service_is_hidden",
     "validate_full_topic_name",
     "validate_namespace",
     "validate_node_name",
-    "validate_parameter_name",
     "validate_topic_name",
 ]
 
@@ -34,6 +34,52 @@ NODE_NAME_LIMIT = 255
 
 _Finding = tuple[str, int]
 _SUBSTITUTION = re.compile(r"\{([^{}]*)\}")
+
+
+class NameValidationException(Exception):
+    """A name that ROS doesn't allow.
+
+    Attributes:
+        name_type: What the name was for, e.g. "node name".
+        name: The name.
+        error_msg: Why it isn't allowed.
+        invalid_index: Where in it, from 0.
+    """
+
+    def __init__(self, name_type: str, name: str, error_msg: str, invalid_index: int) -> None:
+        super().__init__(f"Invalid {name_type}: {error_msg}:\n  '{name}'\n   {' ' * invalid_index}^")
+        self.name_type = name_type
+        self.name = name
+        self.error_msg = error_msg
+        self.invalid_index = invalid_index
+
+
+class InvalidNamespaceException(NameValidationException):
+    """A namespace that isn't valid."""
+
+    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
+        super().__init__("namespace", name, error_msg, invalid_index)
+
+
+class InvalidNodeNameException(NameValidationException):
+    """A node's name that isn't valid."""
+
+    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
+        super().__init__("node name", name, error_msg, invalid_index)
+
+
+class InvalidTopicNameException(NameValidationException):
+    """A topic's name that isn't valid."""
+
+    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
+        super().__init__("topic name", name, error_msg, invalid_index)
+
+
+class InvalidServiceNameException(NameValidationException):
+    """A service's name that isn't valid."""
+
+    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
+        super().__init__("service name", name, error_msg, invalid_index)
 
 
 def _first(pattern: str, text: str) -> int | None:
@@ -176,19 +222,6 @@ def _raise_for(name: str, found: _Finding | None, is_service: bool) -> bool:
     if found is None:
         return True
     raise (InvalidServiceNameException if is_service else InvalidTopicNameException)(name, *found)
-
-
-def validate_parameter_name(name: str) -> bool:
-    """Return True for a valid name of a parameter: any text that isn't empty.
-
-    Raises:
-        InvalidParameterException: it is empty.
-    """
-    from tfloom.node.values.exceptions import InvalidParameterException
-
-    if not name:
-        raise InvalidParameterException(name)
-    return True
 
 
 def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> str:
