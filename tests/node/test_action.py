@@ -24,8 +24,7 @@ from tfloom.node.context.context import Context
 from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
-from tfloom.node.values.exceptions import RCLError
-from tfloom.node.values.type_support import NoTypeSupportImportedException
+from tfloom.node.values.exceptions import NoTypeSupportImportedException, RCLError
 
 Finish = Callable[[Future[Any]], Any]
 

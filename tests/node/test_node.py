@@ -16,13 +16,17 @@ from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import QoSPolicyKind, QoSProfile, qos_profile_rosout_default, qos_profile_sensor_data
 from tfloom.node.qos.qos_overriding_options import InvalidQosOverridesError, QoSOverridingOptions
-from tfloom.node.values.exceptions import InvalidHandle, NotInitializedException, RCLError
+from tfloom.node.values.exceptions import (
+    InvalidHandle,
+    NotInitializedException,
+    NoTypeSupportImportedException,
+    RCLError,
+)
 from tfloom.node.values.names import (
     InvalidNamespaceException,
     InvalidNodeNameException,
     InvalidTopicNameException,
 )
-from tfloom.node.values.type_support import NoTypeSupportImportedException
 from tfloom.node.wait_for_message import wait_for_message
 from tfloom.rosidl import cdr
 

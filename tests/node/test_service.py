@@ -19,9 +19,8 @@ from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreade
 from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import QoSProfile
-from tfloom.node.values.exceptions import InvalidHandle
+from tfloom.node.values.exceptions import InvalidHandle, NoTypeSupportImportedException
 from tfloom.node.values.names import InvalidServiceNameException
-from tfloom.node.values.type_support import NoTypeSupportImportedException
 
 MakeNode = Callable[..., Node]
 SpinUntil = Callable[..., None]

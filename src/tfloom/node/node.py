@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from tfloom.node.base.node_base import MsgType, NodeBase
-from tfloom.node.builtin.logging_service import LoggingService
 from tfloom.node.builtin.parameter_service import ParameterService
 from tfloom.node.builtin.rosout import Rosout
 from tfloom.node.builtin.time_source import TimeSource
@@ -102,6 +101,9 @@ class Node(NodeBase):
             if start_parameter_services:
                 ParameterService(self)
             if enable_logger_service:
+                # Imported here because it is off by default, and start-up time is a feature.
+                from tfloom.node.builtin.logging_service import LoggingService
+
                 LoggingService(self)
             TypeDescriptionService(self)
         except BaseException:

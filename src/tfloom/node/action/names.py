@@ -6,7 +6,7 @@ import os
 from typing import Any
 
 from tfloom.interfaces.unique_identifier_msgs.msg import UUID
-from tfloom.node.values.type_support import NoTypeSupportImportedException
+from tfloom.node.values.exceptions import NoTypeSupportImportedException
 from tfloom.rosidl.service import Action
 
 __all__ = [

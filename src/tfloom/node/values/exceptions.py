@@ -2,6 +2,7 @@
 
 Exception
 ├── InvalidHandle
+├── NoTypeSupportImportedException
 ├── NotInitializedException
 ├── ROSInterruptException
 ├── ExternalShutdownException
@@ -16,6 +17,7 @@ from __future__ import annotations
 __all__ = [
     "ExternalShutdownException",
     "InvalidHandle",
+    "NoTypeSupportImportedException",
     "NodeNameNonExistentError",
     "NotInitializedException",
     "RCLError",
@@ -51,6 +53,13 @@ class ExternalShutdownException(Exception):
 
     def __init__(self) -> None:
         super().__init__("the context was shut down, by a signal or by another thread")
+
+
+class NoTypeSupportImportedException(Exception):
+    """The class given as a message type is none."""
+
+    def __init__(self) -> None:
+        super().__init__("no type_support imported")
 
 
 class RCLError(RuntimeError):

@@ -4,23 +4,16 @@ from __future__ import annotations
 
 from typing import Any
 
+from tfloom.node.values.exceptions import NoTypeSupportImportedException
 from tfloom.rmw.base import Service, Topic
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.service import Service as ServiceType
 
 __all__ = [
-    "NoTypeSupportImportedException",
     "check_for_type_support",
     "check_is_valid_msg_type",
     "check_is_valid_srv_type",
 ]
-
-
-class NoTypeSupportImportedException(Exception):  # noqa: N818  # ROS's own name
-    """The class given as a message type is none."""
-
-    def __init__(self) -> None:
-        super().__init__("no type_support imported")
 
 
 def check_for_type_support(msg_or_srv_type: Any) -> None:

@@ -41,6 +41,7 @@ from tfloom.node.values.exceptions import (
     InvalidHandle,
     NodeNameNonExistentError,
     NotInitializedException,
+    NoTypeSupportImportedException,
     RCLError,
     ROSInterruptException,
     TimerCancelledError,
@@ -52,7 +53,6 @@ from tfloom.node.values.names import (
     InvalidTopicNameException,
     NameValidationException,
 )
-from tfloom.node.values.type_support import NoTypeSupportImportedException
 
 __all__ = [
     "InvalidHandle",
