@@ -164,7 +164,7 @@ def get_global_executor() -> Executor:
 
 
 @contextmanager
-def _added(node: Node, executor: Executor) -> Iterator[None]:
+def _temporarily_added(node: Node, executor: Executor) -> Iterator[None]:
     """Have a node in an executor.
 
     Who is in it already, and may be spun right now, stays there; who is taken from another goes back to it.
@@ -191,14 +191,14 @@ def spin(node: Node, executor: Executor | None = None) -> None:
         Exception: whatever a callback raises.
     """
     executor = executor or get_global_executor()
-    with _added(node, executor):
+    with _temporarily_added(node, executor):
         executor.spin()
 
 
 def spin_once(node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
     """Wait for one callback and run it; return without one after `timeout_sec` [s] (None: never)."""
     executor = executor or get_global_executor()
-    with _added(node, executor):
+    with _temporarily_added(node, executor):
         executor.spin_once(timeout_sec=timeout_sec)
 
 
@@ -207,5 +207,5 @@ def spin_until_future_complete(
 ) -> None:
     """Run a node's callbacks until a future is done, or `timeout_sec` [s] are over (None: never)."""
     executor = executor or get_global_executor()
-    with _added(node, executor):
+    with _temporarily_added(node, executor):
         executor.spin_until_future_complete(future, timeout_sec)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tfloom.node.context.arguments import RCLInvalidROSArgsError, UnknownROSArgsError
-from tfloom.node.endpoints.endpoint import Endpoint, TakingEnd
+from tfloom.node.endpoints.endpoint import Endpoint, TakingEndpoint
 from tfloom.node.executing import guard_condition, timer
 from tfloom.node.executing.event_handler import UnsupportedEventTypeError
 from tfloom.node.executing.signals import SignalHandlerOptions
@@ -19,7 +19,7 @@ from tfloom.node.values.exceptions import (
     RCLError,
     TimerCancelledError,
 )
-from tfloom.node.values.handle import Handle, thing_of
+from tfloom.node.values.handle import Handle, unwrap_handle
 from tfloom.node.values.type_support import (
     check_is_valid_msg_type,
     check_is_valid_srv_type,
@@ -72,7 +72,7 @@ class GuardCondition(guard_condition.GuardCondition):
     """A guard condition for a wait set: triggered by the program, with no callback of its own."""
 
     def __init__(self, context: Context | Handle) -> None:
-        super().__init__(None, None, thing_of(context))
+        super().__init__(None, None, unwrap_handle(context))
 
     def destroy_when_not_in_use(self) -> None:
         """Trigger no more."""
@@ -86,7 +86,7 @@ class Timer(timer.Timer):
         self, clock: Clock | Handle, context: Context | Handle, period_nsec: int, autostart: bool = True
     ) -> None:
         super().__init__(
-            None, None, period_nsec, thing_of(clock), context=thing_of(context), autostart=autostart
+            None, None, period_nsec, unwrap_handle(clock), context=unwrap_handle(context), autostart=autostart
         )
 
     def call_timer(self) -> None:
@@ -120,16 +120,16 @@ class Timer(timer.Timer):
         self.destroy()
 
 
-class _WaitedEnd(Endpoint[TakingEnd]):
+class _WaitedEndpoint(Endpoint[TakingEndpoint]):
     """An end on the wire that a wait set waits for, and the program takes from. Its node's end is its own."""
 
-    def __init__(self, endpoint: TakingEnd, name: str, node: NodeBase) -> None:
+    def __init__(self, endpoint: TakingEndpoint, name: str, node: NodeBase) -> None:
         super().__init__(endpoint, name)
         self._warning = ThrottledWarning(node.get_logger())
         self._seen: Any = None
 
     @property
-    def endpoint(self) -> TakingEnd:
+    def endpoint(self) -> TakingEndpoint:
         """The end on the wire."""
         return self._endpoint
 
@@ -171,7 +171,7 @@ class _WaitedEnd(Endpoint[TakingEnd]):
         self.destroy()
 
 
-class Subscription(_WaitedEnd[Reader]):
+class Subscription(_WaitedEndpoint[Reader]):
     """A subscription for a wait set."""
 
     _kind = "subscription"
@@ -180,7 +180,7 @@ class Subscription(_WaitedEnd[Reader]):
         self, node: NodeBase | Handle, pymsg_type: type[Message], topic: str, pyqos_profile: QoSProfile
     ) -> None:
         check_is_valid_msg_type(pymsg_type)
-        owner = thing_of(node)
+        owner = unwrap_handle(node)
         name = owner.resolve_topic_name(topic)
         wire_topic = topic_of(pymsg_type, name, is_native=pyqos_profile.avoid_ros_namespace_conventions)
         reader = owner._open(  # noqa: SLF001  # the one door for what no executor runs
@@ -204,7 +204,7 @@ class Subscription(_WaitedEnd[Reader]):
         }
 
 
-class Service(_WaitedEnd[Responder]):
+class Service(_WaitedEndpoint[Responder]):
     """A server for a wait set."""
 
     _kind = "service"
@@ -217,7 +217,7 @@ class Service(_WaitedEnd[Responder]):
         pyqos_profile: QoSProfile,
     ) -> None:
         check_is_valid_srv_type(pysrv_type)
-        owner = thing_of(node)
+        owner = unwrap_handle(node)
         name = owner.resolve_service_name(service_name)
         service = service_of(pysrv_type, name)
         responder = owner._open(  # noqa: SLF001
@@ -235,7 +235,7 @@ class Service(_WaitedEnd[Responder]):
         self._alive().endpoint.send(header.request_id, cdr.encode(pyresponse))
 
 
-class Client(_WaitedEnd[Requester]):
+class Client(_WaitedEndpoint[Requester]):
     """A client for a wait set."""
 
     _kind = "client"
@@ -248,7 +248,7 @@ class Client(_WaitedEnd[Requester]):
         pyqos_profile: QoSProfile,
     ) -> None:
         check_is_valid_srv_type(pysrv_type)
-        owner = thing_of(node)
+        owner = unwrap_handle(node)
         name = owner.resolve_service_name(service_name)
         service = service_of(pysrv_type, name)
         requester = owner._open(  # noqa: SLF001

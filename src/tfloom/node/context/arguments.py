@@ -1,4 +1,4 @@
-"""What stands behind `--ros-args` on a command line."""
+"""ROS arguments: the part of a command line behind `--ros-args`."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ class RCLInvalidROSArgsError(RCLError):
 
 
 class UnknownROSArgsError(RuntimeError):
-    """Something behind `--ros-args` is no ROS argument."""
+    """A word behind `--ros-args` is no ROS argument."""
 
     def __init__(self, unknown: list[str]) -> None:
         super().__init__(f"Found unknown ROS arguments: [{', '.join(repr(word) for word in unknown)}]")
@@ -80,7 +80,7 @@ class RemapRule(NamedTuple):
 
 
 class Arguments:
-    """The ROS arguments of a command line, and what is left of it."""
+    """The ROS arguments of a command line, and the rest of it."""
 
     def __init__(self) -> None:
         self.remaps: list[RemapRule] = []
@@ -96,7 +96,7 @@ class Arguments:
         self.rest: list[str] = []
 
     def over(self, others: Arguments) -> Arguments:
-        """Return both together, with these first in all that they say."""
+        """Return both together; where both say something, these win."""
         both = Arguments()
         both.remaps = self.remaps + others.remaps
         both.parameters = others.parameters + self.parameters

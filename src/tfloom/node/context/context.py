@@ -1,4 +1,4 @@
-"""One life of the library in a process: from `init` to `shutdown`."""
+"""Contexts: the state of the library from `init` to `shutdown`."""
 
 from __future__ import annotations
 
@@ -32,15 +32,15 @@ if TYPE_CHECKING:
 __all__ = ["Context"]
 
 WAKE = 0
-"""The token that only wakes an executor."""
+"""The token that wakes an executor, and is no entity's."""
 
 _contexts: weakref.WeakSet[Context] = weakref.WeakSet()
 
 
 class StoppedException(NotInitializedException, ExternalShutdownException):
-    """A signal has shut the context down, so nothing can be begun on it.
+    """A signal has shut the context down, so no node can be created on it.
 
-    It is an ExternalShutdownException too: who expects that of `spin` need not think of what comes before.
+    It is an ExternalShutdownException, too, so that code that catches what `spin` raises covers node creation.
     """
 
     def __init__(self) -> None:
@@ -55,7 +55,7 @@ class DestroyableNode(Protocol):
 
 
 class Context:
-    """One life of the library: its arguments, its domain, and whether it is still on.
+    """The state of the library from `init` to `shutdown`: arguments, domain, and the participant on the wire.
 
     Nodes of a context share one participant on the wire, opened with the first of them and closed when the
     context is shut down and the last of them is destroyed, or when the program ends.
@@ -65,21 +65,30 @@ class Context:
 
     def __init__(self) -> None:
         self._lock = threading.RLock()
+        """Guards all below, but for what a signal handler touches: it may interrupt code that holds the lock."""
         self._initialized = False
+        """Set once, by `init`."""
         self._valid = False
+        """True from `init` to shutdown. Cleared by a signal handler without the lock, and read without it."""
         self._interrupted = False
+        """Set by a signal handler, before it clears `_valid`, without the lock."""
         self._hooks: list[Callable[[], Any]] = []
+        """Called at shutdown, once."""
         self._queues: list[ReadyQueue] = []
+        """Queues of executors. Replaced, never changed, because a signal handler iterates over them."""
         self._participant: Participant | None = None
+        """Opened with the first node."""
         self._nodes = 0
+        """How many nodes are on the participant."""
         self._abandoned: deque[DestroyableNode] = deque()
+        """Nodes that the garbage collector has found. Appended and popped without the lock."""
         self._domain_id: int | None = None
         self._arguments = Arguments()
 
     def init(
         self, args: list[str] | None = None, *, initialize_logging: bool = True, domain_id: int | None = None
     ) -> None:
-        """Begin. A context lives once.
+        """Initialise the context; this can be done once.
 
         Args:
             args: Command line, program's name first or not; None: `sys.argv`. Its ROS arguments hold for all nodes.
@@ -114,7 +123,7 @@ class Context:
 
     @property
     def handle(self) -> Handle:
-        """What stands for the library's own context."""
+        """Proxy of the context, for code that expects rclpy's C handle."""
         return Handle(self)
 
     def get_domain_id(self) -> int:
@@ -142,13 +151,13 @@ class Context:
         return self._interrupted
 
     def explains(self, error: BaseException) -> bool:
-        """Return whether an error says no more than that a signal has shut the context down amid its use."""
+        """Return whether an error is a consequence of the context being shut down by a signal."""
         return self._interrupted and isinstance(
             error, (RCLError, NotInitializedException, ROSInterruptException)
         )
 
     def shutdown(self) -> None:
-        """End: whatever spins stops, and the callbacks of `on_shutdown` are called, here.
+        """Shut down: spinning ends, and the callbacks of `on_shutdown` are called on this thread.
 
         Raises:
             RuntimeError: before `init`.
@@ -160,7 +169,7 @@ class Context:
             raise RCLError("failed to shutdown: rcl_shutdown already called on the given context")
 
     def try_shutdown(self) -> bool:
-        """End as `shutdown` does, and tell whether it was this call that did it."""
+        """Shut down unless it is done already; return whether this call did it."""
         with self._lock:
             if not self._valid:
                 return False
@@ -172,7 +181,7 @@ class Context:
         return True
 
     def interrupt(self) -> None:
-        """End from a signal handler: takes no lock that the interrupted code may hold.
+        """Shut down from a signal handler: take no lock, because the interrupted code may hold it.
 
         The callbacks of `on_shutdown` are called on a thread of their own.
         """
@@ -183,7 +192,7 @@ class Context:
             _thread.start_new_thread(self._run_hooks, ())
 
     def on_shutdown(self, callback: Callable[[], Any]) -> None:
-        """Have `callback()` called at shutdown; at once if that has come. A method doesn't keep its object alive.
+        """Call `callback()` at shutdown, at once if it is over. A bound method doesn't keep its object alive.
 
         Raises:
             TypeError: `callback` isn't callable.
@@ -205,7 +214,7 @@ class Context:
             self.add_shutdown_hook(callback)
 
     def add_shutdown_hook(self, hook: Callable[[], Any]) -> None:
-        """Have `hook()` called at shutdown, until `remove_shutdown_hook`; at once if shutdown has come."""
+        """Call `hook()` at shutdown, until `remove_shutdown_hook`; at once if shutdown is over."""
         with self._lock:
             if not self.is_over():
                 self._hooks.append(hook)
@@ -239,7 +248,7 @@ class Context:
             _call(hook)
 
     def join(self, node: NodeName) -> Participant:
-        """Show a node on the graph, and return the participant it is to use.
+        """Add a node to the graph, and return the participant for it.
 
         Raises:
             NotInitializedException: the context isn't initialised, or shut down.
@@ -260,9 +269,9 @@ class Context:
             return self._participant
 
     def abandon(self, node: DestroyableNode) -> None:
-        """Take in a node that nobody holds any more, to be destroyed when another joins, or at shutdown.
+        """Destroy an unreferenced node later: when another joins, or at shutdown.
 
-        The garbage collector calls this amid anything, under whatever lock: so not at once.
+        Not at once, because the garbage collector calls this on any thread, which may hold any lock.
         """
         self._abandoned.append(node)
 
@@ -271,7 +280,7 @@ class Context:
             self._abandoned.popleft().destroy_node()
 
     def leave(self, node: NodeName) -> None:
-        """Take a node off the graph."""
+        """Remove a node from the graph."""
         with self._lock:
             if self._participant is not None:
                 self._participant.remove_node(node)
@@ -290,7 +299,7 @@ class Context:
             participant.close()
 
     def destroy(self) -> None:
-        """Shut down if need be, and leave the wire with all that is still there."""
+        """Shut down unless it is done already, and close the participant with all its nodes."""
         self.try_shutdown()
         self._close_participant()
         self._nodes = 0

@@ -1,4 +1,4 @@
-"""The default context, and the small functions that go by it."""
+"""The default context, and the functions that use it."""
 
 from __future__ import annotations
 
@@ -23,11 +23,12 @@ __all__ = [
 ]
 
 _lock = threading.RLock()
+"""Guards `_default_context`."""
 _default_context: Context | None = None
 
 
 def get_default_context(*, shutting_down: bool = False) -> Context:
-    """Return the context used where none is given; one that is shutting down is the default no more."""
+    """Return the context used where none is given; `shutting_down` makes place for a new one."""
     global _default_context  # noqa: PLW0603  # this is its one place
     with _lock:
         if _default_context is None:
@@ -54,7 +55,7 @@ def shutdown(*, context: Context | None = None) -> None:
 
 
 def try_shutdown(*, context: Context | None = None) -> None:
-    """Shut a context down if it isn't yet. The default context makes place for a new one."""
+    """Shut a context down unless it is already; the next default context is a new one."""
     (context or get_default_context(shutting_down=True)).try_shutdown()
 
 

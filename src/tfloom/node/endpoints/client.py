@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from tfloom._native import ReadyQueue
 from tfloom.node.endpoints.endpoint import UNREADABLE
-from tfloom.node.endpoints.service import ServiceEnd, SrvType, SrvTypeRequest, SrvTypeResponse
+from tfloom.node.endpoints.service import ServiceEndpoint, SrvType, SrvTypeRequest, SrvTypeResponse
 from tfloom.node.endpoints.service_introspection import Introspection
 from tfloom.node.executing.task import Future
 from tfloom.node.qos.qos import QoSProfile
@@ -31,7 +31,7 @@ __all__ = ["Client", "SrvType", "SrvTypeRequest", "SrvTypeResponse"]
 _LOOK_AGAIN_NS = S_TO_NS // 10
 
 
-class Client(ServiceEnd["Requester"]):
+class Client(ServiceEndpoint["Requester"]):
     """Calls a service; `Node.create_client` makes one.
 
     Responses are taken in by the executor that spins the node.
@@ -69,7 +69,7 @@ class Client(ServiceEnd["Requester"]):
         self._context = context
         self._executor = executor
         self._logger = logger
-        self._told_obstacle = ""
+        self._reported_obstacle = ""
         self._lock = threading.Lock()
         self._pending: dict[int, Future[Any]] = {}
 
@@ -148,8 +148,8 @@ class Client(ServiceEnd["Requester"]):
         if self._endpoint.is_ready():
             return True
         obstacle = self._endpoint.obstacle()
-        if obstacle and obstacle != self._told_obstacle:
-            self._told_obstacle = obstacle
+        if obstacle and obstacle != self._reported_obstacle:
+            self._reported_obstacle = obstacle
             self._logger.warning(obstacle)
         return False
 

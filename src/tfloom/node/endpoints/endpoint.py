@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from tfloom.node.log.rcutils_logger import RcutilsLogger
     from tfloom.rosidl.message import Message
 
-__all__ = ["UNREADABLE", "Endpoint", "Receiver", "TakingEnd"]
+__all__ = ["UNREADABLE", "Endpoint", "Receiver", "TakingEndpoint"]
 
 UNREADABLE = object()
 """What was taken where something came that couldn't be read: there is nothing to run, but more may wait."""
@@ -51,7 +51,7 @@ class Takes(Closes, Protocol):
 
 
 End = TypeVar("End", bound=Closes)
-TakingEnd = TypeVar("TakingEnd", bound=Takes)
+TakingEndpoint = TypeVar("TakingEndpoint", bound=Takes)
 
 
 class Endpoint(Generic[End]):
@@ -101,7 +101,7 @@ class Endpoint(Generic[End]):
         self.destroy()
 
 
-class Receiver(Endpoint[TakingEnd], Entity):
+class Receiver(Endpoint[TakingEndpoint], Entity):
     """An end on the wire whose callback an executor runs with what comes.
 
     Args:
@@ -115,7 +115,7 @@ class Receiver(Endpoint[TakingEnd], Entity):
     """What comes, and its preposition, for texts."""
 
     def __init__(
-        self, endpoint: TakingEnd, name: str, incoming_type: type[Message], logger: RcutilsLogger
+        self, endpoint: TakingEndpoint, name: str, incoming_type: type[Message], logger: RcutilsLogger
     ) -> None:
         super().__init__(endpoint, name)
         self._incoming_type = incoming_type

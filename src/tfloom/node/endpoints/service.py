@@ -6,7 +6,7 @@ from collections.abc import Callable, Coroutine
 from types import CoroutineType
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from tfloom.node.endpoints.endpoint import UNREADABLE, Receiver, TakingEnd
+from tfloom.node.endpoints.endpoint import UNREADABLE, Receiver, TakingEndpoint
 from tfloom.node.endpoints.service_introspection import Introspection, ServiceIntrospectionState
 from tfloom.node.executing.task import Future
 from tfloom.node.qos.qos import QoSProfile
@@ -20,19 +20,19 @@ if TYPE_CHECKING:
     from tfloom.rmw.base import Request, RequestId, Responder
     from tfloom.rosidl.message import Message
 
-__all__ = ["Service", "ServiceEnd", "SrvType", "SrvTypeRequest", "SrvTypeResponse"]
+__all__ = ["Service", "ServiceEndpoint", "SrvType", "SrvTypeRequest", "SrvTypeResponse"]
 
 SrvType = TypeVar("SrvType", bound=ServiceType)
 SrvTypeRequest = TypeVar("SrvTypeRequest")
 SrvTypeResponse = TypeVar("SrvTypeResponse")
 
 
-class ServiceEnd(Receiver[TakingEnd]):
+class ServiceEndpoint(Receiver[TakingEndpoint]):
     """What servers and clients have in common."""
 
     def __init__(
         self,
-        endpoint: TakingEnd,
+        endpoint: TakingEndpoint,
         srv_type: type[ServiceType],
         srv_name: str,
         qos_profile: QoSProfile,
@@ -74,7 +74,7 @@ class ServiceEnd(Receiver[TakingEnd]):
         super().destroy()
 
 
-class Service(ServiceEnd["Responder"]):
+class Service(ServiceEndpoint["Responder"]):
     """Answers requests with what its callback returns; `Node.create_service` makes one.
 
     The callback may return the future of a response: others of its group run meanwhile. A coroutine, by contrast,
@@ -147,7 +147,7 @@ class Service(ServiceEnd["Responder"]):
         request, header = taken
         response = self.callback(request, self.srv_type.Response())
         if isinstance(response, CoroutineType):
-            return self._send_later(response, header)
+            return self._send_when_done(response, header)
         if isinstance(response, Future):
             response.when_complete(lambda: self._send_result(response, header))
         else:
@@ -158,5 +158,5 @@ class Service(ServiceEnd["Responder"]):
         if not self._destroyed and future.done():
             self.send_response(future.result(), header)
 
-    async def _send_later(self, response: Coroutine[Any, Any, Any], header: RequestId) -> None:
+    async def _send_when_done(self, response: Coroutine[Any, Any, Any], header: RequestId) -> None:
         self.send_response(await response, header)

@@ -145,7 +145,7 @@ class Executor(WorkQueue):
                 return entity.run(taken)
 
         task: Task[Any] = Task(run, executor=self)
-        self._keep_task(task)
+        self._register_task(task)
         task.when_complete(lambda: self._end(entity))
         node = next((node for node in self.get_nodes() if entity in node.entities()), None)
         return task, getattr(entity, "waitable", entity), node
@@ -213,13 +213,13 @@ class Executor(WorkQueue):
             if not isinstance(outcome, CoroutineType):
                 self._end(entity)
         if isinstance(outcome, CoroutineType):
-            self._go_on_with(entity, outcome)
+            self._continue_coroutine(entity, outcome)
 
-    def _go_on_with(self, entity: Entity, outcome: CoroutineType[Any, Any, Any]) -> None:
+    def _continue_coroutine(self, entity: Entity, outcome: CoroutineType[Any, Any, Any]) -> None:
         """Run the coroutine that a callback is up to where it waits; its group counts it until its end."""
         task: Task[Any] = Task(outcome, executor=self)
         task.when_complete(lambda: self._end(entity))
-        self._keep_task(task)
+        self._register_task(task)
         self._run_task(task)
 
     def _run_task(self, task: Task[Any]) -> None:

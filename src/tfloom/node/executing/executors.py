@@ -16,7 +16,7 @@ from tfloom.node.executing.executor_exceptions import (
     ShutdownException,
     TimeoutException,
 )
-from tfloom.node.executing.signals import never_strike_in
+from tfloom.node.executing.signals import defer_keyboard_interrupt_in
 from tfloom.node.executing.work_queue import Work
 
 __all__ = [
@@ -55,7 +55,7 @@ class MultiThreadedExecutor(Executor):
         from concurrent.futures import thread
 
         # The pool's threads would never end after an exception between two lines of its `submit`.
-        never_strike_in(thread.__file__)
+        defer_keyboard_interrupt_in(thread.__file__)
         if num_threads is None:
             num_threads = os.cpu_count() or 1
         self._num_threads = max(num_threads, 2) if num_threads != 1 else 1
@@ -74,11 +74,11 @@ class MultiThreadedExecutor(Executor):
 
         with suppress(TimeoutException, ShutdownException, ConditionReachedException):
             work = self._wait_for_work(timeout_sec, stop, until_response=True)
-            self._hand_out(work)
+            self._submit(work)
         if self._errors:
             raise self._errors.popleft()
 
-    def _hand_out(self, work: Work) -> None:
+    def _submit(self, work: Work) -> None:
         with self._busy_lock:
             self._busy += 1
         try:

@@ -13,7 +13,7 @@ from typing import Any
 
 from tfloom.node.context.context import Context, live_contexts
 from tfloom.node.executing.guard_condition import GuardCondition
-from tfloom.node.values.handle import thing_of
+from tfloom.node.values.handle import unwrap_handle
 
 __all__ = [
     "SignalHandlerGuardCondition",
@@ -36,7 +36,7 @@ class SignalHandlerOptions(IntFlag):
 ECHO_S = 0.5
 """A Ctrl-C that follows one this soon is the same one: launchers send it to a process and to its group [s]."""
 
-_not_to_strike = {weakref.__file__, _weakrefset.__file__}
+_uninterruptible_files = {weakref.__file__, _weakrefset.__file__}
 """The files of code that an exception out of nowhere would break, or that would drop it."""
 
 _interrupted_at = -ECHO_S
@@ -57,7 +57,7 @@ def _on_signal(number: int, frame: FrameType | None) -> None:
     for guard in _guards:
         guard.trigger()
     previous = _previous.get(signal.Signals(number))
-    if contexts and number == signal.SIGINT and not _may_strike(frame):
+    if contexts and number == signal.SIGINT and not _may_interrupt(frame):
         return  # whatever spins ends in any case
     if callable(previous) and number not in _handled_now:
         _handled_now.add(number)  # whoever came after us may call us in turn
@@ -72,7 +72,7 @@ class SignalHandlerGuardCondition(GuardCondition):
 
     def __init__(self, context: Context | None = None) -> None:
         global _guards  # noqa: PLW0603  # this and `destroy` are its places
-        super().__init__(None, None, thing_of(context))
+        super().__init__(None, None, unwrap_handle(context))
         _guards = (*_guards, self)
 
     def destroy(self) -> None:
@@ -85,21 +85,21 @@ class SignalHandlerGuardCondition(GuardCondition):
 _guards: tuple[SignalHandlerGuardCondition, ...] = ()
 
 
-def _may_strike(frame: FrameType | None) -> bool:
+def _may_interrupt(frame: FrameType | None) -> bool:
     """Return whether an exception raised now does no harm.
 
     While an object is being deleted Python would print and drop it; other code would be left with a lock taken.
     """
     while frame is not None:
-        if frame.f_code.co_name == "__del__" or frame.f_code.co_filename in _not_to_strike:
+        if frame.f_code.co_name == "__del__" or frame.f_code.co_filename in _uninterruptible_files:
             return False
         frame = frame.f_back
     return True
 
 
-def never_strike_in(file: str) -> None:
+def defer_keyboard_interrupt_in(file: str) -> None:
     """Raise no KeyboardInterrupt amid the functions of a Python file, as long as there is a context to shut down."""
-    _not_to_strike.add(file)
+    _uninterruptible_files.add(file)
 
 
 def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:

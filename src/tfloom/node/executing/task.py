@@ -185,9 +185,9 @@ class Task(Future[T]):
         finally:
             self._step_lock.release()
         if waits_for is not None:
-            waits_for.when_complete(self._go_on)
+            waits_for.when_complete(self._notify_runnable)
         elif not self._done and not self._cancelled:
-            self._go_on()
+            self._notify_runnable()
 
     def on_resume(self, resume: Callable[[], None]) -> None:
         """Have `resume()` called, on whichever thread, when a coroutine that waited can go on."""
@@ -230,6 +230,6 @@ class Task(Future[T]):
             self.set_exception(exc)
         return None
 
-    def _go_on(self) -> None:
+    def _notify_runnable(self) -> None:
         if self._resume is not None:
             self._resume()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Protocol
 
-from tfloom.node.values.handle import thing_of
+from tfloom.node.values.handle import unwrap_handle
 
 if TYPE_CHECKING:
     from tfloom._native import ReadyQueue
@@ -43,7 +43,7 @@ class WaitSet:
                 f"a wait set can't wait for {waited!r}: give it a {kind} of "
                 "rclpy.impl.implementation_singleton.rclpy_implementation"
             )
-        self._waited[kind].append(thing_of(waited))
+        self._waited[kind].append(unwrap_handle(waited))
         return len(self._waited[kind]) - 1
 
     def add_subscription(self, subscription: Waited) -> int:

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 __all__ = ["Work", "WorkQueue"]
 
 T = TypeVar("T")
-_FREED_BY_AN_END = (MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup)
+_GROUPS_FREED_ON_COMPLETION = (MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup)
 """Groups that let others in when a callback has ended, and never else."""
 
 MOST_AT_ONCE = 1000
@@ -45,7 +45,7 @@ class WorkQueue:
     """Takes from entities, and from tasks that can go on, what is to run next.
 
     Entities may come and go from any thread. The thread that spins alone calls the methods with an underscore, but
-    for `_end` and `_keep_task`, which any thread may call.
+    for `_end` and `_register_task`, which any thread may call.
     """
 
     def __init__(self) -> None:
@@ -106,14 +106,14 @@ class WorkQueue:
         An exception in it is raised from `spin` too, as a callback's is.
         """
         task: Task[T] = Task(callback, args, kwargs, executor=self)
-        self._queue.post(self._keep_task(task))
+        self._queue.post(self._register_task(task))
         return task
 
     def create_future(self) -> Future[Any]:
         """Return a future whose callbacks run as tasks of this executor."""
         return Future(executor=self)
 
-    def _keep_task(self, task: Task[Any]) -> int:
+    def _register_task(self, task: Task[Any]) -> int:
         """Have a task go on here whenever it can, until it is complete; return its token."""
         token = next(self._numbers)
         queue, tasks = self._queue, self._tasks
@@ -155,7 +155,7 @@ class WorkQueue:
         """
         has_response = False
         if self._refused:
-            self._ask_again()
+            self._retry_refused()
         tokens = self._queue.wait(self._wait_ns(end_ns))
         for token in tokens:
             entity = self._entities.get(token)
@@ -163,7 +163,7 @@ class WorkQueue:
                 if token != WAKE:
                     self._ready.append(token)
             elif not entity.goes_by_group:
-                has_response |= self._run_here(entity, token)
+                has_response |= self._run_on_spinning_thread(entity, token)
             elif entity.is_timed and not entity.is_polled and (due_ns := entity.deadline_ns()) is not None:
                 self._timers.set(token, due_ns)  # timers have their turns by their deadlines alone
             else:
@@ -174,7 +174,7 @@ class WorkQueue:
         self._pass_left = len(self._ready)
         return has_response
 
-    def _ask_again(self) -> None:
+    def _retry_refused(self) -> None:
         """Make ready again what a group refused and would let run now."""
         refused, self._refused = dict.fromkeys(self._refused), []
         for token in refused:
@@ -182,7 +182,7 @@ class WorkQueue:
             if entity is not None:
                 (self._ready if self.can_execute(entity) else self._refused).append(token)
 
-    def _run_here(self, entity: Entity, token: int) -> bool:
+    def _run_on_spinning_thread(self, entity: Entity, token: int) -> bool:
         """Run what runs no callback of the program's at once, on the thread that spins; False if there is none."""
         for number in range(MOST_AT_ONCE):
             taken = entity.take()
@@ -209,8 +209,8 @@ class WorkQueue:
     def _take(self, entity: Entity, token: int) -> Any:
         """Begin a callback in its group and take what it is to run with; None if it may not, or has nothing to run."""
         group = entity.callback_group
-        if group is not None and type(group) not in _FREED_BY_AN_END:
-            return self._take_if_asked(group, entity, token)
+        if group is not None and type(group) not in _GROUPS_FREED_ON_COMPLETION:
+            return self._take_with_consent(group, entity, token)
         if group is not None and not group.beginning_execution(entity):
             group.park(lambda: self._queue.post(token))
             if group.can_execute(entity):  # it ended in between
@@ -222,10 +222,10 @@ class WorkQueue:
         finally:
             if taken is None:
                 self._end(entity)
-        self._look_again(entity, token, taken)
+        self._reschedule(entity, token, taken)
         return taken
 
-    def _take_if_asked(self, group: CallbackGroup, entity: Entity, token: int) -> Any:
+    def _take_with_consent(self, group: CallbackGroup, entity: Entity, token: int) -> Any:
         """Do as `_take` with a group of the program's own: it hears of beginnings only where there is something to run.
 
         What it refuses it is asked about again each time the executor wakes, as it may change its mind unasked.
@@ -236,14 +236,14 @@ class WorkQueue:
         taken = self._held.pop(token, None)
         if taken is None:
             taken = entity.take()
-            self._look_again(entity, token, taken)
+            self._reschedule(entity, token, taken)
         if taken is not None and not group.beginning_execution(entity):
             self._held[token] = taken
             self._refused.append(token)
             return None
         return taken
 
-    def _look_again(self, entity: Entity, token: int, taken: Any) -> None:
+    def _reschedule(self, entity: Entity, token: int, taken: Any) -> None:
         if entity.is_timed:
             self._timers.set(token, entity.deadline_ns())
         elif taken is not None:

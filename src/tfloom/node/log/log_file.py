@@ -20,7 +20,7 @@ __all__ = ["LogFile", "log_directory"]
 class LogFile:
     """A file of log lines, opened with the first of them.
 
-    Where it can't be opened, the console is told so once, and that is all.
+    If it can't be opened, one line on the console says so, and nothing is written.
 
     Args:
         name: Its name before the process id; None: the program's.

@@ -62,7 +62,7 @@ class Record:
         r"""Return `template` with each known `{token}` put in; others stay as they are.
 
         Known: severity, name, message, time (seconds), time_as_nanoseconds, date_time_with_ms, file_name,
-        function_name, line_number. Of the template itself, two characters that stand for a control character
+        function_name, line_number. In the template itself, two characters that denote a control character
         (`\n`, `\t`, `\r`, `\a`, `\b`) become that, and `\x1b` an escape.
         """
         if template == DEFAULT_FORMAT:
@@ -102,6 +102,7 @@ class Record:
 
 
 _lock = threading.RLock()
+"""Guards changes of the names below; records are written without it, from what they hold at that moment."""
 _levels: dict[str, LoggingSeverity] = {"": LoggingSeverity.INFO}
 _effective: dict[str, LoggingSeverity] = {}
 _file: LogFile | None = None
@@ -155,7 +156,7 @@ def configure(*, file: LogFile | None, console: bool) -> None:
 
 
 def add_listener(name: str, listener: Callable[[Record], None]) -> None:
-    """Hand each record of a logger, and of those below it, to `listener` too, on the thread that logs."""
+    """Call `listener` with each record of a logger and of those below it, on the thread that logs."""
     with _lock:
         _listeners[name] = [*_listeners.get(name, ()), listener]
 

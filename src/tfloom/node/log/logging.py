@@ -51,7 +51,7 @@ def clear_config() -> None:
 
 
 def set_logger_level(name: str, level: LoggingSeverity | int, detailed_error: bool = False) -> None:  # noqa: ARG001
-    """Set the level of a logger; UNSET goes by the names above it again.
+    """Set the level of a logger; UNSET takes the level of the names above it again.
 
     Raises:
         ValueError: `level` is no severity.

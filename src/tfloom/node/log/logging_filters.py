@@ -1,4 +1,4 @@
-"""What lets a call of a logger through: once, skip the first, at most one in so long."""
+"""Filters of logger calls: once, skip the first, at most one in a period."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class CallerId(NamedTuple):
 
 
 class CallState:
-    """What the filters of one place remember from call to call."""
+    """State of the filters at one place of a program, from call to call."""
 
     __slots__ = ("_clock", "_first", "_last_ns", "_once", "_period_ns", "_skip_first", "severity")
 
@@ -60,7 +60,7 @@ class CallState:
         self._last_ns: int | None = None
 
     def lets_through(self) -> bool:
-        """Return whether this call is to be logged, and take note of it."""
+        """Return whether this call is to be logged, and count it."""
         first, self._first = self._first, False
         if self._once and not first:
             return False
@@ -77,7 +77,7 @@ class CallState:
 
 
 def make_state(severity: LoggingSeverity, options: dict[str, Any]) -> CallState:
-    """Check the options of a call of a logger, and return what its filters start from.
+    """Check the options of a logger call, and return the first state of its filters.
 
     Raises:
         TypeError: an option is unknown, misses its companion, or has a value of the wrong type.

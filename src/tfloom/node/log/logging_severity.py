@@ -8,7 +8,7 @@ __all__ = ["LoggingSeverity"]
 
 
 class LoggingSeverity(IntEnum):
-    """How bad it is; the numbers are those of `rcl_interfaces/msg/Log`."""
+    """Severity of a log record; the numbers are those of `rcl_interfaces/msg/Log`."""
 
     UNSET = 0
     DEBUG = 10

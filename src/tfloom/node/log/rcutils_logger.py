@@ -44,7 +44,7 @@ class RcutilsLogger:
         return RcutilsLogger(f"{self.name}.{name}" if self.name else name)
 
     def set_level(self, level: LoggingSeverity | int) -> None:
-        """Log only what is at least this severe; UNSET goes by the names above again."""
+        """Log only what is at least this severe; UNSET takes the level of the names above again."""
         log_output.set_level(self.name, LoggingSeverity(level))
 
     def get_effective_level(self) -> LoggingSeverity:
@@ -92,7 +92,7 @@ class RcutilsLogger:
     def _log(self, message: object, severity: LoggingSeverity, options: dict[str, Any]) -> bool:
         if severity < log_output.effective_level(self.name) and not options:
             return False
-        frame = sys._getframe(2)  # noqa: SLF001  # whoever called info() and the like
+        frame = sys._getframe(2)  # noqa: SLF001  # the caller of info() and the like
         name = options.pop("name", self.name) if options else self.name
         if options:
             caller = CallerId(frame.f_code, frame.f_lineno, frame.f_lasti)

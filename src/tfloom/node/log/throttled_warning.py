@@ -12,18 +12,18 @@ if TYPE_CHECKING:
 __all__ = ["ThrottledWarning"]
 
 PERIOD_S = 1.0
-"""The least time between two of them [s]."""
+"""The least time between two warnings [s]."""
 
 
 class ThrottledWarning:
-    """Warns once in a while, and drops the warnings between."""
+    """Logs at most one warning each `PERIOD_S`, and drops the others."""
 
     def __init__(self, logger: RcutilsLogger) -> None:
         self._logger = logger
         self._last_s = -math.inf
 
     def log(self, text: str) -> None:
-        """Warn, unless it was done a moment ago."""
+        """Log a warning, unless the last one is less than `PERIOD_S` ago."""
         now_s = time.monotonic()
         if now_s - self._last_s >= PERIOD_S:
             self._last_s = now_s

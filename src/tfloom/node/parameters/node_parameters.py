@@ -96,7 +96,7 @@ class NodeParameters(DeclaredParameters):
         Raises:
             TypeError: a tuple isn't of that form.
             ValueError: a type is NOT_SET, or given together with dynamic typing.
-            ParameterException: as from `declare_parameter`; what stood before in the list is declared then.
+            ParameterException: as from `declare_parameter`; those before it in the list are declared then.
         """
         declarations = read_declarations(namespace, parameters)
         with self.__parameters_lock:
@@ -126,7 +126,7 @@ class NodeParameters(DeclaredParameters):
         raise InvalidParameterValueException(parameter.name, parameter.value, result.reason)
 
     def undeclare_parameter(self, name: str) -> None:
-        """Take a parameter away.
+        """Remove a parameter.
 
         Raises:
             ParameterNotDeclaredException: it isn't declared.
@@ -199,7 +199,7 @@ class NodeParameters(DeclaredParameters):
         *,
         check_read_only: bool = False,
     ) -> rcl_msg.SetParametersResult:
-        """Set parameters that their descriptors and all callbacks allow, and tell everybody."""
+        """Set parameters that their descriptors and all callbacks allow, and publish the change."""
         for parameter in parameters:
             reason = check_against_descriptor(
                 parameter, descriptors[parameter.name], check_read_only=check_read_only
@@ -263,29 +263,29 @@ class NodeParameters(DeclaredParameters):
             if self.describe_parameter(name).read_only:
                 raise ParameterImmutableException(name)
             current = self._parameters[name]
-            wanted = current
+            target = current
             if alternative_value is not None:
                 as_msg = rcl_msg.Parameter(name=name, value=alternative_value)
-                wanted = Parameter.from_parameter_msg(as_msg)
+                target = Parameter.from_parameter_msg(as_msg)
             if not descriptor.dynamic_typing and descriptor.type == ParameterType.NOT_SET.value:
-                descriptor.type = wanted.type_.value
-            result = self.__apply([wanted], {name: descriptor})
+                descriptor.type = target.type_.value
+            result = self.__apply([target], {name: descriptor})
             if not result.successful:
-                raise InvalidParameterValueException(name, wanted.value, result.reason)
+                raise InvalidParameterValueException(name, target.value, result.reason)
             return self._parameters[name].get_parameter_value()
 
     # Callbacks
 
     def add_pre_set_parameters_callback(self, callback: _PreCallback) -> None:
-        """Have `callback(parameters)` give the list that is to be set instead of each that is; last added first."""
+        """Set what `callback(parameters)` returns instead of the given list; the last added is called first."""
         self.__pre_set_callbacks.insert(0, callback)
 
     def add_on_set_parameters_callback(self, callback: _SetCallback) -> None:
-        """Have `callback(parameters)` allow or refuse each setting, declarations too; last added first."""
+        """Set only what `callback(parameters)` accepts, declarations too; the last added is called first."""
         self.__on_set_callbacks.insert(0, callback)
 
     def add_post_set_parameters_callback(self, callback: _PostCallback) -> None:
-        """Have `callback(parameters)` told of each setting that is done; last added first."""
+        """Call `callback(parameters)` after each setting; the last added is called first."""
         self.__post_set_callbacks.insert(0, callback)
 
     def remove_pre_set_parameters_callback(self, callback: _PreCallback) -> None:

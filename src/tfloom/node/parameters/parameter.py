@@ -193,7 +193,7 @@ def parameter_dict_from_yaml_file(
 
     Args:
         parameter_file: The YAML file.
-        use_wildcard: Whether what is there for `/**` counts too.
+        use_wildcard: Whether values for `/**` count, too.
         target_nodes: Full names of the nodes to read; None: all.
         namespace: Joined to each name by a dot.
 
@@ -203,15 +203,17 @@ def parameter_dict_from_yaml_file(
         RuntimeError: a target node isn't in it.
     """
     rules = read_parameter_file(parameter_file)
-    wanted = None if target_nodes is None else [full_node_name("/", node.strip("/")) for node in target_nodes]
-    if wanted is not None and not use_wildcard:
-        missing = [node for node in wanted if all(rule.node != node for rule in rules)]
+    targets = (
+        None if target_nodes is None else [full_node_name("/", node.strip("/")) for node in target_nodes]
+    )
+    if targets is not None and not use_wildcard:
+        missing = [node for node in targets if all(rule.node != node for rule in rules)]
         if missing:
             raise RuntimeError(f"Param file does not contain any valid parameters for {', '.join(missing)}")
     found: dict[str, rcl_msg.Parameter] = {}
     for rule in rules:
         is_wild = "*" in rule.node
-        if use_wildcard if is_wild else wanted is None or rule.node in wanted:
+        if use_wildcard if is_wild else targets is None or rule.node in targets:
             name = f"{namespace}{PARAMETER_SEPARATOR_STRING}{rule.name}" if namespace else rule.name
             found[name] = Parameter(name, value=rule.value).to_parameter_msg()
     return found

@@ -1,4 +1,4 @@
-"""Values for parameters of nodes to come, and the YAML files they stand in."""
+"""First values of parameters, and the YAML files that give them."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ class ParameterRule(NamedTuple):
     """A parameter's value for the nodes that a pattern names."""
 
     node: str
-    """Full name of a node; `*` stands for one part of it, `**` for any number."""
+    """Full name of a node; `*` matches one part of it, `**` any number of parts."""
     name: str
     value: Any
 
     def is_for(self, full_name: str) -> bool:
-        """Return whether the node of this full name is meant."""
+        """Return whether the pattern matches this full name."""
         if self.node == "/**":
             return True
         parts = (

@@ -1,4 +1,4 @@
-"""What a parameter's descriptor allows."""
+"""Checks of a parameter's value against its descriptor."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from tfloom.node.parameters.parameter import Parameter, ParameterType
 __all__ = ["check_against_descriptor"]
 
 RELATIVE_TOLERANCE = 1e-6
-"""How far off a step or an end of a range a floating-point value may be, relative to it."""
+"""Relative tolerance of floating-point values at steps and ends of a range."""
 
 
 def check_against_descriptor(

@@ -1,4 +1,4 @@
-"""What can be destroyed."""
+"""The type of objects that are destroyed when they are not in use."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ __all__ = ["DestroyableType"]
 
 
 class DestroyableType(Protocol):
-    """Something to be destroyed when nobody uses it any more."""
+    """An object with the destructor of rclpy's compiled half."""
 
     def destroy_when_not_in_use(self) -> None:
         """Destroy it."""

@@ -45,7 +45,7 @@ class Duration:
         return self._ns
 
     def get_c_duration(self) -> DurationType:
-        """Return what stands for the library's own duration: this object."""
+        """Return this object, in the place of rclpy's C duration."""
         return self
 
     def to_msg(self) -> builtin_msg.Duration:

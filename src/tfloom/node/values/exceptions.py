@@ -49,7 +49,7 @@ class ROSInterruptException(Exception):
 
 
 class ExternalShutdownException(Exception):
-    """The context was shut down while an executor was at work."""
+    """The context was shut down while an executor was spinning."""
 
     def __init__(self) -> None:
         super().__init__("the context was shut down, by a signal or by another thread")

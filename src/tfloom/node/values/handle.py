@@ -1,4 +1,4 @@
-"""What the `handle` properties give: programs write `with node.handle:`, and pass it on."""
+"""The proxy that `handle` properties return: programs write `with node.handle:`, and pass it on."""
 
 from __future__ import annotations
 
@@ -9,24 +9,24 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
-__all__ = ["Handle", "thing_of"]
+__all__ = ["Handle", "unwrap_handle"]
 
 T = TypeVar("T")
 
 
 class Handle:
-    """Stands for an object of the library's own, of which there is none: has all that the thing itself has.
+    """Proxy returned by `.handle`. tfloom has no C handle, so attributes are forwarded.
 
-    Other than the thing, it may be used in a `with` that leaves the thing as it is.
+    Leaving a `with` of it destroys nothing.
     """
 
-    __slots__ = ("_thing",)
+    __slots__ = ("_target",)
 
-    def __init__(self, thing: Any) -> None:
-        self._thing = thing
+    def __init__(self, target: Any) -> None:
+        self._target = target
 
     def __getattr__(self, name: str) -> Any:
-        return getattr(self._thing, name)
+        return getattr(self._target, name)
 
     def __enter__(self) -> Self:
         return self
@@ -34,12 +34,12 @@ class Handle:
     def __exit__(
         self, t: type[BaseException] | None, v: BaseException | None, tb: TracebackType | None
     ) -> None:
-        """Leave the thing as it is."""
+        """Do nothing."""
 
     def __repr__(self) -> str:
-        return f"<Handle of {self._thing!r}>"
+        return f"<Handle of {self._target!r}>"
 
 
-def thing_of(handle: T | Handle) -> T:
-    """Return the thing that a handle stands for; anything else as it is."""
-    return cast("T", handle._thing) if isinstance(handle, Handle) else handle  # noqa: SLF001  # ours
+def unwrap_handle(handle: T | Handle) -> T:
+    """Return the object behind a handle, and anything else unchanged."""
+    return cast("T", handle._target) if isinstance(handle, Handle) else handle  # noqa: SLF001  # ours

@@ -1,4 +1,4 @@
-"""Names of nodes, namespaces, topics and services: what is valid, and what a relative one stands for."""
+"""Names of nodes, namespaces, topics and services: what is valid, and the full name of a relative one."""
 
 from __future__ import annotations
 
@@ -225,7 +225,7 @@ def _raise_for(name: str, found: _Finding | None, is_service: bool) -> bool:
 
 
 def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> str:
-    """Return the full name that `topic_name` stands for in a node.
+    """Return the full name of `topic_name` in a node.
 
     Args:
         topic_name: Absolute names stay; relative ones go below the namespace, `~/x` below the node. `{node}` is the
