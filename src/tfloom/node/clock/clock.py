@@ -57,7 +57,7 @@ class JumpHandle:
         clock.add_jump_handle(self)
 
     def unregister(self) -> None:
-        """Call the callbacks no more."""
+        """Stop the calls."""
         if self._clock is not None:
             self._clock.remove_jump_handle(self)
             self._clock = None
@@ -200,7 +200,7 @@ class ROSClock(Clock):
         return self._is_active
 
     def set_ros_time_is_active(self, enabled: bool) -> None:
-        """Turn simulated time on or off; a TimeSource does it."""
+        """Turn simulated time on or off, as a TimeSource does."""
         with self._lock:
             if enabled == self._is_active:
                 return

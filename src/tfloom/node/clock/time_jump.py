@@ -10,7 +10,7 @@ __all__ = ["ANY_JUMP", "SOURCE_CHANGES", "ClockChange", "JumpThreshold", "TimeJu
 
 
 class ClockChange(IntEnum):
-    """What became of a clock's source at a jump."""
+    """Change of a clock's source at a jump."""
 
     ROS_TIME_NO_CHANGE = 1
     ROS_TIME_ACTIVATED = 2
@@ -19,12 +19,12 @@ class ClockChange(IntEnum):
 
 
 class JumpThreshold:
-    """Which jumps a callback is to hear of.
+    """The jumps for which a callback is called.
 
     Args:
         min_forward: The least jump forward, above 0; None for no jump forward.
         min_backward: The least jump backward, below 0; None for no jump backward.
-        on_clock_change: Whether to hear of simulated time being turned on or off.
+        on_clock_change: Whether the callback is called when simulated time is turned on or off.
 
     Raises:
         ValueError: `min_forward` is not above, or `min_backward` not below, zero.
@@ -42,7 +42,7 @@ class JumpThreshold:
         self.on_clock_change = on_clock_change
 
     def is_passed_by(self, jump: TimeJump) -> bool:
-        """Return whether `jump` is one of these."""
+        """Return whether `jump` passes the threshold."""
         if jump.clock_change in (ClockChange.ROS_TIME_ACTIVATED, ClockChange.ROS_TIME_DEACTIVATED):
             return self.on_clock_change
         if self.min_forward is not None and jump.delta >= self.min_forward:
@@ -59,12 +59,12 @@ class TimeJump:
 
     @property
     def clock_change(self) -> ClockChange:
-        """What became of the source."""
+        """Change of the source."""
         return self._clock_change
 
     @property
     def delta(self) -> Duration:
-        """How far: negative for a jump back."""
+        """Size of the jump; negative for a jump back."""
         return self._delta
 
 

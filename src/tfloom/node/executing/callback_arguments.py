@@ -12,7 +12,7 @@ _VAR_POSITIONAL = 0x04
 
 
 def takes(callback: Callable[..., Any], count: int) -> bool:
-    """Return whether `callback` can be called with `count` positional arguments, for all that it tells."""
+    """Return whether `callback` can be called with `count` positional arguments, as far as its signature is known."""
     function = callback.__func__ if isinstance(callback, MethodType) else callback
     if not isinstance(function, FunctionType) or hasattr(function, "__wrapped__"):
         return _binds(callback, count)
@@ -34,5 +34,5 @@ def _binds(callback: Callable[..., Any], count: int) -> bool:
     except TypeError:
         return False
     except ValueError:
-        pass  # a built-in that doesn't tell, as `print` before Python 3.11
+        pass  # a built-in without a signature, as `print` before Python 3.11
     return True

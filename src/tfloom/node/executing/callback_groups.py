@@ -1,4 +1,4 @@
-"""Which callbacks may run at the same time."""
+"""Callback groups: which callbacks may run at the same time."""
 
 from __future__ import annotations
 
@@ -13,19 +13,20 @@ __all__ = ["CallbackGroup", "MutuallyExclusiveCallbackGroup", "ReentrantCallback
 
 
 class CallbackGroup:
-    """A set of entities whose callbacks go by one rule.
+    """A set of entities with one rule for which of their callbacks may run at the same time.
 
-    An executor asks `can_execute`, and tells of each callback's beginning and end. What it finds not allowed it
-    parks here, to be posted again when a callback of the group has ended.
+    An executor calls `beginning_execution` and `ending_execution` around each callback. An entity that may not run
+    is parked here, and posted again when a callback of the group completes.
     """
 
     def __init__(self) -> None:
         self.entities: weakref.WeakSet[Any] = weakref.WeakSet()
         self._parked: list[Callable[[], None]] = []
         self._parked_lock = threading.Lock()
+        """Guards `_parked`."""
 
     def add_entity(self, entity: Any) -> None:
-        """Take an entity into the group."""
+        """Add an entity to the group."""
         self.entities.add(entity)
 
     def has_entity(self, entity: Any) -> bool:
@@ -45,12 +46,12 @@ class CallbackGroup:
         raise NotImplementedError
 
     def park(self, post_again: Callable[[], None]) -> None:
-        """Call `post_again` when a callback of the group has ended."""
+        """Call `post_again` when a callback of the group completes."""
         with self._parked_lock:
             self._parked.append(post_again)
 
     def release_parked(self) -> None:
-        """Post again what was parked."""
+        """Post the parked entities again."""
         if self._parked:
             with self._parked_lock:
                 parked, self._parked = self._parked, []
@@ -70,7 +71,7 @@ class ReentrantCallbackGroup(CallbackGroup):
         return True
 
     def ending_execution(self, entity: Any) -> None:
-        """Nothing to do."""
+        """Do nothing."""
 
 
 class MutuallyExclusiveCallbackGroup(CallbackGroup):
@@ -80,6 +81,7 @@ class MutuallyExclusiveCallbackGroup(CallbackGroup):
         super().__init__()
         self._active_entity: Any = None
         self._lock = threading.Lock()
+        """Guards changes of `_active_entity`."""
 
     def can_execute(self, entity: Any) -> bool:  # noqa: ARG002
         """Return whether no callback runs."""

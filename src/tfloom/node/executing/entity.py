@@ -1,4 +1,4 @@
-"""What an executor runs: the one form of subscriptions, timers, guard conditions and the rest."""
+"""What an executor runs: the base of subscriptions, timers, guard conditions and the rest."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ __all__ = ["Entity"]
 
 
 class Entity:
-    """Something with a callback.
+    """An object with a callback that an executor runs.
 
     While it is attached, it posts its token whenever it may have something to run. The executor then calls `take`,
     on the thread that spins, and `run` with what it got, on whichever thread runs callbacks; and `take` again later,
@@ -20,24 +20,24 @@ class Entity:
     """
 
     is_timed = False
-    """Whether `deadline_ns` tells when to take, rather than a post."""
+    """Whether to take at `deadline_ns`, rather than after a post."""
 
     is_polled = False
-    """Whether to take whenever the executor wakes, whatever woke it, too."""
+    """Whether to take, too, whenever the executor wakes for any reason."""
 
     goes_by_group = True
-    """Whether `run` waits its turn in the callback group; else it is called at once, by the thread that spins."""
+    """Whether the callback group admits `run`; else it is called at once, on the thread that spins."""
 
     callback_group: CallbackGroup | None
 
-    _part_of: Any = None  # the node: whoever holds the part holds the whole
+    _part_of: Any = None  # the node, which a reference to a part keeps alive
 
     def attach(self, queue: ReadyQueue, token: int) -> None:
         """Post `token` to `queue` when there may be something to take, at once if there already is."""
         raise NotImplementedError
 
     def detach(self) -> None:
-        """Post no more."""
+        """Stop posting."""
         raise NotImplementedError
 
     def take(self) -> Any:
@@ -45,11 +45,11 @@ class Entity:
         raise NotImplementedError
 
     def run(self, taken: Any) -> Any:
-        """Run the callback with what was taken; the result may be a coroutine, which the executor takes over."""
+        """Run the callback with what was taken; the result may be a coroutine, which the executor then runs."""
         raise NotImplementedError
 
     def deadline_ns(self) -> int | None:
-        """Return when to take next, by `time.monotonic_ns`; None while only a post can tell."""
+        """Return when to take next, by `time.monotonic_ns`; None: after the next post."""
         return None
 
     def destroy(self) -> None:

@@ -1,4 +1,4 @@
-"""Callbacks for what happens to publishers and subscriptions besides messages."""
+"""Callbacks for the events of publishers and subscriptions."""
 
 from __future__ import annotations
 
@@ -50,15 +50,15 @@ StatusCallback = Callable[[Any], Any]
 
 
 class Watched(Protocol):
-    """The end of a topic whose events are watched."""
+    """An endpoint of a topic with events."""
 
     gid: bytes
 
     def notify_event(self, event: Event, queue: ReadyQueue | None, token: int = 0) -> None:
-        """Post `token` when there may be news of `event`."""
+        """Post `token` when the status of `event` may have changed."""
 
     def take_event(self, event: Event) -> Status | None:
-        """Return the news."""
+        """Return the status of `event` if it has changed, else None."""
 
 
 class EventHandler(Entity):
@@ -77,7 +77,9 @@ class EventHandler(Entity):
         self.event_type = event_type
         self._endpoint = parent_impl
         self._destroyed = False
-        parent_impl.notify_event(event_type, None)  # tells whether there is such an event
+        parent_impl.notify_event(
+            event_type, None
+        )  # raises UnsupportedEventTypeError if the wire has no such event
 
     def attach(self, queue: ReadyQueue, token: int) -> None:
         """Post `token` when the status has changed."""
@@ -85,7 +87,7 @@ class EventHandler(Entity):
             self._endpoint.notify_event(self.event_type, queue, token)
 
     def detach(self) -> None:
-        """Post no more."""
+        """Stop posting."""
         if not self._destroyed:
             self._endpoint.notify_event(self.event_type, None)
 
@@ -98,12 +100,12 @@ class EventHandler(Entity):
         return self.callback(taken)
 
     def destroy(self) -> None:
-        """Watch no more."""
+        """Stop watching."""
         self._destroyed = True
 
 
 class QoSEventHandler(EventHandler):
-    """The name that EventHandler had; making one, or deriving from it, warns that it is deprecated."""
+    """Former name of EventHandler; creating one, or deriving from it, warns that it is deprecated."""
 
     def __init_subclass__(cls, **kwargs: Any) -> None:
         _warn_of_old_name()
@@ -123,7 +125,7 @@ def _warn_of_old_name() -> None:
 
 
 class _EventCallbacks:
-    """The callbacks of one publisher or subscription, and what stands in for the one that isn't given."""
+    """The callbacks of one publisher or subscription, with a default for incompatible QoS."""
 
     is_publisher: bool
     _liveliness: Event
@@ -166,7 +168,7 @@ class _EventCallbacks:
     ) -> list[EventHandler]:
         """Return the handlers for an endpoint.
 
-        Without a callback of the program's, peers of incompatible QoS are warned of.
+        By default, a warning is logged about peers of incompatible QoS.
 
         Raises:
             UnsupportedEventTypeError: the wire doesn't know an event that there is a callback for.
@@ -192,7 +194,7 @@ class PublisherEventCallbacks(_EventCallbacks):
         deadline: It didn't publish in time.
         liveliness: It didn't say in time that it lives.
         incompatible_qos: A subscription asks for more than it offers.
-        incompatible_type: A subscription is of another type. No wire here tells of that.
+        incompatible_type: A subscription is of another type. No wire here reports that.
         matched: A subscription has come or gone.
         use_default_callbacks: Whether to warn of incompatible QoS where `incompatible_qos` isn't given.
 
@@ -211,8 +213,8 @@ class SubscriptionEventCallbacks(_EventCallbacks):
         deadline: No message came in time.
         incompatible_qos: A publisher offers less than it asks for.
         liveliness: A publisher has fallen silent, or is back.
-        message_lost: Messages that will never come. Cyclone tells of hardly any.
-        incompatible_type: A publisher is of another type. No wire here tells of that.
+        message_lost: Messages were lost. Cyclone reports hardly any.
+        incompatible_type: A publisher is of another type. No wire here reports that.
         matched: A publisher has come or gone.
         use_default_callbacks: Whether to warn of incompatible QoS where `incompatible_qos` isn't given.
 

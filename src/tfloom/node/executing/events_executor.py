@@ -1,4 +1,4 @@
-"""The executor with the least between an event and its callback."""
+"""The executor with the shortest way from an event to its callback."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ __all__ = ["EventsExecutor"]
 
 
 class EventsExecutor(Executor):
-    """Runs callbacks on the thread that spins, in the order of the events that brought them about.
+    """Runs callbacks on the thread that spins, in the order of their events.
 
-    All executors here wait for events rather than for sets of entities. This one's `spin` runs all that has come in
-    one go: it looks between two callbacks neither at a timeout nor at a condition, and what a callback that shuts
-    down leaves undone stays undone. Timers run in order of their deadlines.
+    All executors here wait for events rather than for sets of entities. `spin` of this one runs everything that is
+    ready in one pass: it checks neither a timeout nor a condition between two callbacks, and after a shutdown in a
+    callback the rest of the pass isn't run. Timers run in the order of their deadlines.
     """
 
     def spin(self) -> None:
@@ -22,7 +22,7 @@ class EventsExecutor(Executor):
         Raises:
             ExternalShutdownException: the context was shut down by a signal, or while this waited.
             KeyboardInterrupt: Ctrl-C, on the main thread.
-            Exception: whatever a callback raises; what has come and wasn't run is run by the next spin.
+            Exception: raised by a callback; the rest of the pass is run by the next spin.
             RuntimeError: another thread spins this executor.
         """
         self._begin_spin()
@@ -48,7 +48,7 @@ class EventsExecutor(Executor):
             self._run_pass()
 
     def _run_pass(self) -> None:
-        """Run one thing of each entity that has posted; who had one stays ready."""
+        """Run one callback of each entity that has posted; an entity that had one stays ready."""
         while self._pass_left:
             self._pass_left -= 1
             token = self._ready.popleft()

@@ -58,7 +58,7 @@ class Executor(WorkQueue):
     Nodes, and their entities, may come and go from any thread at any time. One thread at a time may spin.
 
     Args:
-        context: Whose shutdown ends every spin; None: the default one.
+        context: Context whose shutdown ends every spin; None: the default one.
     """
 
     def __init__(self, *, context: Context | None = None) -> None:
@@ -76,7 +76,7 @@ class Executor(WorkQueue):
 
     @property
     def context(self) -> Context:
-        """Whose shutdown ends every spin."""
+        """Context whose shutdown ends every spin."""
         return self._context
 
     # Nodes and entities
@@ -95,7 +95,7 @@ class Executor(WorkQueue):
         return True
 
     def remove_node(self, node: SpunNode) -> None:
-        """Run a node's callbacks no more."""
+        """Stop running a node's callbacks."""
         with self._lock:
             if node not in self._nodes:
                 return
@@ -113,19 +113,19 @@ class Executor(WorkQueue):
     # Waiting
 
     def would_wait_for_itself(self) -> bool:
-        """Return whether this is called from a callback, while nothing else takes in what comes."""
+        """Return whether this is called from a callback on the only thread that receives."""
         return self._running.is_this_thread()
 
     def wait_for_ready_callbacks(
         self, timeout_sec: float | None = None, condition: Callable[[], bool] | None = None
     ) -> tuple[Task[Any], Entity | Waitable | None, SpunNode | None]:
-        """Wait for a callback that may begin; for executors of a program's own, which then call the task.
+        """Wait for a callback that may begin. Executors of a program's own call the task then.
 
-        The callback's group counts it as begun. A task that awaits comes again when it can go on.
+        The callback's group counts it as begun. A task that awaits is returned again when it can continue.
 
         Args:
             timeout_sec: The longest wait [s]; None, negative: for ever.
-            condition: Asked each time the executor wakes; where it returns True the wait ends.
+            condition: Called each time the executor wakes; the wait ends when it returns True.
 
         Returns:
             The task; what it is a callback of, and the node of that, or None and None for a task.
@@ -189,10 +189,10 @@ class Executor(WorkQueue):
     # Running
 
     def _run(self, work: Work) -> None:
-        """Run a callback to its end, or a coroutine to its next await; what it raises comes out."""
+        """Run a callback to its end, or a coroutine to its next await, and raise what it raises."""
         try:
             with self._running:
-                if self._is_shutdown:  # meanwhile: its nodes are let go of, or are about to be
+                if self._is_shutdown:  # shut down meanwhile: its nodes are being removed
                     if work.entity is not None:
                         self._end(work.entity)
                 elif work.entity is None:
@@ -200,7 +200,7 @@ class Executor(WorkQueue):
                 else:
                     self._run_entity(work.entity, work.taken)
         except Exception as error:
-            # A signal came amid the callback, and what it did then needs a context, as publishing does.
+            # A signal came during the callback, which then used the context, by publishing for example.
             if self._context.explains(error):
                 raise ExternalShutdownException from error
             raise
@@ -216,7 +216,7 @@ class Executor(WorkQueue):
             self._continue_coroutine(entity, outcome)
 
     def _continue_coroutine(self, entity: Entity, outcome: CoroutineType[Any, Any, Any]) -> None:
-        """Run the coroutine that a callback is up to where it waits; its group counts it until its end."""
+        """Run a callback's coroutine to its first await; its group counts it until it completes."""
         task: Task[Any] = Task(outcome, executor=self)
         task.when_complete(lambda: self._end(entity))
         self._register_task(task)
@@ -251,7 +251,7 @@ class Executor(WorkQueue):
             raise ExternalShutdownException
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
-        """Wait for one callback and run it, or for a response to a client and take it in.
+        """Wait for one callback and run it, or for a response to a client.
 
         Returns without either after `timeout_sec` [s] (None, negative: never).
         """
@@ -307,10 +307,10 @@ class Executor(WorkQueue):
             self._spinning.release()
 
     def _begin_spin(self) -> None:
-        """Keep other threads from spinning.
+        """Take the right to spin; `_spinning.release` gives it back.
 
         Raises:
-            RuntimeError: one does.
+            RuntimeError: another thread spins.
         """
         if not self._spinning.acquire(blocking=False):
             raise RuntimeError("Executor is already spinning, on another thread")
@@ -318,7 +318,7 @@ class Executor(WorkQueue):
     # The end
 
     def shutdown(self, timeout_sec: float | None = None) -> bool:
-        """End every spin, wait for the callbacks that run on other threads, and let go of all nodes.
+        """End every spin, wait for the callbacks that run on other threads, and remove all nodes.
 
         Returns:
             False if one still runs after `timeout_sec` [s] (None: wait for ever).

@@ -1,4 +1,4 @@
-"""The executors to choose from, and the one that `rclpy.spin` uses."""
+"""The executors of programs, and the one that `rclpy.spin` uses."""
 
 from __future__ import annotations
 
@@ -54,18 +54,20 @@ class MultiThreadedExecutor(Executor):
         import os
         from concurrent.futures import thread
 
-        # The pool's threads would never end after an exception between two lines of its `submit`.
+        # An exception between two lines of the pool's `submit` would keep its threads from ending.
         defer_keyboard_interrupt_in(thread.__file__)
         if num_threads is None:
             num_threads = os.cpu_count() or 1
         self._num_threads = max(num_threads, 2) if num_threads != 1 else 1
         self._pool = thread.ThreadPoolExecutor(self._num_threads, thread_name_prefix="tfloom_executor")
-        self._busy = 0
         self._busy_lock = threading.Lock()
+        self._busy = 0
+        """How many callbacks the pool has. Changed under `_busy_lock`, read without it."""
         self._errors: deque[BaseException] = deque()
+        """What callbacks raised, for the thread that spins. Changed by single operations, without a lock."""
 
     def _has_room(self) -> bool:
-        # A message that no thread is free for stays with its reader, whose history depth it counts for.
+        # A message waits in its reader, whose history depth limits the number, until a thread is free.
         return self._busy < self._num_threads
 
     def _spin_once(self, timeout_sec: float | None, condition: Callable[[], bool] | None = None) -> None:
@@ -86,7 +88,7 @@ class MultiThreadedExecutor(Executor):
         except RuntimeError:
             if not self._is_shutdown:
                 raise
-            with self._busy_lock:  # another thread shut down just now: the callback doesn't begin any more
+            with self._busy_lock:  # another thread has just shut down: the callback isn't run
                 self._busy -= 1
             if work.entity is not None:
                 self._end(work.entity)
@@ -102,7 +104,7 @@ class MultiThreadedExecutor(Executor):
             self.wake()
 
     def would_wait_for_itself(self) -> bool:
-        """Return False: the thread that spins takes in what comes, whatever its callbacks do."""
+        """Return False, because the thread that spins receives while callbacks run on others."""
         return False
 
     def shutdown(self, timeout_sec: float | None = None) -> bool:

@@ -1,4 +1,4 @@
-"""A callback that a program triggers itself."""
+"""Callbacks that a program triggers itself."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ __all__ = ["GuardCondition"]
 
 
 class GuardCondition(Entity):
-    """Has its callback run by the executor once, or more often, after each `trigger`."""
+    """Makes the executor run a callback at least once after each `trigger`."""
 
     def __init__(
         self,
@@ -33,18 +33,18 @@ class GuardCondition(Entity):
 
     @property
     def handle(self) -> Handle:
-        """What stands for the library's own guard condition."""
+        """Proxy of the guard condition, for code that expects rclpy's C handle."""
         return Handle(self)
 
     def trigger(self) -> None:
-        """Have the callback run. From any thread, and from a signal handler."""
+        """Make the executor run the callback. Any thread may call this, and a signal handler."""
         self._triggered = True
         queue = self._queue
         if queue is not None:
             queue.post(self._token)
 
     def trigger_guard_condition(self) -> None:
-        """Do as `trigger`, by the name it has on the `handle`."""
+        """Do as `trigger`; rclpy's C handle has this name."""
         self.trigger()
 
     def becomes_ready(self) -> bool:
@@ -52,7 +52,7 @@ class GuardCondition(Entity):
         return self.take() is not None
 
     def destroy(self) -> None:
-        """Trigger no more."""
+        """Stop triggering."""
         self.detach()
 
     def attach(self, queue: ReadyQueue, token: int) -> None:
@@ -62,7 +62,7 @@ class GuardCondition(Entity):
             queue.post(token)
 
     def detach(self) -> None:
-        """Post no more."""
+        """Stop posting."""
         self._queue = None
 
     def take(self) -> Any:

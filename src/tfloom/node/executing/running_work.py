@@ -1,4 +1,4 @@
-"""Which threads run callbacks now."""
+"""The threads that run callbacks now."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ __all__ = ["RunningWork"]
 
 
 class RunningWork:
-    """Counts the callbacks that run, for whoever must wait for their end."""
+    """Counts the callbacks that run, and waits for their end."""
 
     def __init__(self) -> None:
         self._changed = threading.Condition()
         self._waiters = 0
-        # Changed without the lock, by single operations: a callback's begin and end are too frequent for one.
+        # Changed without the lock, by single operations of a list, because callbacks begin and end too often for one.
         self._threads: list[int] = []
 
     def __enter__(self) -> None:
@@ -21,16 +21,16 @@ class RunningWork:
 
     def __exit__(self, *_: object) -> None:
         self._threads.remove(threading.get_ident())
-        if self._waiters:  # who has not counted itself yet sees the end when it looks
+        if self._waiters:  # a waiter that isn't counted yet checks the list before it waits
             with self._changed:
                 self._changed.notify_all()
 
     def is_this_thread(self) -> bool:
-        """Return whether a callback runs on the thread that asks."""
+        """Return whether a callback runs on the calling thread."""
         return threading.get_ident() in self._threads
 
     def wait(self, timeout_s: float | None) -> bool:
-        """Wait until no callback runs, but for the one this is called from; False after `timeout_s`."""
+        """Wait until no callback runs on another thread; False after `timeout_s` [s] (None: no limit)."""
         me = threading.get_ident()
 
         def is_over() -> bool:

@@ -1,4 +1,4 @@
-"""Ctrl-C and SIGTERM: they shut all contexts down, so that whatever spins ends at once."""
+"""Ctrl-C and SIGTERM shut all contexts down, so that spinning ends at once."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ __all__ = [
 
 
 class SignalHandlerOptions(IntFlag):
-    """Which signals to handle."""
+    """The signals to handle."""
 
     NO = 0
     SIGINT = 1
@@ -34,10 +34,10 @@ class SignalHandlerOptions(IntFlag):
 
 
 ECHO_S = 0.5
-"""A Ctrl-C that follows one this soon is the same one: launchers send it to a process and to its group [s]."""
+"""Time in which a second Ctrl-C counts as the same [s], because launchers send it to a process and to its group."""
 
 _uninterruptible_files = {weakref.__file__, _weakrefset.__file__}
-"""The files of code that an exception out of nowhere would break, or that would drop it."""
+"""Files of code that an exception between two lines would break, or that would drop the exception."""
 
 _interrupted_at = -ECHO_S
 _previous: dict[signal.Signals, Any] = {}
@@ -51,16 +51,16 @@ def _on_signal(number: int, frame: FrameType | None) -> None:
     if contexts:
         _interrupted_at = time.monotonic()
     elif number == signal.SIGINT and time.monotonic() < _interrupted_at + ECHO_S:
-        return  # a KeyboardInterrupt now would strike amid the clean-up after the first
+        return  # a KeyboardInterrupt now would interrupt the clean-up after the first
     for context in contexts:
         context.interrupt()
     for guard in _guards:
         guard.trigger()
     previous = _previous.get(signal.Signals(number))
     if contexts and number == signal.SIGINT and not _may_interrupt(frame):
-        return  # whatever spins ends in any case
+        return  # spinning ends in any case
     if callable(previous) and number not in _handled_now:
-        _handled_now.add(number)  # whoever came after us may call us in turn
+        _handled_now.add(number)  # a handler that was installed after ours may call ours
         try:
             previous(number, frame)  # Python's own, for SIGINT, raises KeyboardInterrupt
         finally:
@@ -76,7 +76,7 @@ class SignalHandlerGuardCondition(GuardCondition):
         _guards = (*_guards, self)
 
     def destroy(self) -> None:
-        """Trigger no more."""
+        """Stop being triggered."""
         global _guards  # noqa: PLW0603
         _guards = tuple(guard for guard in _guards if guard is not self)
         super().destroy()
@@ -86,9 +86,9 @@ _guards: tuple[SignalHandlerGuardCondition, ...] = ()
 
 
 def _may_interrupt(frame: FrameType | None) -> bool:
-    """Return whether an exception raised now does no harm.
+    """Return whether an exception may be raised in this frame.
 
-    While an object is being deleted Python would print and drop it; other code would be left with a lock taken.
+    Python prints and drops an exception in a destructor, and the code of `_uninterruptible_files` would keep a lock.
     """
     while frame is not None:
         if frame.f_code.co_name == "__del__" or frame.f_code.co_filename in _uninterruptible_files:
@@ -98,7 +98,7 @@ def _may_interrupt(frame: FrameType | None) -> bool:
 
 
 def defer_keyboard_interrupt_in(file: str) -> None:
-    """Raise no KeyboardInterrupt amid the functions of a Python file, as long as there is a context to shut down."""
+    """Raise no KeyboardInterrupt inside the functions of a file, while there is a context to shut down instead."""
     _uninterruptible_files.add(file)
 
 
@@ -107,8 +107,8 @@ def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions
 
     A handler shuts all contexts down and then calls what handled the signal before: for SIGINT, Python's own
     raises KeyboardInterrupt in the main thread. SIGTERM, which by default would end the process, makes spins
-    raise ExternalShutdownException. A second SIGINT right after the first changes nothing; a later one interrupts
-    whatever the program does then.
+    raise ExternalShutdownException. A second SIGINT right after the first is ignored; a later one interrupts
+    the program wherever it is.
 
     Python lets only the main thread do this; on another nothing happens.
     """
@@ -122,7 +122,7 @@ def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions
 
 
 def uninstall_signal_handlers() -> None:
-    """Give the signals back to what handled them before. On the main thread only, as installing."""
+    """Restore the former handlers. Only the main thread can, as for installing."""
     if threading.current_thread() is threading.main_thread():
         for number in list(_previous):
             _uninstall(number)
@@ -147,6 +147,6 @@ def _install(number: signal.Signals) -> None:
 def _uninstall(number: signal.Signals) -> None:
     if number in _previous:
         previous = _previous.pop(number)
-        # A handler that somebody has put over ours since stays.
+        # A handler that was installed over ours stays.
         if signal.getsignal(number) is _on_signal:
             signal.signal(number, previous if previous is not None else signal.SIG_DFL)

@@ -21,7 +21,7 @@ class TaskRunner(Protocol):
 
 
 class Future(Generic[T]):
-    """A result that comes later.
+    """The result of a call that isn't complete yet.
 
     Methods may be called from any thread. A callback given to `add_done_callback` runs as a task of `executor`
     if there is one; else at once, on the thread that completes the future.
@@ -36,6 +36,7 @@ class Future(Generic[T]):
         self._callbacks: list[Callable[[Future[T]], Any]] = []
         self._resumers: list[Callable[[], None]] = []
         self._lock = threading.RLock()
+        """Guards the outcome and the lists of callbacks; readers of the outcome take no lock."""
         self._executor: weakref.ref[TaskRunner] | None = None
         self.set_executor(executor)
 
@@ -44,13 +45,13 @@ class Future(Generic[T]):
             print(f"The following exception was never retrieved: {self._exception}", file=sys.stderr)
 
     def __await__(self) -> Generator[Future[T], None, T | None]:
-        # The task that runs the coroutine is resumed by a callback of the future it is handed here.
+        # The task that runs the coroutine is resumed by a callback of the future that is yielded here.
         while not self._done and not self._cancelled:
             yield self
         return self.result()
 
     def cancel(self) -> None:
-        """Give up on the result: schedules the callbacks, unless the future is complete already."""
+        """Cancel the future and schedule its callbacks, unless it is complete already."""
         with self._lock:
             if self._done or self._cancelled:
                 return
@@ -99,7 +100,7 @@ class Future(Generic[T]):
         self._run_callbacks()
 
     def add_done_callback(self, callback: Callable[[Future[T]], Any]) -> None:
-        """Have `callback(future)` called once the future completes or is cancelled; at once if it is already."""
+        """Call `callback(future)` when the future completes or is cancelled; at once if it is already."""
         with self._lock:
             if not self._done and not self._cancelled:
                 self._callbacks.append(callback)
@@ -107,15 +108,15 @@ class Future(Generic[T]):
         self._run_callback(callback)
 
     def remove_done_callback(self, callback: Callable[[Future[T]], Any]) -> None:
-        """Take back one `add_done_callback`; a callback that isn't waiting is ignored."""
+        """Undo one `add_done_callback`; a callback that isn't waiting is ignored."""
         with self._lock:
             if callback in self._callbacks:
                 self._callbacks.remove(callback)
 
     def when_complete(self, resume: Callable[[], None]) -> None:
-        """Have `resume()` called on completion, at once if it has come, on the completing thread; once if asked twice.
+        """Call `resume()` on completion, at once if it is complete, on the completing thread; once if added twice.
 
-        For executors and tasks, which must not wait for a task of their own; programs use `add_done_callback`.
+        For executors and tasks, which must not wait for another task; programs use `add_done_callback`.
         """
         with self._lock:
             if not self._done and not self._cancelled:
@@ -125,7 +126,7 @@ class Future(Generic[T]):
         resume()
 
     def set_executor(self, executor: TaskRunner | None) -> None:
-        """Have callbacks run as tasks of `executor`; None: at once, by whoever completes the future."""
+        """Run callbacks as tasks of `executor`; None: at once, on the thread that completes the future."""
         self._executor = None if executor is None else weakref.ref(executor)
 
     def _run_callbacks(self) -> None:
@@ -144,7 +145,7 @@ class Future(Generic[T]):
             return
         try:
             callback(self)
-        except Exception:  # noqa: BLE001  # the next callback must run, and the completer is not to blame
+        except Exception:  # noqa: BLE001  # the next callback must run, and the completing thread go on
             print("An exception was raised in a done callback of a future:", file=sys.stderr)
             import traceback
 
@@ -152,7 +153,7 @@ class Future(Generic[T]):
 
 
 class Task(Future[T]):
-    """A function or coroutine on its way through an executor; its outcome completes the future.
+    """A function or coroutine that an executor runs; its outcome completes the future.
 
     Calling the task runs the function, or the coroutine up to the next thing it awaits.
     """
@@ -175,9 +176,10 @@ class Task(Future[T]):
         self._kwargs = dict(kwargs or {})
         self._resume: Callable[[], None] | None = None
         self._step_lock = threading.Lock()
+        """Held by the thread that runs a step."""
 
     def __call__(self) -> None:
-        """Go one step; does nothing when the task is done, cancelled, or at it on another thread."""
+        """Run one step; do nothing if the task is done, cancelled, or running on another thread."""
         if self._done or self._cancelled or not self._step_lock.acquire(blocking=False):
             return
         try:
@@ -190,20 +192,20 @@ class Task(Future[T]):
             self._notify_runnable()
 
     def on_resume(self, resume: Callable[[], None]) -> None:
-        """Have `resume()` called, on whichever thread, when a coroutine that waited can go on."""
+        """Call `resume()`, on any thread, when a coroutine that waits can continue."""
         self._resume = resume
 
     def executing(self) -> bool:
-        """Return whether a step is being run right now."""
+        """Return whether a step is running."""
         return self._step_lock.locked()
 
     def cancel(self) -> None:
-        """Give up on the task: a coroutine is closed where it waits."""
+        """Cancel the task; a coroutine is closed where it waits."""
         super().cancel()
         self.abandon()
 
     def abandon(self) -> None:
-        """Go on no more: a coroutine is closed where it waits, and the future stays as it is."""
+        """Stop running steps: a coroutine is closed where it waits, and the future stays incomplete."""
         if self._step_lock.acquire(blocking=False):
             try:
                 if self._coroutine is not None:
@@ -226,7 +228,7 @@ class Task(Future[T]):
                 return awaited if isinstance(awaited, Future) else None
         except StopIteration as end:
             self.set_result(end.value)
-        except Exception as exc:  # noqa: BLE001  # whoever waits for the task gets it
+        except Exception as exc:  # noqa: BLE001  # the future passes it on
             self.set_exception(exc)
         return None
 

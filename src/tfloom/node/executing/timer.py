@@ -22,10 +22,10 @@ __all__ = ["Rate", "Timer"]
 
 
 class Timer(Entity):
-    """Has its callback run once a period, on time as long as the executor has time.
+    """Runs its callback once a period.
 
-    Calls that were missed are not made up for: the next falls on the next whole period. With simulated time the
-    period counts in it; otherwise by the steady clock, so that setting the system's clock moves nothing.
+    Missed calls are skipped: the next call is at the next whole period. The period is measured in simulated time if
+    the clock shows it, else by the steady clock, because that isn't affected by setting the system's clock.
 
     Args:
         callback: Takes nothing.
@@ -60,6 +60,7 @@ class Timer(Entity):
         self._canceled = not autostart
         self._destroyed = False
         self._lock = threading.RLock()
+        """Guards `_last_ns` and `_next_ns`; single reads take no lock."""
         self._queue: ReadyQueue | None = None
         self._token = 0
         self._last_ns = self._now_ns()
@@ -79,7 +80,7 @@ class Timer(Entity):
 
     @property
     def handle(self) -> Handle:
-        """What stands for the library's own timer.
+        """Proxy of the timer, for code that expects rclpy's C handle.
 
         Raises:
             InvalidHandle: the timer was destroyed.
@@ -113,7 +114,7 @@ class Timer(Entity):
         return self._canceled
 
     def cancel(self) -> None:
-        """Call no more, until `reset`."""
+        """Stop calling, until `reset`."""
         self._canceled = True
 
     def reset(self) -> None:
@@ -133,7 +134,7 @@ class Timer(Entity):
         return None if self._canceled else self._next_ns - self._now_ns()
 
     def destroy(self) -> None:
-        """Call no more, for good."""
+        """Stop calling, for good."""
         self.cancel()
         self.detach()
         self._destroyed = True
@@ -147,7 +148,7 @@ class Timer(Entity):
         queue.post(token)
 
     def detach(self) -> None:
-        """Post no more."""
+        """Stop posting."""
         self._queue = None
 
     def deadline_ns(self) -> int | None:
@@ -197,7 +198,7 @@ class Timer(Entity):
         with self._lock:
             now_ns = self._now_ns()
             if jump.clock_change in SOURCE_CHANGES:
-                # What was left of the period is left of it on the new source too.
+                # The rest of the period stays the same on the new source.
                 shift_ns = now_ns - self._before_jump_ns
                 self._last_ns += shift_ns
                 self._next_ns += shift_ns

@@ -1,4 +1,4 @@
-"""Waitables on an executor that builds no wait set: what one waits for posts the waitable's own token."""
+"""Wait sets of waitables: what is in one posts the waitable's token to the executor."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ class Waited(Protocol):
         """Post `token` when `becomes_ready` may be true, at once if it is already."""
 
     def detach(self) -> None:
-        """Post no more."""
+        """Stop posting."""
 
     def becomes_ready(self) -> bool:
-        """Return whether there is something to take. Where nothing is ever taken, asking takes it."""
+        """Return whether there is something to take; of a guard condition, this takes the trigger."""
 
     def deadline_ns(self) -> int | None:
-        """Return when to ask next, by `time.monotonic_ns`; None while only a post can tell."""
+        """Return when to look next, by `time.monotonic_ns`; None: after the next post."""
 
 
 class WaitSet:
-    """What one waitable waits for, in order of each kind, and what of it is ready."""
+    """What one waitable waits for, by kind, and what of it is ready."""
 
     def __init__(self) -> None:
         self._waited: dict[str, list[Waited]] = {kind: [] for kind in KINDS}
@@ -97,7 +97,7 @@ class WaitSet:
         return [each for kind in KINDS for each in self._waited[kind]]
 
     def look(self) -> None:
-        """Find out what is ready now."""
+        """Update what is ready."""
         self._ready = {
             kind: {index for index, each in enumerate(waited) if each.becomes_ready()}
             for kind, waited in self._waited.items()

@@ -1,4 +1,4 @@
-"""What a program writes to have an executor wait for something of its own making."""
+"""The base of a program's own waitables."""
 
 from __future__ import annotations
 
@@ -61,14 +61,14 @@ class NumberOfEntities:
 
 
 class Waitable:
-    """Base of what waits for guard conditions, subscriptions and the like, and does one thing with them.
+    """Base of classes that wait for guard conditions, subscriptions and the like.
 
     `Node.add_waitable` gives it to the node's executor. That calls, on the thread that spins, `add_to_wait_set`
     before it waits, and `is_ready` after; where that is true, `take_data`, and then `execute` with what was taken,
     on a thread that runs callbacks. `is_ready` is asked each time the executor wakes, whatever woke it.
 
     Args:
-        callback_group: The group whose rule `execute` goes by.
+        callback_group: Group of `execute`.
     """
 
     def __init__(self, callback_group: CallbackGroup) -> None:
@@ -82,10 +82,10 @@ class Waitable:
     def __exit__(
         self, t: type[BaseException] | None, v: BaseException | None, tb: TracebackType | None
     ) -> None:
-        """Leave nothing behind; a program's own class may."""
+        """Do nothing; a derived class may clean up."""
 
     def add_future(self, future: Future[Any]) -> None:
-        """Have the callbacks of a future, which `execute` completes, run as tasks of the executor."""
+        """Run the callbacks of a future, which `execute` completes, as tasks of the executor."""
         self._futures.append(future)
 
     def remove_future(self, future: Future[Any]) -> None:
@@ -105,7 +105,7 @@ class Waitable:
         raise NotImplementedError("Must be implemented by subclass")
 
     async def execute(self, taken_data: Any) -> None:
-        """Do what is to be done with what `take_data` returned."""
+        """Process what `take_data` returned."""
         raise NotImplementedError("Must be implemented by subclass")
 
     def get_num_entities(self) -> NumberOfEntities:

@@ -17,7 +17,7 @@ __all__ = ["WaitableEntity"]
 
 
 class WaitableEntity(Entity):
-    """A waitable as an executor runs it: looked at when what it waits for posts, or anything wakes the executor."""
+    """A waitable as an executor runs it: checked when an item of its wait set posts, or anything wakes the executor."""
 
     is_timed = True
     is_polled = True
@@ -31,13 +31,13 @@ class WaitableEntity(Entity):
         self._wait_set = WaitSet()
 
     def attach(self, queue: ReadyQueue, token: int) -> None:
-        """Build the wait set, and have all in it post `token`."""
+        """Build the wait set, and make all in it post `token`."""
         self._queue, self._token = queue, token
         self._arm()
         queue.post(token)  # it may be ready by itself
 
     def detach(self) -> None:
-        """Post no more."""
+        """Stop posting."""
         self._queue = None
         for each in self._wait_set.everything():
             each.detach()
@@ -58,7 +58,7 @@ class WaitableEntity(Entity):
                 each.attach(queue, self._token)
 
     def take(self) -> Any:
-        """Return what the waitable has taken, in a tuple, if it says that it is ready."""
+        """Return what the waitable has taken, in a tuple, if it is ready."""
         if self._queue is None:
             return None
         self._wait_set.look()
@@ -78,11 +78,11 @@ class WaitableEntity(Entity):
         return min(ends, default=None)
 
     def run(self, taken: Any) -> Any:
-        """Execute what was taken; the coroutine is the executor's to go on with."""
+        """Execute what was taken; the executor runs the coroutine."""
         for future in self.waitable._futures:  # noqa: SLF001  # Waitable's own
             future.set_executor(self._executor())
         return self.waitable.execute(*taken)
 
     def destroy(self) -> None:
-        """Wait for nothing any more. The waitable, and what it waits for, are the program's."""
+        """Stop waiting. The program owns the waitable, and what it waits for."""
         self.detach()

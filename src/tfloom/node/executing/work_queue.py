@@ -27,18 +27,18 @@ __all__ = ["Work", "WorkQueue"]
 
 T = TypeVar("T")
 _GROUPS_FREED_ON_COMPLETION = (MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup)
-"""Groups that let others in when a callback has ended, and never else."""
+"""Built-in groups, which admit new work only when a callback completes."""
 
 MOST_AT_ONCE = 1000
-"""How much an entity may have run on the thread that spins before others have their turn."""
+"""How many items of one entity run on the thread that spins before the other entities' turn."""
 
 
 class Work(NamedTuple):
-    """A callback that may begin: its group has been told so."""
+    """A callback that may begin; its group counts it as begun."""
 
     entity: Entity | None
     taken: Any
-    """What the entity gave; without entity, a Task."""
+    """What the entity's `take` returned; without entity, a Task."""
 
 
 class WorkQueue:
@@ -68,7 +68,7 @@ class WorkQueue:
         self._refused: list[int] = []
         """Tokens of entities whose group, of a class of the program's own, has refused to let them run."""
         self._held: dict[int, Any] = {}
-        """What was taken of such entities before the refusal."""
+        """What was taken of such entities before the refusal. `remove_entity` removes from it, too."""
         self._pass_left = 0
         """How many of `_ready` belong to the present pass."""
         self._timers = TimerSchedule()
@@ -87,7 +87,7 @@ class WorkQueue:
         entity.attach(self._queue, token)
 
     def remove_entity(self, entity: Entity) -> None:
-        """Run an entity no more; what it has posted is ignored."""
+        """Stop running an entity; what it has posted is ignored."""
         with self._lock:
             token = self._tokens.pop(entity, None)
             if token is None:
@@ -101,7 +101,7 @@ class WorkQueue:
     def create_task(
         self, callback: Callable[..., T] | Coroutine[Any, Any, T], *args: Any, **kwargs: Any
     ) -> Task[T]:
-        """Have a function or coroutine run; the task is a future of its result.
+        """Run a function or coroutine on a thread that runs callbacks; the task is a future of its result.
 
         An exception in it is raised from `spin` too, as a callback's is.
         """
@@ -114,7 +114,7 @@ class WorkQueue:
         return Future(executor=self)
 
     def _register_task(self, task: Task[Any]) -> int:
-        """Have a task go on here whenever it can, until it is complete; return its token."""
+        """Run the steps of a task as it becomes runnable, until it is complete; return its token."""
         token = next(self._numbers)
         queue, tasks = self._queue, self._tasks
 
@@ -127,11 +127,11 @@ class WorkQueue:
         return token
 
     def wake(self) -> None:
-        """End the wait of whatever spins, for it to look again at what it waits for."""
+        """Wake the thread that spins, so that it checks its conditions again."""
         self._queue.post(WAKE)
 
     def can_execute(self, entity: Entity) -> bool:
-        """Return whether the group of an entity lets its callback begin now."""
+        """Return whether the group of an entity admits its callback now."""
         group = entity.callback_group if entity.goes_by_group else None
         return group is None or group.can_execute(entity)
 
@@ -151,7 +151,7 @@ class WorkQueue:
         """Wait for posts and timers, not beyond `end_ns`, and begin a new pass over all that is ready.
 
         Returns:
-            Whether responses came; they are taken in already.
+            Whether responses came; their futures are complete already.
         """
         has_response = False
         if self._refused:
@@ -165,7 +165,7 @@ class WorkQueue:
             elif not entity.goes_by_group:
                 has_response |= self._run_on_spinning_thread(entity, token)
             elif entity.is_timed and not entity.is_polled and (due_ns := entity.deadline_ns()) is not None:
-                self._timers.set(token, due_ns)  # timers have their turns by their deadlines alone
+                self._timers.set(token, due_ns)  # timers run in the order of their deadlines
             else:
                 self._ready.append(token)
         self._ready.extend(self._timers.take_due(time.monotonic_ns()))
@@ -175,7 +175,7 @@ class WorkQueue:
         return has_response
 
     def _retry_refused(self) -> None:
-        """Make ready again what a group refused and would let run now."""
+        """Move entities that their groups admit now from `_refused` to `_ready`."""
         refused, self._refused = dict.fromkeys(self._refused), []
         for token in refused:
             entity = self._entities.get(token)
@@ -183,7 +183,7 @@ class WorkQueue:
                 (self._ready if self.can_execute(entity) else self._refused).append(token)
 
     def _run_on_spinning_thread(self, entity: Entity, token: int) -> bool:
-        """Run what runs no callback of the program's at once, on the thread that spins; False if there is none."""
+        """Run an entity without callbacks of the program on this thread; return False if it has nothing to run."""
         for number in range(MOST_AT_ONCE):
             taken = entity.take()
             if taken is None:
@@ -207,13 +207,13 @@ class WorkQueue:
         return None if taken is None else Work(entity, taken)
 
     def _take(self, entity: Entity, token: int) -> Any:
-        """Begin a callback in its group and take what it is to run with; None if it may not, or has nothing to run."""
+        """Begin a callback in its group and return what to run it with; None if it may not run, or has nothing."""
         group = entity.callback_group
         if group is not None and type(group) not in _GROUPS_FREED_ON_COMPLETION:
             return self._take_with_consent(group, entity, token)
         if group is not None and not group.beginning_execution(entity):
             group.park(lambda: self._queue.post(token))
-            if group.can_execute(entity):  # it ended in between
+            if group.can_execute(entity):  # a callback completed in between
                 group.release_parked()
             return None
         taken = None
@@ -226,9 +226,9 @@ class WorkQueue:
         return taken
 
     def _take_with_consent(self, group: CallbackGroup, entity: Entity, token: int) -> Any:
-        """Do as `_take` with a group of the program's own: it hears of beginnings only where there is something to run.
+        """Do as `_take` for a group of the program's own class: begin a callback only if there is something to run.
 
-        What it refuses it is asked about again each time the executor wakes, as it may change its mind unasked.
+        A refused entity is tried again each time the executor wakes, because the group may admit it at any time.
         """
         if not group.can_execute(entity):
             self._refused.append(token)

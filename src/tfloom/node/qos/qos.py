@@ -124,7 +124,7 @@ class DurabilityPolicy(QoSPolicyEnum):
 
 
 class LivelinessPolicy(QoSPolicyEnum):
-    """Who tells that a publisher lives: the wire, or the publisher itself."""
+    """Whether the wire asserts that a publisher is alive, or the publisher itself."""
 
     SYSTEM_DEFAULT = 0
     AUTOMATIC = 1
@@ -186,7 +186,7 @@ _FIELDS: dict[str, tuple[Any, Callable[[Any, str], Any]]] = {
 
 
 class QoSProfile:
-    """What a publisher offers, or a subscription asks for.
+    """The quality of service that a publisher offers, or a subscription requests.
 
     A duration of 0 means none; a policy of SYSTEM_DEFAULT leaves the choice to the wire.
 
@@ -230,7 +230,7 @@ class QoSProfile:
             raise InvalidQoSProfileException("History set to KEEP_LAST without a depth setting.")
 
     def get_c_qos_profile(self) -> QoSProfile:
-        """Return what stands for the library's own profile: this object."""
+        """Return this object, in the place of rclpy's C profile."""
         return self
 
     def to_wire(self) -> wire.QoS:

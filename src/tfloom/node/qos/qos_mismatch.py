@@ -1,4 +1,4 @@
-"""What is said of two ends of a topic that don't connect because of their qualities of service."""
+"""The warning about two endpoints of a topic whose QoS is incompatible."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ __all__ = ["mismatch_text"]
 def mismatch_text(
     status: IncompatibleQoS, topic_name: str, gid: bytes, graph: Graph, *, is_publisher: bool
 ) -> str:
-    """Return the warning of a publisher or subscription, with what either side has.
+    """Return the warning of a publisher or subscription, with the QoS of both sides.
 
     Args:
-        status: What has been taken of the event.
+        status: Status of the event.
         topic_name: Fully qualified name of the topic.
-        gid: 16 octets of the end that warns.
-        graph: Where the other ends are looked up.
-        is_publisher: Whether the end that warns is the publisher.
+        gid: Global id of the endpoint that warns, 16 octets.
+        graph: Graph in which the other endpoints are looked up.
+        is_publisher: Whether the endpoint that warns is the publisher.
     """
     peer, verb, consequence = (
         ("subscription", "requesting", "No messages will be sent to it")

@@ -40,8 +40,8 @@ class QoSOverridingOptions:
 
     Args:
         policy_kinds: The policies.
-        callback: Takes the profile with the overrides in it, and tells whether it will do.
-        entity_id: Tells several ends of one topic in one node apart.
+        callback: Takes the profile with the overrides in it, and accepts or refuses it.
+        entity_id: Distinguishes several endpoints of one topic in one node.
     """
 
     def __init__(
@@ -62,12 +62,12 @@ class QoSOverridingOptions:
 
     @property
     def callback(self) -> Callable[[QoSProfile], SetParametersResult] | None:
-        """What tells whether a profile will do."""
+        """Accepts or refuses the profile with the overrides in it."""
         return self._callback
 
     @property
     def entity_id(self) -> str | None:
-        """What tells several ends of one topic apart."""
+        """Distinguishes several endpoints of one topic in one node."""
         return self._entity_id
 
     @classmethod

@@ -1,4 +1,4 @@
-"""What the graph tells of one publisher or subscription."""
+"""Description of one publisher or subscription on the graph."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ UNKNOWN_NODE_NAMESPACE = "_NODE_NAMESPACE_UNKNOWN_"
 
 
 class TopicEndpointTypeEnum(IntEnum):
-    """Which end of a topic."""
+    """Which endpoint of a topic."""
 
     INVALID = 0
     PUBLISHER = 1
@@ -29,7 +29,7 @@ class TopicEndpointTypeEnum(IntEnum):
 
 
 class TopicEndpointInfo:
-    """A publisher or subscription, anybody's.
+    """A publisher or subscription of any node.
 
     Args:
         kwargs: Any of the properties below; what isn't given is empty.
@@ -49,9 +49,9 @@ class TopicEndpointInfo:
     )
 
     node_name: str
-    """Whose it is; `_NODE_NAME_UNKNOWN_` while that isn't known."""
+    """Name of its node; `_NODE_NAME_UNKNOWN_` while that isn't known."""
     node_namespace: str
-    """In which namespace; `_NODE_NAMESPACE_UNKNOWN_` while that isn't known."""
+    """Namespace of its node; `_NODE_NAMESPACE_UNKNOWN_` while that isn't known."""
     topic_type: str
     """The type's name, e.g. `std_msgs/msg/String`."""
     topic_type_hash: TypeHash
@@ -59,9 +59,9 @@ class TopicEndpointInfo:
     endpoint_type: TopicEndpointTypeEnum
     """Publisher or subscription."""
     endpoint_gid: list[int]
-    """Who it is on the wire: 16 octets."""
+    """Global id on the wire: 16 octets."""
     qos_profile: QoSProfile
-    """What it offers or asks for."""
+    """The QoS that it offers or requests."""
 
     def __init__(self, **kwargs: Any) -> None:
         self.node_name = ""
@@ -80,7 +80,7 @@ class TopicEndpointInfo:
 
     @classmethod
     def from_graph(cls, info: EndpointInfo) -> Self:
-        """Return what the graph tells."""
+        """Return the description of an endpoint of the graph."""
         node = info.node or NodeName(UNKNOWN_NODE_NAMESPACE, UNKNOWN_NODE_NAME)
         kinds = TopicEndpointTypeEnum
         return cls(
