@@ -1,4 +1,4 @@
-"""Nodes, and the functions that start, spin and end them: what `import rclpy` gives."""
+"""The functions of `import rclpy`: initialise, create a node, spin, shut down."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ __all__ = [
 
 
 class InitContextManager:
-    """What `init` returns: leave it be, or use it in a `with`."""
+    """The result of `init`; a `with` of it shuts the context down at its end."""
 
     def __init__(self, context: Context, *, uninstall_handlers: bool) -> None:
         self.context = context
@@ -80,26 +80,26 @@ def init(
     domain_id: int | None = None,
     signal_handler_options: SignalHandlerOptions | None = None,
 ) -> InitContextManager:
-    """Begin: read the ROS arguments, and handle Ctrl-C and SIGTERM.
+    """Initialise a context: read the ROS arguments, and handle Ctrl-C and SIGTERM.
 
-    As in later releases, `with rclpy.init():` shuts down at its end, if nothing has before.
+    As in later releases, `with rclpy.init():` shuts down at its end, unless it is done already.
 
     Args:
         args: Command line; None: `sys.argv`.
         context: The context to initialise; None: the default one.
-        domain_id: The domain to be on; None: from ROS_DOMAIN_ID.
+        domain_id: The domain to join; None: from ROS_DOMAIN_ID.
         signal_handler_options: Which signals to handle; None: both for the default context, else none.
 
     Raises:
         RuntimeError: the context was initialised before; the default one, unless it has ended since.
-        RCLInvalidROSArgsError: a ROS argument makes no sense.
+        RCLInvalidROSArgsError: a ROS argument can't be understood.
         UnknownROSArgsError: a ROS argument isn't known.
     """
     if signal_handler_options is None:
         is_default = context is None or context is get_default_context()
         signal_handler_options = SignalHandlerOptions.ALL if is_default else SignalHandlerOptions.NO
     if context is None and get_default_context().is_over():
-        get_default_context(shutting_down=True)  # by a signal, which left it the default
+        get_default_context(shutting_down=True)  # by a signal, after which it is still the default
     context = context or get_default_context()
     context.init(args, domain_id=domain_id)
     install_signal_handlers(signal_handler_options)
@@ -107,15 +107,15 @@ def init(
 
 
 def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:
-    """End: every spin returns or raises, and signals are handled as before.
+    """Shut down: every spin returns or raises, and signals are handled as before `init`.
 
     Args:
         context: The context to shut down; None: the default one.
-        uninstall_handlers: Whether to give the signals back; None: for the default context.
+        uninstall_handlers: Whether to restore the former signal handlers; None: for the default context.
 
     Raises:
         RuntimeError: the context was never initialised.
-        RCLError: it is shut down already; `try_shutdown` doesn't mind.
+        RCLError: it is shut down already; `try_shutdown` accepts that.
     """
     try:
         _shutdown(context=context)
@@ -157,7 +157,7 @@ def create_node(
 
 
 def get_global_executor() -> Executor:
-    """Return the executor that the functions below use where none is given."""
+    """Return the executor that the functions below use if none is given."""
     from tfloom.node.executing.executors import get_global_executor as get
 
     return get()
@@ -165,9 +165,9 @@ def get_global_executor() -> Executor:
 
 @contextmanager
 def _temporarily_added(node: Node, executor: Executor) -> Iterator[None]:
-    """Have a node in an executor.
+    """Add `node` to `executor` for the block, and return it to its former executor.
 
-    Who is in it already, and may be spun right now, stays there; who is taken from another goes back to it.
+    A node that is in `executor` already stays there, because another thread may be spinning it.
     """
     before = node.executor
     is_new = executor.add_node(node)
@@ -188,7 +188,7 @@ def spin(node: Node, executor: Executor | None = None) -> None:
     Raises:
         ExternalShutdownException: the context was shut down by a signal, or by another thread.
         KeyboardInterrupt: Ctrl-C, on the main thread.
-        Exception: whatever a callback raises.
+        Exception: raised by a callback.
     """
     executor = executor or get_global_executor()
     with _temporarily_added(node, executor):

@@ -1,4 +1,4 @@
-"""The names of rclpy's compiled half that programs reach for: errors, and what waitables of their own wait for."""
+"""The names of rclpy's compiled half that programs use: errors, and what a program's own waitables wait for."""
 
 from __future__ import annotations
 
@@ -59,13 +59,13 @@ __all__ = [
 
 
 class ServiceInfo(NamedTuple):
-    """Which request something belongs to, and when it came."""
+    """Which request something belongs to, and when it arrived."""
 
     request_id: RequestId
     source_timestamp: int
     """When it was sent [ns since epoch]."""
     received_timestamp: int
-    """When it came [ns since epoch]."""
+    """When it arrived [ns since epoch]."""
 
 
 class GuardCondition(guard_condition.GuardCondition):
@@ -75,7 +75,7 @@ class GuardCondition(guard_condition.GuardCondition):
         super().__init__(None, None, unwrap_handle(context))
 
     def destroy_when_not_in_use(self) -> None:
-        """Trigger no more."""
+        """Stop triggering."""
         self.destroy()
 
 
@@ -108,7 +108,7 @@ class Timer(timer.Timer):
         return self.is_canceled()
 
     def cancel_timer(self) -> None:
-        """Become ready no more, until `reset_timer`."""
+        """Stop becoming ready, until `reset_timer`."""
         self.cancel()
 
     def reset_timer(self) -> None:
@@ -116,12 +116,12 @@ class Timer(timer.Timer):
         self.reset()
 
     def destroy_when_not_in_use(self) -> None:
-        """Become ready no more, for good."""
+        """Stop becoming ready, for good."""
         self.destroy()
 
 
 class _WaitedEndpoint(Endpoint[TakingEndpoint]):
-    """An end on the wire that a wait set waits for, and the program takes from. Its node's end is its own."""
+    """An endpoint on the wire that a wait set waits for, and the program takes from; destroyed with its node."""
 
     def __init__(self, endpoint: TakingEndpoint, name: str, node: NodeBase) -> None:
         super().__init__(endpoint, name)
@@ -130,21 +130,21 @@ class _WaitedEndpoint(Endpoint[TakingEndpoint]):
 
     @property
     def endpoint(self) -> TakingEndpoint:
-        """The end on the wire."""
+        """The endpoint on the wire."""
         return self._endpoint
 
     def attach(self, queue: ReadyQueue, token: int) -> None:
-        """Post `token` when something has come."""
+        """Post `token` when data has arrived."""
         if not self._destroyed:
             self._endpoint.notify(queue, token)
 
     def detach(self) -> None:
-        """Post no more."""
+        """Stop posting."""
         if not self._destroyed:
             self._endpoint.notify(None)
 
     def deadline_ns(self) -> int | None:
-        """Return None: a post tells."""
+        """Return None, because arriving data posts."""
         return None
 
     def becomes_ready(self) -> bool:
@@ -154,14 +154,14 @@ class _WaitedEndpoint(Endpoint[TakingEndpoint]):
         return self._seen is not None
 
     def _take(self, message_type: type[Message]) -> tuple[Any, Any]:
-        """Return the oldest thing that came and the message in it, or None twice; what can't be read is dropped."""
+        """Return the oldest item and the message in it, or None twice; data that can't be decoded is dropped."""
         while self._alive().becomes_ready():
-            came, self._seen = self._seen, None
+            incoming, self._seen = self._seen, None
             try:
-                return came, cdr.decode(message_type, came.data)
+                return incoming, cdr.decode(message_type, incoming.data)
             except cdr.DecodeError as error:
                 self._warning.log(
-                    f"Dropped {len(came.data)} bytes for the {self._kind} of {self._name} that are no valid "
+                    f"Dropped {len(incoming.data)} bytes for the {self._kind} of {self._name} that are no valid "
                     f"{message_type._TYPE_NAME}: {error}"  # ours
                 )
         return None, None
@@ -183,7 +183,7 @@ class Subscription(_WaitedEndpoint[Reader]):
         owner = unwrap_handle(node)
         name = owner.resolve_topic_name(topic)
         wire_topic = topic_of(pymsg_type, name, is_native=pyqos_profile.avoid_ros_namespace_conventions)
-        reader = owner._open(  # noqa: SLF001  # the one door for what no executor runs
+        reader = owner._open(  # noqa: SLF001  # how endpoints are opened that no executor runs
             self, lambda wire, whose: wire.create_reader(whose, wire_topic, pyqos_profile.to_wire())
         )
         super().__init__(reader, name, owner)
@@ -192,15 +192,15 @@ class Subscription(_WaitedEndpoint[Reader]):
         """Return the oldest message, or its bytes if `raw`, and its stamps [ns]; None if there is none."""
         if raw:
             self._alive().becomes_ready()
-            came, self._seen = self._seen, None
-            message = None if came is None else came.data
+            incoming, self._seen = self._seen, None
+            message = None if incoming is None else incoming.data
         else:
-            came, message = self._take(pymsg_type)
-        if came is None:
+            incoming, message = self._take(pymsg_type)
+        if incoming is None:
             return None
         return message, {
-            "source_timestamp": came.source_stamp_ns,
-            "received_timestamp": came.received_stamp_ns,
+            "source_timestamp": incoming.source_stamp_ns,
+            "received_timestamp": incoming.received_stamp_ns,
         }
 
 
@@ -227,11 +227,11 @@ class Service(_WaitedEndpoint[Responder]):
 
     def service_take_request(self, pyrequest_type: type[Message]) -> tuple[Any, ServiceInfo | None]:
         """Return the oldest request and its header; None twice if there is none."""
-        came, request = self._take(pyrequest_type)
-        return request, None if came is None else _info(came)
+        incoming, request = self._take(pyrequest_type)
+        return request, None if incoming is None else _info(incoming)
 
     def service_send_response(self, pyresponse: Message, header: ServiceInfo) -> None:
-        """Answer the request of a header."""
+        """Send the response to the request of a header."""
         self._alive().endpoint.send(header.request_id, cdr.encode(pyresponse))
 
 
@@ -261,14 +261,14 @@ class Client(_WaitedEndpoint[Requester]):
         return self._alive().endpoint.send(cdr.encode(pyrequest))
 
     def service_server_is_available(self) -> bool:
-        """Return whether a server is there that will hear a request sent now."""
+        """Return whether a server is matched in both directions, so that it receives a request sent now."""
         return self._alive().endpoint.is_ready()
 
     def take_response(self, pyresponse_type: type[Message]) -> tuple[ServiceInfo | None, Any]:
         """Return the oldest response's header and the response; None twice if there is none."""
-        came, response = self._take(pyresponse_type)
-        return None if came is None else _info(came), response
+        incoming, response = self._take(pyresponse_type)
+        return None if incoming is None else _info(incoming), response
 
 
-def _info(came: Any) -> ServiceInfo:
-    return ServiceInfo(came.id, came.source_stamp_ns, came.received_stamp_ns)
+def _info(incoming: Any) -> ServiceInfo:
+    return ServiceInfo(incoming.id, incoming.source_stamp_ns, incoming.received_stamp_ns)

@@ -1,4 +1,4 @@
-"""Nodes: the parts of a program that others see, with what they publish, subscribe to and run."""
+"""Nodes: a name on the graph, with publishers, subscriptions, services, timers and parameters."""
 
 from __future__ import annotations
 
@@ -32,32 +32,32 @@ __all__ = [
 HIDDEN_NODE_PREFIX = "_"
 
 
-# Private names are mangled: programs derive from Node, and must be free to call their own things what they like.
+# Private names are mangled, because programs derive from Node and choose names of their own.
 class Node(NodeBase):
     """A node: a name on the graph, under which it publishes, subscribes, and has parameters and timers.
 
-    Its callbacks run while an executor that it is added to spins. Whoever holds something that it created holds the
-    node; one that nobody holds leaves the graph when another node is created, or at shutdown.
+    Its callbacks run while an executor that it is added to spins. A reference to anything that it created keeps it
+    alive. An unreferenced node leaves the graph when another node is created, or at shutdown.
 
     Args:
         node_name: Its name; `-r __node:=` on the command line replaces it.
         context: The context it belongs to; None: the default one.
         cli_args: Arguments for this node alone, `--ros-args` included; they come before the program's.
         namespace: Its namespace, with or without the first slash; None: the root. `-r __ns:=` replaces it.
-        use_global_arguments: Whether the program's ROS arguments hold for it.
-        enable_rosout: Whether its log records go to /rosout.
-        start_parameter_services: Whether others may read and set its parameters.
+        use_global_arguments: Whether the program's ROS arguments apply to it.
+        enable_rosout: Whether its log records are published on /rosout.
+        start_parameter_services: Whether it has services that read and set its parameters.
         parameter_overrides: First values of parameters; they win over those of the command line.
         allow_undeclared_parameters: Whether parameters may be set that aren't declared.
         automatically_declare_parameters_from_overrides: Whether each parameter that is given a first value is
             declared at once.
-        enable_logger_service: Whether others may read and set the levels of its loggers.
+        enable_logger_service: Whether it has services that read and set the levels of loggers.
 
     Raises:
         NotInitializedException: the context isn't initialised, or shut down.
         InvalidNodeNameException: the name isn't valid.
         InvalidNamespaceException: the namespace isn't valid.
-        RCLInvalidROSArgsError: one of `cli_args` makes no sense.
+        RCLInvalidROSArgsError: one of `cli_args` can't be understood.
     """
 
     PARAM_REL_TOL = 1e-6

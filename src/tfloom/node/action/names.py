@@ -1,4 +1,4 @@
-"""The services and topics that an action is made of."""
+"""Names of the services and topics of an action."""
 
 from __future__ import annotations
 

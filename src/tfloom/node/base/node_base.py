@@ -55,7 +55,7 @@ PARAMETER_EVENTS_TOPIC = "/parameter_events"
 MsgType = TypeVar("MsgType", bound=Message)
 
 
-# Private names are mangled: programs derive from Node, and must be free to call their own things what they like.
+# Private names are mangled, because programs derive from Node and choose names of their own.
 class NodeBase(NodeEntities, NodeParameters):
     """A node without built-in services, which take this class; Node completes it.
 
@@ -150,9 +150,9 @@ class NodeBase(NodeEntities, NodeParameters):
         Args:
             msg_type: Class of the messages.
             topic: Name of the topic; it is expanded and remapped.
-            qos_profile: What it offers; a number stands for a history of that depth.
+            qos_profile: QoS that it offers; a number is the depth of a KEEP_LAST history.
             callback_group: Group of its events' callbacks.
-            event_callbacks: Callbacks for its events; None: incompatible QoS is warned of.
+            event_callbacks: Callbacks for its events; None: a warning is logged about incompatible QoS.
             qos_overriding_options: Which policies parameters may override; None: none.
             publisher_class: Class of the publisher.
 
@@ -160,8 +160,8 @@ class NodeBase(NodeEntities, NodeParameters):
             NoTypeSupportImportedException: `msg_type` is no message class.
             InvalidTopicNameException: the name isn't valid.
             TypeError, ValueError: `qos_profile` is neither a profile nor a depth.
-            InvalidQosOverridesError: parameters override it with what can't be.
-            UnsupportedEventTypeError: the wire doesn't know an event that there is a callback for.
+            InvalidQosOverridesError: the parameters give an invalid profile.
+            UnsupportedEventTypeError: the wire doesn't support an event that there is a callback for.
         """
         check_is_valid_msg_type(msg_type)
         name = self.resolve_topic_name(topic)
@@ -200,9 +200,9 @@ class NodeBase(NodeEntities, NodeParameters):
             msg_type: Class of the messages.
             topic: Name of the topic; it is expanded and remapped.
             callback: Takes a message, or a message and a dict of its stamps [ns]. Runs on a thread of the executor.
-            qos_profile: What it asks for; a number stands for a history of that depth.
+            qos_profile: QoS that it requests; a number is the depth of a KEEP_LAST history.
             callback_group: Group of its callbacks; None: the node's own.
-            event_callbacks: Callbacks for its events; None: incompatible QoS is warned of.
+            event_callbacks: Callbacks for its events; None: a warning is logged about incompatible QoS.
             qos_overriding_options: Which policies parameters may override; None: none.
             raw: Whether the callback takes bytes, encapsulation header and CDR, rather than messages.
 
@@ -210,9 +210,9 @@ class NodeBase(NodeEntities, NodeParameters):
             NoTypeSupportImportedException: `msg_type` is no message class.
             InvalidTopicNameException: the name isn't valid.
             TypeError, ValueError: `qos_profile` is neither a profile nor a depth.
-            InvalidQosOverridesError: parameters override it with what can't be.
+            InvalidQosOverridesError: the parameters give an invalid profile.
             RuntimeError: `callback` takes neither one argument nor two.
-            UnsupportedEventTypeError: the wire doesn't know an event that there is a callback for.
+            UnsupportedEventTypeError: the wire doesn't support an event that there is a callback for.
         """
         check_is_valid_msg_type(msg_type)
         name = self.resolve_topic_name(topic)
@@ -315,7 +315,7 @@ class NodeBase(NodeEntities, NodeParameters):
             srv_type: Class of the service.
             srv_name: Its name; it is expanded and remapped.
             qos_profile: QoS of requests and responses.
-            callback_group: Kept for `rclpy`'s sake: taking in a response waits for no callback.
+            callback_group: Unused, as receiving a response waits for no callback; rclpy has it.
 
         Raises:
             NoTypeSupportImportedException: `srv_type` is no service class.

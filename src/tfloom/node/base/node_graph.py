@@ -72,12 +72,12 @@ class NodeGraph:
         return [(node.name, node.namespace, enclave) for node, enclave in self.__graph.enclaves()]
 
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
-        """Wait until a node is there; False if it isn't after `timeout` [s]."""
+        """Wait until a node is on the graph; False if it isn't after `timeout` [s]."""
         end = time.monotonic() + timeout
-        wanted = fully_qualified_node_name
-        if not wanted.startswith("/"):
-            wanted = f"/{wanted}"
-        while wanted not in self.get_fully_qualified_node_names():
+        full_name = fully_qualified_node_name
+        if not full_name.startswith("/"):
+            full_name = f"/{full_name}"
+        while full_name not in self.get_fully_qualified_node_names():
             if time.monotonic() >= end:
                 return False
             time.sleep(_POLL_PERIOD_S)
@@ -123,15 +123,15 @@ class NodeGraph:
             no_demangle,
         )
 
-    def __names_and_types(self, wanted: Callable[[EndpointInfo], bool], no_demangle: bool) -> NamesAndTypes:
+    def __names_and_types(self, matches: Callable[[EndpointInfo], bool], no_demangle: bool) -> NamesAndTypes:
         found: dict[str, set[str]] = {}
         for info in self.__graph.raw_endpoints() if no_demangle else self.__graph.endpoints():
-            if wanted(info):
+            if matches(info):
                 found.setdefault(info.topic.name, set()).add(info.topic.type_name)
         return [(name, sorted(types)) for name, types in sorted(found.items())]
 
     def get_service_names_and_types(self) -> NamesAndTypes:
-        """Return all services that somebody serves, with their types."""
+        """Return all services that have a server, with their types."""
         return self.__services(lambda info: info.is_server)
 
     def get_service_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
@@ -161,10 +161,10 @@ class NodeGraph:
             lambda info: info.is_server == is_server and info.node == NodeName(namespace, name)
         )
 
-    def __services(self, wanted: Callable[[ServiceEndInfo], bool]) -> NamesAndTypes:
+    def __services(self, matches: Callable[[ServiceEndInfo], bool]) -> NamesAndTypes:
         found: dict[str, set[str]] = {}
         for info in self.__graph.service_ends():
-            if wanted(info):
+            if matches(info):
                 found.setdefault(info.name, set()).add(info.type_name)
         return [(name, sorted(types)) for name, types in sorted(found.items())]
 
@@ -173,7 +173,7 @@ class NodeGraph:
             raise NodeNameNonExistentError(f"no node '{namespace.rstrip('/')}/{name}' on the graph")
 
     def count_publishers(self, topic_name: str) -> int:
-        """Return how many publishers a topic has, anybody's; the name is expanded and remapped.
+        """Return how many publishers a topic has, of all nodes; the name is expanded and remapped.
 
         Raises:
             InvalidTopicNameException: the name isn't valid.
@@ -181,7 +181,7 @@ class NodeGraph:
         return len(self.__endpoints_of(self.resolve_topic_name(topic_name), True))
 
     def count_subscribers(self, topic_name: str) -> int:
-        """Return how many subscriptions a topic has, anybody's; the name is expanded and remapped.
+        """Return how many subscriptions a topic has, of all nodes; the name is expanded and remapped.
 
         Raises:
             InvalidTopicNameException: the name isn't valid.
@@ -195,7 +195,7 @@ class NodeGraph:
 
         Args:
             topic_name: Its name, which is expanded and remapped.
-            no_mangle: Whether it is DDS's own name, taken as it is; types are then DDS's own, too.
+            no_mangle: Whether it is DDS's own name, used unchanged; types are then DDS's own, too.
 
         Raises:
             InvalidTopicNameException: the name isn't valid.
@@ -209,7 +209,7 @@ class NodeGraph:
 
         Args:
             topic_name: Its name, which is expanded and remapped.
-            no_mangle: Whether it is DDS's own name, taken as it is; types are then DDS's own, too.
+            no_mangle: Whether it is DDS's own name, used unchanged; types are then DDS's own, too.
 
         Raises:
             InvalidTopicNameException: the name isn't valid.

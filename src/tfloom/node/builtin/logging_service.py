@@ -1,4 +1,4 @@
-"""The services by which others read and set the levels of a node's loggers."""
+"""The services that read and set the levels of loggers."""
 
 from __future__ import annotations
 

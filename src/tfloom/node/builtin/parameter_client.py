@@ -71,7 +71,7 @@ class AsyncParameterClient:
         return all(client.service_is_ready() for client in self._clients())
 
     def wait_for_services(self, timeout_sec: float | None = None) -> bool:
-        """Wait for all six services; False if they aren't there after `timeout_sec` [s] (None: wait for ever)."""
+        """Wait for all six services; False if they aren't there after `timeout_sec` [s] (None: no limit)."""
         end = None if timeout_sec is None else time.monotonic() + timeout_sec
         for client in self._clients():
             left_s = None if end is None else max(0.0, end - time.monotonic())

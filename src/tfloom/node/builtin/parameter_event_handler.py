@@ -1,4 +1,4 @@
-"""Callbacks for changes of parameters, anybody's."""
+"""Callbacks for changes of parameters, of any node."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ __all__ = ["ParameterCallbackHandle", "ParameterEventCallbackHandle", "Parameter
 
 
 class ParameterCallbackHandle:
-    """One parameter of one node, and what to call when it changes."""
+    """One parameter of one node, and the callback for its changes."""
 
     def __init__(self, parameter_name: str, node_name: str, callback: Callable[[Parameter], None]) -> None:
         self.parameter_name = parameter_name
@@ -27,7 +27,7 @@ class ParameterCallbackHandle:
 
 
 class ParameterEventCallbackHandle:
-    """What to call with every change."""
+    """The callback for every change."""
 
     def __init__(self, callback: Callable[[ParameterEvent], None]) -> None:
         self.callback = callback
@@ -38,11 +38,11 @@ class ParameterEventHandler:
 
     Args:
         node: The node that listens.
-        qos_profile: What to ask for.
+        qos_profile: QoS of the subscription.
         callback_group: Group of the callbacks.
         event_callbacks: Callbacks for the subscription's events.
         qos_overriding_options: As for a subscription.
-        raw: Not for this: callbacks take messages.
+        raw: Not supported, because callbacks take messages.
     """
 
     def __init__(
@@ -72,12 +72,12 @@ class ParameterEventHandler:
     def add_parameter_callback(
         self, parameter_name: str, node_name: str, callback: Callable[[Parameter], None]
     ) -> ParameterCallbackHandle:
-        """Have `callback(parameter)` called when a parameter of a node is set, with the message; last added first.
+        """Call `callback(parameter)` with the message when a parameter is set; the last added is called first.
 
         Args:
             parameter_name: The parameter.
             node_name: The node; a relative name is in this node's namespace.
-            callback: What to call.
+            callback: Takes the message.
         """
         handle = ParameterCallbackHandle(parameter_name, self._full_name(node_name), callback)
         self._for_parameters.insert(0, handle)
@@ -107,7 +107,7 @@ class ParameterEventHandler:
         _remove(self._for_events, handle)
 
     def destroy(self) -> None:
-        """Listen no more."""
+        """Stop listening."""
         self.node.destroy_subscription(self._subscription)
 
     def _on_event(self, event: ParameterEvent) -> None:

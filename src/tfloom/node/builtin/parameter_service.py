@@ -1,4 +1,4 @@
-"""The services by which others read and set a node's parameters."""
+"""The services that read and set a node's parameters."""
 
 from __future__ import annotations
 
@@ -106,5 +106,5 @@ class ParameterService:
         convert: Callable[[ParameterMsg], Parameter] = Parameter.from_parameter_msg
         try:
             return self._node.set_parameters_atomically([convert(message) for message in messages])
-        except (ParameterNotDeclaredException, ValueError) as error:  # ValueError: a type that there isn't
+        except (ParameterNotDeclaredException, ValueError) as error:  # ValueError: an unknown type
             return SetParametersResult(successful=False, reason=str(error))

@@ -45,7 +45,7 @@ class Rosout:
         )
         try:
             self._writer.write(cdr.encode(message))
-        except ClosedError:  # its context has left the wire; whoever logs by this name now is not to blame
+        except ClosedError:  # the context has left the wire; other users of the logger go on
             log_output.remove_listener(self._logger_name, self._publish)
 
     def destroy(self) -> None:

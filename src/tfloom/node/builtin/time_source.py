@@ -1,4 +1,4 @@
-"""Whether a node goes by simulated time, and where that comes from."""
+"""Simulated time: a node's parameter `use_sim_time`, and the topic /clock."""
 
 from __future__ import annotations
 
@@ -59,10 +59,10 @@ class TimeSource:
             self._unsubscribe()
 
     def attach_node(self, node: NodeBase) -> None:
-        """Go by a node's `use_sim_time`, which is declared if it isn't yet, and subscribe in its name.
+        """Follow a node's `use_sim_time`, which is declared if it isn't yet, and subscribe to /clock on that node.
 
         Raises:
-            InvalidParameterTypeException: the parameter was given, and isn't true or false.
+            InvalidParameterTypeException: the parameter's first value isn't true or false.
         """
         if self._node is not None:
             self.detach_node()
@@ -93,7 +93,7 @@ class TimeSource:
         self._clocks.append(clock)
 
     def clock_callback(self, msg: rosgraph_msg.Clock) -> None:
-        """Set the clocks to what a message of /clock says; a time before 0, which no clock can show, is dropped."""
+        """Set the clocks to the time of a message; a time before 0, which no clock can show, is dropped."""
         if msg.clock.sec < 0:
             if self._warning is not None:
                 self._warning.log(f"Dropped a time on {CLOCK_TOPIC} that is before 0: {msg.clock.sec} s")

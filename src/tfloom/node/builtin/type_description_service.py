@@ -1,4 +1,4 @@
-"""The service that tells what the types are that a node uses."""
+"""The service that returns the definitions of a node's types."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ START_TYPE_DESCRIPTION_SERVICE_PARAM = "start_type_description_service"
 
 
 class TypeDescriptionService:
-    """Serves the definitions of types, below a node's name, unless its parameter says not to."""
+    """Serves the definitions of types, below a node's name, unless its parameter disables it."""
 
     def __init__(self, node: NodeBase) -> None:
         self._node = node
@@ -46,7 +46,7 @@ class TypeDescriptionService:
             self._service = node.create_service(GetTypeDescription, "~/get_type_description", self._get)
 
     def destroy(self) -> None:
-        """Serve no more."""
+        """Stop serving."""
         if self._service is not None:
             self._node.destroy_service(self._service)
             self._service = None
@@ -70,7 +70,7 @@ class TypeDescriptionService:
 
 
 def _describe(name: str, response: GetTypeDescription_Response, *, with_sources: bool) -> None:
-    """Fill a response in.
+    """Fill in a response.
 
     Raises:
         LookupError, ParseError, UnicodeDecodeError, OSError: a definition isn't there, or can't be read.

@@ -27,20 +27,20 @@ if TYPE_CHECKING:
 
 __all__ = ["Client", "SrvType", "SrvTypeRequest", "SrvTypeResponse"]
 
-# Readiness is told, but for a few causes of it on other processes' side.
+# The wire reports readiness, except for a few causes in other processes.
 _LOOK_AGAIN_NS = S_TO_NS // 10
 
 
 class Client(ServiceEndpoint["Requester"]):
-    """Calls a service; `Node.create_client` makes one.
+    """Calls a service; `Node.create_client` creates one.
 
-    Responses are taken in by the executor that spins the node.
+    The executor that spins the node receives the responses.
     """
 
     _kind = "client"
     _incoming = ("a response", "from")
 
-    # What it runs is no callback of the program's, but the end of a wait that a callback of its group may be in.
+    # `run` completes a future that a callback of the same group may wait for, and calls no callback of the program.
     goes_by_group = False
 
     def __init__(
@@ -71,21 +71,22 @@ class Client(ServiceEndpoint["Requester"]):
         self._logger = logger
         self._reported_obstacle = ""
         self._lock = threading.Lock()
+        """Guards `_pending`."""
         self._pending: dict[int, Future[Any]] = {}
 
     def call(self, request: Any, timeout_sec: float | None = None) -> Any:
-        """Send a request and wait for the response, which another thread, that spins the node, takes in.
+        """Send a request and wait for the response. Another thread must spin the node.
 
         Args:
             request: The request.
-            timeout_sec: The longest wait [s]; None: for ever.
+            timeout_sec: The longest wait [s]; None: no limit.
 
         Returns:
             The response; None if shutdown came first.
 
         Raises:
             TypeError: `request` isn't of the service's request type.
-            TimeoutError: no response came in time.
+            TimeoutError: no response arrived in time.
             RuntimeError: it is called from a callback of a single-threaded executor, which would wait for itself.
         """
         executor = self._executor()
@@ -111,7 +112,7 @@ class Client(ServiceEndpoint["Requester"]):
 
         Raises:
             TypeError: `request` isn't of the service's request type.
-            EncodeError: one of its fields holds what its type has no place for.
+            EncodeError: the value of a field doesn't fit its type.
             ForeignPeerError: a server speaks another vendor's form of services and would misread it.
             InvalidHandle: the client was destroyed.
         """
@@ -119,7 +120,7 @@ class Client(ServiceEndpoint["Requester"]):
             raise TypeError(f"Expected {self.srv_type.Request}, got {type(request)}")
         data = cdr.encode(request)
         future: Future[Any] = Future()
-        with self._alive()._lock:  # a response may be here before `send` has returned  # noqa: SLF001
+        with self._alive()._lock:  # a response may arrive before `send` has returned  # noqa: SLF001
             number = self._endpoint.send(data)
             self._pending[number] = future
         future.when_complete(lambda: self.remove_pending_request(future))
@@ -135,14 +136,14 @@ class Client(ServiceEndpoint["Requester"]):
         return self._pending[sequence_number]
 
     def remove_pending_request(self, future: Future[Any]) -> None:
-        """Give up on a response: it is dropped when it comes."""
+        """Forget a request: its response is dropped when it arrives."""
         with self._lock:
             for number, pending in list(self._pending.items()):
                 if pending is future:
                     del self._pending[number]
 
     def service_is_ready(self) -> bool:
-        """Return whether a server is there that will hear a request sent now."""
+        """Return whether a server is matched in both directions, so that it receives a request sent now."""
         if self._destroyed:
             return False
         if self._endpoint.is_ready():
@@ -154,13 +155,13 @@ class Client(ServiceEndpoint["Requester"]):
         return False
 
     def wait_for_service(self, timeout_sec: float | None = None) -> bool:
-        """Wait until a server is there.
+        """Wait until a server is ready.
 
         Args:
-            timeout_sec: The longest wait [s]; None: for ever.
+            timeout_sec: The longest wait [s]; None: no limit.
 
         Returns:
-            Whether there is one; False after the timeout, or at shutdown.
+            Whether one is; False after the timeout, or at shutdown.
         """
         end_ns = None if timeout_sec is None else time.monotonic_ns() + int(timeout_sec * S_TO_NS)
         queue = ReadyQueue()
@@ -179,11 +180,11 @@ class Client(ServiceEndpoint["Requester"]):
             self._context.remove_queue(queue)
         return False
 
-    def _read(self, came: Response) -> Any:
+    def _read(self, incoming: Response) -> Any:
         """Return a response and the number of its request."""
-        message = cdr.decode(self.srv_type.Response, came.data)
-        self._introspection.response_received(message, came.id)
-        return message, came.id.sequence_number
+        message = cdr.decode(self.srv_type.Response, incoming.data)
+        self._introspection.response_received(message, incoming.id)
+        return message, incoming.id.sequence_number
 
     def run(self, taken: Any) -> Any:
         """Complete the future of the request that is answered."""

@@ -1,4 +1,4 @@
-"""What publishers, subscriptions, services and clients have in common: an end on the wire, and its end."""
+"""The base of publishers, subscriptions, services and clients: an endpoint on the wire, until it is destroyed."""
 
 from __future__ import annotations
 
@@ -22,54 +22,54 @@ if TYPE_CHECKING:
 __all__ = ["UNREADABLE", "Endpoint", "Receiver", "TakingEndpoint"]
 
 UNREADABLE = object()
-"""What was taken where something came that couldn't be read: there is nothing to run, but more may wait."""
+"""Returned by `take` for data that can't be decoded: there is nothing to run, but more data may wait."""
 
 
-class Closes(Protocol):
-    """An end on the wire."""
+class Closable(Protocol):
+    """An endpoint on the wire."""
 
     def close(self) -> None:
         """Leave for good."""
 
 
-class Comes(Protocol):
-    """What an end on the wire takes in."""
+class HasData(Protocol):
+    """A sample, request or response from the wire."""
 
     @property
     def data(self) -> bytes:
         """Encapsulation header and CDR."""
 
 
-class Takes(Closes, Protocol):
-    """An end on the wire that takes things in."""
+class TakeSource(Closable, Protocol):
+    """An endpoint on the wire that receives."""
 
     def take(self) -> Any:
-        """Remove and return the oldest thing that waits, or None."""
+        """Remove and return the oldest item that waits, or None."""
 
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` when there may be something to take; None ends it."""
 
 
-End = TypeVar("End", bound=Closes)
-TakingEndpoint = TypeVar("TakingEndpoint", bound=Takes)
+WireEndpoint = TypeVar("WireEndpoint", bound=Closable)
+TakingEndpoint = TypeVar("TakingEndpoint", bound=TakeSource)
 
 
-class Endpoint(Generic[End]):
-    """An end on the wire, until it is destroyed."""
+class Endpoint(Generic[WireEndpoint]):
+    """An endpoint on the wire, until it is destroyed."""
 
     _kind = ""
-    """What it is, for texts: `client`."""
+    """Kind of endpoint for error texts, such as `client`."""
 
-    _part_of: Any = None  # as an entity's
+    _part_of: Any = None  # the node, as of an entity
 
-    def __init__(self, endpoint: End, name: str) -> None:
+    def __init__(self, endpoint: WireEndpoint, name: str) -> None:
         self._endpoint = endpoint
         self._name = name
         self._destroyed = False
 
     @property
     def handle(self) -> Handle:
-        """What stands for the library's own object.
+        """Proxy of the endpoint, for code that expects rclpy's C handle.
 
         Raises:
             InvalidHandle: it was destroyed.
@@ -102,17 +102,17 @@ class Endpoint(Generic[End]):
 
 
 class Receiver(Endpoint[TakingEndpoint], Entity):
-    """An end on the wire whose callback an executor runs with what comes.
+    """An endpoint that receives, and whose callback an executor runs.
 
     Args:
-        endpoint: The end on the wire.
-        name: The full name of its topic or service.
-        incoming_type: Class of the messages that come.
-        logger: Warns of what comes and can't be read.
+        endpoint: The endpoint on the wire.
+        name: Full name of its topic or service.
+        incoming_type: Class of the incoming messages.
+        logger: Logs a warning about data that can't be decoded.
     """
 
     _incoming = ("a message", "on")
-    """What comes, and its preposition, for texts."""
+    """What arrives, and its preposition, for warnings."""
 
     def __init__(
         self, endpoint: TakingEndpoint, name: str, incoming_type: type[Message], logger: RcutilsLogger
@@ -122,37 +122,37 @@ class Receiver(Endpoint[TakingEndpoint], Entity):
         self._warning = ThrottledWarning(logger)
 
     def attach(self, queue: ReadyQueue, token: int) -> None:
-        """Post `token` when something has come."""
+        """Post `token` when data has arrived."""
         if not self._destroyed:
             self._endpoint.notify(queue, token)
 
     def detach(self) -> None:
-        """Post no more."""
+        """Stop posting."""
         if not self._destroyed:
             self._endpoint.notify(None)
 
     def take(self) -> Any:
-        """Return what `run` needs of the oldest thing that has come, `UNREADABLE`, or None."""
-        came = None if self._destroyed else self._endpoint.take()
-        if came is None:
+        """Return what `run` needs of the oldest item that has arrived, `UNREADABLE`, or None."""
+        incoming = None if self._destroyed else self._endpoint.take()
+        if incoming is None:
             return None
         try:
-            return self._read(came)
+            return self._read(incoming)
         except cdr.DecodeError as error:
-            self._warn(came, error)
+            self._warn(incoming, error)
             return UNREADABLE
 
-    def _read(self, came: Any) -> Any:
-        """Return what `run` needs of what has come.
+    def _read(self, incoming: Any) -> Any:
+        """Return what `run` needs of an item that has arrived.
 
         Raises:
-            DecodeError: it can't be read.
+            DecodeError: it can't be decoded.
         """
         raise NotImplementedError
 
-    def _warn(self, came: Comes, error: cdr.DecodeError) -> None:
+    def _warn(self, incoming: HasData, error: cdr.DecodeError) -> None:
         what, preposition = self._incoming
         self._warning.log(
-            f"Dropped {what} of {len(came.data)} bytes {preposition} {self._name} that is no valid "
+            f"Dropped {what} of {len(incoming.data)} bytes {preposition} {self._name} that is no valid "
             f"{self._incoming_type._TYPE_NAME}: {error}"  # ours
         )

@@ -1,4 +1,4 @@
-"""The sending end of a topic."""
+"""Publishers: they send the messages of a topic."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ MsgType = TypeVar("MsgType", bound=Message)
 
 
 class Publisher(Endpoint["Writer"], Generic[MsgType]):
-    """Publishes messages of one type on one topic; `Node.create_publisher` makes one."""
+    """Publishes messages of one type on one topic; `Node.create_publisher` creates one."""
 
     _kind = "publisher"
 
@@ -78,18 +78,18 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
 
     @property
     def gid(self) -> bytes:
-        """Who it is on the wire: 16 octets."""
+        """Global id on the wire: 16 octets."""
         return self._endpoint.gid
 
     def assert_liveliness(self) -> None:
-        """Say that the publisher lives; with AUTOMATIC liveliness the wire says so by itself."""
+        """Assert that the publisher is alive; with AUTOMATIC liveliness the wire does it."""
         self._alive()._endpoint.assert_liveliness()  # noqa: SLF001
 
     def wait_for_all_acked(self, timeout: Duration = Duration(seconds=-1)) -> bool:  # noqa: B008  # immutable
         """Wait until every connected reliable subscription has all that was published.
 
         Args:
-            timeout: The longest wait; negative: for ever.
+            timeout: The longest wait; negative: no limit.
 
         Returns:
             False after the timeout.

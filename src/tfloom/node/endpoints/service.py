@@ -28,7 +28,7 @@ SrvTypeResponse = TypeVar("SrvTypeResponse")
 
 
 class ServiceEndpoint(Receiver[TakingEndpoint]):
-    """What servers and clients have in common."""
+    """The base of servers and clients."""
 
     def __init__(
         self,
@@ -59,11 +59,11 @@ class ServiceEndpoint(Receiver[TakingEndpoint]):
         service_event_qos_profile: QoSProfile,
         introspection_state: ServiceIntrospectionState,
     ) -> None:
-        """Publish what comes and goes on `<service>/_service_event`.
+        """Publish requests and responses on `<service>/_service_event`.
 
         Args:
             clock: Stamps the events.
-            service_event_qos_profile: What the events' publisher offers.
+            service_event_qos_profile: QoS of the events' publisher.
             introspection_state: OFF, METADATA, or CONTENTS, with requests and responses.
         """
         self._introspection.configure(clock, service_event_qos_profile, introspection_state)
@@ -75,10 +75,10 @@ class ServiceEndpoint(Receiver[TakingEndpoint]):
 
 
 class Service(ServiceEndpoint["Responder"]):
-    """Answers requests with what its callback returns; `Node.create_service` makes one.
+    """Replies to requests with what its callback returns; `Node.create_service` creates one.
 
-    The callback may return the future of a response: others of its group run meanwhile. A coroutine, by contrast,
-    keeps its group until its end.
+    The callback may return the future of a response: other callbacks of its group run meanwhile. A coroutine, by
+    contrast, occupies its group until it completes.
     """
 
     _kind = "service"
@@ -111,11 +111,11 @@ class Service(ServiceEndpoint["Responder"]):
         self.callback = callback
 
     def send_response(self, response: Any, header: RequestId) -> None:
-        """Answer the request of `header`.
+        """Send the response to the request of `header`.
 
         Raises:
             TypeError: `response` isn't of the service's response type.
-            EncodeError: one of its fields holds what its type has no place for.
+            EncodeError: the value of a field doesn't fit its type.
         """
         if not isinstance(response, self.srv_type.Response):
             raise TypeError(
@@ -134,11 +134,11 @@ class Service(ServiceEndpoint["Responder"]):
             self._logger.warning(text)
         return taken
 
-    def _read(self, came: Request) -> Any:
+    def _read(self, incoming: Request) -> Any:
         """Return a request and its header."""
-        message = cdr.decode(self.srv_type.Request, came.data)
-        self._introspection.request_received(message, came.id)
-        return message, came.id
+        message = cdr.decode(self.srv_type.Request, incoming.data)
+        self._introspection.request_received(message, incoming.id)
+        return message, incoming.id
 
     def run(self, taken: Any) -> Any:
         """Call the callback and send what it returns."""

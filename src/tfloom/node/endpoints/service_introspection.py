@@ -1,4 +1,4 @@
-"""What a service or a client tells about its traffic, where it is asked to."""
+"""Service introspection: events about the requests and responses of a service or client."""
 
 from __future__ import annotations
 
@@ -22,23 +22,23 @@ TOPIC_SUFFIX = "/_service_event"
 
 
 class ServiceIntrospectionState(IntEnum):
-    """How much is told."""
+    """What is published."""
 
     OFF = 0
     METADATA = 1
-    """That a request or response came or went, whose, and when."""
+    """Which request or response was sent or received, and when."""
     CONTENTS = 2
     """The request or response itself too."""
 
 
 class Introspection:
-    """Publishes the events of one end of a service.
+    """Publishes the events of one endpoint of a service.
 
     Args:
         srv_type: The service's class.
         srv_name: Its full name.
-        create_publisher: Makes a publisher of a type, on a topic, with a QoS.
-        destroy_publisher: Ends it.
+        create_publisher: Creates a publisher of a type, on a topic, with a QoS.
+        destroy_publisher: Destroys it.
     """
 
     def __init__(
@@ -57,7 +57,7 @@ class Introspection:
         self._with_contents = False
 
     def configure(self, clock: Clock, qos_profile: QoSProfile, state: ServiceIntrospectionState) -> None:
-        """Tell this much from now on."""
+        """Publish this much from now on."""
         self.close()
         self._clock = clock
         self._with_contents = state is ServiceIntrospectionState.CONTENTS
@@ -65,19 +65,19 @@ class Introspection:
             self._publisher = self._create(self._event_type, self._topic, qos_profile)
 
     def request_sent(self, request: Message, request_id: RequestId) -> None:
-        """Tell of a client's request."""
+        """Publish that a client sent a request."""
         self._publish(ServiceEventInfo.REQUEST_SENT, request_id, request=request)
 
     def request_received(self, request: Message, request_id: RequestId) -> None:
-        """Tell of a request that a server got."""
+        """Publish that a server received a request."""
         self._publish(ServiceEventInfo.REQUEST_RECEIVED, request_id, request=request)
 
     def response_sent(self, response: Message, request_id: RequestId) -> None:
-        """Tell of a server's response."""
+        """Publish that a server sent a response."""
         self._publish(ServiceEventInfo.RESPONSE_SENT, request_id, response=response)
 
     def response_received(self, response: Message, request_id: RequestId) -> None:
-        """Tell of a response that a client got."""
+        """Publish that a client received a response."""
         self._publish(ServiceEventInfo.RESPONSE_RECEIVED, request_id, response=response)
 
     def _publish(self, event_type: int, request_id: RequestId, **contents: Message) -> None:
@@ -93,7 +93,7 @@ class Introspection:
         self._publisher.publish(self._event_type(info=info, **parts))
 
     def close(self) -> None:
-        """Tell no more."""
+        """Stop publishing."""
         if self._publisher is not None:
             self._destroy(self._publisher)
             self._publisher = None

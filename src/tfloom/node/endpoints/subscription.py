@@ -1,4 +1,4 @@
-"""The receiving end of a topic."""
+"""Subscriptions: they receive the messages of a topic."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ MsgType = TypeVar("MsgType", bound=Message)
 
 
 class Subscription(Receiver["Reader"], Generic[MsgType]):
-    """Has its callback run with each message of one topic; `Node.create_subscription` makes one."""
+    """Runs its callback with each message of one topic; `Node.create_subscription` creates one."""
 
     _kind = "subscription"
 
     class CallbackType(Enum):
-        """What the callback takes."""
+        """The arguments of the callback."""
 
         MessageOnly = 0
         WithMessageInfo = 1
@@ -59,7 +59,7 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
 
     @property
     def callback(self) -> Callable[..., Any]:
-        """What is called with each message, and with its info if it takes two arguments."""
+        """Called with each message, and with its info if it takes two arguments."""
         return self._callback
 
     @callback.setter
@@ -79,7 +79,7 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
     def feed(self, sink: Sink) -> None:
         """Push the bytes of every message into `sink`, on the wire's thread, from now on.
 
-        No callback runs any more, and no message object is built.
+        The callback isn't called any more, and no message object is built.
         """
         self._endpoint.feed(sink)
 
@@ -92,10 +92,10 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
         """The topic's full name, after remapping."""
         return self.topic
 
-    def _read(self, came: Sample) -> Any:
+    def _read(self, incoming: Sample) -> Any:
         """Return the arguments for the callback."""
-        message = came.data if self.raw else cdr.decode(self.msg_type, came.data)
-        return (message, _info(came)) if self._with_info else (message,)
+        message = incoming.data if self.raw else cdr.decode(self.msg_type, incoming.data)
+        return (message, _info(incoming)) if self._with_info else (message,)
 
     def run(self, taken: Any) -> Any:
         """Call the callback."""

@@ -11,7 +11,7 @@ __all__ = ["LifecyclePublisher"]
 
 
 class LifecyclePublisher(SimpleManagedEntity, Publisher[MsgType]):
-    """Publishes while its node is active, and drops what is published else."""
+    """Publishes while its node is active, and drops messages otherwise."""
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         SimpleManagedEntity.__init__(self)
