@@ -24,8 +24,10 @@ from tfloom.node.values.exceptions import ExternalShutdownException
 if TYPE_CHECKING:
     from typing_extensions import Self
 
+    from tfloom.node.clock.clock import Clock
     from tfloom.node.executing.entity import Entity
     from tfloom.node.executing.waitable import Waitable
+    from tfloom.node.log.rcutils_logger import RcutilsLogger
 
 __all__ = ["Executor", "SpunNode"]
 
@@ -35,6 +37,10 @@ class SpunNode(Protocol):
 
     executor: Executor | None
     """The executor that the node is in."""
+
+    @property
+    def context(self) -> Context:
+        """The context that the node belongs to."""
 
     def entities(self) -> list[Entity]:
         """Return all that the executor is to run."""
@@ -47,6 +53,12 @@ class SpunNode(Protocol):
 
     def get_fully_qualified_name(self) -> str:
         """Return namespace and name."""
+
+    def get_logger(self) -> RcutilsLogger:
+        """Return the node's logger."""
+
+    def get_clock(self) -> Clock:
+        """Return the node's clock."""
 
     def destroy_node(self) -> None:
         """Leave the executor and the graph."""
