@@ -93,7 +93,7 @@ class ParameterEventHandler:
     def add_parameter_event_callback(
         self, callback: Callable[[ParameterEvent], None]
     ) -> ParameterEventCallbackHandle:
-        """Have `callback(event)` called with every change; last added first."""
+        """Call `callback(event)` with every change; the last added is called first."""
         handle = ParameterEventCallbackHandle(callback)
         self._for_events.insert(0, handle)
         return handle

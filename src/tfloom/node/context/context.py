@@ -360,7 +360,7 @@ def _close_at_exit() -> None:
 def _destroy_all() -> None:
     import signal
 
-    # Some send two at once, to the process and to its group: the second is no more news.
+    # Launchers send Ctrl-C to the process and to its group: the second one changes nothing.
     if threading.current_thread() is threading.main_thread():
         signal.signal(signal.SIGINT, signal.SIG_IGN)
     # A daemon thread that spins is to end with the program, not with an exception.

@@ -188,7 +188,7 @@ class _EventCallbacks:
 
 
 class PublisherEventCallbacks(_EventCallbacks):
-    """What to call with the status of a publisher's events.
+    """Callbacks for the status of a publisher's events.
 
     Args:
         deadline: It didn't publish in time.
@@ -207,7 +207,7 @@ class PublisherEventCallbacks(_EventCallbacks):
 
 
 class SubscriptionEventCallbacks(_EventCallbacks):
-    """What to call with the status of a subscription's events.
+    """Callbacks for the status of a subscription's events.
 
     Args:
         deadline: No message came in time.

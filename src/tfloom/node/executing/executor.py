@@ -1,4 +1,4 @@
-"""The base of all executors: nodes come and go, and callbacks run while one thread spins."""
+"""The base of all executors: nodes are added and removed, and callbacks run while a thread spins."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ class SpunNode(Protocol):
 class Executor(WorkQueue):
     """Runs the callbacks of the nodes added to it, while one of its `spin` methods is called.
 
-    Nodes, and their entities, may come and go from any thread at any time. One thread at a time may spin.
+    Any thread may add and remove nodes and entities at any time. One thread at a time may spin.
 
     Args:
         context: Context whose shutdown ends every spin; None: the default one.

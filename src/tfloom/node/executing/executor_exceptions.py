@@ -21,7 +21,7 @@ class ShutdownException(Exception):
 
 
 class ConditionReachedException(Exception):
-    """What was waited for has come true."""
+    """The condition of a wait is true."""
 
 
 class TimeoutObject:

@@ -44,7 +44,7 @@ class Work(NamedTuple):
 class WorkQueue:
     """Takes from entities, and from tasks that can go on, what is to run next.
 
-    Entities may come and go from any thread. The thread that spins alone calls the methods with an underscore, but
+    Any thread may add and remove entities. The thread that spins alone calls the methods with an underscore, but
     for `_end` and `_register_task`, which any thread may call.
     """
 
