@@ -49,7 +49,7 @@ _TAKES_VALUE = {
     "-e": "enclave",
     "--enclave": "enclave",
 }
-_NODE_PREFIX = re.compile(r"([A-Za-z_][A-Za-z0-9_]*):(?!=|//)")
+_NODE_PREFIX = r"([A-Za-z_][A-Za-z0-9_]*):(?!=|//)"
 
 
 class RCLInvalidROSArgsError(RCLError):
@@ -190,7 +190,7 @@ def _split(flag: str, value: str) -> tuple[str, str]:
 
 
 def _take_node(text: str) -> tuple[str | None, str]:
-    match = _NODE_PREFIX.match(text)
+    match = re.match(_NODE_PREFIX, text)
     return (match.group(1), text[match.end() :]) if match else (None, text)
 
 

@@ -10,12 +10,13 @@ __all__ = ["parse_scalar", "parse_value"]
 
 _TRUE = {"y", "Y", "yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"}
 _FALSE = {"n", "N", "no", "No", "NO", "false", "False", "FALSE", "off", "Off", "OFF"}
-_INTEGER = re.compile(r"[-+]?(0[xX][0-9a-fA-F]+|[0-9]+)\Z")
+# Patterns are compiled, and kept by `re`, when they are used first: most programs never need them.
+_INTEGER = r"[-+]?(0[xX][0-9a-fA-F]+|[0-9]+)\Z"
 _MOST_DIGITS = 300
-_DOUBLE = re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\Z")
-_NOT_FINITE = re.compile(r"([-+]?)\.(inf|Inf|INF|nan|NaN|NAN)\Z")
+_DOUBLE = r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\Z"
+_NOT_FINITE = r"([-+]?)\.(inf|Inf|INF|nan|NaN|NAN)\Z"
 _BINARY = "tag:yaml.org,2002:binary"
-_NEEDS_YAML = re.compile(r"[\[\]{}'\"#&*!|>%@`,\n]|: |:$|^[-?] |^\s|\s$")
+_NEEDS_YAML = r"[\[\]{}'\"#&*!|>%@`,\n]|: |:$|^[-?] |^\s|\s$"
 
 
 def parse_scalar(text: str) -> bool | int | float | str:
@@ -24,16 +25,16 @@ def parse_scalar(text: str) -> bool | int | float | str:
         return True
     if text in _FALSE:
         return False
-    if _INTEGER.match(text):
+    if re.match(_INTEGER, text):
         digits = text.lstrip("+-")
         is_octal = len(digits) > 1 and digits[0] == "0" and digits[1] not in "xX"
         if not is_octal:
             return _integer(text, 0)
         if set(digits) <= set("01234567"):
             return _integer(text, 8)
-    if _DOUBLE.match(text):
+    if re.match(_DOUBLE, text):
         return float(text)
-    special = _NOT_FINITE.match(text)
+    special = re.match(_NOT_FINITE, text)
     return float(special.group(1) + special.group(2)) if special else text
 
 
@@ -51,7 +52,7 @@ def parse_value(text: str) -> Any:
     Raises:
         ValueError: it is no YAML, or more than one document.
     """
-    if text and not _NEEDS_YAML.search(text):
+    if text and not re.search(_NEEDS_YAML, text):
         return parse_scalar(text)
     import yaml
 
