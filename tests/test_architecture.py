@@ -1,130 +1,222 @@
-"""The house's rules: imports point down the shelves, one door for each library, no ROS name inside."""
+"""The house's rules: imports point down the shelves, one door for each library, no ROS name inside.
+
+Each rule of `tests/architecture.py` runs over the whole tree and lists all that breaks it; and each one finds a
+violation that is planted in a tree of a few files.
+"""
 
 from __future__ import annotations
 
-import ast
 import os
-import re
 import subprocess
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from tests import architecture
+from tests.architecture import HOUSE_RULES, NATIVE_RULES, NODE_ROOMS, SHELVES, Rule
 
 ROOT = Path(__file__).parents[1]
 HOUSE = ROOT / "src" / "tfloom"
-ROS_NAMES = {path.name for path in (HOUSE / "ros_names").glob("*")}
-SHELVES = [
-    ["_native"],
-    ["rosidl", "interfaces", "tf2"],
-    ["rmw"],
-    ["node"],
-    ["tf2_ros", "bag", "workspace"],
-    ["tf2_tools", "turtlesim", "robot", "launch", "demos"],
-    ["cli"],
-]
-SHELF = {room: shelf for shelf, rooms in enumerate(SHELVES) for room in rooms}
-DOORS = {
-    "zenoh": "rmw/zenoh.py",
-    "pygame": "turtlesim/window.py",
-    "viser": "viewer/",
-    "mcap": "bag/",
-    "rosbags": "bag/",
-    "colcon_core": "workspace/",
-    "catkin_pkg": "workspace/",
-    "reportlab": "tf2_tools/",
-    "argcomplete": "cli/main.py",
-    "PIL": "turtlesim/",
-    "transforms3d": "tf2_ros/transformations.py",
-    "nanobind": "nowhere in Python",
-    "cyclonedds": "nowhere in Python",
-}
+NATIVE = ROOT / "native"
 
 
-def modules() -> list[Path]:
-    return sorted(path for path in HOUSE.rglob("*.py") if "ros_names" not in path.parts)
+def name_of(rule: Rule) -> str:
+    return rule.__name__
 
 
-def imports(path: Path) -> Iterator[tuple[str, int]]:
-    """Yield each imported module of a file as a dotted name, with its line."""
-    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
-        if isinstance(node, ast.Import):
-            yield from ((alias.name, node.lineno) for alias in node.names)
-        elif isinstance(node, ast.ImportFrom):
-            assert node.level == 0, f"{path}:{node.lineno}: a relative import"
-            package = node.module or ""
-            for alias in node.names:
-                name = f"{package}.{alias.name}"
-                yield (name if is_module(name) else package), node.lineno
+def report(findings: list[str]) -> str:
+    return "\n".join(["", *findings])
 
 
-def is_module(dotted: str) -> bool:
-    path = ROOT / "src" / Path(*dotted.split("."))
-    return path.is_dir() or path.with_suffix(".py").is_file()
+@pytest.mark.parametrize("rule", HOUSE_RULES, ids=name_of)
+def test_the_house_keeps_the_rule(rule: Rule) -> None:
+    findings = rule(HOUSE)
+    assert not findings, report(findings)
 
 
-def room(dotted: str) -> str:
-    return dotted.split(".")[1] if dotted.count(".") else ""
+@pytest.mark.parametrize("rule", NATIVE_RULES, ids=name_of)
+def test_the_native_code_keeps_the_rule(rule: Rule) -> None:
+    findings = rule(NATIVE)
+    assert not findings, report(findings)
 
 
-def own_package_tops(path: Path) -> set[str]:
-    parts = path.relative_to(ROOT / "src").with_suffix("").parts
-    return {".".join(parts[:end]) for end in range(2, len(parts))}
+def plant(folder: Path, files: dict[str, str]) -> Path:
+    for name, text in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, "utf-8")
+    return folder
 
 
-@pytest.mark.parametrize("path", modules(), ids=lambda path: str(path.relative_to(HOUSE)))
-def test_a_module_imports_only_what_stands_below_it(path: Path) -> None:
-    here = path.relative_to(HOUSE).parts[0].removesuffix(".py")
-    own_tops = own_package_tops(path)
-    for name, line in imports(path):
-        where = f"{path.relative_to(ROOT)}:{line} imports {name}"
-        top = name.split(".")[0]
-        assert top not in ROS_NAMES, f"{where}, a ROS name; import it from its room in tfloom"
-        if top in DOORS:
-            door = DOORS[top]
-            assert str(path.relative_to(HOUSE).as_posix()).startswith(door), (
-                f"{where}; its one door is {door}"
-            )
-        there = room(name) if top == "tfloom" else ""
-        if there not in SHELF or here not in SHELF or there == here:
-            continue
-        peers = here == "interfaces" and there == "rosidl"
-        assert SHELF[there] < SHELF[here] or peers, f"{where}, which doesn't stand below {here}"
-        assert name not in own_tops, f"{where}, its own package's top; import the file that defines the thing"
-
-
-def test_every_room_stands_on_a_shelf() -> None:
-    rooms = {
-        path.name
-        for path in HOUSE.iterdir()
-        if path.is_dir() and path.name not in {"__pycache__", "ros_names"}
+def sound_house(tmp_path: Path) -> Path:
+    """Return a tree that keeps every rule: each room with a file, each library behind its door."""
+    files = {
+        f"{room}/__init__.py": '"""A room."""\n' for shelf in SHELVES for room in shelf if room != "_native"
     }
-    assert rooms <= set(SHELF)
+    files |= {f"node/{room}/__init__.py": '"""A room."""\n' for room in NODE_ROOMS if room}
+    files["_native.pyi"] = ""
+    files["__init__.py"] = "import numpy, yaml, typing_extensions\n"
+    files["ros_names/rclpy/__init__.py"] = "from tfloom.node.node import Node\n"
+    files["node/node.py"] = "from tfloom.node.values.time import Time\n"
+    files["node/values/time.py"] = "class Time: ...\n"
+    files["cli/main.py"] = "import argparse\n"
+    for library, door in architecture.DOORS.items():
+        path = f"{door}imports_{library}.py" if door.endswith("/") else door
+        files[path] = files.get(path, "") + f"import {library}\n"
+    return plant(tmp_path / "tfloom", files)
 
 
-def test_the_command_line_starts_without_the_rooms() -> None:
-    tree = ast.parse((HOUSE / "cli" / "main.py").read_text("utf-8"))
-    for node in tree.body:
-        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("tfloom"):
-            assert room(node.module or "") in {"", "cli"}, f"cli/main.py:{node.lineno} loads {node.module}"
+@pytest.mark.parametrize("rule", HOUSE_RULES, ids=name_of)
+def test_a_sound_tree_is_accepted(rule: Rule, tmp_path: Path) -> None:
+    assert rule(sound_house(tmp_path)) == []
 
 
-@pytest.mark.parametrize("folder", ["core", "tf2", "cdr", "dds"])
-def test_the_native_core_knows_no_python(folder: str) -> None:
-    for path in (ROOT / "native" / folder).glob("*"):
-        text = path.read_text("utf-8")
-        assert not re.search(r'#include\s*[<"](nanobind|Python\.h)', text), path
-        if folder != "dds":
-            assert "dlopen" not in text, f"{path}: libddsc has one door, native/dds"
+VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
+    (
+        architecture.imports_point_down,
+        {"rmw/wire.py": "def late():\n    from tfloom.node.node import Node\n"},
+        ["rmw/wire.py:2 imports tfloom.node.node, which doesn't stand below rmw"],
+    ),
+    (
+        architecture.imports_point_down,
+        {"tf2/cdr.py": "import tfloom.rosidl.cdr\n", "tf2_ros/x.py": "from tfloom.workspace import ament\n"},
+        [
+            "tf2/cdr.py:1 imports tfloom.rosidl.cdr, which doesn't stand below tf2",
+            "tf2_ros/x.py:1 imports tfloom.workspace, which doesn't stand below tf2_ros",
+        ],
+    ),
+    (
+        architecture.node_rooms_point_down,
+        {
+            "node/qos/qos.py": (
+                "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from tfloom.node.clock import clock\n"
+            ),
+            "node/builtin/service.py": "from tfloom.node.node import Node\n",
+            "node/program.py": "from tfloom.node.action import client\n",
+        },
+        [
+            "node/builtin/service.py:1 imports tfloom.node.node, which comes after node/builtin",
+            "node/program.py:1 imports tfloom.node.action, which comes after node/",
+            "node/qos/qos.py:3 imports tfloom.node.clock, which comes after node/qos",
+        ],
+    ),
+    (
+        architecture.no_import_of_an_own_top,
+        {"node/program.py": "from tfloom.node import init\n", "node/qos/qos.py": "import tfloom.node.qos\n"},
+        [
+            "node/program.py:1 imports tfloom.node, its own package's top; import the file that defines the thing",
+            "node/qos/qos.py:1 imports tfloom.node.qos, its own package's top; import the file that defines the thing",
+        ],
+    ),
+    (
+        architecture.no_relative_import,
+        {"tf2/buffer.py": "from .transform import Transform\n"},
+        ["tf2/buffer.py:1 imports transform, relatively"],
+    ),
+    (
+        architecture.no_ros_name,
+        {"demos/talk.py": "from rclpy.node import Node\n"},
+        ["demos/talk.py:1 imports rclpy.node, a ROS name; import it from its room in tfloom"],
+    ),
+    (
+        architecture.one_door_for_each_library,
+        {
+            "tf2_tools/show.py": "import pygame\n",
+            "rmw/x.py": "import cyclonedds.core\nimport_module(f'PIL.{x}')\n",
+        },
+        [
+            "rmw/x.py:1 imports cyclonedds, a library that has no door",
+            "rmw/x.py:2 imports PIL; its one door is turtlesim/",
+            "tf2_tools/show.py:1 imports pygame; its one door is turtlesim/window.py",
+        ],
+    ),
+    (
+        architecture.no_ring,
+        {
+            "workspace/a.py": "import tfloom.workspace.b\n",
+            "workspace/b.py": "import tfloom.workspace.c\n",
+            "workspace/c.py": "import tfloom.workspace.a\n",
+            "node/log/x.py": "if TYPE_CHECKING:\n    from tfloom.node.log import y\n",
+            "node/log/y.py": "def f():\n    import tfloom.node.log.x\n",
+            "turtlesim/x.py": "if TYPE_CHECKING:\n    import tfloom.turtlesim.y\n",
+            "turtlesim/y.py": "import tfloom.turtlesim.x\n",
+        },
+        [
+            "a ring: tfloom.node.log.x, tfloom.node.log.y",
+            "a ring: tfloom.workspace.a, tfloom.workspace.b, tfloom.workspace.c",
+        ],
+    ),
+    (
+        architecture.a_top_holds_its_docstring_alone,
+        {"node/qos/__init__.py": '"""A room."""\nfrom tfloom.node.qos.qos import QoSProfile\n'},
+        ["node/qos/__init__.py holds more than its docstring"],
+    ),
+    (
+        architecture.each_room_has_its_place,
+        {"bag/reader.py": "", "node/helpers/x.py": ""},
+        ["bag/ stands on no shelf", "node/helpers/ has no place"],
+    ),
+    (
+        architecture.the_command_line_starts_without_the_rooms,
+        {"cli/main.py": "import argcomplete\nfrom tfloom.node.node import Node\n"},
+        ["cli/main.py:2 imports tfloom.node.node, which every command would load"],
+    ),
+]
 
 
-def test_native_rooms_stand_on_each_other_in_one_direction() -> None:
-    below = {"core": set(), "tf2": {"core"}, "cdr": {"core", "tf2"}, "dds": {"core"}}
-    for folder, allowed in below.items():
-        for path in (ROOT / "native" / folder).glob("*"):
-            for other in re.findall(r'#include "(\w+)/', path.read_text("utf-8")):
-                assert other in allowed | {folder}, f"{path.name} includes {other}/"
+@pytest.mark.parametrize(
+    ("rule", "files", "findings"), VIOLATIONS, ids=[rule.__name__ for rule, _, _ in VIOLATIONS]
+)
+def test_a_planted_violation_is_found(
+    rule: Rule, files: dict[str, str], findings: list[str], tmp_path: Path
+) -> None:
+    assert sorted(rule(plant(sound_house(tmp_path), files))) == findings
+
+
+def test_a_name_of_nothing_is_found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    house = sound_house(tmp_path)
+    monkeypatch.setattr(architecture, "SHELVES", [*SHELVES, ["bag"]])
+    monkeypatch.setattr(architecture, "NODE_ROOMS", [*NODE_ROOMS, "helpers"])
+    monkeypatch.setattr(architecture, "DOORS", architecture.DOORS | {"viser": "viewer/"})
+    monkeypatch.setattr(architecture, "EVERYWHERE", architecture.EVERYWHERE | {"scipy"})
+    assert architecture.nothing_is_named_that_does_not_exist(house) == [
+        "SHELVES names bag",
+        "NODE_ROOMS names helpers",
+        "DOORS names viser",
+        "EVERYWHERE names scipy",
+    ]
+
+
+NATIVE_VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
+    (
+        architecture.the_native_core_knows_no_python,
+        {"core/a.hpp": "#include <Python.h>\n", "tf2/b.cpp": "dlopen();\n", "dds/c.cpp": "dlopen();\n"},
+        ["core/a.hpp includes Python", "tf2/b.cpp calls dlopen; libddsc has one door, native/dds"],
+    ),
+    (
+        architecture.native_rooms_point_down,
+        {
+            "core/a.hpp": '#include "core/b.hpp"\n#include "tf2/c.hpp"\n',
+            "cdr/d.cpp": '#include "tf2/c.hpp"\n',
+        },
+        ["core/a.hpp includes tf2/"],
+    ),
+]
+
+
+@pytest.mark.parametrize(
+    ("rule", "files", "findings"), NATIVE_VIOLATIONS, ids=[rule.__name__ for rule, _, _ in NATIVE_VIOLATIONS]
+)
+def test_a_planted_native_violation_is_found(
+    rule: Rule, files: dict[str, str], findings: list[str], tmp_path: Path
+) -> None:
+    assert rule(plant(tmp_path, files)) == findings
+
+
+def test_each_rule_has_a_planted_violation() -> None:
+    planted = [rule for rule, _, _ in VIOLATIONS + NATIVE_VIOLATIONS]
+    planted.append(architecture.nothing_is_named_that_does_not_exist)  # has a test of its own
+    assert set(planted) == {*HOUSE_RULES, *NATIVE_RULES}
 
 
 def modules_loaded_by(*arguments: str, **environment: str) -> set[str]:

@@ -11,10 +11,10 @@ import pytest
 
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.interfaces.turtlesim.msg import Pose
-from tfloom.node import init, try_shutdown
-from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.client_library import init, try_shutdown
+from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.time import Time
+from tfloom.node.values.time import Time
 from tfloom.tf2.buffer import LATEST
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster

@@ -36,6 +36,7 @@ STAGES: dict[str, tuple[list[str], list[str]]] = {
     "bench": (["bench"], []),
 }
 """What each stage adds to the one before it: dependency groups, and extras of tfloom."""
+PACKAGE = ROOT / "src" / "tfloom"
 COMMAND = ROOT / "packages" / "tfloom-ros2"
 """Installed with the stage `test`, whose programs call `ros2`."""
 DDS = "cyclonedds"
@@ -246,8 +247,13 @@ class Environment:
             steps.append((name, digest_of(requirements), partial(self._download, name, requirements)))
             if name == "demo":
                 settings = [project["build-system"], project["project"], project["tool"]["scikit-build"]]
-                version = ROOT / "src" / "tfloom" / "__init__.py"  # metadata of the installed package
-                sources = [version, ROOT / "CMakeLists.txt", *sorted((ROOT / "native").rglob("*.?pp"))]
+                # An editable install has a list of the modules: a new or moved one needs a new install.
+                settings.append(sorted(str(path.relative_to(ROOT)) for path in PACKAGE.rglob("*.py")))
+                sources = [
+                    PACKAGE / "__init__.py",
+                    ROOT / "CMakeLists.txt",
+                    *sorted((ROOT / "native").rglob("*.?pp")),
+                ]
                 steps.append(("native", digest_of(settings, sources), self._compile))
             if name == "test":
                 sources = sorted(path for path in COMMAND.rglob("*") if path.suffix in {".py", ".toml"})
@@ -272,7 +278,7 @@ class Environment:
 
     def _compile(self) -> None:
         """Compile native/ and install tfloom as an editable package."""
-        say("Compiling the C++ core, which takes half a minute on two cores")
+        say("Compiling what is new in the C++ core: all of it takes half a minute on two cores")
         options = [
             "--no-deps",
             "--no-build-isolation",

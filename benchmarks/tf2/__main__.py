@@ -21,7 +21,7 @@ from benchmarks.tf2.peers import PEERS, Scipy, TransformTree, fill, peers_of
 from benchmarks.tf2.trees import START_NS, Tree, chain, humanoid
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
-from tfloom.node.time import Time
+from tfloom.node.values.time import Time
 from tfloom.rosidl import cdr
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2_ros.buffer import Buffer as RosBuffer

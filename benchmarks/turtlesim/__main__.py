@@ -12,9 +12,9 @@ import sys
 import time
 
 from benchmarks.domain import DOMAIN_ID
-from tfloom.node import init
-from tfloom.node.executors import SingleThreadedExecutor
-from tfloom.node.utilities import try_shutdown
+from tfloom.node.client_library import init
+from tfloom.node.context.utilities import try_shutdown
+from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.turtlesim.node import TurtlesimNode
 from tfloom.turtlesim.world import STEP_S
 

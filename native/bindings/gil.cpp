@@ -29,7 +29,7 @@ ReleasedGil::~ReleasedGil() {
   --coming_back;
 }
 
-void keep_other_threads_out() {
+void block_gil_reacquire_at_exit() {
   ending_thread = std::this_thread::get_id();
   ending = true;
   // Those that asked before they could see it still get in, and must be in before the interpreter refuses them.

@@ -8,11 +8,11 @@ import numpy.typing
 from numpy.typing import NDArray
 
 
-def keep_other_threads_out() -> None:
+def block_gil_reacquire_at_exit() -> None:
     """
-    From now on let no other thread come back to Python from a call that let go of the GIL.
+    Keep every other thread from returning to Python from a call that released the GIL.
 
-    For the end of the program, where Python would end such threads, and with them the process. It is called at exit by itself; again does nothing.
+    For the end of the program, where Python would end such threads, and with them the process. It is called at exit by itself; calling it again does nothing.
     """
 
 class Sink:

@@ -12,7 +12,7 @@ import pytest
 from tests.conftest import Program
 
 from tfloom.cli.run import run_here
-from tfloom.node.context import Context
+from tfloom.node.context.context import Context
 from tfloom.node.node import Node
 from tfloom.workspace.index import PROGRAMS
 

@@ -11,10 +11,10 @@ from tests.conftest import python_with
 
 from tfloom.interfaces.turtlesim.msg import Pose
 from tfloom.interfaces.turtlesim.srv import TeleportAbsolute
-from tfloom.node import init
-from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.client_library import init
+from tfloom.node.context.utilities import try_shutdown
+from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.utilities import try_shutdown
 
 CENTRE = 5.544
 START = ("tfloom", "run", "turtle_tf2_py")

@@ -10,10 +10,10 @@ import pytest
 
 from tfloom.interfaces.geometry_msgs.msg import Twist
 from tfloom.interfaces.turtlesim.msg import Pose
-from tfloom.node import init
-from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.client_library import init
+from tfloom.node.context.utilities import try_shutdown
+from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.utilities import try_shutdown
 
 MULTISIM = ("tfloom", "run", "turtlesim", "multisim", "--headless")
 NAMESPACES = ("turtlesim1", "turtlesim2")

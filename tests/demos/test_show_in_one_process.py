@@ -17,7 +17,7 @@ from PIL import Image
 from tfloom.cli.demo import reason_for_one_process
 from tfloom.demos.show import Show, ShowError
 from tfloom.demos.threads import WINDOWLESS_PROGRAMS, ThreadProgram, thread_starter
-from tfloom.node import get_default_context
+from tfloom.node.context.utilities import get_default_context
 
 CHOSEN = (
     "RMW_IMPLEMENTATION is tfloom_local, a wire within one process, so all programs run within this process, "

@@ -16,11 +16,11 @@ from tfloom.demos.turtle_tf2_py.turtle_tf2_message_broadcaster import PointPubli
 from tfloom.interfaces.geometry_msgs.msg import PointStamped, TransformStamped
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.interfaces.turtlesim.msg import Pose
-from tfloom.node import init
-from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.client_library import init
+from tfloom.node.context.utilities import try_shutdown
+from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.qos import DurabilityPolicy, QoSProfile
-from tfloom.node.utilities import try_shutdown
+from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 
 
 class Stage:

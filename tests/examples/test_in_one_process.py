@@ -9,10 +9,11 @@ from types import ModuleType
 
 import pytest
 
-import tfloom.node as rclpy
-from tfloom.node import log_output
-from tfloom.node.executors import ExternalShutdownException, MultiThreadedExecutor
-from tfloom.node.time import Time
+from tfloom.node import client_library as rclpy
+from tfloom.node.executing.executors import MultiThreadedExecutor
+from tfloom.node.log import log_output
+from tfloom.node.values.exceptions import ExternalShutdownException
+from tfloom.node.values.time import Time
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener
 

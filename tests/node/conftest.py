@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from tfloom.node import log_output
-from tfloom.node.context import Context
-from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.context.context import Context
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.log import log_output
 from tfloom.node.node import Node
 
 

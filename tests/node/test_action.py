@@ -20,11 +20,11 @@ from tfloom.node.action.graph import (
 )
 from tfloom.node.action.names import new_goal_id
 from tfloom.node.action.server import ActionServer, CancelResponse, GoalResponse, ServerGoalHandle
-from tfloom.node.context import Context
-from tfloom.node.exceptions import NoTypeSupportImportedException, RCLError
-from tfloom.node.executors import MultiThreadedExecutor, SingleThreadedExecutor
+from tfloom.node.context.context import Context
+from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
+from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
-from tfloom.node.task import Future
+from tfloom.node.values.exceptions import NoTypeSupportImportedException, RCLError
 
 Finish = Callable[[Future[Any]], Any]
 

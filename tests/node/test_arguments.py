@@ -7,11 +7,16 @@ from pathlib import Path
 
 import pytest
 
-from tfloom.node.arguments import parse_arguments, remove_ros_args
-from tfloom.node.context import Context
-from tfloom.node.exceptions import RCLError, RCLInvalidROSArgsError, UnknownROSArgsError
-from tfloom.node.logging_severity import LoggingSeverity
-from tfloom.node.scalars import parse_value
+from tfloom.node.context.arguments import (
+    RCLInvalidROSArgsError,
+    UnknownROSArgsError,
+    parse_arguments,
+    remove_ros_args,
+)
+from tfloom.node.context.context import Context
+from tfloom.node.log.logging_severity import LoggingSeverity
+from tfloom.node.values.exceptions import RCLError
+from tfloom.node.values.scalars import parse_value
 
 
 def test_what_is_not_for_ros_is_left() -> None:

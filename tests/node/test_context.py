@@ -11,20 +11,17 @@ from contextlib import suppress
 
 import pytest
 
-from tfloom import node as rclpy
 from tfloom.interfaces.std_msgs.msg import String
-from tfloom.node.context import Context
-from tfloom.node.defaults import own_defaults
-from tfloom.node.exceptions import (
-    InvalidParameterTypeException,
-    NotInitializedException,
-    RCLError,
-    RCLInvalidROSArgsError,
-)
-from tfloom.node.executors import ExternalShutdownException, SingleThreadedExecutor
-from tfloom.node.logging import get_logger_effective_level
+from tfloom.node import client_library as rclpy
+from tfloom.node.context.arguments import RCLInvalidROSArgsError
+from tfloom.node.context.context import Context
+from tfloom.node.context.defaults import own_defaults
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.executing.signals import SignalHandlerOptions, get_current_signal_handlers_options
+from tfloom.node.log.logging import get_logger_effective_level
 from tfloom.node.node import Node
-from tfloom.node.signals import SignalHandlerOptions, get_current_signal_handlers_options
+from tfloom.node.parameters.exceptions import InvalidParameterTypeException
+from tfloom.node.values.exceptions import ExternalShutdownException, NotInitializedException, RCLError
 
 
 def test_one_life(context: Context) -> None:

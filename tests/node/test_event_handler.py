@@ -8,16 +8,16 @@ from typing import Any
 import pytest
 
 from tfloom.interfaces.std_msgs.msg import String
-from tfloom.node.duration import Duration
-from tfloom.node.event_handler import (
+from tfloom.node.executing.event_handler import (
     PublisherEventCallbacks,
     QoSEventHandler,
     SubscriptionEventCallbacks,
     UnsupportedEventTypeError,
 )
-from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.qos import ReliabilityPolicy, qos_profile_best_available, qos_profile_sensor_data
+from tfloom.node.qos.qos import ReliabilityPolicy, qos_profile_best_available, qos_profile_sensor_data
+from tfloom.node.values.duration import Duration
 
 SpinUntil = Callable[..., None]
 

@@ -12,12 +12,12 @@ import pytest
 from tests.conftest import Program, wait_until
 
 from tfloom.interfaces.std_msgs.msg import Int32
-from tfloom.node.callback_groups import MutuallyExclusiveCallbackGroup
-from tfloom.node.context import Context
-from tfloom.node.experimental import EventsExecutor
+from tfloom.node.context.context import Context
+from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup
+from tfloom.node.executing.events_executor import EventsExecutor
+from tfloom.node.executing.task import Future
+from tfloom.node.executing.timer import Timer
 from tfloom.node.node import Node
-from tfloom.node.task import Future
-from tfloom.node.timer import Timer
 
 MakeNode = Callable[..., Node]
 

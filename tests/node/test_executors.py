@@ -9,16 +9,13 @@ from collections.abc import Callable
 import pytest
 
 from tfloom.interfaces.std_msgs.msg import Int32
-from tfloom.node.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
-from tfloom.node.context import Context
-from tfloom.node.executors import (
-    ExternalShutdownException,
-    MultiThreadedExecutor,
-    ShutdownException,
-    SingleThreadedExecutor,
-)
+from tfloom.node.context.context import Context
+from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
+from tfloom.node.executing.executor_exceptions import ShutdownException
+from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
+from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
-from tfloom.node.task import Future
+from tfloom.node.values.exceptions import ExternalShutdownException
 
 SpinUntil = Callable[..., None]
 

@@ -10,12 +10,12 @@ from tests.conftest import wait_until
 
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.interfaces.std_msgs.msg import String
-from tfloom.node.context import Context
-from tfloom.node.exceptions import NodeNameNonExistentError
-from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.context.context import Context
+from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.qos import DurabilityPolicy, QoSProfile
-from tfloom.node.topic_endpoint_info import TopicEndpointInfo, TopicEndpointTypeEnum
+from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
+from tfloom.node.qos.topic_endpoint_info import TopicEndpointInfo, TopicEndpointTypeEnum
+from tfloom.node.values.exceptions import NodeNameNonExistentError
 
 MakeNode = Callable[..., Node]
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)

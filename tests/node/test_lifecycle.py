@@ -15,11 +15,12 @@ from tfloom.interfaces.lifecycle_msgs.srv import (
     GetState,
 )
 from tfloom.interfaces.std_msgs.msg import String
-from tfloom.node.context import Context
-from tfloom.node.exceptions import RCLError
-from tfloom.node.executors import SingleThreadedExecutor
-from tfloom.node.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackReturn
+from tfloom.node.context.context import Context
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.lifecycle.managed_entity import TransitionCallbackReturn
+from tfloom.node.lifecycle.node import LifecycleNode, LifecycleState
 from tfloom.node.node import Node
+from tfloom.node.values.exceptions import RCLError
 
 SUCCESS, FAILURE, ERROR = TransitionCallbackReturn
 

@@ -14,15 +14,15 @@ from threading import Thread
 import pytest
 
 from tfloom.interfaces.rcl_interfaces.msg import Log
-from tfloom.node import logging
-from tfloom.node.clock import ROSClock
-from tfloom.node.clock_type import ClockType
-from tfloom.node.context import Context
-from tfloom.node.executors import SingleThreadedExecutor
-from tfloom.node.log_file import LogFile
-from tfloom.node.logging_severity import LoggingSeverity
+from tfloom.node.clock.clock import ROSClock
+from tfloom.node.context.context import Context
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.log import logging
+from tfloom.node.log.log_file import LogFile
+from tfloom.node.log.logging_severity import LoggingSeverity
 from tfloom.node.node import Node
-from tfloom.node.time import Time
+from tfloom.node.values.clock_type import ClockType
+from tfloom.node.values.time import Time
 
 Capture = pytest.CaptureFixture[str]
 

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from tfloom.node.exceptions import (
+from tfloom.node.values.names import (
     InvalidNamespaceException,
     InvalidNodeNameException,
     InvalidServiceNameException,
     InvalidTopicNameException,
-)
-from tfloom.node.names import (
     expand_topic_name,
     topic_or_service_is_hidden,
     validate_full_topic_name,

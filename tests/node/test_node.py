@@ -11,20 +11,22 @@ from tfloom import _native
 from tfloom.interfaces.rcl_interfaces.msg import Log, SetParametersResult
 from tfloom.interfaces.std_msgs.msg import Int32, String
 from tfloom.interfaces.std_srvs.srv import SetBool
-from tfloom.node.context import Context
-from tfloom.node.exceptions import (
+from tfloom.node.context.context import Context
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.node import Node
+from tfloom.node.qos.qos import QoSPolicyKind, QoSProfile, qos_profile_rosout_default, qos_profile_sensor_data
+from tfloom.node.qos.qos_overriding_options import InvalidQosOverridesError, QoSOverridingOptions
+from tfloom.node.values.exceptions import (
     InvalidHandle,
-    InvalidNamespaceException,
-    InvalidNodeNameException,
-    InvalidTopicNameException,
     NotInitializedException,
     NoTypeSupportImportedException,
     RCLError,
 )
-from tfloom.node.executors import SingleThreadedExecutor
-from tfloom.node.node import Node
-from tfloom.node.qos import QoSPolicyKind, QoSProfile, qos_profile_rosout_default, qos_profile_sensor_data
-from tfloom.node.qos_overriding_options import InvalidQosOverridesError, QoSOverridingOptions
+from tfloom.node.values.names import (
+    InvalidNamespaceException,
+    InvalidNodeNameException,
+    InvalidTopicNameException,
+)
 from tfloom.node.wait_for_message import wait_for_message
 from tfloom.rosidl import cdr
 

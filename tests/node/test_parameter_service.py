@@ -13,11 +13,11 @@ from tfloom.interfaces.rcl_interfaces.srv import GetLoggerLevels, SetLoggerLevel
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.interfaces.turtlesim.srv import Spawn
 from tfloom.interfaces.type_description_interfaces.srv import GetTypeDescription
-from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.builtin.parameter_client import AsyncParameterClient
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
-from tfloom.node.parameter import Parameter, parameter_value_to_python
-from tfloom.node.parameter_client import AsyncParameterClient
-from tfloom.node.task import Future
+from tfloom.node.parameters.parameter import Parameter, parameter_value_to_python
 from tfloom.rosidl.registry import find_class
 
 MakeNode = Callable[..., Node]

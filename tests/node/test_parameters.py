@@ -16,8 +16,11 @@ from tfloom.interfaces.rcl_interfaces.msg import (
     ParameterEvent,
     SetParametersResult,
 )
-from tfloom.node.context import Context
-from tfloom.node.exceptions import (
+from tfloom.node.builtin.parameter_event_handler import ParameterEventHandler
+from tfloom.node.context.context import Context
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.node import Node
+from tfloom.node.parameters.exceptions import (
     InvalidParameterException,
     InvalidParameterTypeException,
     InvalidParameterValueException,
@@ -26,16 +29,13 @@ from tfloom.node.exceptions import (
     ParameterNotDeclaredException,
     ParameterUninitializedException,
 )
-from tfloom.node.executors import SingleThreadedExecutor
-from tfloom.node.node import Node
-from tfloom.node.parameter import (
+from tfloom.node.parameters.parameter import (
     Parameter,
     get_parameter_value,
     parameter_dict_from_yaml_file,
     parameter_value_to_python,
 )
-from tfloom.node.parameter_event_handler import ParameterEventHandler
-from tfloom.node.qos import qos_profile_parameter_events
+from tfloom.node.qos.qos import qos_profile_parameter_events
 
 Type = Parameter.Type
 MakeNode = Callable[..., Node]

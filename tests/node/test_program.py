@@ -10,14 +10,14 @@ from collections.abc import Callable
 import pytest
 from tests.conftest import Program
 
-from tfloom.node import get_default_context
-from tfloom.node.exceptions import RCLError
+from tfloom.node.client_library import get_default_context
 from tfloom.node.program import run_program
+from tfloom.node.values.exceptions import RCLError
 
 TALKATIVE = """
 import sys
 from tfloom.interfaces.std_msgs.msg import String
-from tfloom.node import spin
+from tfloom.node.client_library import spin
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tfloom.node.duration import Duration, Infinite
-from tfloom.node.qos import (
+from tfloom.node.qos.qos import (
     DurabilityPolicy,
     HistoryPolicy,
     InvalidQoSProfileException,
@@ -22,6 +21,7 @@ from tfloom.node.qos import (
     qos_profile_system_default,
     qos_profile_unknown,
 )
+from tfloom.node.values.duration import Duration, Infinite
 from tfloom.rmw import qos as wire
 
 

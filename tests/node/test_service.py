@@ -10,15 +10,17 @@ import pytest
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
 from tfloom.interfaces.std_srvs.srv import SetBool
-from tfloom.node.callback_groups import ReentrantCallbackGroup
-from tfloom.node.client import Client
-from tfloom.node.context import Context
-from tfloom.node.exceptions import InvalidHandle, InvalidServiceNameException, NoTypeSupportImportedException
-from tfloom.node.executors import Executor, MultiThreadedExecutor, SingleThreadedExecutor
+from tfloom.node.context.context import Context
+from tfloom.node.endpoints.client import Client
+from tfloom.node.endpoints.service_introspection import ServiceIntrospectionState
+from tfloom.node.executing.callback_groups import ReentrantCallbackGroup
+from tfloom.node.executing.executor import Executor
+from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
+from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
-from tfloom.node.qos import QoSProfile
-from tfloom.node.service_introspection import ServiceIntrospectionState
-from tfloom.node.task import Future
+from tfloom.node.qos.qos import QoSProfile
+from tfloom.node.values.exceptions import InvalidHandle, NoTypeSupportImportedException
+from tfloom.node.values.names import InvalidServiceNameException
 
 MakeNode = Callable[..., Node]
 SpinUntil = Callable[..., None]

@@ -12,7 +12,7 @@ from contextlib import suppress
 import pytest
 from tests.conftest import Program
 
-from tfloom.node.signals import (
+from tfloom.node.executing.signals import (
     SignalHandlerGuardCondition,
     SignalHandlerOptions,
     install_signal_handlers,
@@ -190,8 +190,8 @@ except rclpy.exceptions.NotInitializedException:
 
 
 def test_handlers_are_given_back() -> None:
-    from tfloom import node as rclpy
-    from tfloom.node.signals import get_current_signal_handlers_options
+    from tfloom.node import client_library as rclpy
+    from tfloom.node.executing.signals import get_current_signal_handlers_options
 
     mine: list[int] = []
     before = signal.signal(signal.SIGTERM, lambda number, frame: mine.append(number))
@@ -215,7 +215,7 @@ def test_handlers_are_given_back() -> None:
 def test_init_works_off_the_main_thread() -> None:
     import threading
 
-    from tfloom import node as rclpy
+    from tfloom.node import client_library as rclpy
 
     errors: list[BaseException] = []
 
@@ -300,8 +300,8 @@ def test_a_signal_triggers_the_guard_conditions_that_ask_for_it() -> None:
 def test_no_interrupt_strikes_amid_the_handing_over_to_a_pool() -> None:
     from concurrent.futures import thread
 
-    from tfloom import node as rclpy
-    from tfloom.node.executors import MultiThreadedExecutor
+    from tfloom.node import client_library as rclpy
+    from tfloom.node.executing.executors import MultiThreadedExecutor
 
     rclpy.init(args=[])
     try:

@@ -11,14 +11,16 @@ import pytest
 from tests.conftest import wait_until
 
 from tfloom.interfaces.rosgraph_msgs.msg import Clock as ClockMessage
-from tfloom.node.clock import ClockChange, ClockType, JumpThreshold, ROSClock, TimeJump
-from tfloom.node.context import Context
-from tfloom.node.duration import Duration
-from tfloom.node.executors import ExternalShutdownException
-from tfloom.node.experimental import EventsExecutor
+from tfloom.node.clock.clock import ROSClock
+from tfloom.node.clock.time_jump import ClockChange, JumpThreshold, TimeJump
+from tfloom.node.context.context import Context
+from tfloom.node.executing.events_executor import EventsExecutor
 from tfloom.node.node import Node
-from tfloom.node.parameter import Parameter
-from tfloom.node.time import Time
+from tfloom.node.parameters.parameter import Parameter
+from tfloom.node.values.clock_type import ClockType
+from tfloom.node.values.duration import Duration
+from tfloom.node.values.exceptions import ExternalShutdownException
+from tfloom.node.values.time import Time
 
 WIRES = ["tfloom_local", pytest.param("rmw_cyclonedds_cpp", marks=pytest.mark.wire)]
 

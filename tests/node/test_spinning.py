@@ -11,25 +11,23 @@ from typing import Any
 import pytest
 from tests.conftest import wait_until
 
-import tfloom.node as rclpy
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.interfaces.std_msgs.msg import Int32
-from tfloom.node.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
-from tfloom.node.context import Context
-from tfloom.node.exceptions import ROSInterruptException
-from tfloom.node.executor import Executor
-from tfloom.node.executors import (
-    ExternalShutdownException,
-    MultiThreadedExecutor,
-    ShutdownException,
-    SingleThreadedExecutor,
-    TimeoutException,
-    TimeoutObject,
+from tfloom.node import client_library as rclpy
+from tfloom.node.context.context import Context
+from tfloom.node.executing.callback_groups import (
+    CallbackGroup,
+    MutuallyExclusiveCallbackGroup,
+    ReentrantCallbackGroup,
 )
-from tfloom.node.experimental import EventsExecutor
+from tfloom.node.executing.events_executor import EventsExecutor
+from tfloom.node.executing.executor import Executor
+from tfloom.node.executing.executor_exceptions import ShutdownException, TimeoutException, TimeoutObject
+from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
+from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
-from tfloom.node.qos import DurabilityPolicy, QoSProfile
-from tfloom.node.task import Future
+from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
+from tfloom.node.values.exceptions import ExternalShutdownException, ROSInterruptException
 
 EXECUTORS = [SingleThreadedExecutor, MultiThreadedExecutor, EventsExecutor]
 WIRES = ["tfloom_local", pytest.param("rmw_cyclonedds_cpp", marks=pytest.mark.wire)]

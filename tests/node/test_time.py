@@ -7,9 +7,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tfloom.interfaces.builtin_interfaces import msg as builtin_msg
-from tfloom.node.clock_type import ClockType
-from tfloom.node.duration import Duration, Infinite
-from tfloom.node.time import Time
+from tfloom.node.values.clock_type import ClockType
+from tfloom.node.values.duration import Duration, Infinite
+from tfloom.node.values.time import Time
 
 STAMPS = st.integers(0, 2**31 * 10**9 - 1)
 SPANS = st.integers(-(2**31) * 10**9, 2**31 * 10**9 - 1)

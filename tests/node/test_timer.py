@@ -8,14 +8,14 @@ from collections.abc import Callable
 
 import pytest
 
-from tfloom.node.clock import ROSClock
-from tfloom.node.clock_type import ClockType
-from tfloom.node.context import Context
-from tfloom.node.exceptions import InvalidHandle, ROSInterruptException
-from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.clock.clock import ROSClock
+from tfloom.node.context.context import Context
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.executing.timer_schedule import TimerSchedule
 from tfloom.node.node import Node
-from tfloom.node.time import Time
-from tfloom.node.timer_schedule import TimerSchedule
+from tfloom.node.values.clock_type import ClockType
+from tfloom.node.values.exceptions import InvalidHandle, ROSInterruptException
+from tfloom.node.values.time import Time
 
 SpinUntil = Callable[..., None]
 

@@ -11,12 +11,12 @@ from tests.conftest import Program, wait_until
 
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.interfaces.std_msgs.msg import String
-from tfloom.node.context import Context
-from tfloom.node.duration import Duration
-from tfloom.node.event_handler import SubscriptionEventCallbacks
-from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.context.context import Context
+from tfloom.node.executing.event_handler import SubscriptionEventCallbacks
+from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.qos import QoSProfile
+from tfloom.node.qos.qos import QoSProfile
+from tfloom.node.values.duration import Duration
 
 SERVER = """
 import rclpy

@@ -102,7 +102,7 @@ def test_the_first_message_of_many_threads() -> None:
     program = """
 import threading
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
-from tfloom.node.time import Time
+from tfloom.node.values.time import Time
 from tfloom.tf2.buffer import Buffer
 
 buffer = Buffer()

@@ -10,7 +10,7 @@ import pytest
 from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMessage
 from tfloom.interfaces.geometry_msgs.msg import Quaternion, Transform, TransformStamped, Vector3
 from tfloom.interfaces.std_msgs.msg import Header
-from tfloom.node.context import Context
+from tfloom.node.context.context import Context
 from tfloom.node.node import Node
 
 SECOND = 1_000_000_000

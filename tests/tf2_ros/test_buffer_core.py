@@ -12,8 +12,8 @@ from tests.tf2_ros.conftest import SECOND, transform_stamped
 
 from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMessage
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
-from tfloom.node.duration import Duration
-from tfloom.node.time import Time
+from tfloom.node.values.duration import Duration
+from tfloom.node.values.time import Time
 from tfloom.tf2.errors import TransformException
 from tfloom.tf2_ros.buffer_core import BufferCore
 

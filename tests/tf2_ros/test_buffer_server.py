@@ -20,10 +20,11 @@ from tfloom.interfaces.tf2_msgs.action import LookupTransform
 from tfloom.interfaces.tf2_msgs.msg import TF2Error
 from tfloom.node.action.client import ActionClient
 from tfloom.node.action.server import ActionServer
-from tfloom.node.duration import Duration, Infinite
-from tfloom.node.executors import ExternalShutdownException, MultiThreadedExecutor, SingleThreadedExecutor
+from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.time import Time
+from tfloom.node.values.duration import Duration, Infinite
+from tfloom.node.values.exceptions import ExternalShutdownException
+from tfloom.node.values.time import Time
 from tfloom.tf2.errors import (
     ConnectivityException,
     ExtrapolationException,

@@ -12,7 +12,7 @@ from tests.tf2_ros.conftest import SECOND, transform_stamped
 from tfloom.interfaces.geometry_msgs import msg as g
 from tfloom.interfaces.sensor_msgs import msg as s
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
-from tfloom.node.time import Time
+from tfloom.node.values.time import Time
 from tfloom.tf2_ros import geometry, point_cloud
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.buffer_interface import TypeException, convert

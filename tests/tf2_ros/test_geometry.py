@@ -12,8 +12,8 @@ from tests.tf2_ros.conftest import SECOND, transform_stamped
 
 from tfloom.interfaces.geometry_msgs import msg as g
 from tfloom.interfaces.std_msgs.msg import Header
-from tfloom.node.duration import Duration
-from tfloom.node.time import Time
+from tfloom.node.values.duration import Duration
+from tfloom.node.values.time import Time
 from tfloom.tf2_ros import geometry
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.buffer_interface import (

@@ -13,11 +13,11 @@ from tests.tf2_ros.conftest import SECOND, transform_stamped
 
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.interfaces.tf2_msgs.srv import FrameGraph
-from tfloom.node.duration import Duration
-from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
-from tfloom.node.time import Time
+from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from tfloom.node.values.duration import Duration
+from tfloom.node.values.time import Time
 from tfloom.rmw.base import Topic
 from tfloom.tf2.errors import LookupException
 from tfloom.tf2_ros.buffer import Buffer
@@ -315,7 +315,7 @@ def test_futures_time_out_with_the_reason(wait_until: Callable[..., None]) -> No
 
 
 def test_a_listener_makes_a_node_of_its_own(local_context: object, monkeypatch: pytest.MonkeyPatch) -> None:
-    from tfloom import node as rclpy
+    from tfloom.node import client_library as rclpy
 
     monkeypatch.setenv("ROS_DOMAIN_ID", "77")
     rclpy.init(args=["program", "--ros-args", "-r", "__node:=renamed"])

@@ -9,10 +9,10 @@ from tests.tf2_ros.conftest import SECOND, transform_stamped
 
 from tfloom.interfaces.geometry_msgs.msg import PointStamped
 from tfloom.interfaces.std_msgs.msg import Header
-from tfloom.node.duration import Duration
-from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.time import Time
+from tfloom.node.values.duration import Duration
+from tfloom.node.values.time import Time
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.message_filter import (
     FilterFailureReason,

@@ -9,10 +9,10 @@ import pytest
 
 from tfloom.interfaces.geometry_msgs.msg import PointStamped
 from tfloom.interfaces.std_msgs.msg import Header, String
-from tfloom.node.clock_type import ClockType
-from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.time import Time
+from tfloom.node.values.clock_type import ClockType
+from tfloom.node.values.time import Time
 from tfloom.tf2_ros.message_filters import (
     ApproximateTimeSynchronizer,
     Cache,

@@ -12,7 +12,7 @@ from tests.tf2_ros.conftest import SECOND, transform_stamped
 
 from tfloom.interfaces.sensor_msgs.msg import PointCloud2, PointField
 from tfloom.interfaces.std_msgs.msg import Header
-from tfloom.node.time import Time
+from tfloom.node.values.time import Time
 from tfloom.tf2_ros import point_cloud
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.point_cloud2 import (

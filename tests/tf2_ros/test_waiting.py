@@ -9,11 +9,12 @@ from collections.abc import Callable
 import pytest
 from tests.tf2_ros.conftest import SECOND, transform_stamped
 
-from tfloom.node.clock import Clock
-from tfloom.node.duration import Duration, Infinite
-from tfloom.node.executors import Executor, MultiThreadedExecutor, SingleThreadedExecutor
+from tfloom.node.clock.clock import Clock
+from tfloom.node.executing.executor import Executor
+from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.time import Time
+from tfloom.node.values.duration import Duration, Infinite
+from tfloom.node.values.time import Time
 from tfloom.tf2 import errors
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster

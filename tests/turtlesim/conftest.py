@@ -7,10 +7,10 @@ from typing import Any
 
 import pytest
 
-from tfloom.node import init
-from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.client_library import init
+from tfloom.node.context.utilities import try_shutdown
+from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.utilities import try_shutdown
 from tfloom.turtlesim.node import TurtlesimNode
 
 

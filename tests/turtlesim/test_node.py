@@ -13,7 +13,7 @@ import pytest
 
 from tfloom.interfaces.geometry_msgs.msg import Twist
 from tfloom.interfaces.turtlesim.msg import Color, Pose
-from tfloom.node.parameter import Parameter
+from tfloom.node.parameters.parameter import Parameter
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "cli" / "turtlesim_log.txt"
 

@@ -13,10 +13,10 @@ import pytest
 
 from tfloom.interfaces.geometry_msgs.msg import Twist
 from tfloom.interfaces.turtlesim.msg import Pose
-from tfloom.node import init
-from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.client_library import init
+from tfloom.node.context.utilities import try_shutdown
+from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.utilities import try_shutdown
 
 TELEOP = ("tfloom", "run", "turtlesim", "turtle_teleop_key")
 TURTLESIM = ("tfloom", "run", "turtlesim", "turtlesim_node", "--headless")

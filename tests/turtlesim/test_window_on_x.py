@@ -19,10 +19,10 @@ import pytest
 from PIL import Image, ImageChops
 
 from tfloom.interfaces.turtlesim.msg import Pose
-from tfloom.node import init
-from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.client_library import init
+from tfloom.node.context.utilities import try_shutdown
+from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.utilities import try_shutdown
 from tfloom.turtlesim.simulation import TurtleSim
 
 pygame = pytest.importorskip("pygame", reason="the extra `turtlesim` isn't installed")

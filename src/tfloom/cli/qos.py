@@ -73,7 +73,7 @@ def asked_qos(args: argparse.Namespace, base: QoS) -> QoS | None:
 
 
 def _profile(name: str) -> QoS:
-    from tfloom.node.qos import InvalidQoSProfileException, QoSPresetProfiles
+    from tfloom.node.qos.qos import InvalidQoSProfileException, QoSPresetProfiles
 
     try:
         qos: QoS = QoSPresetProfiles.get_from_short_key(name).to_wire()

@@ -95,11 +95,20 @@ def run_here(target: str, name: str, argv: list[str]) -> int:
             return 1
         return end.code or 0
     except Exception as error:
-        if type(error).__module__ != "tfloom.node.exceptions":
+        if not _is_input_error(error):
             raise
-        # Names, parameters and ROS arguments that can't be used; the rest are mistakes of ours.
         print(f"{name}: {error}", file=sys.stderr)
         return 1
+
+
+def _is_input_error(error: Exception) -> bool:
+    """Return whether an error is about names, parameters or ROS arguments that were given, not a bug of ours."""
+    from tfloom.node.context.arguments import UnknownROSArgsError
+    from tfloom.node.parameters.exceptions import ParameterException
+    from tfloom.node.values.exceptions import RCLError
+    from tfloom.node.values.names import NameValidationException
+
+    return isinstance(error, (NameValidationException, ParameterException, UnknownROSArgsError, RCLError))
 
 
 def _how_it_ended(code: int) -> str:

@@ -12,7 +12,7 @@ import sys
 import time
 from collections.abc import Sequence
 
-from tfloom.node.utilities import remove_ros_args
+from tfloom.node.context.utilities import remove_ros_args
 
 NAMESPACES = ("turtlesim1", "turtlesim2")
 GRACE_S = 5.0

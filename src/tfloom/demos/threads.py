@@ -19,8 +19,8 @@ from importlib import import_module
 from typing import TextIO
 
 from tfloom.demos.show import LOG_LINES, PROGRAMS, StartProgram
-from tfloom.node.context import Context
-from tfloom.node.defaults import own_defaults
+from tfloom.node.context.context import Context
+from tfloom.node.context.defaults import own_defaults
 
 WINDOWLESS_PROGRAMS = PROGRAMS | {"turtlesim": [*PROGRAMS["turtlesim"], "--headless"]}
 """The programs without turtlesim's window, which only a program's main thread may open."""

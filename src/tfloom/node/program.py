@@ -1,13 +1,13 @@
-"""What a program does around its own work: begin, and end quietly however it is stopped."""
+"""The beginning and end of our own programs: they end quietly however they are stopped."""
 
 from __future__ import annotations
 
 import sys
 from collections.abc import Callable
 
-from tfloom.node import init
-from tfloom.node.executor import ExternalShutdownException
-from tfloom.node.utilities import get_default_context, remove_ros_args, try_shutdown
+from tfloom.node.client_library import init
+from tfloom.node.context.utilities import get_default_context, remove_ros_args, try_shutdown
+from tfloom.node.values.exceptions import ExternalShutdownException
 
 __all__ = ["expect_no_arguments", "run_program"]
 
@@ -15,7 +15,7 @@ __all__ = ["expect_no_arguments", "run_program"]
 def run_program(args: list[str] | None, body: Callable[[], int | None], *, if_stopped: int = 0) -> int:
     """Initialise the default context, run `body()`, and shut down.
 
-    Ctrl-C, SIGTERM and a shutdown end the body quietly, wherever in it they come.
+    Ctrl-C, SIGTERM and a shutdown end the body quietly at any point.
 
     Args:
         args: Command line, with its ROS arguments; None: `sys.argv`.
@@ -26,7 +26,7 @@ def run_program(args: list[str] | None, body: Callable[[], int | None], *, if_st
         The exit code.
 
     Raises:
-        Exception: whatever the body raises for another reason than being stopped.
+        Exception: raised by the body for another reason than being stopped.
     """
     context = get_default_context()
     try:
@@ -35,7 +35,7 @@ def run_program(args: list[str] | None, body: Callable[[], int | None], *, if_st
     except (KeyboardInterrupt, ExternalShutdownException):
         return if_stopped
     except Exception as error:
-        # A signal came between two calls, and the second one needs a context.
+        # A signal came between two calls, of which the second needs the context.
         if not context.explains(error):
             raise
         return if_stopped
@@ -44,7 +44,7 @@ def run_program(args: list[str] | None, body: Callable[[], int | None], *, if_st
 
 
 def expect_no_arguments(program: str, description: str, args: list[str] | None = None) -> None:
-    """Exit with a usage text if a command line has more than ROS arguments, and with help if it asks for it.
+    """Exit with a usage text if a command line has more than ROS arguments, and with the help on `--help`.
 
     Args:
         program: The program's name.
@@ -52,7 +52,7 @@ def expect_no_arguments(program: str, description: str, args: list[str] | None =
         args: Command line; None: `sys.argv`.
 
     Raises:
-        RCLInvalidROSArgsError: a ROS argument makes no sense.
+        RCLInvalidROSArgsError: a ROS argument can't be understood.
     """
     words = remove_ros_args(sys.argv[1:] if args is None else args)
     if words:

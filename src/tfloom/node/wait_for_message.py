@@ -5,10 +5,10 @@ from __future__ import annotations
 import threading
 from typing import TYPE_CHECKING, Any
 
-from tfloom.node.callback_groups import MutuallyExclusiveCallbackGroup
-from tfloom.node.executors import SingleThreadedExecutor
-from tfloom.node.qos import QoSProfile
-from tfloom.node.task import Future
+from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.executing.task import Future
+from tfloom.node.qos.qos import QoSProfile
 
 if TYPE_CHECKING:
     from tfloom.node.node import Node
@@ -26,18 +26,18 @@ def wait_for_message(
 ) -> tuple[bool, Any]:
     """Wait for the next message of a topic.
 
-    Where nobody spins the node, it is spun here meanwhile; so this may be called with a node that isn't in an
-    executor, or from a thread beside the one that spins it, but not from one of its callbacks.
+    A node that is in no executor is spun here meanwhile. Otherwise another thread must spin it, so this can't be
+    called from one of its callbacks.
 
     Args:
         msg_type: Class of the message.
         node: The node that subscribes.
         topic: Name of the topic.
-        qos_profile: What to ask for; a number stands for a history of that depth.
-        time_to_wait: The longest wait [s]; negative: for ever.
+        qos_profile: QoS of the subscription; a number is the depth of a KEEP_LAST history.
+        time_to_wait: The longest wait [s]; negative: no limit.
 
     Returns:
-        Whether one came, and the message.
+        Whether one arrived, and the message.
 
     Raises:
         RuntimeError: called from a callback of a single-threaded executor, which would wait for itself.

@@ -1,4 +1,4 @@
-"""Quality of service as a wire knows it: plain numbers, in nanoseconds. `tfloom.node.qos` has rclpy's face of it."""
+"""Quality of service as a wire knows it: plain numbers, in nanoseconds. Programs use `node/qos/qos.py`."""
 
 from __future__ import annotations
 

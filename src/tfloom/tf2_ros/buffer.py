@@ -7,10 +7,11 @@ from time import monotonic
 from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.tf2_msgs.srv import FrameGraph
-from tfloom.node.clock import Clock, ClockChange, JumpThreshold
-from tfloom.node.duration import Duration
-from tfloom.node.logging import get_logger
-from tfloom.node.task import Future
+from tfloom.node.clock.clock import Clock
+from tfloom.node.clock.time_jump import ClockChange, JumpThreshold
+from tfloom.node.executing.task import Future
+from tfloom.node.log.logging import get_logger
+from tfloom.node.values.duration import Duration
 from tfloom.tf2.errors import LookupException
 from tfloom.tf2_ros.buffer_core import BufferCore, duration_ns, time_ns
 from tfloom.tf2_ros.buffer_interface import NO_WAIT, BufferInterface
@@ -20,8 +21,9 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from tfloom.interfaces.geometry_msgs.msg import TransformStamped
-    from tfloom.node.clock import JumpHandle, TimeJump
-    from tfloom.node.context import Context
+    from tfloom.node.clock.clock import JumpHandle
+    from tfloom.node.clock.time_jump import TimeJump
+    from tfloom.node.context.context import Context
     from tfloom.node.node import Node
 
 __all__ = ["Buffer"]

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 from tfloom.interfaces.builtin_interfaces.msg import Duration as DurationMessage
 from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMessage
 from tfloom.interfaces.tf2_msgs.msg import TF2Error
-from tfloom.node.duration import Duration
-from tfloom.node.executors import SingleThreadedExecutor
-from tfloom.node.task import Future
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.executing.task import Future
+from tfloom.node.values.duration import Duration
 from tfloom.tf2.errors import (
     ConnectivityException,
     ExtrapolationException,

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
-from tfloom.node.clock_type import ClockType
-from tfloom.node.logging import get_logger
-from tfloom.node.time import Time
+from tfloom.node.log.logging import get_logger
+from tfloom.node.values.clock_type import ClockType
+from tfloom.node.values.time import Time
 from tfloom.tf2 import buffer as tf2_buffer
 from tfloom.tf2.buffer import DEFAULT_CACHE_TIME_NS
 from tfloom.tf2.errors import InvalidArgumentException, TransformException

@@ -8,8 +8,8 @@ from copy import deepcopy
 from typing import Any
 
 from tfloom.interfaces.std_msgs.msg import Header
-from tfloom.node.duration import Duration
-from tfloom.node.time import Time
+from tfloom.node.values.duration import Duration
+from tfloom.node.values.time import Time
 
 __all__ = [
     "BufferInterface",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from tfloom.interfaces.tf2_msgs.msg import TF2Error
-from tfloom.node.task import Future
+from tfloom.node.executing.task import Future
 from tfloom.tf2.errors import (
     ConnectivityException,
     ExtrapolationException,

@@ -9,13 +9,13 @@ from enum import IntEnum
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from tfloom.node.logging import get_logger
+from tfloom.node.log.logging import get_logger
 from tfloom.tf2_ros.buffer_core import duration_ns, time_ns
 from tfloom.tf2_ros.deadlines import call_after
 from tfloom.tf2_ros.message_filters import SimpleFilter
 
 if TYPE_CHECKING:
-    from tfloom.node.guard_condition import GuardCondition
+    from tfloom.node.executing.guard_condition import GuardCondition
     from tfloom.node.node import Node
     from tfloom.tf2_ros.buffer_core import BufferCore
 

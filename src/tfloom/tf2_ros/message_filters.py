@@ -8,13 +8,13 @@ from collections.abc import Callable, Sequence
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
-from tfloom.node.clock_type import ClockType
-from tfloom.node.duration import Duration
-from tfloom.node.time import Time
+from tfloom.node.values.clock_type import ClockType
+from tfloom.node.values.duration import Duration
+from tfloom.node.values.time import Time
 from tfloom.tf2_ros.buffer_core import time_ns
 
 if TYPE_CHECKING:
-    from tfloom.node.clock import Clock
+    from tfloom.node.clock.clock import Clock
 
 __all__ = ["ApproximateTimeSynchronizer", "Cache", "Chain", "SimpleFilter", "Subscriber", "TimeSynchronizer"]
 
@@ -286,12 +286,12 @@ def _stamp(msg: Any, allow_headerless: bool, clock: Clock | None) -> Any:
     if stamp is not None:
         return stamp
     if not allow_headerless:
-        from tfloom.node.logging import get_logger
+        from tfloom.node.log.logging import get_logger
 
         get_logger("message_filters").warning(
             f"dropped a {type(msg).__name__} without a header: allow_headerless=True gives it the time of its arrival"
         )
         return None
-    from tfloom.node.clock import ROSClock
+    from tfloom.node.clock.clock import ROSClock
 
     return (clock or ROSClock()).now()

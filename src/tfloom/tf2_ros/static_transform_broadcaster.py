@@ -6,13 +6,13 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
-from tfloom.node.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
+from tfloom.node.qos.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from tfloom.tf2_ros.transform_broadcaster import as_list
 
 if TYPE_CHECKING:
     from tfloom.interfaces.geometry_msgs.msg import TransformStamped
     from tfloom.node.node import Node
-    from tfloom.node.qos_overriding_options import QoSOverridingOptions
+    from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions
 
 __all__ = ["StaticTransformBroadcaster"]
 

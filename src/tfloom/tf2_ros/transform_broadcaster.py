@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
-from tfloom.node.qos import QoSProfile
+from tfloom.node.qos.qos import QoSProfile
 
 if TYPE_CHECKING:
     from tfloom.interfaces.geometry_msgs.msg import TransformStamped

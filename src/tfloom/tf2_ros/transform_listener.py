@@ -8,14 +8,15 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
-from tfloom.node.callback_groups import ReentrantCallbackGroup
-from tfloom.node.executors import ExternalShutdownException, SingleThreadedExecutor
+from tfloom.node.executing.callback_groups import ReentrantCallbackGroup
+from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
+from tfloom.node.qos.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
+from tfloom.node.values.exceptions import ExternalShutdownException
 from tfloom.tf2_ros.buffer_core import BufferCore
 
 if TYPE_CHECKING:
-    from tfloom.node.subscription import Subscription
+    from tfloom.node.endpoints.subscription import Subscription
 
 __all__ = ["DEFAULT_STATIC_TF_TOPIC", "DEFAULT_TF_TOPIC", "StaticTransformListener", "TransformListener"]
 

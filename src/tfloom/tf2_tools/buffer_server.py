@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 
-from tfloom.node import spin
-from tfloom.node.duration import Duration
-from tfloom.node.exceptions import InvalidParameterValueException
+from tfloom.node.client_library import spin
 from tfloom.node.node import Node
+from tfloom.node.parameters.exceptions import InvalidParameterValueException
 from tfloom.node.program import expect_no_arguments, run_program
+from tfloom.node.values.duration import Duration
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.buffer_server import BufferServer
 from tfloom.tf2_ros.transform_listener import TransformListener

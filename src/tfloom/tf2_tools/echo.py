@@ -8,12 +8,12 @@ import sys
 import time
 from typing import cast
 
-from tfloom.node import ok
-from tfloom.node.duration import Duration
+from tfloom.node.client_library import ok
+from tfloom.node.context.utilities import remove_ros_args
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
-from tfloom.node.time import Time
-from tfloom.node.utilities import remove_ros_args
+from tfloom.node.values.duration import Duration
+from tfloom.node.values.time import Time
 from tfloom.tf2.errors import TransformException
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener

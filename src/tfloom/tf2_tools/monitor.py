@@ -9,14 +9,14 @@ from collections.abc import Iterable
 
 from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMessage
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
-from tfloom.node import ok, spin_once
-from tfloom.node.duration import Duration
-from tfloom.node.logging import get_logger
+from tfloom.node.client_library import ok, spin_once
+from tfloom.node.context.utilities import remove_ros_args
+from tfloom.node.log.logging import get_logger
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
-from tfloom.node.qos import DurabilityPolicy, QoSProfile
-from tfloom.node.time import Time
-from tfloom.node.utilities import remove_ros_args
+from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
+from tfloom.node.values.duration import Duration
+from tfloom.node.values.time import Time
 from tfloom.tf2.errors import TransformException
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener

@@ -8,13 +8,13 @@ import sys
 
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.interfaces.rcl_interfaces.msg import ParameterDescriptor
-from tfloom.node import spin
-from tfloom.node.logging import get_logger
+from tfloom.node.client_library import spin
+from tfloom.node.context.utilities import remove_ros_args
+from tfloom.node.log.logging import get_logger
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
-from tfloom.node.qos import QoSPolicyKind
-from tfloom.node.qos_overriding_options import QoSOverridingOptions
-from tfloom.node.utilities import remove_ros_args
+from tfloom.node.qos.qos import QoSPolicyKind
+from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions
 from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
 from tfloom.tf2_tools.static_arguments import USAGE, ArgumentsError, StaticTransform, parse
 

@@ -7,10 +7,10 @@ import sys
 import time
 from pathlib import Path
 
-from tfloom.node import spin_once
+from tfloom.node.client_library import spin_once
+from tfloom.node.context.utilities import ok, remove_ros_args
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
-from tfloom.node.utilities import ok, remove_ros_args
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener
 from tfloom.tf2_tools.frame_records import parse_frames_yaml, write_gv

@@ -7,7 +7,7 @@ from typing import Any
 
 from tfloom.interfaces.geometry_msgs.msg import Twist
 from tfloom.interfaces.std_srvs.srv import Empty
-from tfloom.node import spin
+from tfloom.node.client_library import spin
 from tfloom.node.node import Node
 from tfloom.node.program import expect_no_arguments, run_program
 from tfloom.turtlesim.messages import Pose

@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.rcl_interfaces.msg import SetParametersResult
 from tfloom.interfaces.std_srvs.srv import Empty
-from tfloom.node import spin
-from tfloom.node.clock import Clock, ClockType
-from tfloom.node.exceptions import NameValidationException
-from tfloom.node.names import validate_topic_name
+from tfloom.node.client_library import spin
+from tfloom.node.clock.clock import Clock
+from tfloom.node.context.utilities import remove_ros_args, try_shutdown
 from tfloom.node.node import Node
-from tfloom.node.parameter import Parameter
+from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.program import run_program
-from tfloom.node.utilities import remove_ros_args, try_shutdown
+from tfloom.node.values.clock_type import ClockType
+from tfloom.node.values.names import NameValidationException, validate_topic_name
 from tfloom.turtlesim import parameters
 from tfloom.turtlesim.endpoints import TurtleEndpoints
 from tfloom.turtlesim.messages import Kill, Spawn

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from tfloom.interfaces.rcl_interfaces.msg import IntegerRange, ParameterDescriptor, ParameterEvent
 from tfloom.node.node import Node
-from tfloom.node.parameter import Parameter, ParameterType
-from tfloom.node.qos import QoSPolicyKind, qos_profile_parameter_events
-from tfloom.node.qos_overriding_options import QoSOverridingOptions
+from tfloom.node.parameters.parameter import Parameter, ParameterType
+from tfloom.node.qos.qos import QoSPolicyKind, qos_profile_parameter_events
+from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions
 from tfloom.turtlesim.canvas import DEFAULT_BACKGROUND
 from tfloom.turtlesim.world import Color
 

@@ -6,10 +6,11 @@ from collections import deque
 from typing import Any, NamedTuple
 
 from tfloom.node.action.server import ActionServer, CancelResponse, GoalResponse, ServerGoalHandle
-from tfloom.node.clock import Clock, ClockType
+from tfloom.node.clock.clock import Clock
+from tfloom.node.executing.task import Future
+from tfloom.node.executing.timer import Timer
 from tfloom.node.node import Node
-from tfloom.node.task import Future
-from tfloom.node.timer import Timer
+from tfloom.node.values.clock_type import ClockType
 from tfloom.turtlesim.messages import RotateAbsolute
 from tfloom.turtlesim.world import Rotation, Turtle, is_usable
 

@@ -9,11 +9,11 @@ from typing import Any
 import pytest
 from tests.conftest import Program
 
-from tfloom.node import log_output
-from tfloom.node.context import Context
-from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.context.context import Context
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.executing.task import Future
+from tfloom.node.log import log_output
 from tfloom.node.node import Node
-from tfloom.node.task import Future
 
 PROGRAMS = Path(__file__).parent / "programs"
 

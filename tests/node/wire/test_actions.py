@@ -14,10 +14,10 @@ from tfloom.interfaces.action_msgs.srv import CancelGoal
 from tfloom.interfaces.example_interfaces.action import Fibonacci
 from tfloom.node.action.client import ActionClient
 from tfloom.node.action.names import new_goal_id
-from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
-from tfloom.node.qos import qos_profile_action_status_default
-from tfloom.node.task import Future
+from tfloom.node.qos.qos import qos_profile_action_status_default
 
 Start = Callable[..., Program]
 Finish = Callable[..., Any]

@@ -13,10 +13,9 @@ from tests.conftest import Program
 from tests.node.wire.conftest import PROGRAMS
 
 from tfloom.interfaces.std_msgs.msg import String
-from tfloom.node.duration import Duration
-from tfloom.node.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
+from tfloom.node.executing.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
 from tfloom.node.node import Node
-from tfloom.node.qos import (
+from tfloom.node.qos.qos import (
     DurabilityPolicy,
     HistoryPolicy,
     LivelinessPolicy,
@@ -24,6 +23,7 @@ from tfloom.node.qos import (
     ReliabilityPolicy,
     qos_profile_best_available,
 )
+from tfloom.node.values.duration import Duration
 from tfloom.rmw.compatibility import PolicyKind
 
 SpinUntil = Callable[..., None]

@@ -11,10 +11,10 @@ from tests.conftest import Program, wait_until
 
 from tfloom.interfaces.sensor_msgs.msg import Image
 from tfloom.interfaces.std_msgs.msg import Int32, String
-from tfloom.node.context import Context
-from tfloom.node.duration import Duration
+from tfloom.node.context.context import Context
 from tfloom.node.node import Node
-from tfloom.node.qos import HistoryPolicy, QoSProfile
+from tfloom.node.qos.qos import HistoryPolicy, QoSProfile
+from tfloom.node.values.duration import Duration
 from tfloom.rmw.base import NodeName, Topic
 from tfloom.rmw.cyclonedds import open_participant
 from tfloom.rmw.errors import WireError

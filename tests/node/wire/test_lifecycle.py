@@ -20,10 +20,10 @@ from tfloom.interfaces.lifecycle_msgs.srv import (
 from tfloom.interfaces.rcl_interfaces.msg import Log, LoggerLevel
 from tfloom.interfaces.rcl_interfaces.srv import GetLoggerLevels, SetLoggerLevels
 from tfloom.interfaces.std_msgs.msg import String
+from tfloom.node.builtin.parameter_client import AsyncParameterClient
 from tfloom.node.node import Node
-from tfloom.node.parameter import Parameter
-from tfloom.node.parameter_client import AsyncParameterClient
-from tfloom.node.qos import qos_profile_rosout_default
+from tfloom.node.parameters.parameter import Parameter
+from tfloom.node.qos.qos import qos_profile_rosout_default
 
 Start = Callable[..., Program]
 Call = Callable[..., Any]

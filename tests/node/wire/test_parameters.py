@@ -10,10 +10,10 @@ import pytest
 from tests.conftest import Program
 
 from tfloom.interfaces.rcl_interfaces.msg import ParameterEvent, ParameterType
+from tfloom.node.builtin.parameter_client import AsyncParameterClient
 from tfloom.node.node import Node
-from tfloom.node.parameter import Parameter, parameter_value_to_python
-from tfloom.node.parameter_client import AsyncParameterClient
-from tfloom.node.qos import ReliabilityPolicy
+from tfloom.node.parameters.parameter import Parameter, parameter_value_to_python
+from tfloom.node.qos.qos import ReliabilityPolicy
 
 Start = Callable[..., Program]
 Finish = Callable[..., Any]

@@ -14,10 +14,10 @@ from tests.node.wire.conftest import PROGRAMS
 
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
-from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.endpoints.service_introspection import ServiceIntrospectionState
+from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.qos import QoSProfile
-from tfloom.node.service_introspection import ServiceIntrospectionState
+from tfloom.node.qos.qos import QoSProfile
 from tfloom.rmw import cyclone_services
 from tfloom.rmw.errors import ForeignPeerError
 

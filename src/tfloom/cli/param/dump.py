@@ -22,7 +22,7 @@ def main(args: argparse.Namespace) -> int:
     """Print the YAML."""
     import yaml
 
-    from tfloom.node.parameter import parameter_value_to_python
+    from tfloom.node.parameters.parameter import parameter_value_to_python
 
     with nodes_with_parameters(args, args.node_name) as nodes:
         node, services = nodes[0]

@@ -33,7 +33,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Print the value after its type's label."""
-    from tfloom.node.parameter import parameter_value_to_python
+    from tfloom.node.parameters.parameter import parameter_value_to_python
 
     with asked_node(args) as services:
         message = services.value(args.parameter_name)

@@ -32,7 +32,7 @@ def main(args: argparse.Namespace) -> int:
 
 
 def _values(args: argparse.Namespace, node: str) -> dict[str, Any]:
-    from tfloom.node.parameter_file import read_parameter_file
+    from tfloom.node.parameters.parameter_file import read_parameter_file
 
     try:
         rules = read_parameter_file(args.parameter_file)
@@ -51,6 +51,6 @@ def _values(args: argparse.Namespace, node: str) -> dict[str, Any]:
 
 
 def _parameter(name: str, value: Any) -> Parameter:
-    from tfloom.node.parameter import Parameter as ParameterOfNode
+    from tfloom.node.parameters.parameter import Parameter as ParameterOfNode
 
     return ParameterOfNode(name, value=value).to_parameter_msg()

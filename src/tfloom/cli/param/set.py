@@ -20,7 +20,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Set it and print how that went."""
-    from tfloom.node.parameter import get_parameter_value
+    from tfloom.node.parameters.parameter import get_parameter_value
 
     parameter = Parameter(name=args.parameter_name, value=get_parameter_value(args.value))
     with asked_node(args) as services:

@@ -111,8 +111,7 @@ class _Draft:
 
 
 def _named_node(name: str) -> NodeName:
-    from tfloom.node.exceptions import InvalidNodeNameException
-    from tfloom.node.names import validate_node_name
+    from tfloom.node.values.names import InvalidNodeNameException, validate_node_name
 
     try:
         validate_node_name(name)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
-from tfloom.node import ok, spin_until_future_complete
-from tfloom.node.client import Client
+from tfloom.node.client_library import ok, spin_until_future_complete
+from tfloom.node.endpoints.client import Client
 from tfloom.node.node import Node
 from tfloom.node.program import expect_no_arguments, run_program
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tfloom.demos.demo_nodes_py.add_two_ints_client import wait_for_server
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
-from tfloom.node import ok, spin_once
+from tfloom.node.client_library import ok, spin_once
 from tfloom.node.node import Node
 from tfloom.node.program import expect_no_arguments, run_program
 

@@ -6,12 +6,16 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from tfloom.node import ok, spin_until_future_complete
+from tfloom.node.builtin.parameter_client import AsyncParameterClient
+from tfloom.node.client_library import ok, spin_until_future_complete
+from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
-from tfloom.node.parameter import Parameter, parameter_dict_from_yaml_file, parameter_value_to_python
-from tfloom.node.parameter_client import AsyncParameterClient
+from tfloom.node.parameters.parameter import (
+    Parameter,
+    parameter_dict_from_yaml_file,
+    parameter_value_to_python,
+)
 from tfloom.node.program import expect_no_arguments, run_program
-from tfloom.node.task import Future
 
 __all__ = ["main"]
 

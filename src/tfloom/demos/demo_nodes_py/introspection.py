@@ -10,14 +10,14 @@ from typing import Any
 
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.interfaces.rcl_interfaces.msg import SetParametersResult
-from tfloom.node.client import Client
-from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.endpoints.client import Client
+from tfloom.node.endpoints.service import Service
+from tfloom.node.endpoints.service_introspection import ServiceIntrospectionState
+from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
-from tfloom.node.parameter import Parameter
+from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.program import expect_no_arguments, run_program
-from tfloom.node.qos import qos_profile_system_default
-from tfloom.node.service import Service
-from tfloom.node.service_introspection import ServiceIntrospectionState
+from tfloom.node.qos.qos import qos_profile_system_default
 
 __all__ = ["IntrospectionClientNode", "IntrospectionServiceNode", "check_parameter", "main"]
 

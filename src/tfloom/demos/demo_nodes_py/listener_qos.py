@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from tfloom.demos.demo_nodes_py.qos_arguments import parse_qos_arguments
 from tfloom.interfaces.std_msgs.msg import String
-from tfloom.node import ok, spin_once
+from tfloom.node.client_library import ok, spin_once
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
-from tfloom.node.qos import QoSProfile, ReliabilityPolicy
+from tfloom.node.qos.qos import QoSProfile, ReliabilityPolicy
 
 __all__ = ["ListenerQos", "main"]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tfloom.interfaces.std_msgs.msg import String
-from tfloom.node import spin
+from tfloom.node.client_library import spin
 from tfloom.node.node import Node
 from tfloom.node.program import expect_no_arguments, run_program
 

@@ -7,13 +7,13 @@ from functools import partial
 from typing import Any
 
 from tfloom.interfaces.std_msgs.msg import String
-from tfloom.node.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
-from tfloom.node.executors import SingleThreadedExecutor
+from tfloom.node.endpoints.publisher import Publisher
+from tfloom.node.endpoints.subscription import Subscription
+from tfloom.node.executing.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 from tfloom.node.program import expect_no_arguments, run_program
-from tfloom.node.publisher import Publisher
-from tfloom.node.subscription import Subscription
-from tfloom.node.task import Future
 
 __all__ = ["MatchedEventDetectNode", "MultiPubNode", "MultiSubNode", "main"]
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import argparse
 import sys
 
-from tfloom.node.qos import QoSProfile, ReliabilityPolicy, qos_profile_sensor_data
-from tfloom.node.utilities import remove_ros_args
+from tfloom.node.context.utilities import remove_ros_args
+from tfloom.node.qos.qos import QoSProfile, ReliabilityPolicy, qos_profile_sensor_data
 
 __all__ = ["parse_qos_arguments"]
 

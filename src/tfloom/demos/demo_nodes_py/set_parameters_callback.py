@@ -6,9 +6,9 @@
 from __future__ import annotations
 
 from tfloom.interfaces.rcl_interfaces.msg import SetParametersResult
-from tfloom.node import spin
+from tfloom.node.client_library import spin
 from tfloom.node.node import Node
-from tfloom.node.parameter import Parameter
+from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.program import expect_no_arguments, run_program
 
 __all__ = ["SetParametersCallback", "main"]

@@ -9,12 +9,13 @@ from typing import Any
 from tfloom.interfaces.rcl_interfaces.msg import LoggerLevel
 from tfloom.interfaces.rcl_interfaces.srv import GetLoggerLevels, SetLoggerLevels
 from tfloom.interfaces.std_msgs.msg import String
-from tfloom.node import spin_until_future_complete
-from tfloom.node.client import Client
-from tfloom.node.executors import ExternalShutdownException, SingleThreadedExecutor
-from tfloom.node.logging_severity import LoggingSeverity
+from tfloom.node.client_library import spin_until_future_complete
+from tfloom.node.endpoints.client import Client
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.log.logging_severity import LoggingSeverity
 from tfloom.node.node import Node
 from tfloom.node.program import expect_no_arguments, run_program
+from tfloom.node.values.exceptions import ExternalShutdownException
 
 __all__ = ["LoggerServiceNode", "TestNode", "main"]
 

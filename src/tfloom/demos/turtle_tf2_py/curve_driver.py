@@ -6,7 +6,7 @@ import math
 
 from tfloom.demos.turtle_tf2_py.messages import Pose
 from tfloom.interfaces.geometry_msgs.msg import Twist
-from tfloom.node import spin
+from tfloom.node.client_library import spin
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
 

@@ -6,10 +6,10 @@ import math
 import sys
 
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
-from tfloom.node import spin
+from tfloom.node.client_library import spin
+from tfloom.node.context.utilities import remove_ros_args
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
-from tfloom.node.utilities import remove_ros_args
 from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
 
 USAGE = (

@@ -7,10 +7,10 @@ from typing import Any
 
 from tfloom.demos.turtle_tf2_py.messages import Spawn
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped, Twist
-from tfloom.node import spin
+from tfloom.node.client_library import spin
 from tfloom.node.node import Node
 from tfloom.node.program import expect_no_arguments, run_program
-from tfloom.node.time import Time
+from tfloom.node.values.time import Time
 from tfloom.tf2.errors import TransformException
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener

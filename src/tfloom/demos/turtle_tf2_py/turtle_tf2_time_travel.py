@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from tfloom.demos.turtle_tf2_py.turtle_tf2_listener import FOLLOWER, FrameListener
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
-from tfloom.node import spin
-from tfloom.node.duration import Duration
-from tfloom.node.exceptions import InvalidParameterValueException
+from tfloom.node.client_library import spin
+from tfloom.node.parameters.exceptions import InvalidParameterValueException
 from tfloom.node.program import expect_no_arguments, run_program
-from tfloom.node.time import Time
+from tfloom.node.values.duration import Duration
+from tfloom.node.values.time import Time
 
 LONGEST_S = 1e9
 """The longest delay [s]."""

@@ -24,37 +24,33 @@ from tfloom.node.action.names import (
     key_of,
     new_goal_id,
 )
-from tfloom.node.qos import (
-    QoSProfile,
-    qos_profile_action_status_default,
-    qos_profile_services_default,
-)
-from tfloom.node.task import Future
+from tfloom.node.executing.task import Future
+from tfloom.node.qos.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from tfloom.rosidl.service import Action
 
 if TYPE_CHECKING:
     from typing_extensions import Self
 
-    from tfloom.node.callback_groups import CallbackGroup
-    from tfloom.node.client import Client
+    from tfloom.node.endpoints.client import Client
+    from tfloom.node.executing.callback_groups import CallbackGroup
     from tfloom.node.node import Node
 
 __all__ = ["ActionClient", "ClientGoalHandle"]
 
 _POLL_S = 0.01
 MOST_ENDED = 64
-"""How many goals that have ended may still get feedback."""
+"""How many ended goals may still get feedback."""
 
 
 class ClientGoalHandle:
-    """A goal, as whoever sent it holds it."""
+    """The client's handle of a goal."""
 
     def __init__(self, action_client: ActionClient, goal_id: UUID, goal_response: Any) -> None:
         self._client = action_client
         self._goal_id = goal_id
         self._response = goal_response
         self.status: int = GoalStatus.STATUS_UNKNOWN
-        """Its state as last told, a constant of `action_msgs/msg/GoalStatus`."""
+        """The last state received, a constant of `action_msgs/msg/GoalStatus`."""
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, ClientGoalHandle) and key_of(self.goal_id) == key_of(other.goal_id)
@@ -64,7 +60,7 @@ class ClientGoalHandle:
 
     @property
     def goal_id(self) -> UUID:
-        """Which goal it is."""
+        """Id of the goal."""
         return self._goal_id
 
     @property
@@ -75,23 +71,23 @@ class ClientGoalHandle:
 
     @property
     def accepted(self) -> bool:
-        """Whether the server took it."""
+        """Whether the server accepted it."""
         return bool(self._response.accepted)
 
     def cancel_goal(self) -> Any:
-        """Ask to cancel, and wait for the answer; another thread must spin the node."""
+        """Request cancelling, and wait for the response; another thread must spin the node."""
         return self._client.wait_for(self.cancel_goal_async())
 
     def cancel_goal_async(self) -> Future[Any]:
-        """Ask to cancel; the future is of an `action_msgs/srv/CancelGoal` response."""
+        """Request cancelling; the future is of an `action_msgs/srv/CancelGoal` response."""
         return self._client.cancel(self._goal_id)
 
     def get_result(self) -> Any:
-        """Wait for the end; another thread must spin the node. Returns state and result: `.status`, `.result`."""
+        """Wait for state and result, `.status` and `.result`; another thread must spin the node."""
         return self._client.wait_for(self.get_result_async())
 
     def get_result_async(self) -> Future[Any]:
-        """Ask for the result; the future is of state and result: `.status`, `.result`."""
+        """Request the result; the future is of state and result: `.status`, `.result`."""
         return self._client.get_result(self)
 
 
@@ -132,10 +128,11 @@ class ActionClient:
         self._action_type = action_type
         self._action_name = action_name
         self._lock = threading.Lock()
+        """Guards the goals and their callbacks, below."""
         self._feedback_callbacks: dict[bytes, Callable[[Any], Any]] = {}
         self._ended: deque[bytes] = deque()
         self._unanswered: dict[bytes, int] = {}
-        """What has been told already of the states of goals whose answer isn't in yet."""
+        """The last state received of each goal that the server hasn't replied to yet. Guarded by `_lock`."""
         self._goals: weakref.WeakValueDictionary[bytes, ClientGoalHandle] = weakref.WeakValueDictionary()
 
         def client(srv_type: Any, suffix: str, qos: QoSProfile) -> Client:
@@ -163,7 +160,7 @@ class ActionClient:
         )
 
     def server_is_ready(self) -> bool:
-        """Return whether a server is there that will take a goal sent now."""
+        """Return whether a server is matched by all services and topics, so that it receives a goal sent now."""
         return (
             all(client.service_is_ready() for client in (self._send, self._result, self._cancel))
             and self._feedback.get_publisher_count() > 0
@@ -171,7 +168,7 @@ class ActionClient:
         )
 
     def wait_for_server(self, timeout_sec: float | None = None) -> bool:
-        """Wait until a server is there; False if none is after `timeout_sec` [s] (None: never), or at shutdown."""
+        """Wait until a server is ready; False after `timeout_sec` [s] (None: no limit), or at shutdown."""
         end = None if timeout_sec is None else time.monotonic() + timeout_sec
         while self._node.context.ok():
             if self.server_is_ready():
@@ -195,7 +192,7 @@ class ActionClient:
             goal_uuid: Its id; None: a random one.
 
         Returns:
-            The future of the goal's handle, whose `accepted` tells whether the server took it.
+            The future of the goal's handle; its `accepted` is whether the server accepted the goal.
 
         Raises:
             TypeError: `goal` isn't of the action's goal type.
@@ -239,17 +236,17 @@ class ActionClient:
             kwargs: As for `send_goal_async`.
 
         Returns:
-            State and result: `.status`, `.result`; None if the server didn't take the goal.
+            State and result: `.status`, `.result`; None if the server didn't accept the goal.
         """
         handle = self.wait_for(self.send_goal_async(goal, **kwargs))
         return handle.get_result() if handle is not None and handle.accepted else None
 
     def cancel(self, goal_id: UUID) -> Future[Any]:
-        """Ask to cancel a goal; goal handles call it."""
+        """Request cancelling a goal; goal handles call it."""
         return self._cancel.call_async(CancelGoal.Request(goal_info=GoalInfo(goal_id=goal_id)))
 
     def get_result(self, goal_handle: ClientGoalHandle) -> Future[Any]:
-        """Ask for the result of a goal; goal handles call it."""
+        """Request the result of a goal; goal handles call it."""
         request = self._action_type.Impl.GetResultService.Request(goal_id=goal_handle.goal_id)
         future: Future[Any] = Future()
 
@@ -293,7 +290,7 @@ class ActionClient:
             self._unanswered.pop(key, None)
 
     def _forget(self, key: bytes) -> None:
-        """Drop the feedback callback of a goal that has ended, but not at once: feedback may still be on its way."""
+        """Drop the feedback callback of an ended goal, not at once, because feedback may arrive after the end."""
         with self._lock:
             self._ended.append(key)
             if len(self._ended) > MOST_ENDED:
@@ -310,12 +307,12 @@ class ActionClient:
                 if key in self._unanswered:
                     self._unanswered[key] = each.status
                 handle = self._goals.get(key)
-            # The result's own word on the state is the last one.
+            # The state in the result is the last one.
             if handle is not None and (handle.status in ACTIVE or handle.status == GoalStatus.STATUS_UNKNOWN):
                 handle.status = each.status
 
     def destroy(self) -> None:
-        """Send no more."""
+        """Stop sending, and leave the wire."""
         for client in (self._send, self._result, self._cancel):
             self._node.destroy_client(client)
         self._node.destroy_subscription(self._feedback)

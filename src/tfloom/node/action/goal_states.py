@@ -13,13 +13,13 @@ from __future__ import annotations
 from enum import IntEnum
 
 from tfloom.interfaces.action_msgs.msg import GoalStatus
-from tfloom.node.exceptions import RCLError
+from tfloom.node.values.exceptions import RCLError
 
 __all__ = ["ACTIVE", "GoalEvent", "next_state"]
 
 
 class GoalEvent(IntEnum):
-    """What can happen to a goal."""
+    """Events of a goal."""
 
     EXECUTE = 1
     CANCEL_GOAL = 2
@@ -29,7 +29,7 @@ class GoalEvent(IntEnum):
 
 
 ACTIVE = (GoalStatus.STATUS_ACCEPTED, GoalStatus.STATUS_EXECUTING, GoalStatus.STATUS_CANCELING)
-"""The states that a goal leaves again."""
+"""The states of a goal that hasn't ended."""
 
 _TRANSITIONS = {
     (GoalStatus.STATUS_ACCEPTED, GoalEvent.EXECUTE): GoalStatus.STATUS_EXECUTING,

@@ -1,4 +1,4 @@
-"""The actions that others serve and use."""
+"""The actions on the graph."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ NamesAndTypes = list[tuple[str, list[str]]]
 
 
 def get_action_names_and_types(node: Node) -> NamesAndTypes:
-    """Return all actions that somebody serves or uses, with their types."""
+    """Return all actions that have a server or a client, with their types."""
     return _actions(node.get_topic_names_and_types())
 
 
@@ -40,7 +40,7 @@ def get_action_client_names_and_types_by_node(
 
 
 def _actions(topics: Iterable[tuple[str, list[str]]]) -> NamesAndTypes:
-    """Every end of an action has its feedback topic."""
+    """Return the actions of feedback topics, which servers and clients have alike."""
     return [
         (name.removesuffix(FEEDBACK), [each.removesuffix(_TYPE_SUFFIX) for each in types])
         for name, types in topics

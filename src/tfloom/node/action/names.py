@@ -1,4 +1,4 @@
-"""The services and topics that an action is made of."""
+"""Names of the services and topics of an action."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import os
 from typing import Any
 
 from tfloom.interfaces.unique_identifier_msgs.msg import UUID
+from tfloom.node.values.exceptions import NoTypeSupportImportedException
 from tfloom.rosidl.service import Action
 
 __all__ = [
@@ -31,8 +32,6 @@ def check_is_valid_action_type(action_type: Any) -> None:
     Raises:
         NoTypeSupportImportedException: it isn't.
     """
-    from tfloom.node.exceptions import NoTypeSupportImportedException
-
     if not (isinstance(action_type, type) and issubclass(action_type, Action)):
         raise NoTypeSupportImportedException
 

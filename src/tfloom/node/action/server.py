@@ -24,22 +24,18 @@ from tfloom.node.action.names import (
     key_of,
 )
 from tfloom.node.action.server_goal_handle import ServerGoalHandle
-from tfloom.node.constants import S_TO_NS
-from tfloom.node.exceptions import InvalidHandle, RCLError
-from tfloom.node.executors import await_or_execute
-from tfloom.node.qos import (
-    QoSProfile,
-    qos_profile_action_status_default,
-    qos_profile_services_default,
-)
+from tfloom.node.executing.executors import await_or_execute
+from tfloom.node.qos.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
+from tfloom.node.values.constants import S_TO_NS
+from tfloom.node.values.exceptions import InvalidHandle, RCLError
 from tfloom.rosidl.service import Action
 
 if TYPE_CHECKING:
     from typing_extensions import Self
 
-    from tfloom.node.callback_groups import CallbackGroup
+    from tfloom.node.executing.callback_groups import CallbackGroup
+    from tfloom.node.executing.timer import Timer
     from tfloom.node.node import Node
-    from tfloom.node.timer import Timer
 
 __all__ = [
     "ActionServer",
@@ -55,14 +51,14 @@ _NO_ID = bytes(16)
 
 
 class GoalResponse(Enum):
-    """What a goal callback answers."""
+    """Results of goal callbacks."""
 
     REJECT = 1
     ACCEPT = 2
 
 
 class CancelResponse(Enum):
-    """What a cancel callback answers."""
+    """Results of cancel callbacks."""
 
     REJECT = 1
     ACCEPT = 2
@@ -93,17 +89,16 @@ class ActionServer:
         execute_callback: Takes a goal handle, ends the goal, and returns its result. It runs as a task of the
             executor, in no callback group.
         callback_group: Group of the three callbacks below; None: the node's own.
-        goal_callback: Takes a goal, and answers whether it is accepted. Default: always.
-        handle_accepted_callback: Takes the handle of an accepted goal. Default: has it executed.
-        cancel_callback: Takes the handle of a goal that is to be cancelled, and answers whether it will. Default:
-            never.
+        goal_callback: Takes a goal, and accepts or rejects it. Default: accept.
+        handle_accepted_callback: Takes the handle of an accepted goal. Default: execute it.
+        cancel_callback: Takes the handle of a goal, and accepts or rejects cancelling it. Default: reject.
         goal_service_qos_profile: QoS of the service that takes goals.
         result_service_qos_profile: QoS of the service that gives results.
         cancel_service_qos_profile: QoS of the service that cancels.
         feedback_pub_qos_profile: QoS of the feedback.
         status_pub_qos_profile: QoS of the goals' states.
         result_timeout: How long the result of a goal that has ended is kept [s]; negative: for ever.
-        forget_told_results: Whether a goal is forgotten as soon as its result was told to one who asked.
+        forget_told_results: Whether a goal is dropped as soon as its result was sent to one client.
 
     Raises:
         NoTypeSupportImportedException: `action_type` is no action class.
@@ -135,6 +130,7 @@ class ActionServer:
         self._result_timeout_ns = int(result_timeout * S_TO_NS)
         self._forgets_told_results = forget_told_results
         self._lock = threading.RLock()
+        """Guards `_goals` and `_ended_ns`."""
         self._goals: dict[bytes, ServerGoalHandle] = {}
         self._ended_ns: dict[bytes, int] = {}
         self.register_execute_callback(execute_callback)
@@ -169,7 +165,7 @@ class ActionServer:
         self._execute_callback = _callable(execute_callback, "execute")
 
     def register_goal_callback(self, goal_callback: Callable[[Any], Any] | None) -> None:
-        """Ask this callback about new goals from now on; None: accept all."""
+        """Accept or reject goals by this callback from now on; None: accept all."""
         self._goal_callback = _callable(goal_callback or default_goal_callback, "goal")
 
     def register_handle_accepted_callback(
@@ -180,14 +176,14 @@ class ActionServer:
         self._handle_accepted_callback = _callable(callback, "handle accepted")
 
     def register_cancel_callback(self, cancel_callback: Callable[[ServerGoalHandle], Any] | None) -> None:
-        """Ask this callback about cancelling from now on; None: refuse."""
+        """Accept or reject cancelling by this callback from now on; None: reject."""
         self._cancel_callback = _callable(cancel_callback or default_cancel_callback, "cancel")
 
     # Goals
 
     async def _on_goal(self, request: Any, response: Any) -> Any:
         key = key_of(request.goal_id)
-        response.accepted = key not in self._goals and await self._wants(request.goal)
+        response.accepted = key not in self._goals and await self._accepts(request.goal)
         if not response.accepted:
             return response
         response.stamp = self._node.get_clock().now().to_msg()
@@ -195,17 +191,17 @@ class ActionServer:
         with self._lock:
             self._goals[key] = handle
         self._publish_status()
-        # A task, so that the answer is on its way before anything is done.
+        # A task, so that the response is sent before the callback begins.
         self._start(self._handle_accepted_callback, handle)
         return response
 
-    async def _wants(self, goal: Any) -> bool:
-        answer = await await_or_execute(self._goal_callback, goal)
-        if not isinstance(answer, GoalResponse):
+    async def _accepts(self, goal: Any) -> bool:
+        response = await await_or_execute(self._goal_callback, goal)
+        if not isinstance(response, GoalResponse):
             self._node.get_logger().warning(
                 "Goal request callback did not return a GoalResponse type. Rejecting goal."
             )
-        return answer is GoalResponse.ACCEPT
+        return response is GoalResponse.ACCEPT
 
     def _start(self, callback: Callable[..., Any], *args: Any) -> None:
         executor = self._node.executor
@@ -216,7 +212,7 @@ class ActionServer:
     def notify_execute(
         self, goal_handle: ServerGoalHandle, execute_callback: Callable[[ServerGoalHandle], Any] | None
     ) -> None:
-        """Have a goal executed; goal handles call it."""
+        """Execute a goal; goal handles call it."""
         callback = execute_callback if execute_callback is not None else self._execute_callback
         self._start(self._execute, _callable(callback, "execute"), goal_handle)
 
@@ -259,26 +255,26 @@ class ActionServer:
     async def _on_cancel(
         self, request: CancelGoal_Request, response: CancelGoal_Response
     ) -> CancelGoal_Response:
-        wanted = self._to_cancel(request)
+        goals = self._to_cancel(request)
         key = key_of(request.goal_info.goal_id)
-        if not wanted and key != _NO_ID and not _stamp_ns(request.goal_info):
+        if not goals and key != _NO_ID and not _stamp_ns(request.goal_info):
             known = key in self._goals
             response.return_code = response.ERROR_GOAL_TERMINATED if known else response.ERROR_UNKNOWN_GOAL_ID
             return response
-        for handle in wanted:
+        for handle in goals:
             if await await_or_execute(self._cancel_callback, handle) is not CancelResponse.ACCEPT:
                 continue
             try:
                 handle.update(GoalEvent.CANCEL_GOAL)
-            except RCLError:  # it has ended while its callback was asked
+            except RCLError:  # it ended during its callback
                 continue
             response.goals_canceling.append(handle.goal_info)
-        if wanted and not response.goals_canceling:
+        if goals and not response.goals_canceling:
             response.return_code = response.ERROR_REJECTED
         return response
 
     def _to_cancel(self, request: CancelGoal_Request) -> list[ServerGoalHandle]:
-        """Return the goals that are meant: one by its id, all up to a time, or all."""
+        """Return the goals of a request: one by its id, all up to a time, or all."""
         key = key_of(request.goal_info.goal_id)
         until_ns = _stamp_ns(request.goal_info)
         with self._lock:
@@ -294,10 +290,10 @@ class ActionServer:
             )
         ]
 
-    # Telling
+    # Publishing
 
     def publish_feedback(self, goal_id: UUID, feedback: Any) -> None:
-        """Tell how far a goal is; goal handles call it."""
+        """Publish the feedback of a goal; goal handles call it."""
         if not isinstance(feedback, self._action_type.Feedback):
             raise TypeError(f"Expected {self._action_type.Feedback}, got {type(feedback)}")
         message = self._action_type.Impl.FeedbackMessage(goal_id=goal_id, feedback=feedback)
@@ -305,7 +301,7 @@ class ActionServer:
             self._feedback.publish(message)
 
     def notify_goal_done(self) -> None:
-        """Tell that the state of a goal has changed; goal handles call it."""
+        """Publish that the state of a goal has changed; goal handles call it."""
         self._publish_status()
 
     def _publish_status(self) -> None:
@@ -320,10 +316,10 @@ class ActionServer:
                 )
             )
 
-    # Forgetting
+    # Dropping goals
 
     def forget(self, goal_handle: ServerGoalHandle) -> None:
-        """Keep a goal no longer."""
+        """Drop a goal."""
         key = key_of(goal_handle.goal_id)
         with self._lock:
             self._goals.pop(key, None)
@@ -339,7 +335,7 @@ class ActionServer:
         self._expire()
 
     def _expire(self) -> None:
-        """Forget the goals whose time is over, and come back when the next one's is."""
+        """Drop the goals whose results have expired, and set the timer to the next expiry."""
         now_ns = time.monotonic_ns()
         with self._lock:
             due = [key for key, end in self._ended_ns.items() if end + self._result_timeout_ns <= now_ns]
@@ -354,7 +350,7 @@ class ActionServer:
         self._expiry.reset()
 
     def destroy(self) -> None:
-        """Serve no more. Goals that are being executed go on, and nobody hears of them."""
+        """Stop serving, and leave the wire. Executing goals go on, and nothing of them is published."""
         with self._lock:
             goals = list(self._goals.values())
         for goal in goals:

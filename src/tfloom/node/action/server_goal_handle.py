@@ -1,40 +1,56 @@
-"""A goal, as its server holds it."""
+"""The server's handle of a goal."""
 
 from __future__ import annotations
 
 import threading
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from tfloom.interfaces.action_msgs.msg import GoalInfo, GoalStatus
 from tfloom.interfaces.unique_identifier_msgs.msg import UUID
 from tfloom.node.action.goal_states import ACTIVE, GoalEvent, next_state
 from tfloom.node.action.names import key_of
-from tfloom.node.task import Future
+from tfloom.node.executing.task import Future
 
-if TYPE_CHECKING:
-    from tfloom.node.action.server import ActionServer
+__all__ = ["GoalServer", "ServerGoalHandle"]
 
-__all__ = ["ServerGoalHandle"]
+
+class GoalServer(Protocol):
+    """What a goal handle calls of its action server."""
+
+    def notify_goal_done(self) -> None:
+        """Publish the states of the goals, because one has changed."""
+
+    def notify_execute(
+        self, goal_handle: ServerGoalHandle, execute_callback: Callable[[ServerGoalHandle], Any] | None
+    ) -> None:
+        """Execute a goal by `execute_callback`; None: by the server's own."""
+
+    def publish_feedback(self, goal_id: UUID, feedback: Any) -> None:
+        """Publish the feedback of a goal; TypeError if it isn't of the action's feedback type."""
+
+    def forget(self, goal_handle: ServerGoalHandle) -> None:
+        """Drop a goal."""
 
 
 class ServerGoalHandle:
-    """A goal that was accepted: what was asked for, how it stands, and the ways to end it.
+    """A goal that was accepted: its request, its state, and the methods that end it.
 
-    Once it is destroyed, with its server or by itself, its state is unknown and nothing is told any more.
+    Once it is destroyed, with its server or by itself, its state is unknown and nothing is published any more.
     """
 
-    def __init__(self, action_server: ActionServer, goal_info: GoalInfo, goal_request: Any) -> None:
+    def __init__(self, action_server: GoalServer, goal_info: GoalInfo, goal_request: Any) -> None:
         self._server = action_server
         self._info = goal_info
         self._request = goal_request
         self._status: int = GoalStatus.STATUS_ACCEPTED
         self._lock = threading.Lock()
+        """Guards changes of `_status`."""
         self._destroyed = False
         self.result_future: Future[Any] = Future()
-        """Of the response that goes to whoever asks for the result."""
+        """Future of the response to requests for the result."""
         self.cancel_future: Future[None] = Future()
-        """Done once the goal is to be cancelled: what a callback that waits may wait for, too."""
+        """Done once cancelling is accepted, so that an execute callback can wait for it."""
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, ServerGoalHandle) and key_of(self.goal_id) == key_of(other.goal_id)
@@ -49,12 +65,12 @@ class ServerGoalHandle:
 
     @property
     def goal_id(self) -> UUID:
-        """Which goal it is."""
+        """Id of the goal."""
         return self._info.goal_id
 
     @property
     def goal_info(self) -> GoalInfo:
-        """Its id, and when it was accepted."""
+        """Id of the goal, and when it was accepted."""
         return self._info
 
     @property
@@ -69,11 +85,11 @@ class ServerGoalHandle:
 
     @property
     def is_cancel_requested(self) -> bool:
-        """Whether it is to be cancelled: call `canceled` once that is done."""
+        """Whether cancelling was accepted: call `canceled` once that is done."""
         return self.status == GoalStatus.STATUS_CANCELING
 
     def update(self, event: GoalEvent) -> None:
-        """Go on to the next state, and tell everybody; nothing happens to a goal that is destroyed.
+        """Change to the state that follows `event`, and publish it; do nothing if the goal is destroyed.
 
         Raises:
             RCLError: the event can't happen in this state.
@@ -87,20 +103,20 @@ class ServerGoalHandle:
             self.cancel_future.set_result(None)
 
     def execute(self, execute_callback: Callable[[ServerGoalHandle], Any] | None = None) -> None:
-        """Have the goal executed, by the server's callback or another one.
+        """Execute the goal, by the server's callback or `execute_callback`.
 
         Raises:
             RCLError: it is being executed, or has ended.
         """
         if self._destroyed:
             return
-        # A goal may be cancelled before it begins; the callback is to see that.
+        # A goal may be cancelled before it begins; the callback then sees CANCELING.
         if not self.is_cancel_requested:
             self.update(GoalEvent.EXECUTE)
         self._server.notify_execute(self, execute_callback)
 
     def publish_feedback(self, feedback: Any) -> None:
-        """Tell how far it is.
+        """Publish feedback.
 
         Raises:
             TypeError: `feedback` isn't of the action's feedback type.
@@ -117,10 +133,10 @@ class ServerGoalHandle:
         self.update(GoalEvent.ABORT)
 
     def canceled(self) -> None:
-        """End as CANCELED; RCLError if nobody asked for it."""
+        """End as CANCELED; RCLError if it isn't canceling."""
         self.update(GoalEvent.CANCELED)
 
     def destroy(self) -> None:
-        """Forget the goal: who asks for its result is told that it is unknown."""
+        """Drop the goal: requests for its result get the status UNKNOWN."""
         self._destroyed = True
         self._server.forget(self)

@@ -1,4 +1,4 @@
-"""What goes along with a lifecycle node from state to state."""
+"""Entities that follow the transitions of a lifecycle node."""
 
 from __future__ import annotations
 
@@ -13,20 +13,20 @@ __all__ = ["ManagedEntity", "SimpleManagedEntity", "TransitionCallbackReturn"]
 
 
 class TransitionCallbackReturn(IntEnum):
-    """How a transition went."""
+    """Result of a transition."""
 
     SUCCESS = Transition.TRANSITION_CALLBACK_SUCCESS
     FAILURE = Transition.TRANSITION_CALLBACK_FAILURE
-    """Not done; back to where it was."""
+    """Not done; the state is as before."""
     ERROR = Transition.TRANSITION_CALLBACK_ERROR
-    """Something broke; `on_error` is next."""
+    """An error; `on_error` follows."""
 
 
 class ManagedEntity:
-    """Is told of each transition, with the state that it leads away from; by default all goes well."""
+    """Called at each transition with the state before it; by default, each succeeds."""
 
     def on_configure(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
-        """Get ready."""
+        """Prepare."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_cleanup(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
@@ -51,7 +51,7 @@ class ManagedEntity:
 
 
 class SimpleManagedEntity(ManagedEntity):
-    """Knows whether it is active."""
+    """An entity that is active or not."""
 
     def __init__(self) -> None:
         self._enabled = False

@@ -1,4 +1,4 @@
-"""Nodes that others start, stop and watch."""
+"""Lifecycle nodes: services and a topic make their state visible and changeable."""
 
 from __future__ import annotations
 
@@ -13,7 +13,6 @@ from tfloom.interfaces.lifecycle_msgs.srv import (
     GetAvailableTransitions,
     GetState,
 )
-from tfloom.node.exceptions import RCLError
 from tfloom.node.lifecycle.managed_entity import ManagedEntity, TransitionCallbackReturn
 from tfloom.node.lifecycle.publisher import LifecyclePublisher
 from tfloom.node.lifecycle.state_machine import (
@@ -30,10 +29,11 @@ from tfloom.node.lifecycle.state_machine import (
     Step,
 )
 from tfloom.node.node import Node
+from tfloom.node.values.exceptions import RCLError
 
 if TYPE_CHECKING:
-    from tfloom.node.callback_groups import CallbackGroup
-    from tfloom.node.publisher import Publisher
+    from tfloom.node.endpoints.publisher import Publisher
+    from tfloom.node.executing.callback_groups import CallbackGroup
 
 __all__ = ["LifecycleNode", "LifecycleNodeMixin", "LifecycleState"]
 
@@ -42,7 +42,7 @@ class LifecycleNodeMixin(ManagedEntity):
     """The lifecycle of a node, to be mixed in before Node and initialised after it.
 
     Args:
-        enable_communication_interface: Whether others may change and watch its state: services and a topic.
+        enable_communication_interface: Whether it has the services and the topic that change and publish its state.
         callback_group: Group of these services; None: the node's own.
     """
 
@@ -81,43 +81,43 @@ class LifecycleNodeMixin(ManagedEntity):
         assert isinstance(self, Node)  # noqa: S101  # what the class asks for
         return self
 
-    # What the node does
+    # Transition callbacks
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Get ready; by default the managed entities are told. `state`: where the node comes from."""
-        return self.__tell("on_configure", state)
+        """Prepare, by default the managed entities. `state` is the state before the transition."""
+        return self.__call_entities("on_configure", state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Undo `on_configure`; by default the managed entities are told."""
-        return self.__tell("on_cleanup", state)
+        """Undo `on_configure`, by default of the managed entities."""
+        return self.__call_entities("on_cleanup", state)
 
     def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """End for good; by default the managed entities are told."""
-        return self.__tell("on_shutdown", state)
+        """End for good, by default the managed entities."""
+        return self.__call_entities("on_shutdown", state)
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Begin to work; by default the managed entities are told."""
-        return self.__tell("on_activate", state)
+        """Begin to work, by default the managed entities."""
+        return self.__call_entities("on_activate", state)
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Stop working; by default the managed entities are told."""
-        return self.__tell("on_deactivate", state)
+        """Stop working, by default the managed entities."""
+        return self.__call_entities("on_deactivate", state)
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Clean up after an error; by default the managed entities are told."""
-        return self.__tell("on_error", state)
+        """Clean up after an error, by default the managed entities."""
+        return self.__call_entities("on_error", state)
 
-    def __tell(self, name: str, state: LifecycleState) -> TransitionCallbackReturn:
+    def __call_entities(self, name: str, state: LifecycleState) -> TransitionCallbackReturn:
         for entity in self.__entities:
             result = getattr(entity, name)(state)
             if result is not TransitionCallbackReturn.SUCCESS:
                 return TransitionCallbackReturn(result)
         return TransitionCallbackReturn.SUCCESS
 
-    # What goes along
+    # Managed entities
 
     def add_managed_entity(self, entity: ManagedEntity) -> None:
-        """Tell an entity of each transition from now on."""
+        """Call an entity at each transition from now on."""
         self.__entities.append(entity)
 
     def create_lifecycle_publisher(self, *args: Any, **kwargs: Any) -> LifecyclePublisher[Any]:
@@ -170,7 +170,7 @@ class LifecycleNodeMixin(ManagedEntity):
     def __call(self, previous: LifecycleState) -> TransitionCallbackReturn:
         try:
             return TransitionCallbackReturn(self.__callbacks[self.__machine.state](previous))
-        except Exception as error:  # noqa: BLE001  # on_error is told
+        except Exception as error:  # noqa: BLE001  # on_error follows
             state = self.__machine.state.label
             self.__node.get_logger().error(f"Error raised while {state}: {error}")
             traceback.print_exc()
@@ -228,7 +228,7 @@ class LifecycleNode(LifecycleNodeMixin, Node):
 
     Args:
         node_name: Its name.
-        enable_communication_interface: Whether others may change and watch its state.
+        enable_communication_interface: Whether it has the services and the topic that change and publish its state.
         kwargs: As for Node.
     """
 

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
+from tfloom.node.endpoints.publisher import MsgType, Publisher
 from tfloom.node.lifecycle.managed_entity import SimpleManagedEntity
-from tfloom.node.publisher import MsgType, Publisher
 
 __all__ = ["LifecyclePublisher"]
 
 
 class LifecyclePublisher(SimpleManagedEntity, Publisher[MsgType]):
-    """Publishes while its node is active, and drops what is published else."""
+    """Publishes while its node is active, and drops messages otherwise."""
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         SimpleManagedEntity.__init__(self)

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 from tfloom.interfaces.lifecycle_msgs import msg as lifecycle_msg
 from tfloom.interfaces.lifecycle_msgs.msg import State, Transition
-from tfloom.node.exceptions import RCLError
 from tfloom.node.lifecycle.managed_entity import TransitionCallbackReturn
+from tfloom.node.values.exceptions import RCLError
 
 __all__ = ["LifecycleState", "StateMachine", "Step"]
 
@@ -32,7 +32,7 @@ class Step(NamedTuple):
     goal: LifecycleState
 
     def transition_msg(self) -> lifecycle_msg.Transition:
-        """Return it as a message, without its ends."""
+        """Return it as a message, without its states."""
         return Transition(id=self.transition_id, label=self.label)
 
 
@@ -100,7 +100,7 @@ STEPS = [*_REQUESTS, *_outcomes()]
 
 
 class StateMachine:
-    """Where a lifecycle node is, and where it may go."""
+    """The state of a lifecycle node, and its transitions."""
 
     def __init__(self) -> None:
         self.state = UNCONFIGURED
@@ -124,5 +124,5 @@ class StateMachine:
         )
 
     def outcome(self, result: TransitionCallbackReturn) -> Step:
-        """Return where a callback's result leads to."""
+        """Return the transition that follows a callback's result."""
         return self.find(0, _OUTCOME_LABELS[list(TransitionCallbackReturn).index(result)])

@@ -1,4 +1,4 @@
 """Which callbacks may run at the same time."""
 
-from tfloom.node.callback_groups import *
-from tfloom.node.callback_groups import __all__
+from tfloom.node.executing.callback_groups import *
+from tfloom.node.executing.callback_groups import __all__

@@ -1,4 +1,4 @@
 """Clients of services."""
 
-from tfloom.node.client import *
-from tfloom.node.client import __all__
+from tfloom.node.endpoints.client import *
+from tfloom.node.endpoints.client import __all__

@@ -1,4 +1,7 @@
 """Clocks."""
 
-from tfloom.node.clock import *
-from tfloom.node.clock import __all__
+from tfloom.node.clock.clock import Clock, JumpHandle, ROSClock
+from tfloom.node.clock.time_jump import ClockChange, JumpThreshold, TimeJump
+from tfloom.node.values.clock_type import ClockType
+
+__all__ = ["Clock", "ClockChange", "ClockType", "JumpHandle", "JumpThreshold", "ROSClock", "TimeJump"]

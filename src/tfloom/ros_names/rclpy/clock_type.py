@@ -1,4 +1,4 @@
 """The kinds of clocks."""
 
-from tfloom.node.clock_type import *
-from tfloom.node.clock_type import __all__
+from tfloom.node.values.clock_type import *
+from tfloom.node.values.clock_type import __all__

@@ -1,5 +1,5 @@
 """Numbers that many files share."""
 
-from tfloom.node.constants import S_TO_NS
+from tfloom.node.values.constants import S_TO_NS
 
 __all__ = ["S_TO_NS"]

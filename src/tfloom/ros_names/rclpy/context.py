@@ -1,4 +1,4 @@
 """One life of the library in a process."""
 
-from tfloom.node.context import *
-from tfloom.node.context import __all__
+from tfloom.node.context.context import *
+from tfloom.node.context.context import __all__

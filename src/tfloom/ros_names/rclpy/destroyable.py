@@ -1,4 +1,4 @@
 """What can be destroyed."""
 
-from tfloom.node.destroyable import *
-from tfloom.node.destroyable import __all__
+from tfloom.node.values.destroyable import *
+from tfloom.node.values.destroyable import __all__

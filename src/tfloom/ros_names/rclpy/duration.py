@@ -1,4 +1,4 @@
 """Spans of time."""
 
-from tfloom.node.duration import *
-from tfloom.node.duration import __all__
+from tfloom.node.values.duration import *
+from tfloom.node.values.duration import __all__

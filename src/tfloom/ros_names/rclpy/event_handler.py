@@ -1,4 +1,4 @@
 """Events of publishers and subscriptions."""
 
-from tfloom.node.event_handler import *
-from tfloom.node.event_handler import __all__
+from tfloom.node.executing.event_handler import *
+from tfloom.node.executing.event_handler import __all__

@@ -1,4 +1,4 @@
 """A callback that a program triggers itself."""
 
-from tfloom.node.guard_condition import *
-from tfloom.node.guard_condition import __all__
+from tfloom.node.executing.guard_condition import *
+from tfloom.node.executing.guard_condition import __all__

@@ -1,4 +1,4 @@
 """Loggers by name."""
 
-from tfloom.node.logging import *
-from tfloom.node.logging import __all__
+from tfloom.node.log.logging import *
+from tfloom.node.log.logging import __all__

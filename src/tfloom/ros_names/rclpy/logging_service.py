@@ -1,4 +1,4 @@
 """The services of loggers."""
 
-from tfloom.node.logging_service import *
-from tfloom.node.logging_service import __all__
+from tfloom.node.builtin.logging_service import *
+from tfloom.node.builtin.logging_service import __all__

@@ -1,4 +1,4 @@
 """Parameters."""
 
-from tfloom.node.parameter import *
-from tfloom.node.parameter import __all__
+from tfloom.node.parameters.parameter import *
+from tfloom.node.parameters.parameter import __all__

@@ -1,4 +1,4 @@
 """Parameters of other nodes."""
 
-from tfloom.node.parameter_client import *
-from tfloom.node.parameter_client import __all__
+from tfloom.node.builtin.parameter_client import *
+from tfloom.node.builtin.parameter_client import __all__

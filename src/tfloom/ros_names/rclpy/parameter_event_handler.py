@@ -1,4 +1,4 @@
 """Callbacks for changes of parameters."""
 
-from tfloom.node.parameter_event_handler import *
-from tfloom.node.parameter_event_handler import __all__
+from tfloom.node.builtin.parameter_event_handler import *
+from tfloom.node.builtin.parameter_event_handler import __all__

@@ -1,4 +1,4 @@
 """The services of parameters."""
 
-from tfloom.node.parameter_service import *
-from tfloom.node.parameter_service import __all__
+from tfloom.node.builtin.parameter_service import *
+from tfloom.node.builtin.parameter_service import __all__

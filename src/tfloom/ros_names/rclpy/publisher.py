@@ -1,4 +1,4 @@
 """The sending end of a topic."""
 
-from tfloom.node.publisher import *
-from tfloom.node.publisher import __all__
+from tfloom.node.endpoints.publisher import *
+from tfloom.node.endpoints.publisher import __all__

@@ -1,4 +1,4 @@
 """Servers of services."""
 
-from tfloom.node.service import *
-from tfloom.node.service import __all__
+from tfloom.node.endpoints.service import *
+from tfloom.node.endpoints.service import __all__

@@ -1,5 +1,5 @@
 """What a service tells about its traffic."""
 
-from tfloom.node.service_introspection import ServiceIntrospectionState
+from tfloom.node.endpoints.service_introspection import ServiceIntrospectionState
 
 __all__ = ["ServiceIntrospectionState"]

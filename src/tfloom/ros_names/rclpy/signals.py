@@ -1,4 +1,4 @@
 """Ctrl-C and SIGTERM."""
 
-from tfloom.node.signals import *
-from tfloom.node.signals import __all__
+from tfloom.node.executing.signals import *
+from tfloom.node.executing.signals import __all__

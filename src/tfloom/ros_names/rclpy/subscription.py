@@ -1,4 +1,4 @@
 """The receiving end of a topic."""
 
-from tfloom.node.subscription import *
-from tfloom.node.subscription import __all__
+from tfloom.node.endpoints.subscription import *
+from tfloom.node.endpoints.subscription import __all__

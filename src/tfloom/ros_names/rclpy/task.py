@@ -1,4 +1,4 @@
 """Futures and tasks."""
 
-from tfloom.node.task import *
-from tfloom.node.task import __all__
+from tfloom.node.executing.task import *
+from tfloom.node.executing.task import __all__

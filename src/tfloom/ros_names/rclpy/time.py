@@ -1,4 +1,4 @@
 """Points in time."""
 
-from tfloom.node.time import *
-from tfloom.node.time import __all__
+from tfloom.node.values.time import *
+from tfloom.node.values.time import __all__

@@ -1,4 +1,4 @@
 """Simulated time."""
 
-from tfloom.node.time_source import *
-from tfloom.node.time_source import __all__
+from tfloom.node.builtin.time_source import *
+from tfloom.node.builtin.time_source import __all__

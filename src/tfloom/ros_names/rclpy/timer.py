@@ -1,4 +1,4 @@
 """Callbacks at a fixed period."""
 
-from tfloom.node.timer import *
-from tfloom.node.timer import __all__
+from tfloom.node.executing.timer import *
+from tfloom.node.executing.timer import __all__

@@ -1,4 +1,4 @@
 """What the graph tells of one publisher or subscription."""
 
-from tfloom.node.topic_endpoint_info import *
-from tfloom.node.topic_endpoint_info import __all__
+from tfloom.node.qos.topic_endpoint_info import *
+from tfloom.node.qos.topic_endpoint_info import __all__

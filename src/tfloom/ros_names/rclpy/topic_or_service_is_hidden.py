@@ -1,5 +1,5 @@
 """Names that tools leave out."""
 
-from tfloom.node.names import HIDDEN_TOPIC_PREFIX, topic_or_service_is_hidden
+from tfloom.node.values.names import HIDDEN_TOPIC_PREFIX, topic_or_service_is_hidden
 
 __all__ = ["HIDDEN_TOPIC_PREFIX", "topic_or_service_is_hidden"]

@@ -1,4 +1,4 @@
 """The service of types."""
 
-from tfloom.node.type_description_service import *
-from tfloom.node.type_description_service import __all__
+from tfloom.node.builtin.type_description_service import *
+from tfloom.node.builtin.type_description_service import __all__

@@ -1,4 +1,4 @@
 """The hash of a type's definition."""
 
-from tfloom.node.type_hash import *
-from tfloom.node.type_hash import __all__
+from tfloom.node.values.type_hash import *
+from tfloom.node.values.type_hash import __all__

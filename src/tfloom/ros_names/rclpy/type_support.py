@@ -1,4 +1,4 @@
 """Whether a class is a type that ROS knows."""
 
-from tfloom.node.type_support import *
-from tfloom.node.type_support import __all__
+from tfloom.node.values.type_support import *
+from tfloom.node.values.type_support import __all__

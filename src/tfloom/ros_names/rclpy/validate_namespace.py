@@ -1,5 +1,5 @@
 """What is valid as a namespace."""
 
-from tfloom.node.names import validate_namespace
+from tfloom.node.values.names import validate_namespace
 
 __all__ = ["validate_namespace"]

@@ -1,5 +1,5 @@
 """What is valid as a node's name."""
 
-from tfloom.node.names import validate_node_name
+from tfloom.node.values.names import validate_node_name
 
 __all__ = ["validate_node_name"]

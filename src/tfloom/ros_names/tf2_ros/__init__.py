@@ -15,8 +15,8 @@ import tf2_ros.transform_broadcaster
 import tf2_ros.transform_listener
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.interfaces.std_msgs.msg import Header
-from tfloom.node.duration import Duration
-from tfloom.node.time import Time
+from tfloom.node.values.duration import Duration
+from tfloom.node.values.time import Time
 from tfloom.tf2.errors import *
 from tfloom.tf2_ros.buffer import *
 from tfloom.tf2_ros.buffer_client import *

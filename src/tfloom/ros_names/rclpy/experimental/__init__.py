@@ -1,4 +1,5 @@
 """What may yet change in rclpy."""
 
-from tfloom.node.experimental import *
-from tfloom.node.experimental import __all__
+from tfloom.node.executing.events_executor import EventsExecutor
+
+__all__ = ["EventsExecutor"]

@@ -1,4 +1,4 @@
 """The events executor."""
 
-from tfloom.node.experimental.events_executor import *
-from tfloom.node.experimental.events_executor import __all__
+from tfloom.node.executing.events_executor import *
+from tfloom.node.executing.events_executor import __all__

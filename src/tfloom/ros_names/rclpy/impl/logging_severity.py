@@ -1,4 +1,4 @@
 """The severities of log records."""
 
-from tfloom.node.logging_severity import *
-from tfloom.node.logging_severity import __all__
+from tfloom.node.log.logging_severity import *
+from tfloom.node.log.logging_severity import __all__

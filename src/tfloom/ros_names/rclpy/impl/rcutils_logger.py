@@ -1,4 +1,4 @@
 """Loggers."""
 
-from tfloom.node.rcutils_logger import *
-from tfloom.node.rcutils_logger import __all__
+from tfloom.node.log.rcutils_logger import *
+from tfloom.node.log.rcutils_logger import __all__

@@ -1,0 +1,57 @@
+"""The name of a node, and the full names that its topics and services have."""
+
+from __future__ import annotations
+
+from tfloom.node.context.arguments import Arguments
+from tfloom.node.values.names import (
+    expand_topic_name,
+    validate_full_topic_name,
+    validate_namespace,
+    validate_node_name,
+    validate_topic_name,
+)
+from tfloom.rmw.base import NodeName
+
+__all__ = ["NodeNames"]
+
+
+class NodeNames:
+    """A node's name after remapping, and the remapping of the names that the node uses.
+
+    Args:
+        node_name: Name that the program gives the node.
+        namespace: Its namespace, with or without the first slash.
+        arguments: ROS arguments that hold for the node.
+
+    Raises:
+        InvalidNodeNameException: the name isn't valid.
+        InvalidNamespaceException: the namespace isn't valid.
+    """
+
+    def __init__(self, node_name: str, namespace: str, arguments: Arguments) -> None:
+        validate_node_name(node_name)
+        if not namespace.startswith("/"):
+            namespace = f"/{namespace}"
+        namespace = arguments.namespace(node_name, namespace)
+        validate_namespace(namespace)
+        self._arguments = arguments
+        self.node = NodeName(namespace, arguments.node_name(node_name))
+        """Name and namespace of the node."""
+
+    def resolve(self, name: str, *, only_expand: bool, is_service: bool) -> str:
+        """Return the full name of a topic or service: expanded, checked, and remapped unless `only_expand`.
+
+        Raises:
+            NameValidationException: the name isn't valid, before or after.
+        """
+        node = self.node
+        validate_topic_name(name, is_service=is_service)
+        full_name = expand_topic_name(name, node.name, node.namespace)
+        validate_full_topic_name(full_name, is_service=is_service)
+        if only_expand:
+            return full_name
+        remapped = self._arguments.remap(full_name, node.name, node.namespace, is_service=is_service)
+        if remapped is None:
+            return full_name
+        validate_full_topic_name(remapped, is_service=is_service)
+        return remapped

@@ -1,0 +1,169 @@
+"""Reading and setting the parameters of another node."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+from tfloom.interfaces.rcl_interfaces.msg import Parameter as ParameterMsg
+from tfloom.interfaces.rcl_interfaces.msg import ParameterEvent
+from tfloom.interfaces.rcl_interfaces.srv import (
+    DescribeParameters,
+    GetParameters,
+    GetParameterTypes,
+    ListParameters,
+    SetParameters,
+    SetParametersAtomically,
+)
+from tfloom.node.executing.task import Future
+from tfloom.node.parameters.parameter import Parameter, ParameterType, parameter_dict_from_yaml_file
+from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
+
+if TYPE_CHECKING:
+    from tfloom.node.base.node_base import NodeBase
+    from tfloom.node.endpoints.client import Client
+    from tfloom.node.endpoints.subscription import Subscription
+    from tfloom.node.executing.callback_groups import CallbackGroup
+
+__all__ = ["AsyncParameterClient"]
+
+_Callback = Callable[[Future[Any]], Any]
+
+
+class AsyncParameterClient:
+    """Calls the parameter services of another node; each method returns the future of the service's response.
+
+    Args:
+        node: The node that calls.
+        remote_node_name: The other node's name; a relative one is in the namespace of `node`.
+        qos_profile: QoS of the services.
+        callback_group: Group of the clients.
+    """
+
+    def __init__(
+        self,
+        node: NodeBase,
+        remote_node_name: str,
+        qos_profile: QoSProfile = qos_profile_services_default,
+        callback_group: CallbackGroup | None = None,
+    ) -> None:
+        self.remote_node_name = remote_node_name
+        self.node = node
+
+        def client(srv_type: type[Any], name: str) -> Client:
+            return node.create_client(
+                srv_type, f"{remote_node_name}/{name}", qos_profile=qos_profile, callback_group=callback_group
+            )
+
+        self._get = client(GetParameters, "get_parameters")
+        self._list = client(ListParameters, "list_parameters")
+        self._set = client(SetParameters, "set_parameters")
+        self._get_types = client(GetParameterTypes, "get_parameter_types")
+        self._describe = client(DescribeParameters, "describe_parameters")
+        self._set_atomically = client(SetParametersAtomically, "set_parameters_atomically")
+
+    def _clients(self) -> list[Client]:
+        return [self._list, self._set, self._get, self._get_types, self._describe, self._set_atomically]
+
+    def services_are_ready(self) -> bool:
+        """Return whether all six services are there."""
+        return all(client.service_is_ready() for client in self._clients())
+
+    def wait_for_services(self, timeout_sec: float | None = None) -> bool:
+        """Wait for all six services; False if they aren't there after `timeout_sec` [s] (None: no limit)."""
+        end = None if timeout_sec is None else time.monotonic() + timeout_sec
+        for client in self._clients():
+            left_s = None if end is None else max(0.0, end - time.monotonic())
+            if not client.wait_for_service(left_s):
+                return False
+        return True
+
+    def list_parameters(
+        self,
+        prefixes: list[str] | None = None,
+        depth: int | None = None,
+        callback: _Callback | None = None,
+    ) -> Future[Any]:
+        """Ask for the names below some prefixes (None: all), `depth` parts deep (None: any)."""
+        return _call(self._list, ListParameters.Request(prefixes=prefixes or [], depth=depth or 0), callback)
+
+    def get_parameters(self, names: list[str], callback: _Callback | None = None) -> Future[Any]:
+        """Ask for values."""
+        return _call(self._get, GetParameters.Request(names=names), callback)
+
+    def set_parameters(
+        self, parameters: Sequence[Parameter | ParameterMsg], callback: _Callback | None = None
+    ) -> Future[Any]:
+        """Set parameters one by one."""
+        return _call(self._set, SetParameters.Request(parameters=_messages(parameters)), callback)
+
+    def set_parameters_atomically(
+        self, parameters: Sequence[Parameter | ParameterMsg], callback: _Callback | None = None
+    ) -> Future[Any]:
+        """Set all parameters or none."""
+        request = SetParametersAtomically.Request(parameters=_messages(parameters))
+        return _call(self._set_atomically, request, callback)
+
+    def describe_parameters(self, names: list[str], callback: _Callback | None = None) -> Future[Any]:
+        """Ask for descriptors."""
+        return _call(self._describe, DescribeParameters.Request(names=names), callback)
+
+    def get_parameter_types(self, names: list[str], callback: _Callback | None = None) -> Future[Any]:
+        """Ask for types."""
+        return _call(self._get_types, GetParameterTypes.Request(names=names), callback)
+
+    def delete_parameters(self, names: list[str], callback: _Callback | None = None) -> Future[Any]:
+        """Undeclare parameters; only those of dynamic type can be."""
+        return self.set_parameters([Parameter(name, ParameterType.NOT_SET) for name in names], callback)
+
+    def load_parameter_file(
+        self, parameter_file: str, use_wildcard: bool = False, callback: _Callback | None = None
+    ) -> Future[Any]:
+        """Set one by one what a YAML file has for the other node, and for all nodes if `use_wildcard`."""
+        return self.set_parameters(self._read(parameter_file, use_wildcard), callback)
+
+    def load_parameter_file_atomically(
+        self, parameter_file: str, use_wildcard: bool = False, callback: _Callback | None = None
+    ) -> Future[Any]:
+        """Set all of a YAML file or nothing, as `load_parameter_file`."""
+        return self.set_parameters_atomically(self._read(parameter_file, use_wildcard), callback)
+
+    def _read(self, parameter_file: str, use_wildcard: bool) -> list[ParameterMsg]:
+        found = parameter_dict_from_yaml_file(
+            parameter_file, use_wildcard, target_nodes=[self.remote_node_name]
+        )
+        return list(found.values())
+
+    def on_parameter_event(
+        self,
+        callback: Callable[[ParameterEvent], Any],
+        qos_profile: QoSProfile = qos_profile_parameter_events,
+        *,
+        callback_group: CallbackGroup | None = None,
+        event_callbacks: Any = None,
+        qos_overriding_options: Any = None,
+        raw: bool = False,
+    ) -> Subscription[ParameterEvent]:
+        """Subscribe to the changes of parameters, those of all nodes."""
+        return self.node.create_subscription(
+            ParameterEvent,
+            "/parameter_events",
+            callback,
+            qos_profile,
+            callback_group=callback_group,
+            event_callbacks=event_callbacks,
+            qos_overriding_options=qos_overriding_options,
+            raw=raw,
+        )
+
+
+def _call(client: Client, request: Any, callback: _Callback | None) -> Future[Any]:
+    future = client.call_async(request)
+    if callback is not None:
+        future.add_done_callback(callback)
+    return future
+
+
+def _messages(parameters: Sequence[Parameter | ParameterMsg]) -> list[ParameterMsg]:
+    return [each.to_parameter_msg() if isinstance(each, Parameter) else each for each in parameters]

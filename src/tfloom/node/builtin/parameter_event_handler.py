@@ -1,0 +1,143 @@
+"""Callbacks for changes of parameters, of any node."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, Any
+
+from tfloom.interfaces.rcl_interfaces.msg import Parameter, ParameterEvent
+from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events
+from tfloom.node.values.names import full_node_name
+
+if TYPE_CHECKING:
+    from tfloom.node.base.node_base import NodeBase
+    from tfloom.node.executing.callback_groups import CallbackGroup
+    from tfloom.node.executing.event_handler import SubscriptionEventCallbacks
+
+__all__ = ["ParameterCallbackHandle", "ParameterEventCallbackHandle", "ParameterEventHandler"]
+
+
+class ParameterCallbackHandle:
+    """One parameter of one node, and the callback for its changes."""
+
+    def __init__(self, parameter_name: str, node_name: str, callback: Callable[[Parameter], None]) -> None:
+        self.parameter_name = parameter_name
+        self.node_name = node_name
+        self.callback = callback
+
+
+class ParameterEventCallbackHandle:
+    """The callback for every change."""
+
+    def __init__(self, callback: Callable[[ParameterEvent], None]) -> None:
+        self.callback = callback
+
+
+class ParameterEventHandler:
+    """Listens to /parameter_events.
+
+    Args:
+        node: The node that listens.
+        qos_profile: QoS of the subscription.
+        callback_group: Group of the callbacks.
+        event_callbacks: Callbacks for the subscription's events.
+        qos_overriding_options: As for a subscription.
+        raw: Not supported, because callbacks take messages.
+    """
+
+    def __init__(
+        self,
+        node: NodeBase,
+        qos_profile: QoSProfile = qos_profile_parameter_events,
+        callback_group: CallbackGroup | None = None,
+        event_callbacks: SubscriptionEventCallbacks | None = None,
+        qos_overriding_options: Any = None,
+        raw: bool = False,
+    ) -> None:
+        if raw:
+            raise NotImplementedError("ParameterEventHandler(raw=True): its callbacks take messages")
+        self.node = node
+        self._for_parameters: list[ParameterCallbackHandle] = []
+        self._for_events: list[ParameterEventCallbackHandle] = []
+        self._subscription = node.create_subscription(
+            ParameterEvent,
+            "/parameter_events",
+            self._on_event,
+            qos_profile,
+            callback_group=callback_group,
+            event_callbacks=event_callbacks,
+            qos_overriding_options=qos_overriding_options,
+        )
+
+    def add_parameter_callback(
+        self, parameter_name: str, node_name: str, callback: Callable[[Parameter], None]
+    ) -> ParameterCallbackHandle:
+        """Call `callback(parameter)` with the message when a parameter is set; the last added is called first.
+
+        Args:
+            parameter_name: The parameter.
+            node_name: The node; a relative name is in this node's namespace.
+            callback: Takes the message.
+        """
+        handle = ParameterCallbackHandle(parameter_name, self._full_name(node_name), callback)
+        self._for_parameters.insert(0, handle)
+        return handle
+
+    def _full_name(self, node_name: str) -> str:
+        if not node_name:
+            return self.node.get_fully_qualified_name()
+        return (
+            node_name if node_name.startswith("/") else full_node_name(self.node.get_namespace(), node_name)
+        )
+
+    def add_parameter_event_callback(
+        self, callback: Callable[[ParameterEvent], None]
+    ) -> ParameterEventCallbackHandle:
+        """Call `callback(event)` with every change; the last added is called first."""
+        handle = ParameterEventCallbackHandle(callback)
+        self._for_events.insert(0, handle)
+        return handle
+
+    def remove_parameter_callback(self, handle: ParameterCallbackHandle) -> None:
+        """Undo one `add_parameter_callback`; RuntimeError if it was undone."""
+        _remove(self._for_parameters, handle)
+
+    def remove_parameter_event_callback(self, handle: ParameterEventCallbackHandle) -> None:
+        """Undo one `add_parameter_event_callback`; RuntimeError if it was undone."""
+        _remove(self._for_events, handle)
+
+    def destroy(self) -> None:
+        """Stop listening."""
+        self.node.destroy_subscription(self._subscription)
+
+    def _on_event(self, event: ParameterEvent) -> None:
+        for handle in list(self._for_parameters):
+            parameter = self.get_parameter_from_event(event, handle.parameter_name, handle.node_name)
+            if parameter is not None:
+                handle.callback(parameter)
+        for each in list(self._for_events):
+            each.callback(event)
+
+    @staticmethod
+    def get_parameter_from_event(
+        event: ParameterEvent, parameter_name: str, node_name: str
+    ) -> Parameter | None:
+        """Return what an event set a parameter of a node to, or None if it didn't."""
+        if event.node != node_name:
+            return None
+        for parameter in ParameterEventHandler.get_parameters_from_event(event):
+            if parameter.name == parameter_name:
+                return parameter
+        return None
+
+    @staticmethod
+    def get_parameters_from_event(event: ParameterEvent) -> Iterable[Parameter]:
+        """Return all parameters that an event set, new ones and others."""
+        yield from event.new_parameters
+        yield from event.changed_parameters
+
+
+def _remove(handles: list[Any], handle: Any) -> None:
+    if handle not in handles:
+        raise RuntimeError("Callback doesn't exist")
+    handles.remove(handle)

@@ -1,0 +1,125 @@
+"""Simulated time: a node's parameter `use_sim_time`, and the topic /clock."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
+from tfloom.interfaces.rosgraph_msgs import msg as rosgraph_msg
+from tfloom.node.clock.clock import ROSClock
+from tfloom.node.log.throttled_warning import ThrottledWarning
+from tfloom.node.parameters.parameter import Parameter, ParameterType
+from tfloom.node.qos.qos import QoSProfile, ReliabilityPolicy
+from tfloom.node.values.clock_type import ClockType
+from tfloom.node.values.time import Time
+
+if TYPE_CHECKING:
+    from tfloom.node.base.node_base import NodeBase
+    from tfloom.node.clock.clock import Clock
+    from tfloom.node.endpoints.subscription import Subscription
+
+__all__ = ["CLOCK_TOPIC", "USE_SIM_TIME_NAME", "TimeSource"]
+
+CLOCK_TOPIC = "/clock"
+USE_SIM_TIME_NAME = "use_sim_time"
+
+
+class TimeSource:
+    """Sets ROS clocks from /clock while the node's parameter `use_sim_time` is true.
+
+    Args:
+        node: Attached at once, if given.
+    """
+
+    def __init__(self, *, node: NodeBase | None = None) -> None:
+        self._node: NodeBase | None = None
+        self._clocks: list[ROSClock] = []
+        self._subscription: Subscription[rosgraph_msg.Clock] | None = None
+        self._last_time = Time(clock_type=ClockType.ROS_TIME)
+        self._ros_time_is_active = False
+        self._warning: ThrottledWarning | None = None
+        if node is not None:
+            self.attach_node(node)
+
+    @property
+    def ros_time_is_active(self) -> bool:
+        """Whether the clocks show simulated time."""
+        return self._ros_time_is_active
+
+    @ros_time_is_active.setter
+    def ros_time_is_active(self, enabled: bool) -> None:
+        if enabled == self._ros_time_is_active:
+            return
+        self._ros_time_is_active = enabled
+        for clock in self._clocks:
+            clock.set_ros_time_is_active(enabled)
+        if enabled:
+            self._subscribe()
+        else:
+            self._unsubscribe()
+
+    def attach_node(self, node: NodeBase) -> None:
+        """Follow a node's `use_sim_time`, which is declared if it isn't yet, and subscribe to /clock on that node.
+
+        Raises:
+            InvalidParameterTypeException: the parameter's first value isn't true or false.
+        """
+        if self._node is not None:
+            self.detach_node()
+        self._node = node
+        self._warning = ThrottledWarning(node.get_logger())
+        if not node.has_parameter(USE_SIM_TIME_NAME):
+            node.declare_parameter(USE_SIM_TIME_NAME, False)
+        self.ros_time_is_active = bool(node.get_parameter(USE_SIM_TIME_NAME).value)
+        node.add_on_set_parameters_callback(self._on_parameters)
+
+    def detach_node(self) -> None:
+        """Leave the node; the clocks go back to system time."""
+        if self._node is not None:
+            self.ros_time_is_active = False
+            self._node.remove_on_set_parameters_callback(self._on_parameters)
+            self._node = None
+
+    def attach_clock(self, clock: Clock) -> None:
+        """Set a clock from now on.
+
+        Raises:
+            ValueError: it is no ROS clock.
+        """
+        if not isinstance(clock, ROSClock):
+            raise ValueError("Only clocks with type ROS_TIME can be attached.")  # noqa: TRY004  # as in rclpy
+        clock.set_ros_time_override(self._last_time)
+        clock.set_ros_time_is_active(self._ros_time_is_active)
+        self._clocks.append(clock)
+
+    def clock_callback(self, msg: rosgraph_msg.Clock) -> None:
+        """Set the clocks to the time of a message; a time before 0, which no clock can show, is dropped."""
+        if msg.clock.sec < 0:
+            if self._warning is not None:
+                self._warning.log(f"Dropped a time on {CLOCK_TOPIC} that is before 0: {msg.clock.sec} s")
+            return
+        self._last_time = Time.from_msg(msg.clock)
+        for clock in self._clocks:
+            clock.set_ros_time_override(self._last_time)
+
+    def _on_parameters(self, parameters: list[Parameter]) -> rcl_msg.SetParametersResult:
+        for parameter in parameters:
+            if parameter.name != USE_SIM_TIME_NAME:
+                continue
+            if parameter.type_ is not ParameterType.BOOL:
+                reason = f"{USE_SIM_TIME_NAME} parameter set to something besides a bool"
+                return rcl_msg.SetParametersResult(successful=False, reason=reason)
+            self.ros_time_is_active = parameter.value
+        return rcl_msg.SetParametersResult(successful=True)
+
+    def _subscribe(self) -> None:
+        if self._node is not None and self._subscription is None:
+            qos = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
+            self._subscription = self._node.create_subscription(
+                rosgraph_msg.Clock, CLOCK_TOPIC, self.clock_callback, qos
+            )
+
+    def _unsubscribe(self) -> None:
+        if self._node is not None and self._subscription is not None:
+            self._node.destroy_subscription(self._subscription)
+            self._subscription = None

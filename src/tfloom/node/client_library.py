@@ -1,0 +1,211 @@
+"""The functions of `import rclpy`: initialise, create a node, spin, shut down."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from typing import TYPE_CHECKING
+
+from tfloom.node.context.context import Context
+from tfloom.node.context.utilities import (
+    get_default_context,
+    get_rmw_implementation_identifier,
+    ok,
+    try_shutdown,
+)
+from tfloom.node.context.utilities import shutdown as _shutdown
+from tfloom.node.executing.executor_exceptions import ShutdownException
+from tfloom.node.executing.signals import (
+    SignalHandlerOptions,
+    install_signal_handlers,
+    uninstall_signal_handlers,
+)
+from tfloom.node.executing.task import Future
+from tfloom.node.parameters.parameter import Parameter
+
+if TYPE_CHECKING:
+    from types import TracebackType
+    from typing import Any
+
+    from typing_extensions import Self
+
+    from tfloom.node.executing.executor import Executor
+    from tfloom.node.node import Node
+
+__all__ = [
+    "Context",
+    "Future",
+    "InitContextManager",
+    "Parameter",
+    "SignalHandlerOptions",
+    "create_node",
+    "get_default_context",
+    "get_global_executor",
+    "get_rmw_implementation_identifier",
+    "init",
+    "install_signal_handlers",
+    "ok",
+    "shutdown",
+    "spin",
+    "spin_once",
+    "spin_until_future_complete",
+    "try_shutdown",
+    "uninstall_signal_handlers",
+]
+
+
+class InitContextManager:
+    """The result of `init`; a `with` of it shuts the context down at its end."""
+
+    def __init__(self, context: Context, *, uninstall_handlers: bool) -> None:
+        self.context = context
+        self._uninstall_handlers = uninstall_handlers
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, t: type[BaseException] | None, v: BaseException | None, tb: TracebackType | None
+    ) -> None:
+        is_default = self.context is get_default_context()
+        try_shutdown(context=None if is_default else self.context)
+        if self._uninstall_handlers:
+            uninstall_signal_handlers()
+
+
+def init(
+    *,
+    args: list[str] | None = None,
+    context: Context | None = None,
+    domain_id: int | None = None,
+    signal_handler_options: SignalHandlerOptions | None = None,
+) -> InitContextManager:
+    """Initialise a context: read the ROS arguments, and handle Ctrl-C and SIGTERM.
+
+    As in later releases, `with rclpy.init():` shuts down at its end, unless it is done already.
+
+    Args:
+        args: Command line; None: `sys.argv`.
+        context: The context to initialise; None: the default one.
+        domain_id: The domain to join; None: from ROS_DOMAIN_ID.
+        signal_handler_options: Which signals to handle; None: both for the default context, else none.
+
+    Raises:
+        RuntimeError: the context was initialised before; the default one, unless it has ended since.
+        RCLInvalidROSArgsError: a ROS argument can't be understood.
+        UnknownROSArgsError: a ROS argument isn't known.
+    """
+    if signal_handler_options is None:
+        is_default = context is None or context is get_default_context()
+        signal_handler_options = SignalHandlerOptions.ALL if is_default else SignalHandlerOptions.NO
+    if context is None and get_default_context().is_over():
+        get_default_context(shutting_down=True)  # by a signal, after which it is still the default
+    context = context or get_default_context()
+    context.init(args, domain_id=domain_id)
+    install_signal_handlers(signal_handler_options)
+    return InitContextManager(context, uninstall_handlers=signal_handler_options != SignalHandlerOptions.NO)
+
+
+def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:
+    """Shut down: every spin returns or raises, and signals are handled as before `init`.
+
+    Args:
+        context: The context to shut down; None: the default one.
+        uninstall_handlers: Whether to restore the former signal handlers; None: for the default context.
+
+    Raises:
+        RuntimeError: the context was never initialised.
+        RCLError: it is shut down already; `try_shutdown` accepts that.
+    """
+    try:
+        _shutdown(context=context)
+    finally:
+        if uninstall_handlers or (uninstall_handlers is None and context is None):
+            uninstall_signal_handlers()
+
+
+def create_node(
+    node_name: str,
+    *,
+    context: Context | None = None,
+    cli_args: list[str] | None = None,
+    namespace: str | None = None,
+    use_global_arguments: bool = True,
+    enable_rosout: bool = True,
+    start_parameter_services: bool = True,
+    parameter_overrides: list[Parameter] | None = None,
+    allow_undeclared_parameters: bool = False,
+    automatically_declare_parameters_from_overrides: bool = False,
+    enable_logger_service: bool = False,
+) -> Node:
+    """Create a node; the arguments are those of the class."""
+    from tfloom.node.node import Node
+
+    return Node(
+        node_name,
+        context=context,
+        cli_args=cli_args,
+        namespace=namespace,
+        use_global_arguments=use_global_arguments,
+        enable_rosout=enable_rosout,
+        start_parameter_services=start_parameter_services,
+        parameter_overrides=parameter_overrides,
+        allow_undeclared_parameters=allow_undeclared_parameters,
+        automatically_declare_parameters_from_overrides=automatically_declare_parameters_from_overrides,
+        enable_logger_service=enable_logger_service,
+    )
+
+
+def get_global_executor() -> Executor:
+    """Return the executor that the functions below use if none is given."""
+    from tfloom.node.executing.executors import get_global_executor as get
+
+    return get()
+
+
+@contextmanager
+def _temporarily_added(node: Node, executor: Executor) -> Iterator[None]:
+    """Add `node` to `executor` for the block, and return it to its former executor.
+
+    A node that is in `executor` already stays there, because another thread may be spinning it.
+    """
+    before = node.executor
+    is_new = executor.add_node(node)
+    try:
+        yield
+    finally:
+        if is_new:
+            still_there = node in executor.get_nodes()  # a callback may have destroyed it, or moved it on
+            executor.remove_node(node)
+            if before is not None and still_there:
+                with suppress(ShutdownException):
+                    before.add_node(node)
+
+
+def spin(node: Node, executor: Executor | None = None) -> None:
+    """Run a node's callbacks until its context is shut down.
+
+    Raises:
+        ExternalShutdownException: the context was shut down by a signal, or by another thread.
+        KeyboardInterrupt: Ctrl-C, on the main thread.
+        Exception: raised by a callback.
+    """
+    executor = executor or get_global_executor()
+    with _temporarily_added(node, executor):
+        executor.spin()
+
+
+def spin_once(node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
+    """Wait for one callback and run it; return without one after `timeout_sec` [s] (None: never)."""
+    executor = executor or get_global_executor()
+    with _temporarily_added(node, executor):
+        executor.spin_once(timeout_sec=timeout_sec)
+
+
+def spin_until_future_complete(
+    node: Node, future: Future[Any], executor: Executor | None = None, timeout_sec: float | None = None
+) -> None:
+    """Run a node's callbacks until a future is done, or `timeout_sec` [s] are over (None: never)."""
+    executor = executor or get_global_executor()
+    with _temporarily_added(node, executor):
+        executor.spin_until_future_complete(future, timeout_sec)

@@ -1,0 +1,1 @@
+"""Clocks: system, steady and ROS time, their jumps, and sleeping by them."""

@@ -1,0 +1,248 @@
+"""Clocks: system, steady and ROS time, and what happens when one jumps."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from tfloom.node.clock.time_jump import ANY_JUMP, SOURCE_CHANGES, ClockChange, JumpThreshold, TimeJump
+from tfloom.node.context.utilities import get_default_context
+from tfloom.node.values.clock_type import ClockType
+from tfloom.node.values.constants import S_TO_NS
+from tfloom.node.values.duration import Duration
+from tfloom.node.values.exceptions import NotInitializedException
+from tfloom.node.values.handle import Handle
+from tfloom.node.values.readable_clock import ReadableClock
+from tfloom.node.values.time import Time
+
+if TYPE_CHECKING:
+    from types import TracebackType
+
+    from typing_extensions import Self
+
+    from tfloom.node.context.context import Context
+
+__all__ = ["Clock", "JumpHandle", "ROSClock"]
+
+_LONGEST_SLICE_S = 1.0
+"""The longest wait of a sleep by system time [s], because the system's clock may be set meanwhile."""
+
+
+class JumpHandle:
+    """A pair of jump callbacks, registered until `unregister` or the end of a `with`."""
+
+    def __init__(
+        self,
+        *,
+        clock: Clock,
+        threshold: JumpThreshold,
+        pre_callback: Callable[[], None] | None,
+        post_callback: Callable[[TimeJump], None] | None,
+    ) -> None:
+        if not isinstance(clock, Clock):
+            raise TypeError("clock must be an instance of rclpy.clock.Clock")
+        if not isinstance(threshold, JumpThreshold):
+            raise TypeError("threshold must be an instance of rclpy.clock.JumpThreshold")
+        for name, callback in (("pre_callback", pre_callback), ("post_callback", post_callback)):
+            if callback is not None and not callable(callback):
+                raise ValueError(f"{name} must be callable if given")
+        if pre_callback is None and post_callback is None:
+            raise ValueError("One of pre_callback or post_callback must be callable")
+        self.threshold = threshold
+        self.pre_callback = pre_callback
+        self.post_callback = post_callback
+        self._clock: Clock | None = clock
+        clock.add_jump_handle(self)
+
+    def unregister(self) -> None:
+        """Stop the calls."""
+        if self._clock is not None:
+            self._clock.remove_jump_handle(self)
+            self._clock = None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, t: type[BaseException] | None, v: BaseException | None, tb: TracebackType | None
+    ) -> None:
+        self.unregister()
+
+
+class Clock(ReadableClock):
+    """A clock. `Clock(clock_type=ClockType.ROS_TIME)` returns a ROSClock."""
+
+    def __new__(cls, *, clock_type: ClockType = ClockType.SYSTEM_TIME) -> Self:
+        """Return a clock of the class that `clock_type` asks for."""
+        if not isinstance(clock_type, ClockType):
+            raise TypeError("Clock type must be a ClockType enum")
+        wanted = ROSClock if clock_type is ClockType.ROS_TIME else cls
+        return object.__new__(wanted)  # type: ignore[return-value]  # a ROSClock is a Clock, and only Clock is asked
+
+    def __init__(self, *, clock_type: ClockType = ClockType.SYSTEM_TIME) -> None:
+        super().__init__(clock_type=clock_type)
+        self._lock = threading.RLock()
+        """Guards `_handles`, and in a ROSClock the source and the simulated time."""
+        self._handles: list[JumpHandle] = []
+
+    @property
+    def handle(self) -> Handle:
+        """Proxy of the clock, for code that expects rclpy's C handle."""
+        return Handle(self)
+
+    def __repr__(self) -> str:
+        return f"Clock(clock_type={self._clock_type.name})"
+
+    def create_jump_callback(
+        self,
+        threshold: JumpThreshold,
+        *,
+        pre_callback: Callable[[], None] | None = None,
+        post_callback: Callable[[TimeJump], None] | None = None,
+    ) -> JumpHandle:
+        """Call callbacks before and after each jump that passes `threshold`.
+
+        They are called on the thread that sets the clock. Only simulated time jumps, because the operating system
+        reports no changes of its own clock.
+
+        Returns:
+            The handle; its `unregister` ends the calls.
+
+        Raises:
+            ValueError: neither callback is given, or one isn't callable.
+        """
+        return JumpHandle(
+            clock=self, threshold=threshold, pre_callback=pre_callback, post_callback=post_callback
+        )
+
+    def jump_handles(self) -> list[JumpHandle]:
+        """Return the handles that are registered now."""
+        with self._lock:
+            return list(self._handles)
+
+    def add_jump_handle(self, handle: JumpHandle) -> None:
+        """Register a handle; each handle does it for itself."""
+        with self._lock:
+            self._handles.append(handle)
+
+    def remove_jump_handle(self, handle: JumpHandle) -> None:
+        """Remove a handle."""
+        with self._lock:
+            if handle in self._handles:
+                self._handles.remove(handle)
+
+    def sleep_until(self, until: Time, context: Context | None = None) -> bool:
+        """Wait until the clock shows `until`.
+
+        Returns:
+            False if shutdown came first, or the clock's source changed; True otherwise.
+
+        Raises:
+            ValueError: `until` is of another clock.
+            NotInitializedException: the context isn't initialised.
+        """
+        context = context or get_default_context()
+        if not context.ok():
+            raise NotInitializedException
+        if until.clock_type != self._clock_type:
+            raise ValueError("until's clock type does not match this clock's type")
+        woken = threading.Event()
+        source_changed = False
+
+        def on_jump(jump: TimeJump) -> None:
+            nonlocal source_changed
+            if jump.clock_change in SOURCE_CHANGES:
+                source_changed = True
+            woken.set()
+
+        with self.create_jump_callback(ANY_JUMP, post_callback=on_jump):
+            context.add_shutdown_hook(woken.set)
+            try:
+                while context.ok() and not source_changed:
+                    left_ns = until.nanoseconds - self.now_ns()
+                    if left_ns <= 0:
+                        return True
+                    woken.wait(None if self._is_simulated() else min(left_ns / S_TO_NS, _LONGEST_SLICE_S))
+                    woken.clear()
+            finally:
+                context.remove_shutdown_hook(woken.set)
+        return False
+
+    def sleep_for(self, rel_time: Duration, context: Context | None = None) -> bool:
+        """Wait for a span of time by this clock; as `sleep_until`."""
+        return self.sleep_until(self.now() + rel_time, context)
+
+    def _is_simulated(self) -> bool:
+        """Return whether the time only changes when it is set."""
+        return False
+
+
+class ROSClock(Clock):
+    """System time, or simulated time while that is on."""
+
+    def __new__(cls, *, clock_type: ClockType = ClockType.ROS_TIME) -> Self:
+        """Return a ROS clock."""
+        return super().__new__(cls, clock_type=clock_type)
+
+    def __init__(self, *, clock_type: ClockType = ClockType.ROS_TIME) -> None:
+        super().__init__(clock_type=clock_type)
+        self._is_active = False
+        self._override_ns = 0
+
+    @property
+    def ros_time_is_active(self) -> bool:
+        """Whether the clock shows simulated time."""
+        return self._is_active
+
+    def _is_simulated(self) -> bool:
+        return self._is_active
+
+    def set_ros_time_is_active(self, enabled: bool) -> None:
+        """Turn simulated time on or off, as a TimeSource does."""
+        with self._lock:
+            if enabled == self._is_active:
+                return
+            before_ns = self.now_ns()
+            after_ns = self._override_ns if enabled else time.time_ns()
+            change = ClockChange.ROS_TIME_ACTIVATED if enabled else ClockChange.ROS_TIME_DEACTIVATED
+            jump = TimeJump(change, Duration(nanoseconds=after_ns - before_ns))
+            handles = self._begin_jump(jump)
+            self._is_active = enabled
+            self._read_ns = self._read_override_ns if enabled else time.time_ns
+        self._end_jump(handles, jump)
+
+    def set_ros_time_override(self, time: Time) -> None:
+        """Set simulated time, which shows once it is turned on.
+
+        Raises:
+            TypeError: `time` is no Time.
+        """
+        if not isinstance(time, Time):
+            raise TypeError(f"Time must be specified as rclpy.time.Time. Received type: {type(time)}")
+        with self._lock:
+            if not self._is_active:
+                self._override_ns = time.nanoseconds
+                return
+            delta = Duration(nanoseconds=time.nanoseconds - self._override_ns)
+            jump = TimeJump(ClockChange.ROS_TIME_NO_CHANGE, delta)
+            handles = self._begin_jump(jump)
+            self._override_ns = time.nanoseconds
+        self._end_jump(handles, jump)
+
+    def _read_override_ns(self) -> int:
+        return self._override_ns
+
+    def _begin_jump(self, jump: TimeJump) -> list[JumpHandle]:
+        handles = [handle for handle in self._handles if handle.threshold.is_passed_by(jump)]
+        for handle in handles:
+            if handle.pre_callback is not None:
+                handle.pre_callback()
+        return handles
+
+    @staticmethod
+    def _end_jump(handles: list[JumpHandle], jump: TimeJump) -> None:
+        for handle in handles:
+            if handle.post_callback is not None:
+                handle.post_callback(jump)

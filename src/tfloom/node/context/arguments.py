@@ -1,0 +1,292 @@
+"""ROS arguments: the part of a command line behind `--ros-args`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
+
+from tfloom.node.log.logging_severity import LoggingSeverity
+from tfloom.node.parameters.parameter_file import ParameterRule, checked_value, read_parameter_file
+from tfloom.node.values.exceptions import RCLError
+from tfloom.node.values.names import (
+    InvalidNamespaceException,
+    InvalidNodeNameException,
+    InvalidTopicNameException,
+    expand_topic_name,
+    validate_namespace,
+    validate_node_name,
+    validate_topic_name,
+)
+from tfloom.node.values.scalars import parse_value
+
+__all__ = [
+    "Arguments",
+    "RCLInvalidROSArgsError",
+    "RemapRule",
+    "UnknownROSArgsError",
+    "parse_arguments",
+    "remove_ros_args",
+]
+
+_FLAGS = {
+    "--enable-rosout-logs": ("rosout_logs", True),
+    "--disable-rosout-logs": ("rosout_logs", False),
+    "--enable-stdout-logs": ("stdout_logs", True),
+    "--disable-stdout-logs": ("stdout_logs", False),
+    "--enable-external-lib-logs": ("external_lib_logs", True),
+    "--disable-external-lib-logs": ("external_lib_logs", False),
+}
+_TAKES_VALUE = {
+    "-r": "remap",
+    "--remap": "remap",
+    "-p": "param",
+    "--param": "param",
+    "--params-file": "params_file",
+    "--log-level": "log_level",
+    "--log-file-name": "log_file_name",
+    "--log-config-file": "log_config_file",
+    "-e": "enclave",
+    "--enclave": "enclave",
+}
+_NODE_PREFIX = r"([A-Za-z_][A-Za-z0-9_]*):(?!=|//)"
+
+
+class RCLInvalidROSArgsError(RCLError):
+    """An argument behind `--ros-args` can't be understood."""
+
+    def __init__(self, why: str) -> None:
+        super().__init__(f"Failed to parse ROS arguments: {why}")
+
+
+class UnknownROSArgsError(RuntimeError):
+    """A word behind `--ros-args` is no ROS argument."""
+
+    def __init__(self, unknown: list[str]) -> None:
+        super().__init__(f"Found unknown ROS arguments: [{', '.join(repr(word) for word in unknown)}]")
+        self.unknown = unknown
+
+
+class RemapRule(NamedTuple):
+    """`[node:]match:=replacement`."""
+
+    node: str | None
+    """The only node it is for; None: all."""
+    scheme: str
+    """"topic", "service" or both ("")."""
+    match: str
+    """A name as a program gives it, or `__node` or `__ns`."""
+    replacement: str
+
+
+class Arguments:
+    """The ROS arguments of a command line, and the rest of it."""
+
+    def __init__(self) -> None:
+        self.remaps: list[RemapRule] = []
+        self.parameters: list[ParameterRule] = []
+        self.log_levels: list[tuple[str, LoggingSeverity]] = []
+        self.log_file_name: str | None = None
+        self.log_config_file: str | None = None
+        self.enclave: str | None = None
+        self.rosout_logs = True
+        self.stdout_logs = True
+        self.external_lib_logs = True
+        self.unknown: list[str] = []
+        self.rest: list[str] = []
+
+    def over(self, others: Arguments) -> Arguments:
+        """Return both together; where both say something, these win."""
+        both = Arguments()
+        both.remaps = self.remaps + others.remaps
+        both.parameters = others.parameters + self.parameters
+        both.rosout_logs = self.rosout_logs and others.rosout_logs
+        both.enclave = self.enclave or others.enclave
+        return both
+
+    def node_name(self, name: str) -> str:
+        """Return the node's name after `__node:=`."""
+        return self._special("__node", name, name)
+
+    def namespace(self, name: str, namespace: str) -> str:
+        """Return the namespace of the node called `name` after `__ns:=`."""
+        return self._special("__ns", name, namespace)
+
+    def _special(self, match: str, node_name: str, otherwise: str) -> str:
+        for rule in self.remaps:
+            if rule.match == match and rule.node in (None, node_name):
+                return rule.replacement
+        return otherwise
+
+    def remap(
+        self, full_name: str, node_name: str, namespace: str, *, is_service: bool = False
+    ) -> str | None:
+        """Return what the first rule that matches makes of a full topic or service name; None if none does."""
+        scheme = "service" if is_service else "topic"
+        for rule in self.remaps:
+            if (
+                rule.match.startswith("__")
+                or rule.scheme not in ("", scheme)
+                or rule.node not in (None, node_name)
+            ):
+                continue
+            if expand_topic_name(rule.match, node_name, namespace) == full_name:
+                return expand_topic_name(rule.replacement, node_name, namespace)
+        return None
+
+    def parameter_overrides(self, full_name: str) -> dict[str, Any]:
+        """Return the values given for the parameters of a node; of two for one parameter, the later."""
+        return {rule.name: rule.value for rule in self.parameters if rule.is_for(full_name)}
+
+
+def parse_arguments(arguments: Sequence[str]) -> Arguments:
+    """Read the parts of a command line between `--ros-args` and `--` or the end.
+
+    Raises:
+        RCLInvalidROSArgsError: a ROS argument lacks its value, or the value makes no sense.
+        UnknownROSArgsError: something between `--ros-args` and `--` is no ROS argument.
+    """
+    parsed = Arguments()
+    words = iter(arguments)
+    for word in words:
+        if word == "--ros-args":
+            _parse_ros_part(parsed, words)
+        else:
+            parsed.rest.append(word)
+    if parsed.unknown:
+        raise UnknownROSArgsError(parsed.unknown)
+    return parsed
+
+
+def remove_ros_args(arguments: Sequence[str]) -> list[str]:
+    """Return a command line without its ROS arguments."""
+    return parse_arguments(arguments).rest
+
+
+def _parse_ros_part(parsed: Arguments, words: Iterator[str]) -> None:
+    for word in words:
+        if word == "--":
+            return
+        if word in _FLAGS:
+            setattr(parsed, *_FLAGS[word])
+        elif word in _TAKES_VALUE:
+            value = next(words, None)
+            if value is None:
+                raise RCLInvalidROSArgsError(f"{word} needs a value: {_EXPECTED[_TAKES_VALUE[word]]}")
+            _PARSERS[_TAKES_VALUE[word]](parsed, word, value)
+        elif word != "--ros-args":
+            parsed.unknown.append(word)
+
+
+def _fail(flag: str, value: str, why: str) -> RCLInvalidROSArgsError:
+    return RCLInvalidROSArgsError(f"cannot understand '{flag} {value}': {why}")
+
+
+def _split(flag: str, value: str) -> tuple[str, str]:
+    left, assign, right = value.partition(":=")
+    if not assign or not left:
+        raise _fail(flag, value, f"expected {_EXPECTED[_TAKES_VALUE[flag]]}")
+    return left, right
+
+
+def _take_node(text: str) -> tuple[str | None, str]:
+    match = re.match(_NODE_PREFIX, text)
+    return (match.group(1), text[match.end() :]) if match else (None, text)
+
+
+def _parse_remap(parsed: Arguments, flag: str, value: str) -> None:
+    left, replacement = _split(flag, value)
+    node, match = _take_node(left)
+    scheme = ""
+    for prefix in ("topic", "service"):
+        if match.startswith(f"ros{prefix}://"):
+            scheme, match = prefix, match[len(prefix) + 6 :]
+    try:
+        if match in ("__node", "__name"):
+            match = "__node"
+            validate_node_name(replacement)
+        elif match == "__ns":
+            replacement = replacement if replacement.startswith("/") else f"/{replacement}"
+            validate_namespace(replacement)
+        else:
+            validate_topic_name(match)
+            validate_topic_name(replacement)
+    except (InvalidNodeNameException, InvalidNamespaceException, InvalidTopicNameException) as error:
+        raise _fail(flag, value, f"'{error.name}': {error.error_msg}") from None
+    parsed.remaps.append(RemapRule(node, scheme, match, replacement))
+
+
+def _parse_param(parsed: Arguments, flag: str, value: str) -> None:
+    left, text = _split(flag, value)
+    node, name = _take_node(left)
+    if not name:
+        raise _fail(flag, value, "the parameter has no name")
+    try:
+        parameter = checked_value(name, parse_value(text))
+    except ValueError as error:
+        raise _fail(flag, value, str(error)) from None
+    if text == "":
+        raise _fail(flag, value, "the parameter has no value; write '' for an empty string")
+    if isinstance(parameter, dict):
+        raise _fail(flag, value, "a parameter's value can't be a mapping")
+    parsed.parameters.append(ParameterRule(f"/**/{node}" if node else "/**", name, parameter))
+
+
+def _parse_params_file(parsed: Arguments, flag: str, value: str) -> None:
+    try:
+        rules = read_parameter_file(value)
+    except (OSError, ValueError) as error:
+        raise _fail(flag, value, str(error)) from None
+    parsed.parameters.extend(rules)
+
+
+def _parse_log_level(parsed: Arguments, flag: str, value: str) -> None:
+    name, assign, level = value.rpartition(":=")
+    try:
+        severity = LoggingSeverity[level.upper()]
+    except KeyError:
+        known = ", ".join(each.name.lower() for each in LoggingSeverity)
+        raise _fail(flag, value, f"'{level}' is no level; known are {known}") from None
+    if assign and not name:
+        raise _fail(flag, value, f"expected {_EXPECTED['log_level']}")
+    parsed.log_levels.append((name, severity))
+
+
+def _parse_log_file_name(parsed: Arguments, flag: str, value: str) -> None:
+    if "/" in value or not value:
+        raise _fail(flag, value, "expected a file's name without a directory (that is ROS_LOG_DIR's)")
+    parsed.log_file_name = value
+
+
+def _parse_log_config_file(parsed: Arguments, flag: str, value: str) -> None:
+    if not value:
+        raise _fail(flag, value, "expected a file's name")
+    parsed.log_config_file = value
+
+
+def _parse_enclave(parsed: Arguments, flag: str, value: str) -> None:
+    try:
+        validate_namespace(value)
+    except InvalidNamespaceException as error:
+        raise _fail(flag, value, error.error_msg.replace("namespace", "enclave")) from None
+    parsed.enclave = value
+
+
+_PARSERS = {
+    "remap": _parse_remap,
+    "param": _parse_param,
+    "params_file": _parse_params_file,
+    "log_level": _parse_log_level,
+    "log_file_name": _parse_log_file_name,
+    "log_config_file": _parse_log_config_file,
+    "enclave": _parse_enclave,
+}
+_EXPECTED = {
+    "remap": "[node:]from:=to",
+    "param": "[node:]name:=value",
+    "params_file": "a YAML file",
+    "log_level": "LEVEL or logger:=LEVEL",
+    "log_file_name": "a file's name",
+    "log_config_file": "a file",
+    "enclave": "a path such as /robot",
+}

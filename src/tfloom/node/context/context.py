@@ -1,0 +1,369 @@
+"""Contexts: the state of the library from `init` to `shutdown`."""
+
+from __future__ import annotations
+
+import _thread
+import sys
+import threading
+import weakref
+from collections import deque
+from collections.abc import Callable
+from types import MethodType, TracebackType
+from typing import TYPE_CHECKING, Any, Protocol
+
+from tfloom._native import block_gil_reacquire_at_exit
+from tfloom.node.context.arguments import Arguments, parse_arguments
+from tfloom.node.log import log_output
+from tfloom.node.log.log_file import LogFile
+from tfloom.node.values.exceptions import (
+    ExternalShutdownException,
+    NotInitializedException,
+    RCLError,
+    ROSInterruptException,
+)
+from tfloom.node.values.handle import Handle
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+    from tfloom._native import ReadyQueue
+    from tfloom.rmw.base import NodeName, Participant
+
+__all__ = ["Context"]
+
+WAKE = 0
+"""The token that wakes an executor, and is no entity's."""
+
+_contexts: weakref.WeakSet[Context] = weakref.WeakSet()
+
+
+class StoppedException(NotInitializedException, ExternalShutdownException):
+    """A signal has shut the context down, so no node can be created on it.
+
+    It is an ExternalShutdownException, too, so that code that catches what `spin` raises covers node creation.
+    """
+
+    def __init__(self) -> None:
+        Exception.__init__(self, "a signal has shut the context down")
+
+
+class DestroyableNode(Protocol):
+    """A node, as far as a context destroys it."""
+
+    def destroy_node(self) -> None:
+        """Leave the graph."""
+
+
+class Context:
+    """The state of the library from `init` to `shutdown`: arguments, domain, and the participant on the wire.
+
+    Nodes of a context share one participant on the wire, opened with the first of them and closed when the
+    context is shut down and the last of them is destroyed, or when the program ends.
+
+    As a context manager it is initialised with the program's arguments, and shut down at the end.
+    """
+
+    def __init__(self) -> None:
+        self._lock = threading.RLock()
+        """Guards all below, but for what a signal handler touches: it may interrupt code that holds the lock."""
+        self._initialized = False
+        """Set once, by `init`."""
+        self._valid = False
+        """True from `init` to shutdown. Cleared by a signal handler without the lock, and read without it."""
+        self._interrupted = False
+        """Set by a signal handler, before it clears `_valid`, without the lock."""
+        self._hooks: list[Callable[[], Any]] = []
+        """Called at shutdown, once."""
+        self._queues: list[ReadyQueue] = []
+        """Queues of executors. Replaced, never changed, because a signal handler iterates over them."""
+        self._participant: Participant | None = None
+        """Opened with the first node."""
+        self._nodes = 0
+        """How many nodes are on the participant."""
+        self._abandoned: deque[DestroyableNode] = deque()
+        """Nodes that the garbage collector has found. Appended and popped without the lock."""
+        self._domain_id: int | None = None
+        self._arguments = Arguments()
+
+    def init(
+        self, args: list[str] | None = None, *, initialize_logging: bool = True, domain_id: int | None = None
+    ) -> None:
+        """Initialise the context; this can be done once.
+
+        Args:
+            args: Command line, program's name first or not; None: `sys.argv`. Its ROS arguments hold for all nodes.
+            initialize_logging: Whether the arguments about logging are obeyed, and records go to a file.
+            domain_id: The domain to be on; None: from ROS_DOMAIN_ID.
+
+        Raises:
+            RuntimeError: it was initialised before; or `domain_id` is negative.
+            RCLInvalidROSArgsError: a ROS argument makes no sense.
+            UnknownROSArgsError: a ROS argument isn't known.
+            RCLError: a configuration file for logging is given, which has no use here.
+        """
+        if domain_id is not None and domain_id < 0:
+            raise RuntimeError(f"Domain id ({domain_id}) should not be lower than zero.")
+        arguments = parse_arguments(sys.argv if args is None else args)
+        if initialize_logging:
+            _check_logging(arguments)
+        with self._lock:
+            if self._initialized:
+                raise RuntimeError("Context.init() must only be called once")
+            self._arguments = arguments
+            self._domain_id = domain_id
+            self._initialized = self._valid = True
+        if initialize_logging:
+            _set_up_logging(arguments)
+        _contexts.add(self)
+
+    @property
+    def arguments(self) -> Arguments:
+        """The ROS arguments it was initialised with."""
+        return self._arguments
+
+    @property
+    def handle(self) -> Handle:
+        """Proxy of the context, for code that expects rclpy's C handle."""
+        return Handle(self)
+
+    def get_domain_id(self) -> int:
+        """Return the domain the context is on.
+
+        Raises:
+            NotInitializedException: before `init`.
+        """
+        from tfloom.rmw.backends import domain_id_from_environment
+
+        if not self._initialized:
+            raise NotInitializedException("cannot tell the domain")
+        return domain_id_from_environment() if self._domain_id is None else self._domain_id
+
+    def ok(self) -> bool:
+        """Return whether it is initialised and not shut down."""
+        return self._valid
+
+    def is_over(self) -> bool:
+        """Return whether it was initialised, and shut down."""
+        return self._initialized and not self._valid
+
+    def is_interrupted(self) -> bool:
+        """Return whether it was a signal that shut it down."""
+        return self._interrupted
+
+    def explains(self, error: BaseException) -> bool:
+        """Return whether an error is a consequence of the context being shut down by a signal."""
+        return self._interrupted and isinstance(
+            error, (RCLError, NotInitializedException, ROSInterruptException)
+        )
+
+    def shutdown(self) -> None:
+        """Shut down: spinning ends, and the callbacks of `on_shutdown` are called on this thread.
+
+        Raises:
+            RuntimeError: before `init`.
+            RCLError: it is shut down already.
+        """
+        if not self._initialized:
+            raise RuntimeError("Context must be initialized before it can be shut down")
+        if not self.try_shutdown():
+            raise RCLError("failed to shutdown: rcl_shutdown already called on the given context")
+
+    def try_shutdown(self) -> bool:
+        """Shut down unless it is done already; return whether this call did it."""
+        with self._lock:
+            if not self._valid:
+                return False
+            self._valid = False
+        self._wake_all()
+        self._run_hooks()
+        self._destroy_abandoned()
+        self._close_if_unused()
+        return True
+
+    def interrupt(self) -> None:
+        """Shut down from a signal handler: take no lock, because the interrupted code may hold it.
+
+        The callbacks of `on_shutdown` are called on a thread of their own.
+        """
+        if self._valid:
+            self._interrupted = True
+            self._valid = False
+            self._wake_all()
+            _thread.start_new_thread(self._run_hooks, ())
+
+    def on_shutdown(self, callback: Callable[[], Any]) -> None:
+        """Call `callback()` at shutdown, at once if it is over. A bound method doesn't keep its object alive.
+
+        Raises:
+            TypeError: `callback` isn't callable.
+        """
+        if not callable(callback):
+            raise TypeError(f"callback should be a callable, got {type(callback)}")
+        if not self._valid:
+            callback()
+        elif isinstance(callback, MethodType):
+            method = weakref.WeakMethod(callback)
+
+            def call_if_alive() -> None:
+                alive = method()
+                if alive is not None:
+                    alive()
+
+            self.add_shutdown_hook(call_if_alive)
+        else:
+            self.add_shutdown_hook(callback)
+
+    def add_shutdown_hook(self, hook: Callable[[], Any]) -> None:
+        """Call `hook()` at shutdown, until `remove_shutdown_hook`; at once if shutdown is over."""
+        with self._lock:
+            if not self.is_over():
+                self._hooks.append(hook)
+                return
+        hook()
+
+    def remove_shutdown_hook(self, hook: Callable[[], Any]) -> None:
+        """Undo one `add_shutdown_hook`."""
+        with self._lock:
+            if hook in self._hooks:
+                self._hooks.remove(hook)
+
+    def add_queue(self, queue: ReadyQueue) -> None:
+        """Post `WAKE` to an executor's queue at shutdown."""
+        with self._lock:
+            self._queues = [*self._queues, queue]
+
+    def remove_queue(self, queue: ReadyQueue) -> None:
+        """Undo `add_queue`."""
+        with self._lock:
+            self._queues = [other for other in self._queues if other is not queue]
+
+    def _wake_all(self) -> None:
+        for queue in self._queues:
+            queue.post(WAKE)
+
+    def _run_hooks(self) -> None:
+        with self._lock:
+            hooks, self._hooks = self._hooks, []
+        for hook in hooks:
+            _call(hook)
+
+    def join(self, node: NodeName) -> Participant:
+        """Add a node to the graph, and return the participant for it.
+
+        Raises:
+            NotInitializedException: the context isn't initialised, or shut down.
+            StoppedException: a signal has shut it down.
+            ConfigurationError, NoBackendError: the wire can't be opened.
+        """
+        from tfloom.rmw.backends import open_participant
+
+        self._destroy_abandoned()
+        with self._lock:
+            if not self._valid:
+                raise StoppedException if self._interrupted else NotInitializedException("cannot create node")
+            if self._participant is None:
+                self._participant = open_participant(self._domain_id, self._arguments.enclave or "/")
+                _close_at_exit()
+            self._participant.add_node(node)
+            self._nodes += 1
+            return self._participant
+
+    def abandon(self, node: DestroyableNode) -> None:
+        """Destroy an unreferenced node later: when another joins, or at shutdown.
+
+        Not at once, because the garbage collector calls this on any thread, which may hold any lock.
+        """
+        self._abandoned.append(node)
+
+    def _destroy_abandoned(self) -> None:
+        while self._abandoned:
+            self._abandoned.popleft().destroy_node()
+
+    def leave(self, node: NodeName) -> None:
+        """Remove a node from the graph."""
+        with self._lock:
+            if self._participant is not None:
+                self._participant.remove_node(node)
+                self._nodes -= 1
+        self._close_if_unused()
+
+    def _close_if_unused(self) -> None:
+        with self._lock:
+            if not self._valid and self._nodes == 0:
+                self._close_participant()
+
+    def _close_participant(self) -> None:
+        with self._lock:
+            participant, self._participant = self._participant, None
+        if participant is not None:
+            participant.close()
+
+    def destroy(self) -> None:
+        """Shut down unless it is done already, and close the participant with all its nodes."""
+        self.try_shutdown()
+        self._close_participant()
+        self._nodes = 0
+
+    def __enter__(self) -> Self:
+        self.init()
+        return self
+
+    def __exit__(
+        self, t: type[BaseException] | None, v: BaseException | None, tb: TracebackType | None
+    ) -> None:
+        self.destroy()
+
+
+def _check_logging(arguments: Arguments) -> None:
+    # The reference's logging backend can't be configured by a file either, and refuses one in the same place.
+    if arguments.log_config_file is not None and arguments.external_lib_logs:
+        raise RCLError(
+            f"failed to initialize logging: --log-config-file {arguments.log_config_file}: the logging backend "
+            "doesn't support a configuration file; use --log-level, --log-file-name, ROS_LOG_DIR and "
+            "RCUTILS_CONSOLE_OUTPUT_FORMAT, or --disable-external-lib-logs"
+        )
+
+
+def _set_up_logging(arguments: Arguments) -> None:
+    for name, level in arguments.log_levels:
+        log_output.set_level(name, level)
+    file = LogFile(arguments.log_file_name) if arguments.external_lib_logs else None
+    log_output.configure(file=file, console=arguments.stdout_logs)
+
+
+def _call(hook: Callable[[], Any]) -> None:
+    try:
+        hook()
+    except Exception:  # noqa: BLE001  # the other hooks must run too
+        import traceback
+
+        traceback.print_exc()
+
+
+def live_contexts() -> list[Context]:
+    """Return the contexts that are initialised and not shut down."""
+    return [context for context in _contexts if context.ok()]
+
+
+_will_close_at_exit = False
+
+
+def _close_at_exit() -> None:
+    global _will_close_at_exit  # noqa: PLW0603  # once a process
+    if not _will_close_at_exit:
+        import atexit
+
+        _will_close_at_exit = True
+        atexit.register(_destroy_all)
+
+
+def _destroy_all() -> None:
+    import signal
+
+    # Launchers send Ctrl-C to the process and to its group: the second one changes nothing.
+    if threading.current_thread() is threading.main_thread():
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+    # A daemon thread that spins is to end with the program, not with an exception.
+    block_gil_reacquire_at_exit()
+    for context in list(_contexts):
+        context.destroy()

@@ -1,0 +1,87 @@
+"""The default context, and the functions that use it."""
+
+from __future__ import annotations
+
+import sys
+import threading
+from collections.abc import Sequence
+
+from tfloom.node.context import arguments
+from tfloom.node.context.context import Context
+from tfloom.node.context.defaults import current_defaults
+from tfloom.node.values.constants import S_TO_NS
+
+__all__ = [
+    "S_TO_NS",
+    "get_available_rmw_implementations",
+    "get_default_context",
+    "get_rmw_implementation_identifier",
+    "ok",
+    "remove_ros_args",
+    "shutdown",
+    "timeout_sec_to_nsec",
+    "try_shutdown",
+]
+
+_lock = threading.RLock()
+"""Guards the default contexts."""
+
+
+def get_default_context(*, shutting_down: bool = False) -> Context:
+    """Return the context used where none is given; `shutting_down` makes place for a new one."""
+    with _lock:
+        defaults = current_defaults()
+        context = defaults.context
+        if context is None:
+            context = defaults.context = Context()
+        if shutting_down:
+            defaults.context = None
+        return context
+
+
+def ok(*, context: Context | None = None) -> bool:
+    """Return whether a context is initialised and not shut down."""
+    return (context or get_default_context()).ok()
+
+
+def shutdown(*, context: Context | None = None) -> None:
+    """Shut a context down.
+
+    Raises:
+        RuntimeError: it was never initialised.
+        RCLError: it is shut down already.
+    """
+    (context or get_default_context(shutting_down=True)).shutdown()
+
+
+def try_shutdown(*, context: Context | None = None) -> None:
+    """Shut a context down unless it is already; the next default context is a new one."""
+    (context or get_default_context(shutting_down=True)).try_shutdown()
+
+
+def remove_ros_args(args: Sequence[str] | None = None) -> list[str]:
+    """Return a command line (None: `sys.argv`) without its ROS arguments.
+
+    Raises:
+        RCLInvalidROSArgsError: a ROS argument makes no sense.
+    """
+    return arguments.remove_ros_args(sys.argv if args is None else args)
+
+
+def get_rmw_implementation_identifier() -> str:
+    """Return the wire in use, as RMW_IMPLEMENTATION spells it."""
+    from tfloom.rmw.backends import implementation_identifier
+
+    return implementation_identifier()
+
+
+def get_available_rmw_implementations() -> set[str]:
+    """Return the wires that RMW_IMPLEMENTATION may name."""
+    from tfloom.rmw.backends import BACKENDS
+
+    return set(BACKENDS)
+
+
+def timeout_sec_to_nsec(timeout_sec: float | None) -> int:
+    """Return a timeout [s] in nanoseconds: -1, for ever, for None and for negative ones."""
+    return -1 if timeout_sec is None or timeout_sec < 0 else int(float(timeout_sec) * S_TO_NS)

@@ -1,0 +1,1 @@
+"""Endpoints on the wire: publishers, subscriptions, services and clients."""

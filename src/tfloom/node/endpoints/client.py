@@ -1,0 +1,198 @@
+"""Clients of services."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from tfloom._native import ReadyQueue
+from tfloom.node.endpoints.endpoint import UNREADABLE
+from tfloom.node.endpoints.service import ServiceEndpoint, SrvType, SrvTypeRequest, SrvTypeResponse
+from tfloom.node.endpoints.service_introspection import Introspection
+from tfloom.node.executing.task import Future
+from tfloom.node.qos.qos import QoSProfile
+from tfloom.node.values.constants import S_TO_NS
+from tfloom.rmw.base import RequestId
+from tfloom.rosidl import cdr
+from tfloom.rosidl.service import Service as ServiceType
+
+if TYPE_CHECKING:
+    from tfloom.node.context.context import Context
+    from tfloom.node.executing.callback_groups import CallbackGroup
+    from tfloom.node.executing.executor import Executor
+    from tfloom.node.log.rcutils_logger import RcutilsLogger
+    from tfloom.rmw.base import Requester, Response
+
+__all__ = ["Client", "SrvType", "SrvTypeRequest", "SrvTypeResponse"]
+
+# The wire reports readiness, except for a few causes in other processes.
+_LOOK_AGAIN_NS = S_TO_NS // 10
+
+
+class Client(ServiceEndpoint["Requester"]):
+    """Calls a service; `Node.create_client` creates one.
+
+    The executor that spins the node receives the responses.
+    """
+
+    _kind = "client"
+    _incoming = ("a response", "from")
+
+    # `run` completes a future that a callback of the same group may wait for, and calls no callback of the program.
+    goes_by_group = False
+
+    def __init__(
+        self,
+        context: Context,
+        client_impl: Requester,
+        srv_type: type[ServiceType],
+        srv_name: str,
+        qos_profile: QoSProfile,
+        callback_group: CallbackGroup,
+        *,
+        executor: Callable[[], Executor | None],
+        introspection: Introspection,
+        logger: RcutilsLogger,
+    ) -> None:
+        super().__init__(
+            client_impl,
+            srv_type,
+            srv_name,
+            qos_profile,
+            callback_group,
+            srv_type.Response,
+            introspection,
+            logger,
+        )
+        self._context = context
+        self._executor = executor
+        self._logger = logger
+        self._reported_obstacle = ""
+        self._lock = threading.Lock()
+        """Guards `_pending`."""
+        self._pending: dict[int, Future[Any]] = {}
+
+    def call(self, request: Any, timeout_sec: float | None = None) -> Any:
+        """Send a request and wait for the response. Another thread must spin the node.
+
+        Args:
+            request: The request.
+            timeout_sec: The longest wait [s]; None: no limit.
+
+        Returns:
+            The response; None if shutdown came first.
+
+        Raises:
+            TypeError: `request` isn't of the service's request type.
+            TimeoutError: no response arrived in time.
+            RuntimeError: it is called from a callback of a single-threaded executor, which would wait for itself.
+        """
+        executor = self._executor()
+        if executor is not None and executor.would_wait_for_itself():
+            raise RuntimeError(
+                f"Client.call of {self.srv_name} from a callback would wait for ever: its executor takes in the "
+                "response on this very thread. Await call_async, or spin with a MultiThreadedExecutor"
+            )
+        ended = threading.Event()
+        future = self.call_async(request)
+        future.when_complete(ended.set)
+        self._context.add_shutdown_hook(ended.set)
+        try:
+            if not ended.wait(timeout_sec):
+                self.remove_pending_request(future)
+                raise TimeoutError(f"no response from {self.srv_name} in {timeout_sec} s")
+        finally:
+            self._context.remove_shutdown_hook(ended.set)
+        return future.result()
+
+    def call_async(self, request: Any) -> Future[Any]:
+        """Send a request and return the future of its response.
+
+        Raises:
+            TypeError: `request` isn't of the service's request type.
+            EncodeError: the value of a field doesn't fit its type.
+            ForeignPeerError: a server speaks another vendor's form of services and would misread it.
+            InvalidHandle: the client was destroyed.
+        """
+        if not isinstance(request, self.srv_type.Request):
+            raise TypeError(f"Expected {self.srv_type.Request}, got {type(request)}")
+        data = cdr.encode(request)
+        future: Future[Any] = Future()
+        with self._alive()._lock:  # a response may arrive before `send` has returned  # noqa: SLF001
+            number = self._endpoint.send(data)
+            self._pending[number] = future
+        future.when_complete(lambda: self.remove_pending_request(future))
+        self._introspection.request_sent(request, RequestId(self._endpoint.client_gid, number))
+        return future
+
+    def get_pending_request(self, sequence_number: int) -> Future[Any]:
+        """Return the future of a request that waits for its response.
+
+        Raises:
+            KeyError: none of that number does.
+        """
+        return self._pending[sequence_number]
+
+    def remove_pending_request(self, future: Future[Any]) -> None:
+        """Forget a request: its response is dropped when it arrives."""
+        with self._lock:
+            for number, pending in list(self._pending.items()):
+                if pending is future:
+                    del self._pending[number]
+
+    def service_is_ready(self) -> bool:
+        """Return whether a server is matched in both directions, so that it receives a request sent now."""
+        if self._destroyed:
+            return False
+        if self._endpoint.is_ready():
+            return True
+        obstacle = self._endpoint.obstacle()
+        if obstacle and obstacle != self._reported_obstacle:
+            self._reported_obstacle = obstacle
+            self._logger.warning(obstacle)
+        return False
+
+    def wait_for_service(self, timeout_sec: float | None = None) -> bool:
+        """Wait until a server is ready.
+
+        Args:
+            timeout_sec: The longest wait [s]; None: no limit.
+
+        Returns:
+            Whether one is; False after the timeout, or at shutdown.
+        """
+        end_ns = None if timeout_sec is None else time.monotonic_ns() + int(timeout_sec * S_TO_NS)
+        queue = ReadyQueue()
+        self._context.add_queue(queue)
+        self._endpoint.notify_ready(queue, 1)
+        try:
+            while self._context.ok():
+                if self.service_is_ready():
+                    return True
+                left_ns = _LOOK_AGAIN_NS if end_ns is None else end_ns - time.monotonic_ns()
+                if left_ns <= 0:
+                    return False
+                queue.wait(min(left_ns, _LOOK_AGAIN_NS))
+        finally:
+            self._endpoint.notify_ready(None)
+            self._context.remove_queue(queue)
+        return False
+
+    def _read(self, incoming: Response) -> Any:
+        """Return a response and the number of its request."""
+        message = cdr.decode(self.srv_type.Response, incoming.data)
+        self._introspection.response_received(message, incoming.id)
+        return message, incoming.id.sequence_number
+
+    def run(self, taken: Any) -> Any:
+        """Complete the future of the request that is answered."""
+        if taken is UNREADABLE:
+            return
+        message, number = taken
+        with self._lock:
+            future = self._pending.pop(number, None)
+        if future is not None and not future.cancelled():
+            future.set_executor(self._executor())
+            future.set_result(message)

@@ -1,0 +1,158 @@
+"""The base of publishers, subscriptions, services and clients: an endpoint on the wire, until it is destroyed."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
+
+from tfloom.node.executing.entity import Entity
+from tfloom.node.log.throttled_warning import ThrottledWarning
+from tfloom.node.values.exceptions import InvalidHandle
+from tfloom.node.values.handle import Handle
+from tfloom.rosidl import cdr
+
+if TYPE_CHECKING:
+    from types import TracebackType
+
+    from typing_extensions import Self
+
+    from tfloom._native import ReadyQueue
+    from tfloom.node.log.rcutils_logger import RcutilsLogger
+    from tfloom.rosidl.message import Message
+
+__all__ = ["UNREADABLE", "Endpoint", "Receiver", "TakingEndpoint"]
+
+UNREADABLE = object()
+"""Returned by `take` for data that can't be decoded: there is nothing to run, but more data may wait."""
+
+
+class Closable(Protocol):
+    """An endpoint on the wire."""
+
+    def close(self) -> None:
+        """Leave for good."""
+
+
+class HasData(Protocol):
+    """A sample, request or response from the wire."""
+
+    @property
+    def data(self) -> bytes:
+        """Encapsulation header and CDR."""
+
+
+class TakeSource(Closable, Protocol):
+    """An endpoint on the wire that receives."""
+
+    def take(self) -> Any:
+        """Remove and return the oldest item that waits, or None."""
+
+    def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
+        """Post `token` when there may be something to take; None ends it."""
+
+
+WireEndpoint = TypeVar("WireEndpoint", bound=Closable)
+TakingEndpoint = TypeVar("TakingEndpoint", bound=TakeSource)
+
+
+class Endpoint(Generic[WireEndpoint]):
+    """An endpoint on the wire, until it is destroyed."""
+
+    _kind = ""
+    """Kind of endpoint for error texts, such as `client`."""
+
+    _part_of: Any = None  # the node, as of an entity
+
+    def __init__(self, endpoint: WireEndpoint, name: str) -> None:
+        self._endpoint = endpoint
+        self._name = name
+        self._destroyed = False
+
+    @property
+    def handle(self) -> Handle:
+        """Proxy of the endpoint, for code that expects rclpy's C handle.
+
+        Raises:
+            InvalidHandle: it was destroyed.
+        """
+        return Handle(self._alive())
+
+    def _alive(self) -> Self:
+        """Return this.
+
+        Raises:
+            InvalidHandle: it was destroyed.
+        """
+        if self._destroyed:
+            raise InvalidHandle(f"cannot use the {self._kind} of {self._name}: it was destroyed")
+        return self
+
+    def destroy(self) -> None:
+        """Leave the wire. Destroying again does nothing. The node's `destroy_…` method does it too."""
+        if not self._destroyed:
+            self._destroyed = True
+            self._endpoint.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, t: type[BaseException] | None, v: BaseException | None, tb: TracebackType | None
+    ) -> None:
+        self.destroy()
+
+
+class Receiver(Endpoint[TakingEndpoint], Entity):
+    """An endpoint that receives, and whose callback an executor runs.
+
+    Args:
+        endpoint: The endpoint on the wire.
+        name: Full name of its topic or service.
+        incoming_type: Class of the incoming messages.
+        logger: Logs a warning about data that can't be decoded.
+    """
+
+    _incoming = ("a message", "on")
+    """What arrives, and its preposition, for warnings."""
+
+    def __init__(
+        self, endpoint: TakingEndpoint, name: str, incoming_type: type[Message], logger: RcutilsLogger
+    ) -> None:
+        super().__init__(endpoint, name)
+        self._incoming_type = incoming_type
+        self._warning = ThrottledWarning(logger)
+
+    def attach(self, queue: ReadyQueue, token: int) -> None:
+        """Post `token` when data has arrived."""
+        if not self._destroyed:
+            self._endpoint.notify(queue, token)
+
+    def detach(self) -> None:
+        """Stop posting."""
+        if not self._destroyed:
+            self._endpoint.notify(None)
+
+    def take(self) -> Any:
+        """Return what `run` needs of the oldest item that has arrived, `UNREADABLE`, or None."""
+        incoming = None if self._destroyed else self._endpoint.take()
+        if incoming is None:
+            return None
+        try:
+            return self._read(incoming)
+        except cdr.DecodeError as error:
+            self._warn(incoming, error)
+            return UNREADABLE
+
+    def _read(self, incoming: Any) -> Any:
+        """Return what `run` needs of an item that has arrived.
+
+        Raises:
+            DecodeError: it can't be decoded.
+        """
+        raise NotImplementedError
+
+    def _warn(self, incoming: HasData, error: cdr.DecodeError) -> None:
+        what, preposition = self._incoming
+        self._warning.log(
+            f"Dropped {what} of {len(incoming.data)} bytes {preposition} {self._name} that is no valid "
+            f"{self._incoming_type._TYPE_NAME}: {error}"  # ours
+        )

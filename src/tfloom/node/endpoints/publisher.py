@@ -1,0 +1,97 @@
+"""Publishers: they send the messages of a topic."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Generic, TypeVar
+
+from tfloom.node.endpoints.endpoint import Endpoint
+from tfloom.node.qos.qos import QoSProfile
+from tfloom.node.values.duration import Duration
+from tfloom.node.values.exceptions import InvalidHandle, RCLError
+from tfloom.rosidl import cdr
+from tfloom.rosidl.message import Message
+
+if TYPE_CHECKING:
+    from tfloom.node.context.context import Context
+    from tfloom.node.executing.callback_groups import CallbackGroup
+    from tfloom.node.executing.event_handler import EventHandler
+    from tfloom.rmw.base import Writer
+
+__all__ = ["MsgType", "Publisher"]
+
+MsgType = TypeVar("MsgType", bound=Message)
+
+
+class Publisher(Endpoint["Writer"], Generic[MsgType]):
+    """Publishes messages of one type on one topic; `Node.create_publisher` creates one."""
+
+    _kind = "publisher"
+
+    def __init__(
+        self,
+        publisher_impl: Writer,
+        msg_type: type[MsgType],
+        topic: str,
+        qos_profile: QoSProfile,
+        event_callbacks: None,  # noqa: ARG002  # the node watches
+        callback_group: CallbackGroup,
+        *,
+        context: Context,
+    ) -> None:
+        super().__init__(publisher_impl, topic)
+        self._context = context
+        self.msg_type = msg_type
+        self.topic = topic
+        self.qos_profile = qos_profile
+        self.event_handlers: list[EventHandler] = []
+        self.callback_group = callback_group
+
+    def publish(self, msg: MsgType | bytes) -> None:
+        """Send a message, or bytes that hold one: encapsulation header and CDR.
+
+        Raises:
+            TypeError: `msg` is of another type.
+            EncodeError: a field's value doesn't fit its type; the text names the field.
+            RCLError: the context is shut down.
+            InvalidHandle: the publisher was destroyed.
+        """
+        if isinstance(msg, self.msg_type):
+            data = cdr.encode(msg)
+        elif isinstance(msg, bytes):
+            data = msg
+        else:
+            raise TypeError(f"Expected {self.msg_type}, got {type(msg)}")
+        if self._destroyed:
+            raise InvalidHandle(f"cannot publish on {self.topic}: the publisher was destroyed")
+        if not self._context.ok():
+            raise RCLError("Failed to publish: publisher's context is invalid")
+        self._endpoint.write(data)
+
+    def get_subscription_count(self) -> int:
+        """Return how many subscriptions are connected now."""
+        return 0 if self._destroyed else self._endpoint.matched_count()
+
+    @property
+    def topic_name(self) -> str:
+        """The topic's full name, after remapping."""
+        return self.topic
+
+    @property
+    def gid(self) -> bytes:
+        """Global id on the wire: 16 octets."""
+        return self._endpoint.gid
+
+    def assert_liveliness(self) -> None:
+        """Assert that the publisher is alive; with AUTOMATIC liveliness the wire does it."""
+        self._alive()._endpoint.assert_liveliness()  # noqa: SLF001
+
+    def wait_for_all_acked(self, timeout: Duration = Duration(seconds=-1)) -> bool:  # noqa: B008  # immutable
+        """Wait until every connected reliable subscription has all that was published.
+
+        Args:
+            timeout: The longest wait; negative: no limit.
+
+        Returns:
+            False after the timeout.
+        """
+        return self._alive()._endpoint.wait_for_acks(timeout.nanoseconds)  # noqa: SLF001

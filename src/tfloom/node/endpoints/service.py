@@ -1,0 +1,162 @@
+"""Servers of services."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Coroutine
+from types import CoroutineType
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from tfloom.node.endpoints.endpoint import UNREADABLE, Receiver, TakingEndpoint
+from tfloom.node.endpoints.service_introspection import Introspection, ServiceIntrospectionState
+from tfloom.node.executing.task import Future
+from tfloom.node.qos.qos import QoSProfile
+from tfloom.rosidl import cdr
+from tfloom.rosidl.service import Service as ServiceType
+
+if TYPE_CHECKING:
+    from tfloom.node.clock.clock import Clock
+    from tfloom.node.executing.callback_groups import CallbackGroup
+    from tfloom.node.log.rcutils_logger import RcutilsLogger
+    from tfloom.rmw.base import Request, RequestId, Responder
+    from tfloom.rosidl.message import Message
+
+__all__ = ["Service", "ServiceEndpoint", "SrvType", "SrvTypeRequest", "SrvTypeResponse"]
+
+SrvType = TypeVar("SrvType", bound=ServiceType)
+SrvTypeRequest = TypeVar("SrvTypeRequest")
+SrvTypeResponse = TypeVar("SrvTypeResponse")
+
+
+class ServiceEndpoint(Receiver[TakingEndpoint]):
+    """The base of servers and clients."""
+
+    def __init__(
+        self,
+        endpoint: TakingEndpoint,
+        srv_type: type[ServiceType],
+        srv_name: str,
+        qos_profile: QoSProfile,
+        callback_group: CallbackGroup,
+        incoming_type: type[Message],
+        introspection: Introspection,
+        logger: RcutilsLogger,
+    ) -> None:
+        super().__init__(endpoint, srv_name, incoming_type, logger)
+        self._introspection = introspection
+        self.srv_type = srv_type
+        self.srv_name = srv_name
+        self.qos_profile = qos_profile
+        self.callback_group = callback_group
+
+    @property
+    def service_name(self) -> str:
+        """The service's full name, after remapping."""
+        return self.srv_name
+
+    def configure_introspection(
+        self,
+        clock: Clock,
+        service_event_qos_profile: QoSProfile,
+        introspection_state: ServiceIntrospectionState,
+    ) -> None:
+        """Publish requests and responses on `<service>/_service_event`.
+
+        Args:
+            clock: Stamps the events.
+            service_event_qos_profile: QoS of the events' publisher.
+            introspection_state: OFF, METADATA, or CONTENTS, with requests and responses.
+        """
+        self._introspection.configure(clock, service_event_qos_profile, introspection_state)
+
+    def destroy(self) -> None:
+        """Leave the service. Destroying again does nothing. The node's `destroy_…` method does it too."""
+        self._introspection.close()
+        super().destroy()
+
+
+class Service(ServiceEndpoint["Responder"]):
+    """Replies to requests with what its callback returns; `Node.create_service` creates one.
+
+    The callback may return the future of a response: other callbacks of its group run meanwhile. A coroutine, by
+    contrast, occupies its group until it completes.
+    """
+
+    _kind = "service"
+    _incoming = ("a request", "to")
+
+    def __init__(
+        self,
+        service_impl: Responder,
+        srv_type: type[ServiceType],
+        srv_name: str,
+        callback: Callable[[Any, Any], Any],
+        callback_group: CallbackGroup,
+        qos_profile: QoSProfile,
+        *,
+        introspection: Introspection,
+        logger: RcutilsLogger,
+    ) -> None:
+        super().__init__(
+            service_impl,
+            srv_type,
+            srv_name,
+            qos_profile,
+            callback_group,
+            srv_type.Request,
+            introspection,
+            logger,
+        )
+        self._logger = logger
+        self._refusal = ""
+        self.callback = callback
+
+    def send_response(self, response: Any, header: RequestId) -> None:
+        """Send the response to the request of `header`.
+
+        Raises:
+            TypeError: `response` isn't of the service's response type.
+            EncodeError: the value of a field doesn't fit its type.
+        """
+        if not isinstance(response, self.srv_type.Response):
+            raise TypeError(
+                f"the callback of {self.srv_name} must return a {self.srv_type.Response.__name__}, "
+                f"not {type(response).__name__}"
+            )
+        self._endpoint.send(header, cdr.encode(response))
+        self._introspection.response_sent(response, header)
+
+    def take(self) -> Any:
+        """Return the oldest request and its header, or None; see `Receiver.take`."""
+        taken = super().take()
+        if taken is None and not self._destroyed and self._refusal != (refusal := self._endpoint.refusal()):
+            self._refusal = refusal
+            text = f"dropped a request: {refusal}"
+            self._logger.warning(text)
+        return taken
+
+    def _read(self, incoming: Request) -> Any:
+        """Return a request and its header."""
+        message = cdr.decode(self.srv_type.Request, incoming.data)
+        self._introspection.request_received(message, incoming.id)
+        return message, incoming.id
+
+    def run(self, taken: Any) -> Any:
+        """Call the callback and send what it returns."""
+        if taken is UNREADABLE:
+            return None
+        request, header = taken
+        response = self.callback(request, self.srv_type.Response())
+        if isinstance(response, CoroutineType):
+            return self._send_when_done(response, header)
+        if isinstance(response, Future):
+            response.when_complete(lambda: self._send_result(response, header))
+        else:
+            self.send_response(response, header)
+        return None
+
+    def _send_result(self, future: Future[Any], header: RequestId) -> None:
+        if not self._destroyed and future.done():
+            self.send_response(future.result(), header)
+
+    async def _send_when_done(self, response: Coroutine[Any, Any, Any], header: RequestId) -> None:
+        self.send_response(await response, header)

@@ -1,0 +1,111 @@
+"""Subscriptions: they receive the messages of a topic."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from enum import Enum
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
+
+from tfloom.node.endpoints.endpoint import UNREADABLE, Receiver
+from tfloom.node.executing.callback_arguments import takes
+from tfloom.node.qos.qos import QoSProfile
+from tfloom.rosidl import cdr
+from tfloom.rosidl.message import Message
+
+if TYPE_CHECKING:
+    from tfloom._native import Sink
+    from tfloom.node.executing.callback_groups import CallbackGroup
+    from tfloom.node.executing.event_handler import EventHandler
+    from tfloom.node.log.rcutils_logger import RcutilsLogger
+    from tfloom.rmw.base import Reader, Sample
+
+__all__ = ["MsgType", "Subscription"]
+
+MsgType = TypeVar("MsgType", bound=Message)
+
+
+class Subscription(Receiver["Reader"], Generic[MsgType]):
+    """Runs its callback with each message of one topic; `Node.create_subscription` creates one."""
+
+    _kind = "subscription"
+
+    class CallbackType(Enum):
+        """The arguments of the callback."""
+
+        MessageOnly = 0
+        WithMessageInfo = 1
+
+    def __init__(
+        self,
+        subscription_impl: Reader,
+        msg_type: type[MsgType],
+        topic: str,
+        callback: Callable[..., Any],
+        callback_group: CallbackGroup,
+        qos_profile: QoSProfile,
+        raw: bool,
+        event_callbacks: None,  # noqa: ARG002  # the node watches
+        *,
+        logger: RcutilsLogger,
+    ) -> None:
+        super().__init__(subscription_impl, topic, msg_type, logger)
+        self.msg_type = msg_type
+        self.topic = topic
+        self.callback = callback
+        self.callback_group = callback_group
+        self.qos_profile = qos_profile
+        self.raw = raw
+        self.event_handlers: list[EventHandler] = []
+
+    @property
+    def callback(self) -> Callable[..., Any]:
+        """Called with each message, and with its info if it takes two arguments."""
+        return self._callback
+
+    @callback.setter
+    def callback(self, callback: Callable[..., Any]) -> None:
+        if takes(callback, 1):
+            self._callback_type = Subscription.CallbackType.MessageOnly
+        elif takes(callback, 2):
+            self._callback_type = Subscription.CallbackType.WithMessageInfo
+        else:
+            raise RuntimeError(
+                "Subscription.__init__(): callback should be either be callable with one argument"
+                "(to get only the message) or two (to get message and message info)"
+            )
+        self._callback = callback
+        self._with_info = self._callback_type is Subscription.CallbackType.WithMessageInfo
+
+    def feed(self, sink: Sink) -> None:
+        """Push the bytes of every message into `sink`, on the wire's thread, from now on.
+
+        The callback isn't called any more, and no message object is built.
+        """
+        self._endpoint.feed(sink)
+
+    def get_publisher_count(self) -> int:
+        """Return how many publishers are connected now."""
+        return 0 if self._destroyed else self._endpoint.matched_count()
+
+    @property
+    def topic_name(self) -> str:
+        """The topic's full name, after remapping."""
+        return self.topic
+
+    def _read(self, incoming: Sample) -> Any:
+        """Return the arguments for the callback."""
+        message = incoming.data if self.raw else cdr.decode(self.msg_type, incoming.data)
+        return (message, _info(incoming)) if self._with_info else (message,)
+
+    def run(self, taken: Any) -> Any:
+        """Call the callback."""
+        return None if taken is UNREADABLE else self._callback(*taken)
+
+
+def _info(sample: Sample) -> dict[str, Any]:
+    return {
+        "source_timestamp": sample.source_stamp_ns,
+        "received_timestamp": sample.received_stamp_ns,
+        "publication_sequence_number": None,
+        "reception_sequence_number": None,
+    }

@@ -1,0 +1,102 @@
+"""Callback groups: which callbacks may run at the same time."""
+
+from __future__ import annotations
+
+import threading
+import weakref
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+__all__ = ["CallbackGroup", "MutuallyExclusiveCallbackGroup", "ReentrantCallbackGroup"]
+
+
+class CallbackGroup:
+    """A set of entities with one rule for which of their callbacks may run at the same time.
+
+    An executor calls `beginning_execution` and `ending_execution` around each callback. An entity that may not run
+    is parked here, and posted again when a callback of the group completes.
+    """
+
+    def __init__(self) -> None:
+        self.entities: weakref.WeakSet[Any] = weakref.WeakSet()
+        self._parked: list[Callable[[], None]] = []
+        self._parked_lock = threading.Lock()
+        """Guards `_parked`."""
+
+    def add_entity(self, entity: Any) -> None:
+        """Add an entity to the group."""
+        self.entities.add(entity)
+
+    def has_entity(self, entity: Any) -> bool:
+        """Return whether an entity is in the group."""
+        return entity in self.entities
+
+    def can_execute(self, entity: Any) -> bool:
+        """Return whether a callback of `entity` may begin now."""
+        raise NotImplementedError
+
+    def beginning_execution(self, entity: Any) -> bool:
+        """Begin a callback of `entity`; False if it may not begin now."""
+        raise NotImplementedError
+
+    def ending_execution(self, entity: Any) -> None:
+        """End a callback of `entity`."""
+        raise NotImplementedError
+
+    def park(self, post_again: Callable[[], None]) -> None:
+        """Call `post_again` when a callback of the group completes."""
+        with self._parked_lock:
+            self._parked.append(post_again)
+
+    def release_parked(self) -> None:
+        """Post the parked entities again."""
+        if self._parked:
+            with self._parked_lock:
+                parked, self._parked = self._parked, []
+            for post_again in parked:
+                post_again()
+
+
+class ReentrantCallbackGroup(CallbackGroup):
+    """Callbacks may run at any time, also at the same time as themselves."""
+
+    def can_execute(self, entity: Any) -> bool:  # noqa: ARG002
+        """Return True."""
+        return True
+
+    def beginning_execution(self, entity: Any) -> bool:  # noqa: ARG002
+        """Return True."""
+        return True
+
+    def ending_execution(self, entity: Any) -> None:
+        """Do nothing."""
+
+
+class MutuallyExclusiveCallbackGroup(CallbackGroup):
+    """One callback at a time."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._active_entity: Any = None
+        self._lock = threading.Lock()
+        """Guards changes of `_active_entity`."""
+
+    def can_execute(self, entity: Any) -> bool:  # noqa: ARG002
+        """Return whether no callback runs."""
+        return self._active_entity is None
+
+    def beginning_execution(self, entity: Any) -> bool:
+        """Begin a callback, unless another runs."""
+        with self._lock:
+            if self._active_entity is None:
+                self._active_entity = entity
+                return True
+        return False
+
+    def ending_execution(self, entity: Any) -> None:
+        """End the callback that runs."""
+        with self._lock:
+            if self._active_entity is entity:
+                self._active_entity = None

@@ -1,0 +1,250 @@
+"""Callbacks for the events of publishers and subscriptions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Protocol
+
+from tfloom.node.executing.entity import Entity
+from tfloom.node.qos.qos_mismatch import mismatch_text
+from tfloom.rmw.errors import UnsupportedEventError
+from tfloom.rmw.events import Count, Event, IncompatibleQoS, LivelinessChanged, Matched, Status
+
+if TYPE_CHECKING:
+    from tfloom._native import ReadyQueue
+    from tfloom.node.executing.callback_groups import CallbackGroup
+    from tfloom.node.log.rcutils_logger import RcutilsLogger
+    from tfloom.rmw.base import Graph
+
+__all__ = [
+    "EventHandler",
+    "PublisherEventCallbacks",
+    "QoSEventHandler",
+    "QoSLivelinessChangedInfo",
+    "QoSLivelinessLostInfo",
+    "QoSMessageLostInfo",
+    "QoSOfferedDeadlineMissedInfo",
+    "QoSOfferedIncompatibleQoSInfo",
+    "QoSPublisherMatchedInfo",
+    "QoSRequestedDeadlineMissedInfo",
+    "QoSRequestedIncompatibleQoSInfo",
+    "QoSSubscriptionMatchedInfo",
+    "SubscriptionEventCallbacks",
+    "UnsupportedEventTypeError",
+]
+
+UnsupportedEventTypeError = UnsupportedEventError
+
+# What the callbacks are given, by the names that programs write in their annotations.
+QoSLivelinessChangedInfo = LivelinessChanged
+QoSLivelinessLostInfo = Count
+QoSMessageLostInfo = Count
+QoSOfferedDeadlineMissedInfo = Count
+QoSOfferedIncompatibleQoSInfo = IncompatibleQoS
+QoSPublisherMatchedInfo = Matched
+QoSRequestedDeadlineMissedInfo = Count
+QoSRequestedIncompatibleQoSInfo = IncompatibleQoS
+QoSSubscriptionMatchedInfo = Matched
+
+StatusCallback = Callable[[Any], Any]
+
+
+class Watched(Protocol):
+    """An endpoint of a topic with events."""
+
+    gid: bytes
+
+    def notify_event(self, event: Event, queue: ReadyQueue | None, token: int = 0) -> None:
+        """Post `token` when the status of `event` may have changed."""
+
+    def take_event(self, event: Event) -> Status | None:
+        """Return the status of `event` if it has changed, else None."""
+
+
+class EventHandler(Entity):
+    """Runs a callback with the status of one event each time that it changes."""
+
+    def __init__(
+        self,
+        *,
+        callback_group: CallbackGroup,
+        callback: StatusCallback,
+        event_type: Event,
+        parent_impl: Watched,
+    ) -> None:
+        self.callback_group = callback_group
+        self.callback = callback
+        self.event_type = event_type
+        self._endpoint = parent_impl
+        self._destroyed = False
+        parent_impl.notify_event(
+            event_type, None
+        )  # raises UnsupportedEventTypeError if the wire has no such event
+
+    def attach(self, queue: ReadyQueue, token: int) -> None:
+        """Post `token` when the status has changed."""
+        if not self._destroyed:
+            self._endpoint.notify_event(self.event_type, queue, token)
+
+    def detach(self) -> None:
+        """Stop posting."""
+        if not self._destroyed:
+            self._endpoint.notify_event(self.event_type, None)
+
+    def take(self) -> Any:
+        """Return the status if it has changed, else None."""
+        return None if self._destroyed else self._endpoint.take_event(self.event_type)
+
+    def run(self, taken: Any) -> Any:
+        """Call the callback."""
+        return self.callback(taken)
+
+    def destroy(self) -> None:
+        """Stop watching."""
+        self._destroyed = True
+
+
+class QoSEventHandler(EventHandler):
+    """Former name of EventHandler; creating one, or deriving from it, warns that it is deprecated."""
+
+    def __init_subclass__(cls, **kwargs: Any) -> None:
+        _warn_of_old_name()
+        super().__init_subclass__(**kwargs)
+
+    def __init__(self, *args: Any, **kwargs: Any) -> None:
+        _warn_of_old_name()
+        super().__init__(*args, **kwargs)
+
+
+def _warn_of_old_name() -> None:
+    import warnings
+
+    warnings.warn(
+        "QoSEventHandler is deprecated, use EventHandler instead.", DeprecationWarning, stacklevel=3
+    )
+
+
+class _EventCallbacks:
+    """The callbacks of one publisher or subscription, with a default for incompatible QoS."""
+
+    is_publisher: bool
+    _liveliness: Event
+
+    def __init__(
+        self,
+        *,
+        deadline: StatusCallback | None = None,
+        liveliness: StatusCallback | None = None,
+        incompatible_qos: StatusCallback | None = None,
+        incompatible_type: StatusCallback | None = None,
+        matched: StatusCallback | None = None,
+        use_default_callbacks: bool = True,
+    ) -> None:
+        if incompatible_type is not None:
+            raise UnsupportedEventTypeError("incompatible_type: no wire here tells of peers of another type")
+        self.deadline = deadline
+        self.liveliness = liveliness
+        self.incompatible_qos = incompatible_qos
+        self.incompatible_type = incompatible_type
+        self.matched = matched
+        self.use_default_callbacks = use_default_callbacks
+
+    def _by_event(self) -> dict[Event, StatusCallback | None]:
+        return {
+            Event.DEADLINE_MISSED: self.deadline,
+            Event.INCOMPATIBLE_QOS: self.incompatible_qos,
+            self._liveliness: self.liveliness,
+            Event.MATCHED: self.matched,
+        }
+
+    def create_event_handlers(
+        self,
+        callback_group: CallbackGroup,
+        endpoint: Watched,
+        topic_name: str,
+        *,
+        logger: RcutilsLogger,
+        graph: Graph,
+    ) -> list[EventHandler]:
+        """Return the handlers for an endpoint.
+
+        By default, a warning is logged about peers of incompatible QoS.
+
+        Raises:
+            UnsupportedEventTypeError: the wire doesn't know an event that there is a callback for.
+        """
+        callbacks = self._by_event()
+        if self.use_default_callbacks and self.incompatible_qos is None:
+            callbacks[Event.INCOMPATIBLE_QOS] = lambda status: logger.warning(
+                mismatch_text(status, topic_name, endpoint.gid, graph, is_publisher=self.is_publisher)
+            )
+        return [
+            EventHandler(
+                callback_group=callback_group, callback=callback, event_type=event, parent_impl=endpoint
+            )
+            for event, callback in callbacks.items()
+            if callback is not None
+        ]
+
+
+class PublisherEventCallbacks(_EventCallbacks):
+    """Callbacks for the status of a publisher's events.
+
+    Args:
+        deadline: It didn't publish in time.
+        liveliness: It didn't say in time that it lives.
+        incompatible_qos: A subscription asks for more than it offers.
+        incompatible_type: A subscription is of another type. No wire here reports that.
+        matched: A subscription has come or gone.
+        use_default_callbacks: Whether to warn of incompatible QoS where `incompatible_qos` isn't given.
+
+    Raises:
+        UnsupportedEventTypeError: `incompatible_type` is given.
+    """
+
+    is_publisher = True
+    _liveliness = Event.LIVELINESS_LOST
+
+
+class SubscriptionEventCallbacks(_EventCallbacks):
+    """Callbacks for the status of a subscription's events.
+
+    Args:
+        deadline: No message came in time.
+        incompatible_qos: A publisher offers less than it asks for.
+        liveliness: A publisher has fallen silent, or is back.
+        message_lost: Messages were lost. Cyclone reports hardly any.
+        incompatible_type: A publisher is of another type. No wire here reports that.
+        matched: A publisher has come or gone.
+        use_default_callbacks: Whether to warn of incompatible QoS where `incompatible_qos` isn't given.
+
+    Raises:
+        UnsupportedEventTypeError: `incompatible_type` is given.
+    """
+
+    is_publisher = False
+    _liveliness = Event.LIVELINESS_CHANGED
+
+    def __init__(
+        self,
+        *,
+        deadline: StatusCallback | None = None,
+        incompatible_qos: StatusCallback | None = None,
+        liveliness: StatusCallback | None = None,
+        message_lost: StatusCallback | None = None,
+        incompatible_type: StatusCallback | None = None,
+        matched: StatusCallback | None = None,
+        use_default_callbacks: bool = True,
+    ) -> None:
+        super().__init__(
+            deadline=deadline,
+            liveliness=liveliness,
+            incompatible_qos=incompatible_qos,
+            incompatible_type=incompatible_type,
+            matched=matched,
+            use_default_callbacks=use_default_callbacks,
+        )
+        self.message_lost = message_lost
+
+    def _by_event(self) -> dict[Event, StatusCallback | None]:
+        return {**super()._by_event(), Event.MESSAGE_LOST: self.message_lost}

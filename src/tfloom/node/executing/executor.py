@@ -1,0 +1,358 @@
+"""The base of all executors: nodes are added and removed, and callbacks run while a thread spins."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+from types import CoroutineType, TracebackType
+from typing import TYPE_CHECKING, Any, Protocol
+
+from tfloom.node.context.context import Context
+from tfloom.node.context.utilities import get_default_context, timeout_sec_to_nsec
+from tfloom.node.executing.executor_exceptions import (
+    ConditionReachedException,
+    ShutdownException,
+    TimeoutException,
+    TimeoutObject,
+)
+from tfloom.node.executing.running_work import RunningWork
+from tfloom.node.executing.task import Future, Task
+from tfloom.node.executing.work_queue import Work, WorkQueue
+from tfloom.node.values.exceptions import ExternalShutdownException
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+    from tfloom.node.clock.clock import Clock
+    from tfloom.node.executing.entity import Entity
+    from tfloom.node.executing.waitable import Waitable
+    from tfloom.node.log.rcutils_logger import RcutilsLogger
+
+__all__ = ["Executor", "SpunNode"]
+
+
+class SpunNode(Protocol):
+    """A node, as far as executors need one."""
+
+    executor: Executor | None
+    """The executor that the node is in."""
+
+    @property
+    def context(self) -> Context:
+        """The context that the node belongs to."""
+
+    def entities(self) -> list[Entity]:
+        """Return all that the executor is to run."""
+
+    def get_name(self) -> str:
+        """Return the node's name."""
+
+    def get_namespace(self) -> str:
+        """Return the node's namespace."""
+
+    def get_fully_qualified_name(self) -> str:
+        """Return namespace and name."""
+
+    def get_logger(self) -> RcutilsLogger:
+        """Return the node's logger."""
+
+    def get_clock(self) -> Clock:
+        """Return the node's clock."""
+
+    def destroy_node(self) -> None:
+        """Leave the executor and the graph."""
+
+
+class Executor(WorkQueue):
+    """Runs the callbacks of the nodes added to it, while one of its `spin` methods is called.
+
+    Any thread may add and remove nodes and entities at any time. One thread at a time may spin.
+
+    Args:
+        context: Context whose shutdown ends every spin; None: the default one.
+    """
+
+    def __init__(self, *, context: Context | None = None) -> None:
+        super().__init__()
+        self._context = context or get_default_context()
+        self._context.add_queue(self._queue)
+        self._spinning = threading.RLock()
+        """Held by the thread that spins."""
+        self._nodes: list[SpunNode] = []
+        """The nodes that were added. Guarded by `_lock`."""
+        self._is_shutdown = False
+        """Set once, by `shutdown`, without a lock."""
+        self._running = RunningWork()
+        """The threads that run callbacks now."""
+
+    @property
+    def context(self) -> Context:
+        """Context whose shutdown ends every spin."""
+        return self._context
+
+    # Nodes and entities
+
+    def add_node(self, node: SpunNode) -> bool:
+        """Run a node's callbacks from now on; False if they are already. A node is in one executor at a time."""
+        with self._lock:
+            if self._is_shutdown:
+                raise ShutdownException("cannot add a node to an executor that is shut down")
+            if node in self._nodes:
+                return False
+            self._nodes.append(node)
+        node.executor = self
+        for entity in node.entities():
+            self.add_entity(entity)
+        return True
+
+    def remove_node(self, node: SpunNode) -> None:
+        """Stop running a node's callbacks."""
+        with self._lock:
+            if node not in self._nodes:
+                return
+            self._nodes.remove(node)
+        for entity in node.entities():
+            self.remove_entity(entity)
+        if node.executor is self:
+            node.executor = None
+
+    def get_nodes(self) -> list[SpunNode]:
+        """Return the nodes that were added."""
+        with self._lock:
+            return list(self._nodes)
+
+    # Waiting
+
+    def would_wait_for_itself(self) -> bool:
+        """Return whether this is called from a callback on the only thread that receives."""
+        return self._running.is_this_thread()
+
+    def wait_for_ready_callbacks(
+        self, timeout_sec: float | None = None, condition: Callable[[], bool] | None = None
+    ) -> tuple[Task[Any], Entity | Waitable | None, SpunNode | None]:
+        """Wait for a callback that may begin. Executors of a program's own call the task then.
+
+        The callback's group counts it as begun. A task that awaits is returned again when it can continue.
+
+        Args:
+            timeout_sec: The longest wait [s]; None, negative: for ever.
+            condition: Called each time the executor wakes; the wait ends when it returns True.
+
+        Returns:
+            The task; what it is a callback of, and the node of that, or None and None for a task.
+
+        Raises:
+            TimeoutException: none came in time.
+            ConditionReachedException: `condition()` is true.
+            ShutdownException: the executor was shut down.
+            ExternalShutdownException: its context was.
+        """
+        entity, taken = self._wait_for_work(timeout_sec, condition)
+        if entity is None:
+            return taken, None, None
+
+        def run() -> Any:
+            with self._running:
+                return entity.run(taken)
+
+        task: Task[Any] = Task(run, executor=self)
+        self._register_task(task)
+        task.when_complete(lambda: self._end(entity))
+        node = next((node for node in self.get_nodes() if entity in node.entities()), None)
+        return task, getattr(entity, "waitable", entity), node
+
+    def _next(
+        self,
+        timeout_sec: float | None,
+        condition: Callable[[], bool] | None = None,
+        *,
+        until_response: bool = False,
+    ) -> Work:
+        """Wait for a callback that may begin.
+
+        Raises:
+            TimeoutException: none came in time.
+            ConditionReachedException: `condition()` is true; or, if `until_response`, a response has come.
+            ShutdownException: the executor was shut down.
+            ExternalShutdownException: its context was.
+        """
+        timeout_ns = timeout_sec_to_nsec(timeout_sec)
+        end_ns = None if timeout_ns < 0 else time.monotonic_ns() + timeout_ns
+        waited = has_response = False
+        while True:
+            if self._is_shutdown:
+                raise ShutdownException
+            if not self._context.ok():
+                raise ExternalShutdownException
+            if condition is not None and condition():
+                raise ConditionReachedException
+            if self._has_room():
+                work = self._work_of_this_pass()
+                if work is not None:
+                    return work
+            if has_response and until_response:
+                raise ConditionReachedException
+            if waited and end_ns is not None and time.monotonic_ns() >= end_ns:
+                raise TimeoutException
+            waited = True
+            has_response = self._collect(end_ns)
+
+    # Running
+
+    def _run(self, work: Work) -> None:
+        """Run a callback to its end, or a coroutine to its next await, and raise what it raises."""
+        try:
+            with self._running:
+                if self._is_shutdown:  # shut down meanwhile: its nodes are being removed
+                    if work.entity is not None:
+                        self._end(work.entity)
+                elif work.entity is None:
+                    self._run_task(work.taken)
+                else:
+                    self._run_entity(work.entity, work.taken)
+        except Exception as error:
+            # A signal came during the callback, which then used the context, by publishing for example.
+            if self._context.explains(error):
+                raise ExternalShutdownException from error
+            raise
+
+    def _run_entity(self, entity: Entity, taken: Any) -> None:
+        outcome: Any = None
+        try:
+            outcome = entity.run(taken)
+        finally:
+            if not isinstance(outcome, CoroutineType):
+                self._end(entity)
+        if isinstance(outcome, CoroutineType):
+            self._continue_coroutine(entity, outcome)
+
+    def _continue_coroutine(self, entity: Entity, outcome: CoroutineType[Any, Any, Any]) -> None:
+        """Run a callback's coroutine to its first await; its group counts it until it completes."""
+        task: Task[Any] = Task(outcome, executor=self)
+        task.when_complete(lambda: self._end(entity))
+        self._register_task(task)
+        self._run_task(task)
+
+    def _run_task(self, task: Task[Any]) -> None:
+        task()
+        if not task.done() and not task.cancelled():
+            return
+        exception = task.exception() if task.done() else None
+        if exception is not None:
+            raise exception
+
+    # Spinning
+
+    def spin(self) -> None:
+        """Run callbacks until the context, or the executor, is shut down.
+
+        Raises:
+            ExternalShutdownException: the context was shut down by a signal, or while this waited.
+            KeyboardInterrupt: Ctrl-C, on the main thread.
+            Exception: whatever a callback raises.
+            RuntimeError: another thread spins this executor.
+        """
+        self._begin_spin()
+        try:
+            while self._context.ok() and not self._is_shutdown:
+                self.spin_once()
+        finally:
+            self._spinning.release()
+        if self._context.is_interrupted():  # by a signal that came while a callback ran
+            raise ExternalShutdownException
+
+    def spin_once(self, timeout_sec: float | None = None) -> None:
+        """Wait for one callback and run it, or for a response to a client.
+
+        Returns without either after `timeout_sec` [s] (None, negative: never).
+        """
+        self._spin_once(timeout_sec)
+
+    def spin_until_future_complete(self, future: Future[Any], timeout_sec: float | None = None) -> None:
+        """Run callbacks until a future is done, or `timeout_sec` [s] are over (None, negative: never)."""
+        self._begin_spin()
+        try:
+            self._spin_until(future, timeout_sec)
+        finally:
+            self._spinning.release()
+
+    def _spin_until(self, future: Future[Any], timeout_sec: float | None) -> None:
+        def is_over() -> bool:
+            return future.done() or future.cancelled()
+
+        future.when_complete(self.wake)
+        end_s = None if timeout_sec is None or timeout_sec < 0 else time.monotonic() + timeout_sec
+        while self._context.ok() and not self._is_shutdown and not is_over():
+            left_s = None if end_s is None else max(0.0, end_s - time.monotonic())
+            self._spin_once(left_s, is_over)
+            if end_s is not None and time.monotonic() >= end_s:
+                return
+
+    def spin_once_until_future_complete(
+        self, future: Future[Any], timeout_sec: float | TimeoutObject | None = None
+    ) -> None:
+        """Wait for one callback and run it, or return when a future is done or after `timeout_sec` [s]."""
+        future.when_complete(self.wake)
+        if isinstance(timeout_sec, TimeoutObject):
+            timeout_sec = timeout_sec.timeout
+        self._spin_once(timeout_sec, lambda: future.done() or future.cancelled())
+
+    def _spin_once(self, timeout_sec: float | None, condition: Callable[[], bool] | None = None) -> None:
+        try:
+            work = self._wait_for_work(timeout_sec, condition, until_response=True)
+        except (TimeoutException, ShutdownException, ConditionReachedException):
+            return
+        self._run(work)
+
+    def _wait_for_work(
+        self,
+        timeout_sec: float | None,
+        condition: Callable[[], bool] | None,
+        *,
+        until_response: bool = False,
+    ) -> Work:
+        self._begin_spin()
+        try:
+            return self._next(timeout_sec, condition, until_response=until_response)
+        finally:
+            self._spinning.release()
+
+    def _begin_spin(self) -> None:
+        """Take the right to spin; `_spinning.release` gives it back.
+
+        Raises:
+            RuntimeError: another thread spins.
+        """
+        if not self._spinning.acquire(blocking=False):
+            raise RuntimeError("Executor is already spinning, on another thread")
+
+    # The end
+
+    def shutdown(self, timeout_sec: float | None = None) -> bool:
+        """End every spin, wait for the callbacks that run on other threads, and remove all nodes.
+
+        Returns:
+            False if one still runs after `timeout_sec` [s] (None: wait for ever).
+        """
+        self._is_shutdown = True
+        self._context.remove_queue(self._queue)
+        self.wake()
+        if not self._running.wait(timeout_sec):
+            return False
+        for node in self.get_nodes():
+            self.remove_node(node)
+        for entity in list(self._tokens):
+            self.remove_entity(entity)
+        for task in list(self._tasks.values()):
+            task.abandon()
+        self._tasks.clear()
+        return True
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, t: type[BaseException] | None, v: BaseException | None, tb: TracebackType | None
+    ) -> None:
+        self.shutdown()

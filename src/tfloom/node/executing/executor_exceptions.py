@@ -1,0 +1,40 @@
+"""How a wait of an executor ends, other than with a callback to run."""
+
+from __future__ import annotations
+
+__all__ = [
+    "ConditionReachedException",
+    "ShutdownException",
+    "TimeoutException",
+    "TimeoutObject",
+]
+
+# ruff: noqa: N818  # ROS's own names
+
+
+class TimeoutException(Exception):
+    """Nothing became ready in time."""
+
+
+class ShutdownException(Exception):
+    """The executor was shut down."""
+
+
+class ConditionReachedException(Exception):
+    """The condition of a wait is true."""
+
+
+class TimeoutObject:
+    """A timeout [s] that may be changed between two waits; None and negative ones are for ever."""
+
+    def __init__(self, timeout: float | None) -> None:
+        self._timeout = timeout
+
+    @property
+    def timeout(self) -> float | None:
+        """The timeout [s]."""
+        return self._timeout
+
+    @timeout.setter
+    def timeout(self, timeout: float | None) -> None:
+        self._timeout = timeout

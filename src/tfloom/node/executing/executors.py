@@ -1,0 +1,135 @@
+"""The executors of programs, and the one that `rclpy.spin` uses."""
+
+from __future__ import annotations
+
+import threading
+from collections import deque
+from collections.abc import Callable, Coroutine
+from contextlib import suppress
+from typing import Any, TypeVar
+from weakref import WeakKeyDictionary
+
+from tfloom.node.context.context import Context
+from tfloom.node.context.defaults import Defaults, current_defaults
+from tfloom.node.context.utilities import get_default_context
+from tfloom.node.executing.executor import Executor
+from tfloom.node.executing.executor_exceptions import (
+    ConditionReachedException,
+    ShutdownException,
+    TimeoutException,
+)
+from tfloom.node.executing.signals import defer_keyboard_interrupt_in
+from tfloom.node.executing.work_queue import Work
+
+__all__ = [
+    "MultiThreadedExecutor",
+    "SingleThreadedExecutor",
+    "WaitableEntityType",
+    "await_or_execute",
+    "get_global_executor",
+]
+
+
+WaitableEntityType = TypeVar("WaitableEntityType")
+
+
+async def await_or_execute(callback: Callable[..., Any] | Coroutine[Any, Any, Any], *args: Any) -> Any:
+    """Call a function, or await a coroutine or what a coroutine function returns."""
+    outcome = callback if isinstance(callback, Coroutine) else callback(*args)
+    return await outcome if isinstance(outcome, Coroutine) else outcome
+
+
+class SingleThreadedExecutor(Executor):
+    """Runs callbacks on the thread that spins."""
+
+
+class MultiThreadedExecutor(Executor):
+    """Runs callbacks on threads of its own, as far as their groups allow.
+
+    Args:
+        num_threads: How many; None: as many as there are CPUs, 2 at least.
+        context: As for every executor.
+    """
+
+    def __init__(self, num_threads: int | None = None, *, context: Context | None = None) -> None:
+        super().__init__(context=context)
+        import os
+        from concurrent.futures import thread
+
+        # An exception between two lines of the pool's `submit` would keep its threads from ending.
+        defer_keyboard_interrupt_in(thread.__file__)
+        if num_threads is None:
+            num_threads = os.cpu_count() or 1
+        self._num_threads = max(num_threads, 2) if num_threads != 1 else 1
+        self._pool = thread.ThreadPoolExecutor(self._num_threads, thread_name_prefix="tfloom_executor")
+        self._busy_lock = threading.Lock()
+        self._busy = 0
+        """How many callbacks the pool has. Changed under `_busy_lock`, read without it."""
+        self._errors: deque[BaseException] = deque()
+        """What callbacks raised, for the thread that spins. Changed by single operations, without a lock."""
+
+    def _has_room(self) -> bool:
+        # A message waits in its reader, whose history depth limits the number, until a thread is free.
+        return self._busy < self._num_threads
+
+    def _spin_once(self, timeout_sec: float | None, condition: Callable[[], bool] | None = None) -> None:
+        def stop() -> bool:
+            return bool(self._errors) or (condition is not None and condition())
+
+        with suppress(TimeoutException, ShutdownException, ConditionReachedException):
+            work = self._wait_for_work(timeout_sec, stop, until_response=True)
+            self._submit(work)
+        if self._errors:
+            raise self._errors.popleft()
+
+    def _submit(self, work: Work) -> None:
+        with self._busy_lock:
+            self._busy += 1
+        try:
+            self._pool.submit(self._run_in_pool, work)
+        except RuntimeError:
+            if not self._is_shutdown:
+                raise
+            with self._busy_lock:  # another thread has just shut down: the callback isn't run
+                self._busy -= 1
+            if work.entity is not None:
+                self._end(work.entity)
+
+    def _run_in_pool(self, work: Work) -> None:
+        try:
+            self._run(work)
+        except BaseException as error:  # noqa: BLE001  # raised on the thread that spins
+            self._errors.append(error)
+        finally:
+            with self._busy_lock:
+                self._busy -= 1
+            self.wake()
+
+    def would_wait_for_itself(self) -> bool:
+        """Return False, because the thread that spins receives while callbacks run on others."""
+        return False
+
+    def shutdown(self, timeout_sec: float | None = None) -> bool:
+        """End every spin and wait for running callbacks; see `Executor.shutdown`."""
+        if not super().shutdown(timeout_sec):
+            return False
+        self._pool.shutdown(wait=False)
+        return True
+
+
+_global_lock = threading.Lock()
+_global_executors: WeakKeyDictionary[Defaults, Executor] = WeakKeyDictionary()
+"""The executor that goes with each default context; guarded by `_global_lock`."""
+
+
+def get_global_executor() -> Executor:
+    """Return the executor that `rclpy.spin` and its kin use where none is given, on the default context."""
+    with _global_lock:
+        defaults = current_defaults()
+        executor = _global_executors.get(defaults)
+        context = get_default_context()
+        if executor is None or executor.context is not context or executor._is_shutdown:  # noqa: SLF001
+            if executor is not None:
+                executor.shutdown(0.0)
+            executor = _global_executors[defaults] = SingleThreadedExecutor(context=context)
+        return executor

@@ -1,0 +1,75 @@
+"""Callbacks that a program triggers itself."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from tfloom.node.executing.entity import Entity
+from tfloom.node.values.handle import Handle
+
+if TYPE_CHECKING:
+    from tfloom._native import ReadyQueue
+    from tfloom.node.context.context import Context
+    from tfloom.node.executing.callback_groups import CallbackGroup
+
+__all__ = ["GuardCondition"]
+
+
+class GuardCondition(Entity):
+    """Makes the executor run a callback at least once after each `trigger`."""
+
+    def __init__(
+        self,
+        callback: Callable[[], Any] | None,
+        callback_group: CallbackGroup | None,
+        context: Context | None = None,  # noqa: ARG002  # shutdown wakes executors by itself
+    ) -> None:
+        self.callback = callback
+        self.callback_group = callback_group
+        self._triggered = False
+        self._queue: ReadyQueue | None = None
+        self._token = 0
+
+    @property
+    def handle(self) -> Handle:
+        """Proxy of the guard condition, for code that expects rclpy's C handle."""
+        return Handle(self)
+
+    def trigger(self) -> None:
+        """Make the executor run the callback. Any thread may call this, and a signal handler."""
+        self._triggered = True
+        queue = self._queue
+        if queue is not None:
+            queue.post(self._token)
+
+    def trigger_guard_condition(self) -> None:
+        """Do as `trigger`; rclpy's C handle has this name."""
+        self.trigger()
+
+    def becomes_ready(self) -> bool:
+        """Return True once after any number of triggers, for a wait set."""
+        return self.take() is not None
+
+    def destroy(self) -> None:
+        """Stop triggering."""
+        self.detach()
+
+    def attach(self, queue: ReadyQueue, token: int) -> None:
+        """Post `token` at each trigger."""
+        self._queue, self._token = queue, token
+        if self._triggered:
+            queue.post(token)
+
+    def detach(self) -> None:
+        """Stop posting."""
+        self._queue = None
+
+    def take(self) -> Any:
+        """Return True once after any number of triggers."""
+        triggered, self._triggered = self._triggered, False
+        return triggered or None
+
+    def run(self, taken: Any) -> Any:  # noqa: ARG002
+        """Call the callback."""
+        return None if self.callback is None else self.callback()

@@ -1,0 +1,44 @@
+"""The threads that run callbacks now."""
+
+from __future__ import annotations
+
+import threading
+
+__all__ = ["RunningWork"]
+
+
+class RunningWork:
+    """Counts the callbacks that run, and waits for their end."""
+
+    def __init__(self) -> None:
+        self._changed = threading.Condition()
+        self._waiters = 0
+        # Changed without the lock, by single operations of a list, because callbacks begin and end too often for one.
+        self._threads: list[int] = []
+
+    def __enter__(self) -> None:
+        self._threads.append(threading.get_ident())
+
+    def __exit__(self, *_: object) -> None:
+        self._threads.remove(threading.get_ident())
+        if self._waiters:  # a waiter that isn't counted yet checks the list before it waits
+            with self._changed:
+                self._changed.notify_all()
+
+    def is_this_thread(self) -> bool:
+        """Return whether a callback runs on the calling thread."""
+        return threading.get_ident() in self._threads
+
+    def wait(self, timeout_s: float | None) -> bool:
+        """Wait until no callback runs on another thread; False after `timeout_s` [s] (None: no limit)."""
+        me = threading.get_ident()
+
+        def is_over() -> bool:
+            return all(thread == me for thread in list(self._threads))
+
+        with self._changed:
+            self._waiters += 1
+            try:
+                return self._changed.wait_for(is_over, timeout_s)
+            finally:
+                self._waiters -= 1

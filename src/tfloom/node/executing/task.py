@@ -1,0 +1,237 @@
+"""Futures, and the tasks an executor runs."""
+
+from __future__ import annotations
+
+import sys
+import threading
+import weakref
+from collections.abc import Callable, Coroutine, Generator, Iterable, Mapping
+from typing import Any, Generic, Protocol, TypeVar
+
+__all__ = ["Future", "Task", "TaskRunner"]
+
+T = TypeVar("T")
+
+
+class TaskRunner(Protocol):
+    """What a future needs of an executor."""
+
+    def create_task(self, callback: Callable[..., Any], /, *args: Any) -> Any:
+        """Call `callback(*args)` on a thread that runs callbacks."""
+
+
+class Future(Generic[T]):
+    """The result of a call that isn't complete yet.
+
+    Methods may be called from any thread. A callback given to `add_done_callback` runs as a task of `executor`
+    if there is one; else at once, on the thread that completes the future.
+    """
+
+    def __init__(self, *, executor: TaskRunner | None = None) -> None:
+        self._done = False
+        self._cancelled = False
+        self._result: T | None = None
+        self._exception: BaseException | None = None
+        self._exception_fetched = False
+        self._callbacks: list[Callable[[Future[T]], Any]] = []
+        self._resumers: list[Callable[[], None]] = []
+        self._lock = threading.RLock()
+        """Guards the outcome and the lists of callbacks; readers of the outcome take no lock."""
+        self._executor: weakref.ref[TaskRunner] | None = None
+        self.set_executor(executor)
+
+    def __del__(self) -> None:
+        if self._exception is not None and not self._exception_fetched:
+            print(f"The following exception was never retrieved: {self._exception}", file=sys.stderr)
+
+    def __await__(self) -> Generator[Future[T], None, T | None]:
+        # The task that runs the coroutine is resumed by a callback of the future that is yielded here.
+        while not self._done and not self._cancelled:
+            yield self
+        return self.result()
+
+    def cancel(self) -> None:
+        """Cancel the future and schedule its callbacks, unless it is complete already."""
+        with self._lock:
+            if self._done or self._cancelled:
+                return
+            self._cancelled = True
+        self._run_callbacks()
+
+    def cancelled(self) -> bool:
+        """Return whether `cancel` came before a result."""
+        return self._cancelled
+
+    def done(self) -> bool:
+        """Return whether there is a result or an exception."""
+        return self._done
+
+    def result(self) -> T | None:
+        """Return the result; None while there is none.
+
+        Raises:
+            BaseException: the exception the future was completed with.
+        """
+        if self._exception is not None:
+            self._exception_fetched = True
+            raise self._exception
+        return self._result
+
+    def exception(self) -> BaseException | None:
+        """Return the exception the future was completed with, or None."""
+        self._exception_fetched = True
+        return self._exception
+
+    def set_result(self, result: T) -> None:
+        """Complete the future and schedule its callbacks."""
+        with self._lock:
+            self._result = result
+            self._done = True
+            self._cancelled = False
+        self._run_callbacks()
+
+    def set_exception(self, exception: BaseException) -> None:
+        """Complete the future with an exception, which `result` raises."""
+        with self._lock:
+            self._exception = exception
+            self._exception_fetched = False
+            self._done = True
+            self._cancelled = False
+        self._run_callbacks()
+
+    def add_done_callback(self, callback: Callable[[Future[T]], Any]) -> None:
+        """Call `callback(future)` when the future completes or is cancelled; at once if it is already."""
+        with self._lock:
+            if not self._done and not self._cancelled:
+                self._callbacks.append(callback)
+                return
+        self._run_callback(callback)
+
+    def remove_done_callback(self, callback: Callable[[Future[T]], Any]) -> None:
+        """Undo one `add_done_callback`; a callback that isn't waiting is ignored."""
+        with self._lock:
+            if callback in self._callbacks:
+                self._callbacks.remove(callback)
+
+    def when_complete(self, resume: Callable[[], None]) -> None:
+        """Call `resume()` on completion, at once if it is complete, on the completing thread; once if added twice.
+
+        For executors and tasks, which must not wait for another task; programs use `add_done_callback`.
+        """
+        with self._lock:
+            if not self._done and not self._cancelled:
+                if resume not in self._resumers:
+                    self._resumers.append(resume)
+                return
+        resume()
+
+    def set_executor(self, executor: TaskRunner | None) -> None:
+        """Run callbacks as tasks of `executor`; None: at once, on the thread that completes the future."""
+        self._executor = None if executor is None else weakref.ref(executor)
+
+    def _run_callbacks(self) -> None:
+        with self._lock:
+            callbacks, self._callbacks = self._callbacks, []
+            resumers, self._resumers = self._resumers, []
+        for resume in resumers:
+            resume()
+        for callback in callbacks:
+            self._run_callback(callback)
+
+    def _run_callback(self, callback: Callable[[Future[T]], Any]) -> None:
+        executor = self._executor() if self._executor is not None else None
+        if executor is not None:
+            executor.create_task(callback, self)
+            return
+        try:
+            callback(self)
+        except Exception:  # noqa: BLE001  # the next callback must run, and the completing thread go on
+            print("An exception was raised in a done callback of a future:", file=sys.stderr)
+            import traceback
+
+            traceback.print_exc()
+
+
+class Task(Future[T]):
+    """A function or coroutine that an executor runs; its outcome completes the future.
+
+    Calling the task runs the function, or the coroutine up to the next thing it awaits.
+    """
+
+    def __init__(
+        self,
+        handler: Callable[..., T] | Callable[..., Coroutine[Any, Any, T]] | Coroutine[Any, Any, T],
+        args: Iterable[Any] | None = None,
+        kwargs: Mapping[str, Any] | None = None,
+        executor: TaskRunner | None = None,
+    ) -> None:
+        super().__init__(executor=executor)
+        self._coroutine: Coroutine[Any, Any, T] | None = None
+        self._handler: Callable[..., Any] | None = None
+        if isinstance(handler, Coroutine):
+            self._coroutine = handler
+        else:
+            self._handler = handler
+        self._args = tuple(args or ())
+        self._kwargs = dict(kwargs or {})
+        self._resume: Callable[[], None] | None = None
+        self._step_lock = threading.Lock()
+        """Held by the thread that runs a step."""
+
+    def __call__(self) -> None:
+        """Run one step; do nothing if the task is done, cancelled, or running on another thread."""
+        if self._done or self._cancelled or not self._step_lock.acquire(blocking=False):
+            return
+        try:
+            waits_for = self._step()
+        finally:
+            self._step_lock.release()
+        if waits_for is not None:
+            waits_for.when_complete(self._notify_runnable)
+        elif not self._done and not self._cancelled:
+            self._notify_runnable()
+
+    def on_resume(self, resume: Callable[[], None]) -> None:
+        """Call `resume()`, on any thread, when a coroutine that waits can continue."""
+        self._resume = resume
+
+    def executing(self) -> bool:
+        """Return whether a step is running."""
+        return self._step_lock.locked()
+
+    def cancel(self) -> None:
+        """Cancel the task; a coroutine is closed where it waits."""
+        super().cancel()
+        self.abandon()
+
+    def abandon(self) -> None:
+        """Stop running steps: a coroutine is closed where it waits, and the future stays incomplete."""
+        if self._step_lock.acquire(blocking=False):
+            try:
+                if self._coroutine is not None:
+                    self._coroutine.close()
+            finally:
+                self._step_lock.release()
+
+    def _step(self) -> Future[Any] | None:
+        """Run to the end or the next await; return the future awaited, None for any other awaitable."""
+        try:
+            if self._coroutine is None and self._handler is not None:
+                handler, self._handler = self._handler, None
+                outcome = handler(*self._args, **self._kwargs)
+                if not isinstance(outcome, Coroutine):
+                    self.set_result(outcome)
+                    return None
+                self._coroutine = outcome
+            if self._coroutine is not None:
+                awaited = self._coroutine.send(None)
+                return awaited if isinstance(awaited, Future) else None
+        except StopIteration as end:
+            self.set_result(end.value)
+        except Exception as exc:  # noqa: BLE001  # the future passes it on
+            self.set_exception(exc)
+        return None
+
+    def _notify_runnable(self) -> None:
+        if self._resume is not None:
+            self._resume()

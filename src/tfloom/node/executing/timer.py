@@ -1,0 +1,256 @@
+"""Callbacks at a fixed period, and loops that keep a rate."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from tfloom.node.clock.clock import Clock, JumpHandle, ROSClock
+from tfloom.node.clock.time_jump import ANY_JUMP, SOURCE_CHANGES, TimeJump
+from tfloom.node.executing.entity import Entity
+from tfloom.node.values.exceptions import InvalidHandle, ROSInterruptException
+from tfloom.node.values.handle import Handle
+
+if TYPE_CHECKING:
+    from tfloom._native import ReadyQueue
+    from tfloom.node.context.context import Context
+    from tfloom.node.executing.callback_groups import CallbackGroup
+
+__all__ = ["Rate", "Timer"]
+
+
+class Timer(Entity):
+    """Runs its callback once a period.
+
+    Missed calls are skipped: the next call is at the next whole period. The period is measured in simulated time if
+    the clock shows it, else by the steady clock, because that isn't affected by setting the system's clock.
+
+    Args:
+        callback: Takes nothing.
+        callback_group: Its group.
+        timer_period_ns: The period [ns]; with 0 it is always ready.
+        clock: Counts the period.
+        context: Kept for `rclpy`'s sake.
+        autostart: Whether it runs from the start; else from the first `reset`.
+
+    Raises:
+        ValueError: the period is negative.
+    """
+
+    is_timed = True
+
+    def __init__(
+        self,
+        callback: Callable[[], Any] | None,
+        callback_group: CallbackGroup | None,
+        timer_period_ns: int,
+        clock: Clock,
+        *,
+        context: Context | None = None,  # noqa: ARG002
+        autostart: bool = True,
+    ) -> None:
+        if timer_period_ns < 0:
+            raise ValueError(f"timer period must be non-negative, not {timer_period_ns} ns")
+        self.callback = callback
+        self.callback_group = callback_group
+        self._clock = clock
+        self._period_ns = int(timer_period_ns)
+        self._canceled = not autostart
+        self._destroyed = False
+        self._lock = threading.RLock()
+        """Guards `_last_ns` and `_next_ns`; single reads take no lock."""
+        self._queue: ReadyQueue | None = None
+        self._token = 0
+        self._last_ns = self._now_ns()
+        self._next_ns = self._last_ns + self._period_ns
+        self._jump_handle: JumpHandle | None = None
+        if isinstance(clock, ROSClock):
+            self._jump_handle = clock.create_jump_callback(
+                ANY_JUMP, pre_callback=self._before_jump, post_callback=self._after_jump
+            )
+        self._before_jump_ns = self._last_ns
+
+    def _is_simulated(self) -> bool:
+        return isinstance(self._clock, ROSClock) and self._clock.ros_time_is_active
+
+    def _now_ns(self) -> int:
+        return self._clock.now_ns() if self._is_simulated() else time.monotonic_ns()
+
+    @property
+    def handle(self) -> Handle:
+        """Proxy of the timer, for code that expects rclpy's C handle.
+
+        Raises:
+            InvalidHandle: the timer was destroyed.
+        """
+        if self._destroyed:
+            raise InvalidHandle("cannot use a timer that was destroyed")
+        return Handle(self)
+
+    @property
+    def clock(self) -> Clock:
+        """The clock that counts the period."""
+        return self._clock
+
+    @property
+    def timer_period_ns(self) -> int:
+        """The period [ns]. A new one counts from the last call on; the call that is due next keeps its time."""
+        return self._period_ns
+
+    @timer_period_ns.setter
+    def timer_period_ns(self, value: int) -> None:
+        if value < 0:
+            raise ValueError(f"timer period must be non-negative, not {value} ns")
+        self._period_ns = int(value)
+
+    def is_ready(self) -> bool:
+        """Return whether the callback is due."""
+        return not self._canceled and self._now_ns() >= self._next_ns
+
+    def is_canceled(self) -> bool:
+        """Return whether it was cancelled, or not started yet."""
+        return self._canceled
+
+    def cancel(self) -> None:
+        """Stop calling, until `reset`."""
+        self._canceled = True
+
+    def reset(self) -> None:
+        """Begin a period now, also after `cancel`."""
+        with self._lock:
+            self._last_ns = self._now_ns()
+            self._next_ns = self._last_ns + self._period_ns
+            self._canceled = False
+        self._post()
+
+    def time_since_last_call(self) -> int:
+        """Return the time since the last call, or since start or reset [ns]."""
+        return self._now_ns() - self._last_ns
+
+    def time_until_next_call(self) -> int | None:
+        """Return the time until the next call [ns], negative if it is late; None if cancelled."""
+        return None if self._canceled else self._next_ns - self._now_ns()
+
+    def destroy(self) -> None:
+        """Stop calling, for good."""
+        self.cancel()
+        self.detach()
+        self._destroyed = True
+        if self._jump_handle is not None:
+            self._jump_handle.unregister()
+            self._jump_handle = None
+
+    def attach(self, queue: ReadyQueue, token: int) -> None:
+        """Post `token` when the time of the next call has changed."""
+        self._queue, self._token = queue, token
+        queue.post(token)
+
+    def detach(self) -> None:
+        """Stop posting."""
+        self._queue = None
+
+    def deadline_ns(self) -> int | None:
+        """Return when the next call is due, by the steady clock; None with simulated time, and if cancelled."""
+        return None if self._canceled or self._is_simulated() else self._next_ns
+
+    def becomes_ready(self) -> bool:
+        """Return whether the period is over, for a wait set."""
+        return self.is_ready()
+
+    def take(self) -> Any:
+        """Return True, and begin the next period, if the callback is due."""
+        is_simulated = self._is_simulated()
+        with self._lock:
+            now_ns = self._clock.now_ns() if is_simulated else time.monotonic_ns()
+            if self._canceled or now_ns < self._next_ns:
+                return None
+            self._last_ns = now_ns
+            self._next_ns += self._period_ns
+            if self._next_ns < now_ns:
+                self._next_ns = now_ns if not self._period_ns else self._skip_missed(now_ns)
+        if is_simulated:
+            self._post_if_ready()
+        return True
+
+    def _skip_missed(self, now_ns: int) -> int:
+        missed = 1 + (now_ns - self._next_ns) // self._period_ns
+        return self._next_ns + missed * self._period_ns
+
+    def run(self, taken: Any) -> Any:  # noqa: ARG002
+        """Call the callback."""
+        return None if self.callback is None else self.callback()
+
+    def _post(self) -> None:
+        queue = self._queue
+        if queue is not None:
+            queue.post(self._token)
+
+    def _post_if_ready(self) -> None:
+        if self.is_ready():
+            self._post()
+
+    def _before_jump(self) -> None:
+        self._before_jump_ns = self._now_ns()
+
+    def _after_jump(self, jump: TimeJump) -> None:
+        with self._lock:
+            now_ns = self._now_ns()
+            if jump.clock_change in SOURCE_CHANGES:
+                # The rest of the period stays the same on the new source.
+                shift_ns = now_ns - self._before_jump_ns
+                self._last_ns += shift_ns
+                self._next_ns += shift_ns
+            elif now_ns < self._last_ns:
+                self._last_ns = now_ns
+                self._next_ns = now_ns + self._period_ns
+            elif now_ns < self._next_ns:
+                return
+        self._post()
+
+
+class Rate:
+    """Keeps a loop at a frequency: `sleep` returns once a period.
+
+    The timer it waits for must be spun on another thread. `Node.create_rate` makes one.
+    """
+
+    def __init__(self, timer: Timer, *, context: Context) -> None:
+        self._timer = timer
+        self._context = context
+        self._ticked = threading.Event()
+        self._destroyed = False
+        timer.callback = self._ticked.set
+        context.add_shutdown_hook(self._ticked.set)
+
+    @property
+    def timer(self) -> Timer:
+        """The timer it waits for."""
+        return self._timer
+
+    def sleep(self) -> None:
+        """Wait for the next period.
+
+        Raises:
+            ROSInterruptException: the context is shut down, before or meanwhile.
+            RuntimeError: the rate was destroyed.
+        """
+        if self._destroyed:
+            raise RuntimeError("Rate cannot sleep: it was destroyed")
+        if not self._context.ok():
+            raise ROSInterruptException
+        self._ticked.wait()
+        self._ticked.clear()
+        if self._destroyed:
+            raise RuntimeError("Rate was destroyed while it slept")
+        if not self._context.ok():
+            self._ticked.set()
+            raise ROSInterruptException
+
+    def destroy(self) -> None:
+        """End every `sleep`."""
+        self._destroyed = True
+        self._context.remove_shutdown_hook(self._ticked.set)
+        self._timer.destroy()
+        self._ticked.set()

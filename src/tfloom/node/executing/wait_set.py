@@ -1,0 +1,104 @@
+"""Wait sets of waitables: what is in one posts the waitable's token to the executor."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Protocol
+
+from tfloom.node.values.handle import unwrap_handle
+
+if TYPE_CHECKING:
+    from tfloom._native import ReadyQueue
+
+__all__ = ["KINDS", "WaitSet", "Waited"]
+
+KINDS = ("subscription", "guard_condition", "timer", "client", "service", "event")
+
+
+class Waited(Protocol):
+    """One thing in a wait set."""
+
+    def attach(self, queue: ReadyQueue, token: int) -> None:
+        """Post `token` when `becomes_ready` may be true, at once if it is already."""
+
+    def detach(self) -> None:
+        """Stop posting."""
+
+    def becomes_ready(self) -> bool:
+        """Return whether there is something to take; of a guard condition, this takes the trigger."""
+
+    def deadline_ns(self) -> int | None:
+        """Return when to look next, by `time.monotonic_ns`; None: after the next post."""
+
+
+class WaitSet:
+    """What one waitable waits for, by kind, and what of it is ready."""
+
+    def __init__(self) -> None:
+        self._waited: dict[str, list[Waited]] = {kind: [] for kind in KINDS}
+        self._ready: dict[str, set[int]] = {kind: set() for kind in KINDS}
+
+    def _add(self, kind: str, waited: Waited) -> int:
+        if not hasattr(waited, "becomes_ready"):
+            raise TypeError(
+                f"a wait set can't wait for {waited!r}: give it a {kind} of "
+                "rclpy.impl.implementation_singleton.rclpy_implementation"
+            )
+        self._waited[kind].append(unwrap_handle(waited))
+        return len(self._waited[kind]) - 1
+
+    def add_subscription(self, subscription: Waited) -> int:
+        """Wait for messages; the index is for `is_ready`, here as below."""
+        return self._add("subscription", subscription)
+
+    def add_guard_condition(self, guard_condition: Waited) -> int:
+        """Wait for a trigger."""
+        return self._add("guard_condition", guard_condition)
+
+    def add_timer(self, timer: Waited) -> int:
+        """Wait for a period's end."""
+        return self._add("timer", timer)
+
+    def add_client(self, client: Waited) -> int:
+        """Wait for responses."""
+        return self._add("client", client)
+
+    def add_service(self, service: Waited) -> int:
+        """Wait for requests."""
+        return self._add("service", service)
+
+    def add_event(self, event: Waited) -> int:
+        """Wait for an event of a publisher or subscription."""
+        return self._add("event", event)
+
+    def is_ready(self, entity_type: str, index: int | None) -> bool:
+        """Return whether something was ready after the last wait.
+
+        Args:
+            entity_type: One of `KINDS`.
+            index: What `add_…` returned.
+
+        Raises:
+            ValueError: there is no such kind.
+            IndexError: that many of it weren't added.
+        """
+        if entity_type not in self._waited:
+            raise ValueError(f"'{entity_type}' is no kind of entity; known are {', '.join(KINDS)}")
+        if index is None or not 0 <= index < len(self._waited[entity_type]):
+            raise IndexError(f"there is no {entity_type} {index} in the wait set")
+        return index in self._ready[entity_type]
+
+    def get_ready_entities(self, entity_type: str) -> list[Waited]:
+        """Return what of a kind was ready after the last wait."""
+        waited = self._waited[entity_type]
+        return [waited[index] for index in sorted(self._ready[entity_type])]
+
+    def everything(self) -> list[Waited]:
+        """Return all that is waited for."""
+        return [each for kind in KINDS for each in self._waited[kind]]
+
+    def look(self) -> None:
+        """Update what is ready."""
+        self._ready = {
+            kind: {index for index, each in enumerate(waited) if each.becomes_ready()}
+            for kind, waited in self._waited.items()
+        }

@@ -1,0 +1,88 @@
+"""A waitable as an executor runs it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from tfloom.node.executing.entity import Entity
+from tfloom.node.executing.wait_set import WaitSet
+
+if TYPE_CHECKING:
+    from tfloom._native import ReadyQueue
+    from tfloom.node.executing.task import TaskRunner
+    from tfloom.node.executing.waitable import Waitable
+
+__all__ = ["WaitableEntity"]
+
+
+class WaitableEntity(Entity):
+    """A waitable as an executor runs it: checked when an item of its wait set posts, or anything wakes the executor."""
+
+    is_timed = True
+    is_polled = True
+
+    def __init__(self, waitable: Waitable, executor: Callable[[], TaskRunner | None]) -> None:
+        self.waitable = waitable
+        self._executor = executor
+        self.callback_group = waitable.callback_group
+        self._queue: ReadyQueue | None = None
+        self._token = 0
+        self._wait_set = WaitSet()
+
+    def attach(self, queue: ReadyQueue, token: int) -> None:
+        """Build the wait set, and make all in it post `token`."""
+        self._queue, self._token = queue, token
+        self._arm()
+        queue.post(token)  # it may be ready by itself
+
+    def detach(self) -> None:
+        """Stop posting."""
+        self._queue = None
+        for each in self._wait_set.everything():
+            each.detach()
+
+    def _arm(self) -> None:
+        queue = self._queue
+        if queue is None:
+            return
+        before = self._wait_set.everything()
+        self._wait_set = WaitSet()
+        self.waitable.add_to_wait_set(self._wait_set)
+        now = self._wait_set.everything()
+        for each in before:
+            if not any(each is other for other in now):
+                each.detach()
+        for each in now:
+            if not any(each is other for other in before):
+                each.attach(queue, self._token)
+
+    def take(self) -> Any:
+        """Return what the waitable has taken, in a tuple, if it is ready."""
+        if self._queue is None:
+            return None
+        self._wait_set.look()
+        try:
+            if not self.waitable.is_ready(self._wait_set):
+                return None
+            taken = (self.waitable.take_data(),)
+        finally:
+            self._arm()
+        if self._queue is not None:
+            self._queue.post(self._token)  # there may be more
+        return taken
+
+    def deadline_ns(self) -> int | None:
+        """Return when the first of its timers is due."""
+        ends = [end for each in self._wait_set.everything() if (end := each.deadline_ns()) is not None]
+        return min(ends, default=None)
+
+    def run(self, taken: Any) -> Any:
+        """Execute what was taken; the executor runs the coroutine."""
+        for future in self.waitable._futures:  # noqa: SLF001  # Waitable's own
+            future.set_executor(self._executor())
+        return self.waitable.execute(*taken)
+
+    def destroy(self) -> None:
+        """Stop waiting. The program owns the waitable, and what it waits for."""
+        self.detach()

@@ -1,0 +1,256 @@
+"""What an executor's entities and tasks have ready to run.
+
+Entities post tokens to one queue; no set of things to wait for is built, however many there are. In each pass one
+thing is taken from each entity that posted, and an entity is looked at again as long as it had something.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections import deque
+from collections.abc import Callable, Coroutine
+from itertools import count
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
+
+from tfloom._native import ReadyQueue
+from tfloom.node.context.context import WAKE
+from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
+from tfloom.node.executing.task import Future, Task
+from tfloom.node.executing.timer_schedule import TimerSchedule
+
+if TYPE_CHECKING:
+    from tfloom.node.executing.callback_groups import CallbackGroup
+    from tfloom.node.executing.entity import Entity
+
+__all__ = ["Work", "WorkQueue"]
+
+T = TypeVar("T")
+_GROUPS_FREED_ON_COMPLETION = (MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup)
+"""Built-in groups, which admit new work only when a callback completes."""
+
+MOST_AT_ONCE = 1000
+"""How many items of one entity run on the thread that spins before the other entities' turn."""
+
+
+class Work(NamedTuple):
+    """A callback that may begin; its group counts it as begun."""
+
+    entity: Entity | None
+    taken: Any
+    """What the entity's `take` returned; without entity, a Task."""
+
+
+class WorkQueue:
+    """Takes from entities, and from tasks that can go on, what is to run next.
+
+    Any thread may add and remove entities. The thread that spins alone calls the methods with an underscore, but
+    for `_end` and `_register_task`, which any thread may call.
+    """
+
+    def __init__(self) -> None:
+        self._queue = ReadyQueue()
+        """Takes the tokens that entities, tasks and `wake` post, from any thread; it has a lock of its own."""
+        self._lock = threading.RLock()
+        """Guards the registration of entities: `_entities`, `_tokens`, `_polled`."""
+        self._entities: dict[int, Entity] = {}
+        """The entities by token. Written under `_lock`; the thread that spins reads it without."""
+        self._tokens: dict[Entity, int] = {}
+        """The token of each entity. Guarded by `_lock`."""
+        self._polled: list[int] = []
+        """Tokens to look at whenever the executor wakes. Replaced, never changed, under `_lock`."""
+        self._tasks: dict[int, Task[Any]] = {}
+        """The tasks that aren't complete, by token. Changed from any thread, by single operations of a dict."""
+        self._numbers = count(WAKE + 1)
+        """The next token; drawing one is a single operation."""
+        self._ready: deque[int] = deque()
+        """Tokens to look at, the oldest first. Of the thread that spins alone, as are the four below."""
+        self._refused: list[int] = []
+        """Tokens of entities whose group, of a class of the program's own, has refused to let them run."""
+        self._held: dict[int, Any] = {}
+        """What was taken of such entities before the refusal. `remove_entity` removes from it, too."""
+        self._pass_left = 0
+        """How many of `_ready` belong to the present pass."""
+        self._timers = TimerSchedule()
+        """When which timed entity is due."""
+
+    def add_entity(self, entity: Entity) -> None:
+        """Run an entity; nodes call it for what they create."""
+        with self._lock:
+            if entity in self._tokens:
+                return
+            token = next(self._numbers)
+            self._tokens[entity] = token
+            self._entities[token] = entity
+            if entity.is_polled:
+                self._polled = [*self._polled, token]
+        entity.attach(self._queue, token)
+
+    def remove_entity(self, entity: Entity) -> None:
+        """Stop running an entity; what it has posted is ignored."""
+        with self._lock:
+            token = self._tokens.pop(entity, None)
+            if token is None:
+                return
+            del self._entities[token]
+            self._held.pop(token, None)
+            if entity.is_polled:
+                self._polled = [each for each in self._polled if each != token]
+            entity.detach()
+
+    def create_task(
+        self, callback: Callable[..., T] | Coroutine[Any, Any, T], *args: Any, **kwargs: Any
+    ) -> Task[T]:
+        """Run a function or coroutine on a thread that runs callbacks; the task is a future of its result.
+
+        An exception in it is raised from `spin` too, as a callback's is.
+        """
+        task: Task[T] = Task(callback, args, kwargs, executor=self)
+        self._queue.post(self._register_task(task))
+        return task
+
+    def create_future(self) -> Future[Any]:
+        """Return a future whose callbacks run as tasks of this executor."""
+        return Future(executor=self)
+
+    def _register_task(self, task: Task[Any]) -> int:
+        """Run the steps of a task as it becomes runnable, until it is complete; return its token."""
+        token = next(self._numbers)
+        queue, tasks = self._queue, self._tasks
+
+        def forget() -> None:
+            tasks.pop(token, None)
+
+        task.on_resume(lambda: queue.post(token))
+        tasks[token] = task
+        task.when_complete(forget)
+        return token
+
+    def wake(self) -> None:
+        """Wake the thread that spins, so that it checks its conditions again."""
+        self._queue.post(WAKE)
+
+    def can_execute(self, entity: Entity) -> bool:
+        """Return whether the group of an entity admits its callback now."""
+        group = entity.callback_group if entity.goes_by_group else None
+        return group is None or group.can_execute(entity)
+
+    def _has_room(self) -> bool:
+        """Return whether one more callback may be run now."""
+        return True
+
+    def _work_of_this_pass(self) -> Work | None:
+        while self._pass_left:
+            self._pass_left -= 1
+            work = self._begin(self._ready.popleft())
+            if work is not None:
+                return work
+        return None
+
+    def _collect(self, end_ns: int | None) -> bool:
+        """Wait for posts and timers, not beyond `end_ns`, and begin a new pass over all that is ready.
+
+        Returns:
+            Whether responses came; their futures are complete already.
+        """
+        has_response = False
+        if self._refused:
+            self._retry_refused()
+        tokens = self._queue.wait(self._wait_ns(end_ns))
+        for token in tokens:
+            entity = self._entities.get(token)
+            if entity is None:
+                if token != WAKE:
+                    self._ready.append(token)
+            elif not entity.goes_by_group:
+                has_response |= self._run_on_spinning_thread(entity, token)
+            elif entity.is_timed and not entity.is_polled and (due_ns := entity.deadline_ns()) is not None:
+                self._timers.set(token, due_ns)  # timers run in the order of their deadlines
+            else:
+                self._ready.append(token)
+        self._ready.extend(self._timers.take_due(time.monotonic_ns()))
+        if self._polled:
+            self._ready.extend(token for token in self._polled if token not in tokens)
+        self._pass_left = len(self._ready)
+        return has_response
+
+    def _retry_refused(self) -> None:
+        """Move entities that their groups admit now from `_refused` to `_ready`."""
+        refused, self._refused = dict.fromkeys(self._refused), []
+        for token in refused:
+            entity = self._entities.get(token)
+            if entity is not None:
+                (self._ready if self.can_execute(entity) else self._refused).append(token)
+
+    def _run_on_spinning_thread(self, entity: Entity, token: int) -> bool:
+        """Run an entity without callbacks of the program on this thread; return False if it has nothing to run."""
+        for number in range(MOST_AT_ONCE):
+            taken = entity.take()
+            if taken is None:
+                return number > 0
+            entity.run(taken)
+        self._queue.post(token)
+        return True
+
+    def _wait_ns(self, end_ns: int | None) -> int:
+        if self._ready and self._has_room():
+            return 0
+        ends = [end for end in (end_ns, self._timers.next_ns()) if end is not None]
+        return max(0, min(ends) - time.monotonic_ns()) if ends else -1
+
+    def _begin(self, token: int) -> Work | None:
+        entity = self._entities.get(token)
+        if entity is None:
+            task = self._tasks.get(token)
+            return None if task is None else Work(None, task)
+        taken = self._take(entity, token)
+        return None if taken is None else Work(entity, taken)
+
+    def _take(self, entity: Entity, token: int) -> Any:
+        """Begin a callback in its group and return what to run it with; None if it may not run, or has nothing."""
+        group = entity.callback_group
+        if group is not None and type(group) not in _GROUPS_FREED_ON_COMPLETION:
+            return self._take_with_consent(group, entity, token)
+        if group is not None and not group.beginning_execution(entity):
+            group.park(lambda: self._queue.post(token))
+            if group.can_execute(entity):  # a callback completed in between
+                group.release_parked()
+            return None
+        taken = None
+        try:
+            taken = entity.take()
+        finally:
+            if taken is None:
+                self._end(entity)
+        self._reschedule(entity, token, taken)
+        return taken
+
+    def _take_with_consent(self, group: CallbackGroup, entity: Entity, token: int) -> Any:
+        """Do as `_take` for a group of the program's own class: begin a callback only if there is something to run.
+
+        A refused entity is tried again each time the executor wakes, because the group may admit it at any time.
+        """
+        if not group.can_execute(entity):
+            self._refused.append(token)
+            return None
+        taken = self._held.pop(token, None)
+        if taken is None:
+            taken = entity.take()
+            self._reschedule(entity, token, taken)
+        if taken is not None and not group.beginning_execution(entity):
+            self._held[token] = taken
+            self._refused.append(token)
+            return None
+        return taken
+
+    def _reschedule(self, entity: Entity, token: int, taken: Any) -> None:
+        if entity.is_timed:
+            self._timers.set(token, entity.deadline_ns())
+        elif taken is not None:
+            self._ready.append(token)
+
+    def _end(self, entity: Entity) -> None:
+        group = entity.callback_group
+        if group is not None:
+            group.ending_execution(entity)
+            group.release_parked()

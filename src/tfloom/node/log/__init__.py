@@ -1,0 +1,1 @@
+"""Loggers: severities, levels, and where records go."""

@@ -1,0 +1,207 @@
+"""Where log records go: the console in ROS's format, and a node's /rosout."""
+
+from __future__ import annotations
+
+import os
+import sys
+import threading
+import time
+from collections.abc import Callable
+
+from tfloom.node.log.log_file import LogFile
+from tfloom.node.log.logging_severity import LoggingSeverity
+from tfloom.node.values.constants import S_TO_NS
+
+__all__ = [
+    "Record",
+    "add_listener",
+    "configure",
+    "effective_level",
+    "get_level",
+    "remove_listener",
+    "reset_levels",
+    "set_level",
+    "write",
+]
+
+DEFAULT_FORMAT = "[{severity}] [{time}] [{name}]: {message}"
+_COLORS = {
+    LoggingSeverity.DEBUG: "\033[32m",
+    LoggingSeverity.INFO: "\033[0m",
+    LoggingSeverity.WARN: "\033[33m",
+    LoggingSeverity.ERROR: "\033[31m",
+    LoggingSeverity.FATAL: "\033[31m",
+}
+_NO_COLOR = "\033[0m"
+_ESCAPES = {"\\n": "\n", "\\t": "\t", "\\r": "\r", "\\a": "\a", "\\b": "\b", "\\x1b": "\x1b"}
+
+
+def _unescaped(text: str) -> str:
+    for written, meant in _ESCAPES.items():
+        text = text.replace(written, meant)
+    return text
+
+
+class Record:
+    """One call of a logger."""
+
+    __slots__ = ("file", "function", "line", "message", "name", "severity", "stamp_ns")
+
+    def __init__(
+        self, severity: LoggingSeverity, name: str, message: str, file: str, function: str, line: int
+    ) -> None:
+        self.severity = severity
+        self.name = name
+        self.message = message
+        self.file = file
+        self.function = function
+        self.line = line
+        self.stamp_ns = time.time_ns()
+
+    def format(self, template: str) -> str:
+        r"""Return `template` with each known `{token}` put in; others stay as they are.
+
+        Known: severity, name, message, time (seconds), time_as_nanoseconds, date_time_with_ms, file_name,
+        function_name, line_number. In the template itself, two characters that denote a control character
+        (`\n`, `\t`, `\r`, `\a`, `\b`) become that, and `\x1b` an escape.
+        """
+        if template == DEFAULT_FORMAT:
+            return f"[{self.severity.name}] [{self._seconds()}] [{self.name}]: {self.message}"
+        parts: list[str] = []
+        rest = template
+        while rest:
+            before, brace, rest = rest.partition("{")
+            parts.append(_unescaped(before) if "\\" in before else before)
+            if not brace:
+                break
+            token, end, after = rest.partition("}")
+            value = self._token(token) if end else None
+            parts.append("{" if value is None else value)
+            rest = rest if value is None else after
+        return "".join(parts)
+
+    def _seconds(self) -> str:
+        seconds, rest = divmod(self.stamp_ns, S_TO_NS)
+        return f"{seconds}.{rest:09d}"
+
+    def _token(self, token: str) -> str | None:
+        if token == "date_time_with_ms":  # noqa: S105  # a token of a format
+            stamp = time.strftime("%Y-%m-%d %H:%M:%S", time.localtime(self.stamp_ns // S_TO_NS))
+            return f"{stamp}.{self.stamp_ns // 1_000_000 % 1000:03d}"
+        tokens = {
+            "severity": self.severity.name,
+            "name": self.name,
+            "message": self.message,
+            "time": self._seconds(),
+            "time_as_nanoseconds": str(self.stamp_ns),
+            "file_name": self.file,
+            "function_name": self.function,
+            "line_number": str(self.line),
+        }
+        return tokens.get(token)
+
+
+_lock = threading.RLock()
+"""Guards changes of the names below; records are written without it, from what they hold at that moment."""
+_levels: dict[str, LoggingSeverity] = {"": LoggingSeverity.INFO}
+_effective: dict[str, LoggingSeverity] = {}
+_file: LogFile | None = None
+_to_console = True
+_listeners: dict[str, list[Callable[[Record], None]]] = {}
+
+
+def set_level(name: str, level: LoggingSeverity) -> None:
+    """Set the level of a name and of all below it that have none of their own; "" is the root."""
+    with _lock:
+        if level is LoggingSeverity.UNSET:
+            _levels.pop(name, None)
+        else:
+            _levels[name] = level
+        _effective.clear()
+
+
+def get_level(name: str) -> LoggingSeverity:
+    """Return the level that was set for exactly this name; UNSET if none was."""
+    return _levels.get(name, LoggingSeverity.UNSET)
+
+
+def effective_level(name: str) -> LoggingSeverity:
+    """Return the level of the nearest name, from `name` upwards, that has one."""
+    level = _effective.get(name)
+    if level is not None:
+        return level
+    with _lock:
+        at = name
+        while at and at not in _levels:
+            at = at.rpartition(".")[0]
+        level = _effective[name] = _levels.get(at, LoggingSeverity.INFO)
+        return level
+
+
+def reset_levels() -> None:
+    """Forget all levels."""
+    with _lock:
+        _levels.clear()
+        _effective.clear()
+        _levels[""] = LoggingSeverity.INFO
+
+
+def configure(*, file: LogFile | None, console: bool) -> None:
+    """Write records to `file` too (None: to none), and to the console or not, from now on."""
+    global _file, _to_console  # the process has one of each
+    with _lock:
+        if _file is not None:
+            _file.close()
+        _file, _to_console = file, console
+
+
+def add_listener(name: str, listener: Callable[[Record], None]) -> None:
+    """Call `listener` with each record of a logger and of those below it, on the thread that logs."""
+    with _lock:
+        _listeners[name] = [*_listeners.get(name, ()), listener]
+
+
+def remove_listener(name: str, listener: Callable[[Record], None]) -> None:
+    """Undo one `add_listener`."""
+    with _lock:
+        left = [other for other in _listeners.get(name, ()) if other != listener]
+        if left:
+            _listeners[name] = left
+        else:
+            _listeners.pop(name, None)
+
+
+def _use_color(stream: object) -> bool:
+    wish = os.environ.get("RCUTILS_COLORIZED_OUTPUT", "")
+    if wish in ("0", "1"):
+        return wish == "1"
+    isatty = getattr(stream, "isatty", None)
+    return bool(isatty is not None and isatty())
+
+
+def write(record: Record) -> None:
+    """Print a record, and hand it to the log file and to the listeners of its name."""
+    text = record.format(os.environ.get("RCUTILS_CONSOLE_OUTPUT_FORMAT") or DEFAULT_FORMAT)
+    if _to_console:
+        _print(text, record.severity)
+    file = _file
+    if file is not None:
+        file.write(text)
+    name = record.name
+    while name and _listeners:
+        for listener in _listeners.get(name, ()):
+            listener(record)
+        name = name.rpartition(".")[0]
+
+
+def _print(text: str, severity: LoggingSeverity) -> None:
+    stream = sys.stdout if os.environ.get("RCUTILS_LOGGING_USE_STDOUT") == "1" else sys.stderr
+    if stream is None:
+        return
+    try:
+        if _use_color(stream):
+            text = f"{_COLORS.get(severity, '')}{text}{_NO_COLOR}"
+        stream.write(f"{text}\n")
+        stream.flush()
+    except (OSError, ValueError):
+        pass  # a closed or broken stream: there is nowhere left to say so

@@ -1,0 +1,116 @@
+"""Loggers: what `Node.get_logger()` returns."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+from tfloom.node.log import log_output
+from tfloom.node.log.log_output import Record
+from tfloom.node.log.logging_filters import CallerId, CallState, make_state
+from tfloom.node.log.logging_severity import LoggingSeverity
+
+__all__ = ["CallerId", "RcutilsLogger"]
+
+_states: dict[CallerId, CallState] = {}
+
+
+class RcutilsLogger:
+    """Writes records under a name; the levels of the names above it, up to the root's, hold for it too.
+
+    Each of `debug`, `info`, `warning`, `error` and `fatal` takes these options, which belong to the place of the
+    call:
+
+    - `once=True`: only the first call is logged;
+    - `skip_first=True`: all but the first;
+    - `throttle_duration_sec=t`: at most one each t seconds, by the Clock `throttle_time_source_type` if given,
+      else by a steady one.
+
+    Args:
+        name: Names of nested loggers are joined by dots.
+    """
+
+    def __init__(self, name: str = "") -> None:
+        self.name = name
+
+    def get_child(self, name: str) -> RcutilsLogger:
+        """Return the logger of the name below this one's.
+
+        Raises:
+            ValueError: `name` is empty.
+        """
+        if not name:
+            raise ValueError("Child logger name must not be empty.")
+        return RcutilsLogger(f"{self.name}.{name}" if self.name else name)
+
+    def set_level(self, level: LoggingSeverity | int) -> None:
+        """Log only what is at least this severe; UNSET takes the level of the names above again."""
+        log_output.set_level(self.name, LoggingSeverity(level))
+
+    def get_effective_level(self) -> LoggingSeverity:
+        """Return the least severity that is logged."""
+        return log_output.effective_level(self.name)
+
+    def is_enabled_for(self, severity: LoggingSeverity | int) -> bool:
+        """Return whether records of this severity are logged."""
+        return severity >= log_output.effective_level(self.name)
+
+    def log(self, message: object, severity: LoggingSeverity | int, **kwargs: Any) -> bool:
+        """Log `message` at `severity`.
+
+        Returns:
+            Whether it was logged: not filtered out, and severe enough.
+
+        Raises:
+            TypeError: an option is unknown or misused.
+            ValueError: the place of the call has logged with another severity before, and has options.
+        """
+        return self._log(message, LoggingSeverity(severity), kwargs)
+
+    def debug(self, message: object, **kwargs: Any) -> bool:
+        """Log at DEBUG, as `log` does."""
+        return self._log(message, LoggingSeverity.DEBUG, kwargs)
+
+    def info(self, message: object, **kwargs: Any) -> bool:
+        """Log at INFO, as `log` does."""
+        return self._log(message, LoggingSeverity.INFO, kwargs)
+
+    def warning(self, message: object, **kwargs: Any) -> bool:
+        """Log at WARN, as `log` does."""
+        return self._log(message, LoggingSeverity.WARN, kwargs)
+
+    def error(self, message: object, **kwargs: Any) -> bool:
+        """Log at ERROR, as `log` does."""
+        return self._log(message, LoggingSeverity.ERROR, kwargs)
+
+    def fatal(self, message: object, **kwargs: Any) -> bool:
+        """Log at FATAL, as `log` does."""
+        return self._log(message, LoggingSeverity.FATAL, kwargs)
+
+    warn = warning
+
+    def _log(self, message: object, severity: LoggingSeverity, options: dict[str, Any]) -> bool:
+        if severity < log_output.effective_level(self.name) and not options:
+            return False
+        frame = sys._getframe(2)  # noqa: SLF001  # the caller of info() and the like
+        name = options.pop("name", self.name) if options else self.name
+        if options:
+            caller = CallerId(frame.f_code, frame.f_lineno, frame.f_lasti)
+            state = _states.get(caller)
+            if state is None:
+                state = _states[caller] = make_state(severity, options)
+            if state.severity != severity:
+                raise ValueError("Logger severity cannot be changed between calls.")
+            if severity < log_output.effective_level(name) or not state.lets_through():
+                return False
+        log_output.write(
+            Record(
+                severity,
+                name,
+                str(message),
+                frame.f_code.co_filename,
+                frame.f_code.co_name,
+                frame.f_lineno,
+            )
+        )
+        return True

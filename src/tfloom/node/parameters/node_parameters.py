@@ -1,0 +1,313 @@
+"""The parameters of a node: declaring and setting them."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
+from tfloom.node.parameters.declared_parameters import DeclaredParameters
+from tfloom.node.parameters.exceptions import (
+    InvalidParameterTypeException,
+    InvalidParameterValueException,
+    ParameterAlreadyDeclaredException,
+    ParameterImmutableException,
+    ParameterNotDeclaredException,
+)
+from tfloom.node.parameters.parameter import Parameter, ParameterType
+from tfloom.node.parameters.parameter_declaration import Declaration, read_declarations
+from tfloom.node.parameters.parameter_rules import check_against_descriptor
+from tfloom.node.parameters.validate_parameter_name import validate_parameter_name
+
+__all__ = ["NodeParameters"]
+
+_SetCallback = Callable[[list[Parameter]], rcl_msg.SetParametersResult]
+_PreCallback = Callable[[list[Parameter]], list[Parameter]]
+_PostCallback = Callable[[list[Parameter]], None]
+
+
+class NodeParameters(DeclaredParameters):
+    """Declares and sets parameters; a base of Node.
+
+    Args:
+        overrides: First values of parameters, by name.
+        allow_undeclared: Whether parameters may be set that aren't declared.
+        publish_event: Takes the new, changed and deleted parameters of each setting; it adds stamp and node.
+    """
+
+    def __init__(
+        self,
+        overrides: dict[str, Parameter],
+        *,
+        allow_undeclared: bool,
+        publish_event: Callable[[rcl_msg.ParameterEvent], None],
+    ) -> None:
+        DeclaredParameters.__init__(self, allow_undeclared=allow_undeclared)
+        self._parameter_overrides = overrides
+        self.__publish_event = publish_event
+        self.__pre_set_callbacks: list[_PreCallback] = []
+        self.__on_set_callbacks: list[_SetCallback] = []
+        self.__post_set_callbacks: list[_PostCallback] = []
+        self.__parameters_lock = threading.RLock()
+        """Held while parameters are declared, undeclared or set; reading takes none."""
+
+    # Declaring
+
+    def declare_parameter(
+        self,
+        name: str,
+        value: Any = None,
+        descriptor: rcl_msg.ParameterDescriptor | None = None,
+        ignore_override: bool = False,
+    ) -> Parameter:
+        """Declare one parameter, and return it with the value it has now.
+
+        Args:
+            name: Its name.
+            value: Its default, which fixes its type; or a Parameter.Type, for a parameter with no default.
+            descriptor: Its description, and what it allows.
+            ignore_override: Whether to begin with the default even if the command line gives a value.
+
+        Raises:
+            ParameterAlreadyDeclaredException: it is declared.
+            InvalidParameterException: the name is empty.
+            InvalidParameterTypeException: the value given on the command line is of another type.
+            InvalidParameterValueException: the first value is out of range, or refused by a callback.
+        """
+        if value is None and descriptor is None:
+            return self.declare_parameters("", [(name,)], ignore_override)[0]
+        descriptor = rcl_msg.ParameterDescriptor() if descriptor is None else descriptor
+        return self.declare_parameters("", [(name, value, descriptor)], ignore_override)[0]
+
+    def declare_parameters(
+        self,
+        namespace: str,
+        parameters: Sequence[tuple[Any, ...]],
+        ignore_override: bool = False,
+    ) -> list[Parameter]:
+        """Declare several parameters; each is a tuple of the first one to three arguments of `declare_parameter`.
+
+        Args:
+            namespace: Put before each name, with a dot; "" for none.
+            parameters: The tuples.
+            ignore_override: As for `declare_parameter`.
+
+        Raises:
+            TypeError: a tuple isn't of that form.
+            ValueError: a type is NOT_SET, or given together with dynamic typing.
+            ParameterException: as from `declare_parameter`; those before it in the list are declared then.
+        """
+        declarations = read_declarations(namespace, parameters)
+        with self.__parameters_lock:
+            known = [each.name for each in declarations if each.name in self._parameters]
+            if known:
+                raise ParameterAlreadyDeclaredException(known)
+            for each in declarations:
+                validate_parameter_name(each.name)
+            for each in declarations:
+                self.__declare(each, ignore_override)
+            return [self._parameters[each.name] for each in declarations]
+
+    def __declare(self, declaration: Declaration, ignore_override: bool) -> None:
+        parameter = Parameter(declaration.name, value=declaration.default)
+        if not ignore_override and declaration.name in self._parameter_overrides:
+            parameter = self._parameter_overrides[declaration.name]
+        descriptor = declaration.descriptor
+        if parameter.type_ is ParameterType.NOT_SET:
+            self._descriptors[parameter.name] = descriptor
+            self._parameters[parameter.name] = parameter
+            return
+        result = self.__apply([parameter], {parameter.name: descriptor})
+        if result.successful:
+            return
+        if result.reason.startswith("Wrong parameter type"):
+            raise InvalidParameterTypeException(parameter, ParameterType(descriptor.type).name)
+        raise InvalidParameterValueException(parameter.name, parameter.value, result.reason)
+
+    def undeclare_parameter(self, name: str) -> None:
+        """Remove a parameter.
+
+        Raises:
+            ParameterNotDeclaredException: it isn't declared.
+            ParameterImmutableException: it is read-only.
+        """
+        with self.__parameters_lock:
+            if name not in self._parameters:
+                raise ParameterNotDeclaredException(name)
+            if self._descriptors[name].read_only:
+                raise ParameterImmutableException(name)
+            del self._parameters[name]
+            del self._descriptors[name]
+
+    # Setting
+
+    def set_parameters(self, parameter_list: list[Parameter]) -> list[rcl_msg.SetParametersResult]:
+        """Set parameters one by one, and return how each went: refused, with a reason, or done.
+
+        Raises:
+            TypeError: an item is no Parameter.
+            ParameterNotDeclaredException: one isn't declared, and the node doesn't allow undeclared ones; those
+                before it are set then.
+        """
+        results: list[rcl_msg.SetParametersResult] = []
+        for parameter in parameter_list:
+            self.__check_declared([parameter])
+            results.append(self.__set_atomically([parameter]))
+        return results
+
+    def set_parameters_atomically(self, parameter_list: list[Parameter]) -> rcl_msg.SetParametersResult:
+        """Set all parameters, or none of them if one is refused.
+
+        Raises:
+            TypeError: an item is no Parameter.
+            ParameterNotDeclaredException: one isn't declared, and the node doesn't allow undeclared ones.
+        """
+        self.__check_declared(parameter_list)
+        return self.__set_atomically(parameter_list)
+
+    def __check_declared(self, parameters: Sequence[Parameter]) -> None:
+        if not all(isinstance(parameter, Parameter) for parameter in parameters):
+            raise TypeError("parameter must be instance of type 'rclpy.parameter.Parameter'")
+        if self._allow_undeclared_parameters:
+            return
+        unknown = [each.name for each in parameters if each.name not in self._parameters]
+        if unknown:
+            raise ParameterNotDeclaredException(unknown)
+
+    def __set_atomically(self, parameters: list[Parameter]) -> rcl_msg.SetParametersResult:
+        with self.__parameters_lock:
+            for pre_callback in self.__pre_set_callbacks:
+                parameters = pre_callback(parameters)
+                if not parameters:
+                    reason = (
+                        "parameter list cannot be empty, this might be due to pre_set_parameters_callback "
+                        "modifying the original parameters list."
+                    )
+                    return rcl_msg.SetParametersResult(successful=False, reason=reason)
+            self.__check_declared(parameters)
+            descriptors = {each.name: self.__descriptor_for(each.name) for each in parameters}
+            return self.__apply(parameters, descriptors, check_read_only=True)
+
+    def __descriptor_for(self, name: str) -> rcl_msg.ParameterDescriptor:
+        return self._descriptors.get(name) or rcl_msg.ParameterDescriptor(name=name, dynamic_typing=True)
+
+    def __apply(
+        self,
+        parameters: list[Parameter],
+        descriptors: dict[str, rcl_msg.ParameterDescriptor],
+        *,
+        check_read_only: bool = False,
+    ) -> rcl_msg.SetParametersResult:
+        """Set parameters that their descriptors and all callbacks allow, and publish the change."""
+        for parameter in parameters:
+            reason = check_against_descriptor(
+                parameter, descriptors[parameter.name], check_read_only=check_read_only
+            )
+            if reason is not None:
+                return rcl_msg.SetParametersResult(successful=False, reason=reason)
+        result = rcl_msg.SetParametersResult(successful=True)
+        for callback in self.__on_set_callbacks:
+            result = callback(parameters)
+            if not result.successful:
+                return result
+        event = rcl_msg.ParameterEvent()
+        for parameter in parameters:
+            self.__store(parameter, descriptors[parameter.name], event)
+        self.__publish_event(event)
+        for post_callback in self.__post_set_callbacks:
+            post_callback(parameters)
+        return result
+
+    def __store(
+        self, parameter: Parameter, descriptor: rcl_msg.ParameterDescriptor, event: rcl_msg.ParameterEvent
+    ) -> None:
+        name = parameter.name
+        old = self._parameters.get(name)
+        was_set = old is not None and old.type_ is not ParameterType.NOT_SET
+        if parameter.type_ is ParameterType.NOT_SET:
+            self._parameters.pop(name, None)
+            self._descriptors.pop(name, None)
+            if was_set:
+                event.deleted_parameters.append(parameter.to_parameter_msg())
+            return
+        self._parameters[name] = parameter
+        descriptor.name = name
+        if descriptor.dynamic_typing or descriptor.type == ParameterType.NOT_SET.value:
+            descriptor.type = parameter.type_.value
+        self._descriptors[name] = descriptor
+        changes = event.changed_parameters if was_set else event.new_parameters
+        changes.append(parameter.to_parameter_msg())
+
+    def set_descriptor(
+        self,
+        name: str,
+        descriptor: rcl_msg.ParameterDescriptor,
+        alternative_value: rcl_msg.ParameterValue | None = None,
+    ) -> rcl_msg.ParameterValue:
+        """Give a parameter another descriptor, and the alternative value if it doesn't allow the present one.
+
+        Returns:
+            The value it has then.
+
+        Raises:
+            ParameterNotDeclaredException: it isn't declared, and the node doesn't allow undeclared ones.
+            ParameterImmutableException: it is read-only.
+            InvalidParameterValueException: the descriptor allows neither value.
+        """
+        with self.__parameters_lock:
+            if name not in self._parameters:
+                if not self._allow_undeclared_parameters:
+                    raise ParameterNotDeclaredException(name)
+                return Parameter(name).get_parameter_value()
+            if self.describe_parameter(name).read_only:
+                raise ParameterImmutableException(name)
+            current = self._parameters[name]
+            target = current
+            if alternative_value is not None:
+                as_msg = rcl_msg.Parameter(name=name, value=alternative_value)
+                target = Parameter.from_parameter_msg(as_msg)
+            if not descriptor.dynamic_typing and descriptor.type == ParameterType.NOT_SET.value:
+                descriptor.type = target.type_.value
+            result = self.__apply([target], {name: descriptor})
+            if not result.successful:
+                raise InvalidParameterValueException(name, target.value, result.reason)
+            return self._parameters[name].get_parameter_value()
+
+    # Callbacks
+
+    def add_pre_set_parameters_callback(self, callback: _PreCallback) -> None:
+        """Set what `callback(parameters)` returns instead of the given list; the last added is called first."""
+        self.__pre_set_callbacks.insert(0, callback)
+
+    def add_on_set_parameters_callback(self, callback: _SetCallback) -> None:
+        """Set only what `callback(parameters)` accepts, declarations too; the last added is called first."""
+        self.__on_set_callbacks.insert(0, callback)
+
+    def add_post_set_parameters_callback(self, callback: _PostCallback) -> None:
+        """Call `callback(parameters)` after each setting; the last added is called first."""
+        self.__post_set_callbacks.insert(0, callback)
+
+    def remove_pre_set_parameters_callback(self, callback: _PreCallback) -> None:
+        """Undo one `add_pre_set_parameters_callback`.
+
+        Raises:
+            ValueError: it wasn't added.
+        """
+        self.__pre_set_callbacks.remove(callback)
+
+    def remove_on_set_parameters_callback(self, callback: _SetCallback) -> None:
+        """Undo one `add_on_set_parameters_callback`.
+
+        Raises:
+            ValueError: it wasn't added.
+        """
+        self.__on_set_callbacks.remove(callback)
+
+    def remove_post_set_parameters_callback(self, callback: _PostCallback) -> None:
+        """Undo one `add_post_set_parameters_callback`.
+
+        Raises:
+            ValueError: it wasn't added.
+        """
+        self.__post_set_callbacks.remove(callback)

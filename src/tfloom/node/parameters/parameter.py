@@ -1,0 +1,219 @@
+"""Parameters: a name, a type and a value."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from enum import Enum
+from typing import TYPE_CHECKING, Any
+
+from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
+from tfloom.node.parameters.parameter_file import read_parameter_file
+from tfloom.node.values.names import full_node_name
+from tfloom.node.values.scalars import parse_value
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+__all__ = [
+    "PARAMETER_SEPARATOR_STRING",
+    "Parameter",
+    "get_parameter_value",
+    "parameter_dict_from_yaml_file",
+    "parameter_value_to_python",
+]
+
+PARAMETER_SEPARATOR_STRING = "."
+
+
+class ParameterType(Enum):
+    """The types; the numbers are those of `rcl_interfaces/msg/ParameterType`."""
+
+    NOT_SET = 0
+    BOOL = 1
+    INTEGER = 2
+    DOUBLE = 3
+    STRING = 4
+    BYTE_ARRAY = 5
+    BOOL_ARRAY = 6
+    INTEGER_ARRAY = 7
+    DOUBLE_ARRAY = 8
+    STRING_ARRAY = 9
+
+    @classmethod
+    def from_parameter_value(cls, parameter_value: Any) -> ParameterType:
+        """Return the type that a value has; an empty list counts as BYTE_ARRAY.
+
+        Raises:
+            TypeError: no parameter can have this value.
+        """
+        for kind, check in _CHECKS.items():
+            if check(parameter_value):
+                return kind
+        names = ", ".join(kind.name for kind in cls)
+        raise TypeError(f"The given value is not one of the allowed types '{names}'.")
+
+    def check(self, parameter_value: Any) -> bool:
+        """Return whether a value is of this type."""
+        return _CHECKS[self](parameter_value)
+
+
+# What prints it, error texts of set_parameters among them, knows it as Parameter.Type.
+ParameterType.__name__ = "Type"
+ParameterType.__qualname__ = "Parameter.Type"
+
+
+def _is_scalar(kind: type) -> Callable[[Any], bool]:
+    # A bool is an int to Python.
+    return lambda value: isinstance(value, kind) and (kind is bool or not isinstance(value, bool))
+
+
+def _is_list(item: Callable[[Any], bool]) -> Callable[[Any], bool]:
+    def check(value: Any) -> bool:
+        if isinstance(value, (str, bytes)):
+            return False
+        if hasattr(value, "tolist"):  # an array of numbers
+            value = value.tolist()
+        return isinstance(value, Sequence) and all(item(each) for each in value)
+
+    return check
+
+
+_CHECKS: dict[ParameterType, Callable[[Any], bool]] = {
+    ParameterType.NOT_SET: lambda value: value is None,
+    ParameterType.BOOL: _is_scalar(bool),
+    ParameterType.INTEGER: _is_scalar(int),
+    ParameterType.DOUBLE: _is_scalar(float),
+    ParameterType.STRING: _is_scalar(str),
+    ParameterType.BYTE_ARRAY: _is_list(lambda item: isinstance(item, bytes) and len(item) == 1),
+    ParameterType.BOOL_ARRAY: _is_list(_is_scalar(bool)),
+    ParameterType.INTEGER_ARRAY: _is_list(_is_scalar(int)),
+    ParameterType.DOUBLE_ARRAY: _is_list(_is_scalar(float)),
+    ParameterType.STRING_ARRAY: _is_list(_is_scalar(str)),
+}
+_FIELDS = {kind: f"{kind.name.lower()}_value" for kind in ParameterType if kind is not ParameterType.NOT_SET}
+
+
+class Parameter:
+    """A named value.
+
+    Args:
+        name: Parts are joined by dots.
+        type_: The value's type; None: what the value has.
+        value: None, bool, int, float, str, or a list of bytes (one each), bools, ints, floats or strings.
+
+    Raises:
+        TypeError: `type_` is no Parameter.Type, or the value is of no type that a parameter can have.
+        ValueError: value and type don't go together.
+    """
+
+    Type = ParameterType
+    __slots__ = ("_name", "_type_", "_value")
+
+    def __init__(self, name: str, type_: ParameterType | None = None, value: Any = None) -> None:
+        if type_ is None:
+            type_ = ParameterType.from_parameter_value(value)
+        if not isinstance(type_, ParameterType):
+            raise TypeError("type must be an instance of 'Parameter.Type'")
+        if not type_.check(value):
+            raise ValueError(f"Type '{type_}' and value '{value}' do not agree")
+        self._name = name
+        self._type_ = type_
+        self._value = value
+
+    @classmethod
+    def from_parameter_msg(cls, param_msg: rcl_msg.Parameter) -> Parameter:
+        """Return the parameter that a `rcl_interfaces/msg/Parameter` holds."""
+        kind = ParameterType(param_msg.value.type)
+        return cls(param_msg.name, kind, parameter_value_to_python(param_msg.value))
+
+    @property
+    def name(self) -> str:
+        """The name."""
+        return self._name
+
+    @property
+    def type_(self) -> ParameterType:
+        """The value's type."""
+        return self._type_
+
+    @property
+    def value(self) -> Any:
+        """The value; None if it is not set."""
+        return self._value
+
+    def get_parameter_value(self) -> rcl_msg.ParameterValue:
+        """Return the value as a message."""
+        message = rcl_msg.ParameterValue(type=self._type_.value)
+        if self._type_ is not ParameterType.NOT_SET:
+            value = self._value
+            is_array = self._type_.value >= ParameterType.BYTE_ARRAY.value
+            setattr(message, _FIELDS[self._type_], list(value) if is_array else value)
+        return message
+
+    def to_parameter_msg(self) -> rcl_msg.Parameter:
+        """Return name and value as a message."""
+        return rcl_msg.Parameter(name=self._name, value=self.get_parameter_value())
+
+    def __repr__(self) -> str:
+        return f"Parameter(name={self._name!r}, type_={self._type_}, value={self._value!r})"
+
+
+def parameter_value_to_python(parameter_value: rcl_msg.ParameterValue) -> Any:
+    """Return the value that a message holds; None if it is not set.
+
+    Raises:
+        RuntimeError: its type is none that parameters have.
+    """
+    try:
+        kind = ParameterType(parameter_value.type)
+    except ValueError:
+        raise RuntimeError(f"unexpected parameter type {parameter_value.type}") from None
+    if kind is ParameterType.NOT_SET:
+        return None
+    value = getattr(parameter_value, _FIELDS[kind])
+    return list(value) if kind.value >= ParameterType.BYTE_ARRAY.value else value
+
+
+def get_parameter_value(string_value: str) -> rcl_msg.ParameterValue:
+    """Return the message for a value written as YAML; what is no parameter's value otherwise is a string."""
+    try:
+        value = parse_value(string_value)
+        return Parameter("", value=value).get_parameter_value()
+    except (TypeError, ValueError):
+        return Parameter("", value=string_value).get_parameter_value()
+
+
+def parameter_dict_from_yaml_file(
+    parameter_file: str | Path,
+    use_wildcard: bool = False,
+    target_nodes: list[str] | None = None,
+    namespace: str = "",
+) -> dict[str, rcl_msg.Parameter]:
+    """Return the parameters in a file by name, with `namespace` before each.
+
+    Args:
+        parameter_file: The YAML file.
+        use_wildcard: Whether values for `/**` count, too.
+        target_nodes: Full names of the nodes to read; None: all.
+        namespace: Joined to each name by a dot.
+
+    Raises:
+        OSError: the file can't be read.
+        ValueError: it isn't a file of parameters.
+        RuntimeError: a target node isn't in it.
+    """
+    rules = read_parameter_file(parameter_file)
+    targets = (
+        None if target_nodes is None else [full_node_name("/", node.strip("/")) for node in target_nodes]
+    )
+    if targets is not None and not use_wildcard:
+        missing = [node for node in targets if all(rule.node != node for rule in rules)]
+        if missing:
+            raise RuntimeError(f"Param file does not contain any valid parameters for {', '.join(missing)}")
+    found: dict[str, rcl_msg.Parameter] = {}
+    for rule in rules:
+        is_wild = "*" in rule.node
+        if use_wildcard if is_wild else targets is None or rule.node in targets:
+            name = f"{namespace}{PARAMETER_SEPARATOR_STRING}{rule.name}" if namespace else rule.name
+            found[name] = Parameter(name, value=rule.value).to_parameter_msg()
+    return found

@@ -1,0 +1,111 @@
+"""First values of parameters, and the YAML files that give them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from tfloom.node.values.scalars import parse_value
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+# A wrong form of a file is a wrong value, whichever Python type it has.
+# ruff: noqa: TRY004
+
+__all__ = ["ParameterRule", "checked_value", "read_parameter_file"]
+
+_KEY = "ros__parameters"
+
+
+class ParameterRule(NamedTuple):
+    """A parameter's value for the nodes that a pattern names."""
+
+    node: str
+    """Full name of a node; `*` matches one part of it, `**` any number of parts."""
+    name: str
+    value: Any
+
+    def is_for(self, full_name: str) -> bool:
+        """Return whether the pattern matches this full name."""
+        if self.node == "/**":
+            return True
+        parts = (
+            ".*" if part == "**" else "[^/]*" if part == "*" else re.escape(part)
+            for part in self.node.split("/")
+        )
+        return re.fullmatch("/".join(parts).replace("/.*", "(/.*)?"), full_name) is not None
+
+
+def read_parameter_file(path: str | Path) -> list[ParameterRule]:
+    """Return the values that a file gives to parameters, in its order.
+
+    Raises:
+        OSError: the file can't be read.
+        ValueError: it isn't such a file; the text says what is wrong, and where.
+    """
+    from pathlib import Path
+
+    try:
+        text = Path(path).read_text("utf-8")
+    except UnicodeDecodeError:
+        raise ValueError(f"{path} isn't UTF-8 text") from None
+    try:
+        content = parse_value(text)
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from None
+    if content == "":
+        return []
+    if not isinstance(content, dict):
+        raise ValueError(f"{path} must hold a mapping of node names, not {type(content).__name__}")
+    return [rule for key, value in content.items() for rule in _nodes(_join("", key), value)]
+
+
+def _join(namespace: str, key: str) -> str:
+    return f"{namespace}/{key.strip('/')}"
+
+
+def _nodes(node: str, content: Any) -> Iterator[ParameterRule]:
+    if not isinstance(content, dict):
+        raise ValueError(f"{node}: expected '{_KEY}' below it, found {content!r}")
+    for key, value in content.items():
+        if key != _KEY:
+            yield from _nodes(_join(node, key), value)
+            continue
+        if not isinstance(value, dict):
+            raise ValueError(f"{node}: '{_KEY}' must hold names and values, not {value!r}")
+        yield from _parameters(node, "", value)
+
+
+def _parameters(node: str, prefix: str, content: dict[str, Any]) -> Iterator[ParameterRule]:
+    for key, value in content.items():
+        name = f"{prefix}{key}"
+        if isinstance(value, dict):
+            yield from _parameters(node, f"{name}.", value)
+        else:
+            yield ParameterRule(node, name, _checked(node, name, value))
+
+
+def _checked(node: str, name: str, value: Any) -> Any:
+    try:
+        return checked_value(name, value)
+    except ValueError as error:
+        raise ValueError(f"{node}: {error}") from None
+
+
+def checked_value(name: str, value: Any) -> Any:
+    """Return the value that a parameter takes: a list of whole and other numbers is one of floats.
+
+    Raises:
+        ValueError: it is a list, and no parameter has such a one.
+    """
+    if not isinstance(value, list):
+        return value
+    kinds = {type(item) for item in value}
+    if kinds == {int, float}:
+        return [float(item) for item in value]
+    if len(kinds) > 1 or not kinds <= {bool, int, float, str, bytes}:
+        found = ", ".join(sorted(kind.__name__ for kind in kinds))
+        raise ValueError(f"the list of '{name}' must be of one scalar type, not {found}")
+    return value

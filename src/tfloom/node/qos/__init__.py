@@ -1,0 +1,1 @@
+"""Quality of service as programs state it, and what parameters override of it."""

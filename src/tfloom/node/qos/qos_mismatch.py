@@ -1,0 +1,71 @@
+"""The warning about two endpoints of a topic whose QoS is incompatible."""
+
+from __future__ import annotations
+
+from tfloom.node.qos.qos import qos_policy_name_from_kind
+from tfloom.node.values.constants import S_TO_NS
+from tfloom.rmw.base import EndpointInfo, Graph
+from tfloom.rmw.compatibility import incompatible_policies
+from tfloom.rmw.events import IncompatibleQoS
+from tfloom.rmw.qos import INFINITE_NS, QoS
+
+__all__ = ["mismatch_text"]
+
+
+def mismatch_text(
+    status: IncompatibleQoS, topic_name: str, gid: bytes, graph: Graph, *, is_publisher: bool
+) -> str:
+    """Return the warning of a publisher or subscription, with the QoS of both sides.
+
+    Args:
+        status: Status of the event.
+        topic_name: Fully qualified name of the topic.
+        gid: Global id of the endpoint that warns, 16 octets.
+        graph: Graph in which the other endpoints are looked up.
+        is_publisher: Whether the endpoint that warns is the publisher.
+    """
+    peer, verb, consequence = (
+        ("subscription", "requesting", "No messages will be sent to it")
+        if is_publisher
+        else ("publisher", "offering", "No messages will be received from it")
+    )
+    policy = qos_policy_name_from_kind(status.last_policy_kind)
+    return (
+        f"New {peer} discovered on topic '{topic_name}', {verb} incompatible QoS. {consequence}. "
+        f"Last incompatible policy: {policy}{_both_sides(topic_name, gid, graph, is_publisher)}"
+    )
+
+
+def _both_sides(topic_name: str, gid: bytes, graph: Graph, is_publisher: bool) -> str:
+    ends = [info for info in graph.endpoints() if info.topic.name == topic_name]
+    mine = next((info for info in ends if info.gid == gid), None)
+    peers = [info for info in ends if info.is_writer != is_publisher]
+    texts = [text for peer in peers for text in _differences(mine, peer, is_publisher)] if mine else []
+    return f" ({'; '.join(texts)})" if texts else ""
+
+
+def _differences(mine: EndpointInfo, peer: EndpointInfo, is_publisher: bool) -> list[str]:
+    writer, reader = (mine, peer) if is_publisher else (peer, mine)
+    whose = "an unknown node" if peer.node is None else peer.node.full
+    return [
+        f"offered {_show(writer.qos, reader.qos, kind.name)}, "
+        f"requested {_show(reader.qos, writer.qos, kind.name)}, peer {whose}"
+        for kind in incompatible_policies(writer.qos, reader.qos)
+    ]
+
+
+def _show(qos: QoS, other: QoS, policy: str) -> str:
+    """Return a policy of one end, with what sets it apart from the other's."""
+    if policy == "DEADLINE":
+        return f"DEADLINE of {_seconds(qos.deadline_ns)}" if qos.deadline_ns < INFINITE_NS else "no DEADLINE"
+    text = f"{policy} {getattr(qos, policy.lower()).name}"
+    if policy == "LIVELINESS" and qos.liveliness == other.liveliness:
+        lease_ns = qos.liveliness_lease_ns
+        return text + (
+            f" with a lease of {_seconds(lease_ns)}" if lease_ns < INFINITE_NS else " with no lease"
+        )
+    return text
+
+
+def _seconds(nanoseconds: int) -> str:
+    return f"{nanoseconds / S_TO_NS:g} s"

@@ -1,0 +1,132 @@
+"""QoS profiles that parameters may override: `qos_overrides.<topic>.<publisher or subscription>.<policy>`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING, Any
+
+from tfloom.interfaces.rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
+from tfloom.node.qos.qos import (
+    DurabilityPolicy,
+    HistoryPolicy,
+    LivelinessPolicy,
+    QoSPolicyEnum,
+    QoSPolicyKind,
+    QoSProfile,
+    ReliabilityPolicy,
+)
+from tfloom.node.values.duration import Duration
+
+if TYPE_CHECKING:
+    from tfloom.node.parameters.node_parameters import NodeParameters
+
+__all__ = ["InvalidQosOverridesError", "QoSOverridingOptions", "apply_overrides"]
+
+_ENUMS: dict[QoSPolicyKind, type[QoSPolicyEnum]] = {
+    QoSPolicyKind.HISTORY: HistoryPolicy,
+    QoSPolicyKind.RELIABILITY: ReliabilityPolicy,
+    QoSPolicyKind.DURABILITY: DurabilityPolicy,
+    QoSPolicyKind.LIVELINESS: LivelinessPolicy,
+}
+_DURATIONS = (QoSPolicyKind.DEADLINE, QoSPolicyKind.LIFESPAN, QoSPolicyKind.LIVELINESS_LEASE_DURATION)
+
+
+class InvalidQosOverridesError(Exception):
+    """The overrides give a profile that can't be, or that a callback refuses."""
+
+
+class QoSOverridingOptions:
+    """Which policies of a publisher or subscription parameters may override.
+
+    Args:
+        policy_kinds: The policies.
+        callback: Takes the profile with the overrides in it, and accepts or refuses it.
+        entity_id: Distinguishes several endpoints of one topic in one node.
+    """
+
+    def __init__(
+        self,
+        policy_kinds: Iterable[QoSPolicyKind],
+        *,
+        callback: Callable[[QoSProfile], SetParametersResult] | None = None,
+        entity_id: str | None = None,
+    ) -> None:
+        self._policy_kinds = list(policy_kinds)
+        self._callback = callback
+        self._entity_id = entity_id
+
+    @property
+    def policy_kinds(self) -> list[QoSPolicyKind]:
+        """The policies that may be overridden."""
+        return self._policy_kinds
+
+    @property
+    def callback(self) -> Callable[[QoSProfile], SetParametersResult] | None:
+        """Accepts or refuses the profile with the overrides in it."""
+        return self._callback
+
+    @property
+    def entity_id(self) -> str | None:
+        """Distinguishes several endpoints of one topic in one node."""
+        return self._entity_id
+
+    @classmethod
+    def with_default_policies(
+        cls,
+        *,
+        callback: Callable[[QoSProfile], SetParametersResult] | None = None,
+        entity_id: str | None = None,
+    ) -> QoSOverridingOptions:
+        """Return options for history, depth and reliability."""
+        kinds = (QoSPolicyKind.HISTORY, QoSPolicyKind.DEPTH, QoSPolicyKind.RELIABILITY)
+        return cls(kinds, callback=callback, entity_id=entity_id)
+
+
+def apply_overrides(
+    node: NodeParameters, kind: str, topic_name: str, profile: QoSProfile, options: QoSOverridingOptions
+) -> QoSProfile:
+    """Declare the parameters of the policies, and return the profile with what they say.
+
+    Args:
+        node: Whose parameters.
+        kind: `publisher` or `subscription`.
+        topic_name: The topic's full name.
+        profile: What holds where nothing is overridden.
+        options: What may be.
+
+    Raises:
+        InvalidQosOverridesError: a value is no such policy's, or the callback refuses the outcome.
+        InvalidParameterTypeException: a value is of the wrong type.
+    """
+    settings = {name: getattr(profile, name) for name in profile.field_names()}
+    suffix = f"_{options.entity_id}" if options.entity_id else ""
+    for policy in options.policy_kinds:
+        name = f"qos_overrides.{topic_name}.{kind}{suffix}.{policy.name.lower()}"
+        settings[policy.name.lower()] = _declare(node, name, policy, settings[policy.name.lower()])
+    overridden = QoSProfile(**settings)
+    if options.callback is not None:
+        result = options.callback(overridden)
+        if not result.successful:
+            raise InvalidQosOverridesError(f"Provided QoS overrides were refused: {result.reason}")
+    return overridden
+
+
+def _declare(node: NodeParameters, name: str, policy: QoSPolicyKind, default: Any) -> Any:
+    descriptor = ParameterDescriptor(read_only=True)
+    if policy in _DURATIONS:
+        return Duration(nanoseconds=_value(node, name, default.nanoseconds, descriptor))
+    kind = _ENUMS.get(policy)
+    if kind is None:
+        return _value(node, name, default, descriptor)
+    text = _value(node, name, default.short_key, descriptor)
+    try:
+        return kind.get_from_short_key(text)
+    except KeyError:
+        known = ", ".join(kind.short_keys())
+        raise InvalidQosOverridesError(f"{name} is '{text}', which is none of: {known}") from None
+
+
+def _value(node: NodeParameters, name: str, default: Any, descriptor: ParameterDescriptor) -> Any:
+    if not node.has_parameter(name):
+        node.declare_parameter(name, default, descriptor)
+    return node.get_parameter(name).value

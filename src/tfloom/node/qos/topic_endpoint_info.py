@@ -1,0 +1,124 @@
+"""Description of one publisher or subscription on the graph."""
+
+from __future__ import annotations
+
+from enum import IntEnum
+from typing import TYPE_CHECKING, Any
+
+from tfloom.node.qos.qos import QoSProfile, qos_profile_unknown
+from tfloom.node.values.type_hash import TypeHash
+from tfloom.rmw.base import NodeName
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+    from tfloom.rmw.base import EndpointInfo
+
+__all__ = ["TopicEndpointInfo", "TopicEndpointTypeEnum"]
+
+UNKNOWN_NODE_NAME = "_NODE_NAME_UNKNOWN_"
+UNKNOWN_NODE_NAMESPACE = "_NODE_NAMESPACE_UNKNOWN_"
+
+
+class TopicEndpointTypeEnum(IntEnum):
+    """Which endpoint of a topic."""
+
+    INVALID = 0
+    PUBLISHER = 1
+    SUBSCRIPTION = 2
+
+
+class TopicEndpointInfo:
+    """A publisher or subscription of any node.
+
+    Args:
+        kwargs: Any of the properties below; what isn't given is empty.
+
+    Raises:
+        TypeError: there is no such property.
+    """
+
+    __slots__ = (
+        "endpoint_gid",
+        "endpoint_type",
+        "node_name",
+        "node_namespace",
+        "qos_profile",
+        "topic_type",
+        "topic_type_hash",
+    )
+
+    node_name: str
+    """Name of its node; `_NODE_NAME_UNKNOWN_` while that isn't known."""
+    node_namespace: str
+    """Namespace of its node; `_NODE_NAMESPACE_UNKNOWN_` while that isn't known."""
+    topic_type: str
+    """The type's name, e.g. `std_msgs/msg/String`."""
+    topic_type_hash: TypeHash
+    """The hash of the type's definition."""
+    endpoint_type: TopicEndpointTypeEnum
+    """Publisher or subscription."""
+    endpoint_gid: list[int]
+    """Global id on the wire: 16 octets."""
+    qos_profile: QoSProfile
+    """The QoS that it offers or requests."""
+
+    def __init__(self, **kwargs: Any) -> None:
+        self.node_name = ""
+        self.node_namespace = ""
+        self.topic_type = ""
+        self.topic_type_hash = TypeHash()
+        self.endpoint_type = TopicEndpointTypeEnum.INVALID
+        self.endpoint_gid = []
+        self.qos_profile = qos_profile_unknown
+        for name, value in kwargs.items():
+            if name not in self.__slots__:
+                raise TypeError(
+                    f"'{name}' is no property of an endpoint; known are {', '.join(self.__slots__)}"
+                )
+            setattr(self, name, value)
+
+    @classmethod
+    def from_graph(cls, info: EndpointInfo) -> Self:
+        """Return the description of an endpoint of the graph."""
+        node = info.node or NodeName(UNKNOWN_NODE_NAMESPACE, UNKNOWN_NODE_NAME)
+        kinds = TopicEndpointTypeEnum
+        return cls(
+            node_name=node.name,
+            node_namespace=node.namespace,
+            topic_type=info.topic.type_name,
+            topic_type_hash=TypeHash.from_text(info.topic.type_hash),
+            endpoint_type=kinds.PUBLISHER if info.is_writer else kinds.SUBSCRIPTION,
+            endpoint_gid=list(info.gid),
+            qos_profile=QoSProfile.from_wire(info.qos),
+        )
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, TopicEndpointInfo):
+            return False
+        return all(getattr(self, name) == getattr(other, name) for name in self.__slots__)
+
+    def __hash__(self) -> int:
+        return hash((tuple(self.endpoint_gid), self.endpoint_type))
+
+    def __str__(self) -> str:
+        gid = ".".join(f"{octet:02x}" for octet in self.endpoint_gid)
+        profile = self.qos_profile
+        return "\n".join(
+            [
+                f"Node name: {self.node_name}",
+                f"Node namespace: {self.node_namespace}",
+                f"Topic type: {self.topic_type}",
+                f"Topic type hash: {self.topic_type_hash}",
+                f"Endpoint type: {self.endpoint_type.name}",
+                f"GID: {gid}",
+                "QoS profile:",
+                f"  Reliability: {profile.reliability.name}",
+                f"  History (Depth): {profile.history_text()}",
+                f"  Durability: {profile.durability.name}",
+                f"  Lifespan: {profile.lifespan}",
+                f"  Deadline: {profile.deadline}",
+                f"  Liveliness: {profile.liveliness.name}",
+                f"  Liveliness lease duration: {profile.liveliness_lease_duration}",
+            ]
+        )

@@ -1,0 +1,1 @@
+"""Values and names that know no node: times, durations, names, types, handles, errors."""

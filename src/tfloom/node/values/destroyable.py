@@ -1,0 +1,14 @@
+"""The type of objects that are destroyed when they are not in use."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+__all__ = ["DestroyableType"]
+
+
+class DestroyableType(Protocol):
+    """An object with the destructor of rclpy's compiled half."""
+
+    def destroy_when_not_in_use(self) -> None:
+        """Destroy it."""

@@ -1,0 +1,97 @@
+"""Spans of time."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Protocol
+
+from tfloom.node.values.constants import INT64_MAX, S_TO_NS
+
+if TYPE_CHECKING:
+    from tfloom.interfaces.builtin_interfaces import msg as builtin_msg
+
+__all__ = ["S_TO_NS", "Duration", "DurationType", "Infinite"]
+
+
+class DurationType(Protocol):
+    """What `Duration.get_c_duration` returns."""
+
+    @property
+    def nanoseconds(self) -> int:
+        """The span [ns]."""
+
+
+class Duration:
+    """A span of time as a signed 64-bit count of nanoseconds.
+
+    Args:
+        seconds: Whole or fractional seconds; a fraction below a nanosecond is cut off.
+        nanoseconds: Added to `seconds`.
+
+    Raises:
+        OverflowError: the sum doesn't fit 64 bits (some 292 years).
+    """
+
+    __slots__ = ("_ns",)
+
+    def __init__(self, *, seconds: float = 0, nanoseconds: int = 0) -> None:
+        total = int(seconds * S_TO_NS) + int(nanoseconds)
+        if not -INT64_MAX - 1 <= total <= INT64_MAX:
+            raise OverflowError("Total nanoseconds value is too large to store in C duration.")
+        self._ns = total
+
+    @property
+    def nanoseconds(self) -> int:
+        """The span [ns]."""
+        return self._ns
+
+    def get_c_duration(self) -> DurationType:
+        """Return this object, in the place of rclpy's C duration."""
+        return self
+
+    def to_msg(self) -> builtin_msg.Duration:
+        """Return it as a message: `sec` rounded down, `nanosec` in [0, 1e9)."""
+        from tfloom.interfaces.builtin_interfaces import msg as builtin_msg
+
+        sec, nanosec = divmod(self._ns, S_TO_NS)
+        return builtin_msg.Duration(sec=sec, nanosec=nanosec)
+
+    @classmethod
+    def from_msg(cls, msg: builtin_msg.Duration) -> Duration:
+        """Return the span that a `builtin_interfaces/msg/Duration` holds.
+
+        Raises:
+            TypeError: `msg` is no such message.
+        """
+        from tfloom.interfaces.builtin_interfaces import msg as builtin_msg
+
+        if not isinstance(msg, builtin_msg.Duration):
+            raise TypeError("Must pass a builtin_interfaces.msg.Duration object")
+        return cls(nanoseconds=msg.sec * S_TO_NS + msg.nanosec)
+
+    def __repr__(self) -> str:
+        return f"Duration(nanoseconds={self._ns})"
+
+    def __str__(self) -> str:
+        return "Infinite" if self._ns == INT64_MAX else f"{self._ns} nanoseconds"
+
+    def __hash__(self) -> int:
+        return hash((Duration, self._ns))
+
+    def __eq__(self, other: object) -> bool:
+        return self._ns == other._ns if isinstance(other, Duration) else NotImplemented
+
+    def __lt__(self, other: Duration) -> bool:
+        return self._ns < other._ns if isinstance(other, Duration) else NotImplemented
+
+    def __le__(self, other: Duration) -> bool:
+        return self._ns <= other._ns if isinstance(other, Duration) else NotImplemented
+
+    def __gt__(self, other: Duration) -> bool:
+        return self._ns > other._ns if isinstance(other, Duration) else NotImplemented
+
+    def __ge__(self, other: Duration) -> bool:
+        return self._ns >= other._ns if isinstance(other, Duration) else NotImplemented
+
+
+Infinite = Duration(nanoseconds=INT64_MAX)
+"""The span that never ends."""

@@ -1,0 +1,74 @@
+"""Errors that several rooms raise or catch; every other error stands beside what raises it.
+
+Exception
+├── InvalidHandle
+├── NoTypeSupportImportedException
+├── NotInitializedException
+├── ROSInterruptException
+├── ExternalShutdownException
+└── RuntimeError
+    └── RCLError
+        ├── NodeNameNonExistentError
+        └── TimerCancelledError
+"""
+
+from __future__ import annotations
+
+__all__ = [
+    "ExternalShutdownException",
+    "InvalidHandle",
+    "NoTypeSupportImportedException",
+    "NodeNameNonExistentError",
+    "NotInitializedException",
+    "RCLError",
+    "ROSInterruptException",
+    "TimerCancelledError",
+]
+
+# ROS's own names end in "Exception".
+# ruff: noqa: N818
+
+
+class InvalidHandle(Exception):
+    """Something was used after its `destroy`."""
+
+
+class NotInitializedException(Exception):
+    """`rclpy.init()` has not been called, or shutdown has come since."""
+
+    def __init__(self, message: str | None = None) -> None:
+        texts = ["rclpy.init() has not been called", *([message] if message is not None else [])]
+        super().__init__(*texts)
+
+
+class ROSInterruptException(Exception):
+    """Shutdown came during a wait that it ends."""
+
+    def __init__(self) -> None:
+        super().__init__("rclpy.shutdown() has been called")
+
+
+class ExternalShutdownException(Exception):
+    """The context was shut down while an executor was spinning."""
+
+    def __init__(self) -> None:
+        super().__init__("the context was shut down, by a signal or by another thread")
+
+
+class NoTypeSupportImportedException(Exception):
+    """The class given as a message type is none."""
+
+    def __init__(self) -> None:
+        super().__init__("no type_support imported")
+
+
+class RCLError(RuntimeError):
+    """The library below refused, for example because its context is shut down."""
+
+
+class NodeNameNonExistentError(RCLError):
+    """A node was asked about that isn't on the graph."""
+
+
+class TimerCancelledError(RCLError):
+    """A timer was called that is cancelled."""

@@ -1,0 +1,265 @@
+"""Names of nodes, namespaces, topics and services: what is valid, and the full name of a relative one."""
+
+from __future__ import annotations
+
+import re
+
+# ROS's own names end in "Exception".
+# ruff: noqa: N818
+
+__all__ = [
+    "HIDDEN_TOPIC_PREFIX",
+    "TOPIC_SEPARATOR_STRING",
+    "InvalidNamespaceException",
+    "InvalidNodeNameException",
+    "InvalidServiceNameException",
+    "InvalidTopicNameException",
+    "NameValidationException",
+    "expand_topic_name",
+    "full_node_name",
+    "topic_or_service_is_hidden",
+    "validate_full_topic_name",
+    "validate_namespace",
+    "validate_node_name",
+    "validate_topic_name",
+]
+
+TOPIC_SEPARATOR_STRING = "/"
+HIDDEN_TOPIC_PREFIX = "_"
+
+# DDS allows 255 octets, of which the longest of our prefixes and suffixes, "rq/" and "Reply", take 8.
+TOPIC_NAME_LIMIT = 247
+NAMESPACE_LIMIT = 245
+NODE_NAME_LIMIT = 255
+
+_Finding = tuple[str, int]
+_SUBSTITUTION = re.compile(r"\{([^{}]*)\}")
+
+
+class NameValidationException(Exception):
+    """A name that ROS doesn't allow.
+
+    Attributes:
+        name_type: What the name was for, e.g. "node name".
+        name: The name.
+        error_msg: Why it isn't allowed.
+        invalid_index: Where in it, from 0.
+    """
+
+    def __init__(self, name_type: str, name: str, error_msg: str, invalid_index: int) -> None:
+        super().__init__(f"Invalid {name_type}: {error_msg}:\n  '{name}'\n   {' ' * invalid_index}^")
+        self.name_type = name_type
+        self.name = name
+        self.error_msg = error_msg
+        self.invalid_index = invalid_index
+
+
+class InvalidNamespaceException(NameValidationException):
+    """A namespace that isn't valid."""
+
+    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
+        super().__init__("namespace", name, error_msg, invalid_index)
+
+
+class InvalidNodeNameException(NameValidationException):
+    """A node's name that isn't valid."""
+
+    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
+        super().__init__("node name", name, error_msg, invalid_index)
+
+
+class InvalidTopicNameException(NameValidationException):
+    """A topic's name that isn't valid."""
+
+    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
+        super().__init__("topic name", name, error_msg, invalid_index)
+
+
+class InvalidServiceNameException(NameValidationException):
+    """A service's name that isn't valid."""
+
+    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
+        super().__init__("service name", name, error_msg, invalid_index)
+
+
+def _first(pattern: str, text: str) -> int | None:
+    match = re.search(pattern, text)
+    return match.start() if match else None
+
+
+def _check_node_name(name: str) -> _Finding | None:
+    if not name:
+        return "node name must not be empty", 0
+    at = _first(r"[^A-Za-z0-9_]", name)
+    if at is not None:
+        return "node name must not contain characters other than alphanumerics or '_'", at
+    if name[0].isdigit():
+        return "node name must not start with a number", 0
+    if len(name) > NODE_NAME_LIMIT:
+        return f"node name length should not exceed '{NODE_NAME_LIMIT}'", NODE_NAME_LIMIT
+    return None
+
+
+def _check_absolute(name: str, what: str) -> _Finding | None:
+    """Check what full topic names and namespaces have in common; `name` isn't empty."""
+    at = _first(r"[^A-Za-z0-9_/]", name)
+    if at is not None:
+        return f"{what} must not contain characters other than alphanumerics, '_', or '/'", at
+    at = _first(r"//", name)
+    if at is not None:
+        return f"{what} must not contain a repeated '/'", at
+    at = _first(r"/[0-9]", name)
+    if at is not None:
+        return f"{what} must not have a token that starts with a number", at + 1
+    return None
+
+
+def _check_namespace(namespace: str) -> _Finding | None:
+    if not namespace:
+        return "namespace must not be empty", 0
+    if namespace[0] != "/":
+        return "namespace must be absolute, it must lead with a '/'", 0
+    if len(namespace) > 1 and namespace[-1] == "/":
+        return "namespace must not end with a '/', unless only a '/'", len(namespace) - 1
+    found = _check_absolute(namespace, "namespace")
+    if found is None and len(namespace) > NAMESPACE_LIMIT:
+        return f"namespace should not exceed '{NAMESPACE_LIMIT}'", NAMESPACE_LIMIT
+    return found
+
+
+def _check_full_topic_name(name: str) -> _Finding | None:
+    if not name:
+        return "topic name must not be empty", 0
+    if name[0] != "/":
+        return "topic name must be absolute, it must lead with a '/'", 0
+    if name[-1] == "/":
+        return "topic name must not end with a '/'", len(name) - 1
+    found = _check_absolute(name, "topic name")
+    if found is None and len(name) > TOPIC_NAME_LIMIT:
+        return f"topic length should not exceed '{TOPIC_NAME_LIMIT}'", TOPIC_NAME_LIMIT
+    return found
+
+
+def _check_substitutions(name: str) -> _Finding | None:
+    for match in _SUBSTITUTION.finditer(name):
+        inner = match.group(1)
+        if inner[:1].isdigit():
+            return "substitution name must not start with a number", match.start() + 1
+        at = _first(r"[^A-Za-z0-9_]", inner)
+        if at is not None:
+            text = "substitution name must not contain characters other than alphanumerics or '_'"
+            return text, match.start() + 1 + at
+    at = _first(r"[{}]", _SUBSTITUTION.sub(lambda match: "_" * len(match.group()), name))
+    return None if at is None else ("topic name must not have unmatched (unbalanced) curly braces '{}'", at)
+
+
+def _check_topic_name(name: str) -> _Finding | None:  # noqa: PLR0911  # one return a rule
+    if not name:
+        return "topic name must not be empty string", 0
+    if name[-1] == "/":
+        return "topic name must not end with a forward slash", len(name) - 1
+    found = _check_substitutions(name)
+    if found is not None:
+        return found
+    at = _first(r"[^A-Za-z0-9_~{}/]", name)
+    if at is not None:
+        text = "topic name must not contain characters other than alphanumerics, '_', '~', '{', or '}'"
+        return text, at
+    at = _first(r"(?<!^)~", name)
+    if at is not None:
+        return "topic name must not have tilde '~' unless it is the first character", at
+    if len(name) > 1 and name[0] == "~" and name[1] != "/":
+        return "topic name must not have a tilde '~' that is not followed by a forward slash '/'", 1
+    at = _first(r"(^|(?<=/))[0-9]", name)
+    return None if at is None else ("topic name token must not start with a number", at)
+
+
+def validate_node_name(node_name: str) -> bool:
+    """Return True for a valid node name, such as `my_node`.
+
+    Raises:
+        InvalidNodeNameException: it isn't; the exception says why and where.
+    """
+    found = _check_node_name(node_name)
+    if found is not None:
+        raise InvalidNodeNameException(node_name, *found)
+    return True
+
+
+def validate_namespace(namespace: str) -> bool:
+    """Return True for a valid namespace, such as `/` or `/a/b`.
+
+    Raises:
+        InvalidNamespaceException: it isn't; the exception says why and where.
+    """
+    found = _check_namespace(namespace)
+    if found is not None:
+        raise InvalidNamespaceException(namespace, *found)
+    return True
+
+
+def validate_topic_name(name: str, *, is_service: bool = False) -> bool:
+    """Return True for a name that a program may give: absolute, relative, `~/private`, with `{node}` or `{ns}`.
+
+    Raises:
+        InvalidTopicNameException: it isn't valid; the exception says why and where.
+        InvalidServiceNameException: the same of a service.
+    """
+    return _raise_for(name, _check_topic_name(name), is_service)
+
+
+def validate_full_topic_name(name: str, *, is_service: bool = False) -> bool:
+    """Return True for a valid full name, such as `/a/chatter`.
+
+    Raises:
+        InvalidTopicNameException: it isn't valid; the exception says why and where.
+        InvalidServiceNameException: the same of a service.
+    """
+    return _raise_for(name, _check_full_topic_name(name), is_service)
+
+
+def _raise_for(name: str, found: _Finding | None, is_service: bool) -> bool:
+    if found is None:
+        return True
+    raise (InvalidServiceNameException if is_service else InvalidTopicNameException)(name, *found)
+
+
+def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> str:
+    """Return the full name of `topic_name` in a node.
+
+    Args:
+        topic_name: Absolute names stay; relative ones go below the namespace, `~/x` below the node. `{node}` is the
+            node's name; `{ns}` and `{namespace}` its namespace.
+        node_name: The node's name.
+        node_namespace: Its namespace.
+
+    Raises:
+        NameValidationException: one of the three isn't valid, or a substitution is unknown.
+    """
+    validate_topic_name(topic_name)
+    validate_node_name(node_name)
+    validate_namespace(node_namespace)
+    below = "" if node_namespace == "/" else node_namespace
+    known = {"node": node_name, "ns": node_namespace, "namespace": node_namespace}
+
+    def substitute(match: re.Match[str]) -> str:
+        if match.group(1) not in known:
+            raise InvalidTopicNameException(
+                topic_name, f"unknown substitution '{match.group()}'", match.start()
+            )
+        return known[match.group(1)]
+
+    name = _SUBSTITUTION.sub(substitute, topic_name)
+    if name.startswith("~"):
+        return f"{below}/{node_name}{name[1:]}"
+    return name if name.startswith("/") else f"{below}/{name}"
+
+
+def full_node_name(namespace: str, name: str) -> str:
+    """Return a node's fully qualified name."""
+    return f"{namespace.rstrip('/')}/{name}"
+
+
+def topic_or_service_is_hidden(name: str) -> bool:
+    """Return whether a part of the name starts with `_`."""
+    return any(part.startswith(HIDDEN_TOPIC_PREFIX) for part in name.split(TOPIC_SEPARATOR_STRING))

@@ -1,0 +1,99 @@
+"""Parameter values as ROS reads them from YAML text."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import Any
+
+__all__ = ["parse_scalar", "parse_value"]
+
+_TRUE = {"y", "Y", "yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"}
+_FALSE = {"n", "N", "no", "No", "NO", "false", "False", "FALSE", "off", "Off", "OFF"}
+# Patterns are compiled, and kept by `re`, when they are used first: most programs never need them.
+_INTEGER = r"[-+]?(0[xX][0-9a-fA-F]+|[0-9]+)\Z"
+_MOST_DIGITS = 300
+_DOUBLE = r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\Z"
+_NOT_FINITE = r"([-+]?)\.(inf|Inf|INF|nan|NaN|NAN)\Z"
+_BINARY = "tag:yaml.org,2002:binary"
+_NEEDS_YAML = r"[\[\]{}'\"#&*!|>%@`,\n]|: |:$|^[-?] |^\s|\s$"
+
+
+def parse_scalar(text: str) -> bool | int | float | str:
+    """Return the value of an unquoted scalar: a truth value, an integer, a number, else the text itself."""
+    if text in _TRUE:
+        return True
+    if text in _FALSE:
+        return False
+    if re.match(_INTEGER, text):
+        digits = text.lstrip("+-")
+        is_octal = len(digits) > 1 and digits[0] == "0" and digits[1] not in "xX"
+        if not is_octal:
+            return _integer(text, 0)
+        if set(digits) <= set("01234567"):
+            return _integer(text, 8)
+    if re.match(_DOUBLE, text):
+        return float(text)
+    special = re.match(_NOT_FINITE, text)
+    return float(special.group(1) + special.group(2)) if special else text
+
+
+def _integer(text: str, base: int) -> int | float:
+    """Return an integer, or what comes nearest where 64 bits don't hold it."""
+    if len(text) <= _MOST_DIGITS:
+        value = int(text, base)
+        return value if -(2**63) <= value < 2**63 else float(value)
+    return math.copysign(math.inf, -1 if text[0] == "-" else 1)
+
+
+def parse_value(text: str) -> Any:
+    """Return the value of a piece of YAML: a scalar, a list, or a mapping with text for keys.
+
+    Raises:
+        ValueError: it is no YAML, or more than one document.
+    """
+    if text and not re.search(_NEEDS_YAML, text):
+        return parse_scalar(text)
+    import yaml
+
+    try:
+        node = yaml.compose(text, Loader=yaml.SafeLoader)
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        place = f" at line {mark.line + 1}, column {mark.column + 1}" if mark else ""
+        raise ValueError(f"it is no valid YAML: {error.problem or error.context}{place}") from None
+    except yaml.YAMLError as error:
+        raise ValueError(f"it is no valid YAML: {' '.join(str(error).split())}") from None
+    try:
+        return _construct(node)
+    except RecursionError:
+        raise ValueError("it is no value: an alias in it holds itself, or it is nested too deep") from None
+
+
+def _construct(node: Any) -> Any:
+    import yaml
+
+    if node is None:
+        return ""
+    if isinstance(node, yaml.MappingNode):
+        return {str(key.value): _construct(value) for key, value in node.value}
+    if isinstance(node, yaml.SequenceNode):
+        items = [_construct(item) for item in node.value]
+        is_bytes = items and all(item.tag == _BINARY for item in node.value)
+        return [byte for item in items for byte in item] if is_bytes else items
+    if node.tag == _BINARY:
+        return _bytes(node.value)
+    if node.style is not None or node.tag == "!!str":
+        return node.value
+    return parse_scalar(node.value)
+
+
+def _bytes(text: str) -> list[bytes]:
+    """Return a byte array's bytes, which YAML writes in base64."""
+    import base64
+    import binascii
+
+    try:
+        return [bytes([byte]) for byte in base64.b64decode("".join(text.split()), validate=True)]
+    except binascii.Error as error:
+        raise ValueError(f"it is no base64, which !!binary stands for: {error}") from None

@@ -1,0 +1,268 @@
+"""The rules of the house, each a function that takes a source tree and returns what breaks the rule, one text each.
+
+`house` is the folder of a package named `tfloom`, ours or one that a test has planted; `native` is the C++ folder.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+import sys
+from collections.abc import Callable
+from functools import lru_cache
+from pathlib import Path
+
+from tests.import_graph import Import, Kind, imports_of_package, rings
+
+SHELVES = [
+    ["_native"],
+    ["rosidl", "interfaces", "tf2"],
+    ["rmw"],
+    ["node"],
+    ["tf2_ros", "workspace"],
+    ["tf2_tools", "turtlesim", "demos"],
+    ["cli"],
+]
+"""The rooms, from the bottom up; rooms on one shelf don't import each other, except interfaces rosidl."""
+
+NODE_ROOMS = [
+    "values",
+    "log",
+    "parameters",
+    "context",
+    "qos",
+    "clock",
+    "executing",
+    "endpoints",
+    "base",
+    "builtin",
+    "",
+    "action",
+    "lifecycle",
+]
+"""The rooms inside node/, from the bottom up; "" are the files beside them."""
+
+DOORS = {
+    "pygame": "turtlesim/window.py",
+    "reportlab": "tf2_tools/",
+    "argcomplete": "cli/main.py",
+    "PIL": "turtlesim/",
+    "transforms3d": "tf2_ros/transformations.py",
+}
+"""Where each third-party library may be imported."""
+
+EVERYWHERE = {"numpy", "yaml", "typing_extensions"}
+"""Third-party libraries that any file may import."""
+
+NATIVE_ROOMS = {"core": set[str](), "tf2": {"core"}, "cdr": {"core", "tf2"}, "dds": {"core"}}
+"""The rooms of native/ that know no Python, and what each may include."""
+
+NO_ROOMS = {"__pycache__", "ros_names"}
+
+
+@lru_cache(maxsize=4)
+def imports(house: Path) -> list[Import]:
+    """Return all imports of a house, of each kind, but for those of the façades."""
+    return [each for each in imports_of_package(house) if "ros_names" not in each.path.parts]
+
+
+@lru_cache(maxsize=4)
+def libraries(house: Path) -> list[tuple[Path, int, str]]:
+    """Return file, line and name of each top-level package that is imported, by `import_module("name…")`, too."""
+    found = [(each.path, each.line, each.imported.split(".")[0]) for each in imports(house) if not each.level]
+    for path in {each.path for each in imports(house)}:
+        text = path.read_text("utf-8")
+        found += [
+            (path, text.count("\n", 0, match.start()) + 1, match.group(1))
+            for match in re.finditer(r"""import_module\(f?["'](\w+)""", text)
+        ]
+    return found
+
+
+def _where(house: Path, each: Import) -> str:
+    return f"{each.path.relative_to(house).as_posix()}:{each.line} imports {each.imported}"
+
+
+def _shelf(room: str) -> int | None:
+    return next((number for number, rooms in enumerate(SHELVES) if room in rooms), None)
+
+
+def _room(dotted: str) -> str:
+    return dotted.split(".")[1] if dotted.startswith("tfloom.") else ""
+
+
+def imports_point_down(house: Path) -> list[str]:
+    """A room imports only rooms on lower shelves; interfaces may import rosidl, too."""
+    found = []
+    for each in imports(house):
+        here, there = _room(each.importer), _room(each.imported)
+        shelf_here, shelf_there = _shelf(here), _shelf(there)
+        if shelf_here is None or shelf_there is None or here == there:
+            continue
+        if shelf_there >= shelf_here and (here, there) != ("interfaces", "rosidl"):
+            found.append(f"{_where(house, each)}, which doesn't stand below {here}")
+    return found
+
+
+def node_rooms_point_down(house: Path) -> list[str]:
+    """Inside node/ a room imports only itself and the rooms before it in NODE_ROOMS."""
+
+    def level(dotted: str) -> int | None:
+        parts = dotted.split(".")
+        if parts[:2] != ["tfloom", "node"] or len(parts) < 3:
+            return None
+        room = parts[2] if (house / "node" / parts[2]).is_dir() else ""
+        return NODE_ROOMS.index(room) if room in NODE_ROOMS else None
+
+    found = []
+    for each in imports(house):
+        here, there = level(each.importer), level(each.imported)
+        if here is not None and there is not None and there > here:
+            found.append(f"{_where(house, each)}, which comes after node/{NODE_ROOMS[here]}")
+    return found
+
+
+def no_import_of_an_own_top(house: Path) -> list[str]:
+    """A module imports the file that defines a thing, never a package that it is part of itself."""
+    found = []
+    for each in imports(house):
+        parts = each.path.relative_to(house.parent).with_suffix("").parts
+        if each.imported in {".".join(parts[:end]) for end in range(2, len(parts))}:
+            found.append(
+                f"{_where(house, each)}, its own package's top; import the file that defines the thing"
+            )
+    return found
+
+
+def no_relative_import(house: Path) -> list[str]:
+    """Imports are absolute."""
+    return [f"{_where(house, each)}, relatively" for each in imports(house) if each.level]
+
+
+def no_ros_name(house: Path) -> list[str]:
+    """Nothing inside the house imports a façade, whose names are those of `ros_names/` and of ROS itself."""
+    names = {path.name for path in (house / "ros_names").glob("*") if path.is_dir()}
+    return [
+        f"{_where(house, each)}, a ROS name; import it from its room in tfloom"
+        for each in imports(house)
+        if each.imported.split(".")[0] in names
+    ]
+
+
+def one_door_for_each_library(house: Path) -> list[str]:
+    """A third-party library is imported by its one file or room alone, and each has such a door."""
+    known = sys.stdlib_module_names | EVERYWHERE | {"tfloom"}
+    known |= {path.name for path in (house / "ros_names").glob("*")}  # another rule's
+    found = []
+    for path, line, library in libraries(house):
+        place = path.relative_to(house).as_posix()
+        where = f"{place}:{line} imports {library}"
+        if library in known:
+            continue
+        door = DOORS.get(library)
+        if door is None:
+            found.append(f"{where}, a library that has no door")
+        elif not place.startswith(door):
+            found.append(f"{where}; its one door is {door}")
+    return found
+
+
+def no_ring(house: Path) -> list[str]:
+    """No modules import each other in a ring: nowhere at run time, and in node/ for annotations neither."""
+    at_run_time = [set(ring) for ring in rings(imports(house), Kind.RUN_TIME)]
+    of_node = [
+        set(ring)
+        for ring in rings(imports(house), Kind.ANNOTATION)
+        if any(_room(module) == "node" for module in ring)
+    ]
+    found = at_run_time + [ring for ring in of_node if ring not in at_run_time]
+    return [f"a ring: {', '.join(sorted(ring))}" for ring in found]
+
+
+def a_top_holds_its_docstring_alone(house: Path) -> list[str]:
+    """The `__init__.py` of node/ and of its rooms holds a docstring, so that importing one file loads no others."""
+    found = []
+    for path in sorted((house / "node").rglob("__init__.py")):
+        body = ast.parse(path.read_text("utf-8")).body
+        if any(not isinstance(each, ast.Expr) for each in body) or len(body) > 1:
+            found.append(f"{path.relative_to(house).as_posix()} holds more than its docstring")
+    return found
+
+
+def _folders(path: Path) -> set[str]:
+    return {each.name for each in path.iterdir() if each.is_dir()} - NO_ROOMS
+
+
+def each_room_has_its_place(house: Path) -> list[str]:
+    """Each folder of the house stands on a shelf, and each one of node/ in NODE_ROOMS."""
+    named = {room for rooms in SHELVES for room in rooms}
+    found = [f"{room}/ stands on no shelf" for room in sorted(_folders(house) - named)]
+    found += [f"node/{room}/ has no place" for room in sorted(_folders(house / "node") - set(NODE_ROOMS))]
+    return found
+
+
+def nothing_is_named_that_does_not_exist(house: Path) -> list[str]:
+    """Each room of SHELVES and NODE_ROOMS exists, and each library of DOORS comes in through its door."""
+    rooms = _folders(house) | {path.stem for path in house.glob("*.pyi")}
+    found = [f"SHELVES names {room}" for shelf in SHELVES for room in shelf if room not in rooms]
+    found += [
+        f"NODE_ROOMS names {room}" for room in NODE_ROOMS if room and not (house / "node" / room).is_dir()
+    ]
+    used = {library for _, _, library in libraries(house)}
+    found += [f"DOORS names {library}" for library in DOORS if library not in used]
+    found += [f"EVERYWHERE names {library}" for library in sorted(EVERYWHERE - used)]
+    return found
+
+
+def the_command_line_starts_without_the_rooms(house: Path) -> list[str]:
+    """`cli/main.py` imports nothing of the house but cli itself when it is loaded."""
+    return [
+        f"{_where(house, each)}, which every command would load"
+        for each in imports(house)
+        if each.importer == "tfloom.cli.main"
+        and each.kind is Kind.RUN_TIME
+        and _room(each.imported) not in {"", "cli"}
+    ]
+
+
+def the_native_core_knows_no_python(native: Path) -> list[str]:
+    """Only native/bindings includes Python or nanobind, and only native/dds opens libddsc."""
+    found = []
+    for folder in NATIVE_ROOMS:
+        for path in sorted((native / folder).glob("*")):
+            text = path.read_text("utf-8")
+            where = f"{folder}/{path.name}"
+            if re.search(r'#include\s*[<"](nanobind|Python\.h)', text):
+                found.append(f"{where} includes Python")
+            if folder != "dds" and "dlopen" in text:
+                found.append(f"{where} calls dlopen; libddsc has one door, native/dds")
+    return found
+
+
+def native_rooms_point_down(native: Path) -> list[str]:
+    """A native room includes only itself and the rooms that NATIVE_ROOMS allows it."""
+    return [
+        f"{folder}/{path.name} includes {other}/"
+        for folder, allowed in NATIVE_ROOMS.items()
+        for path in sorted((native / folder).glob("*"))
+        for other in re.findall(r'#include "(\w+)/', path.read_text("utf-8"))
+        if other not in allowed | {folder}
+    ]
+
+
+Rule = Callable[[Path], list[str]]
+
+HOUSE_RULES: list[Rule] = [
+    imports_point_down,
+    node_rooms_point_down,
+    no_import_of_an_own_top,
+    no_relative_import,
+    no_ros_name,
+    one_door_for_each_library,
+    no_ring,
+    a_top_holds_its_docstring_alone,
+    each_room_has_its_place,
+    nothing_is_named_that_does_not_exist,
+    the_command_line_starts_without_the_rooms,
+]
+NATIVE_RULES: list[Rule] = [the_native_core_knows_no_python, native_rooms_point_down]
