@@ -5,7 +5,7 @@ from __future__ import annotations
 from array import array
 from typing import Any
 
-from tfloom.rosidl.message import ARRAY_CODES
+from tfloom.rosidl.array_codes import ARRAY_CODES
 from tfloom.rosidl.parse import parse_type
 from tfloom.rosidl.spec import Type
 

@@ -6,7 +6,8 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any
 
-from tfloom.rosidl.message import ARRAY_CODES, Message
+from tfloom.rosidl.array_codes import ARRAY_CODES
+from tfloom.rosidl.message import Message
 from tfloom.rosidl.parse import parse_type
 from tfloom.rosidl.registry import get_message_class
 from tfloom.rosidl.spec import FLOATS, INTEGER_RANGES, STRINGS, Type

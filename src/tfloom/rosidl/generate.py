@@ -7,9 +7,9 @@ from keyword import iskeyword
 from pathlib import Path
 
 from tfloom.rosidl import spec
-from tfloom.rosidl.message import ARRAY_CODES
+from tfloom.rosidl.array_codes import ARRAY_CODES
 from tfloom.rosidl.parse import parse_interface
-from tfloom.rosidl.registry import definitions_folder
+from tfloom.rosidl.sources import definitions_folder
 from tfloom.rosidl.type_hash import FindSpec, type_hash
 
 KIND_WORDS = {"msg": "messages", "srv": "services", "action": "actions"}

@@ -9,6 +9,8 @@ from __future__ import annotations
 import os
 
 from tfloom._native import check_fields_by_default, set_message_hooks
+from tfloom.rosidl.array_codes import ARRAY_CODES
+from tfloom.rosidl.class_table import set_message_base
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -20,21 +22,6 @@ if TYPE_CHECKING:
     from tfloom.rosidl.spec import Value
 else:
     from tfloom._native import MessageBase
-
-ARRAY_CODES = {
-    "int8": "b",
-    "uint8": "B",
-    "char": "B",
-    "int16": "h",
-    "uint16": "H",
-    "int32": "i",
-    "uint32": "I",
-    "int64": "q",
-    "uint64": "Q",
-    "float32": "f",
-    "float64": "d",
-}
-"""The type code by which `array.array` and numpy hold a sequence of each number type."""
 
 
 class _SlotTypes:
@@ -166,6 +153,7 @@ class DecodeError(ValueError):
     """Where [bytes from the start of the encapsulation header]."""
 
 
+set_message_base(Message)
 set_message_hooks(
     compile=_compile,
     convert=_convert,

@@ -7,9 +7,10 @@ from collections.abc import Iterable
 from typing import Any
 
 from tfloom.rosidl import sources
+from tfloom.rosidl.class_search import find_class
 from tfloom.rosidl.definition import AbstractType, NamespacedType, to_namespaced_type
 from tfloom.rosidl.message import Message
-from tfloom.rosidl.registry import find_class, get_action_class, get_message_class, get_service_class
+from tfloom.rosidl.registry import get_action_class, get_message_class, get_service_class
 from tfloom.rosidl.service import Action, Service
 
 

@@ -6,8 +6,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any, ClassVar
 
-    from tfloom.rosidl.message import Message
-
 
 class Service:
     """A service type: `Request`, `Response`, and the `Event` that introspection publishes."""
@@ -16,7 +14,7 @@ class Service:
     _TYPE_HASH: ClassVar[str]
     Request: ClassVar[type[Any]]
     Response: ClassVar[type[Any]]
-    Event: ClassVar[type[Message]]
+    Event: ClassVar[type[Any]]
 
     def __init__(self) -> None:
         raise NotImplementedError("Service classes can not be instantiated")

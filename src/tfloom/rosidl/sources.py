@@ -9,7 +9,6 @@ from typing import NamedTuple
 
 from tfloom.rosidl import spec
 from tfloom.rosidl.parse import parse_interface
-from tfloom.rosidl.registry import definitions_folder
 
 KINDS = ("msg", "srv", "action")
 
@@ -57,6 +56,19 @@ def find_path(name: str) -> Path | None:
         if path.is_file():
             return path
     return None
+
+
+def definitions_folder() -> Path:
+    """Return the folder of the definitions that come with tfloom: `package/kind/Name.kind`."""
+    return Path(__file__).parent / "definitions"
+
+
+def interface_names(kind: str = "msg") -> list[str]:
+    """Return the names of all interfaces of a kind (msg, srv, action) that come with tfloom, sorted."""
+    return sorted(
+        f"{path.parent.parent.name}/{kind}/{path.stem}"
+        for path in definitions_folder().glob(f"*/{kind}/*.{kind}")
+    )
 
 
 def share_folders() -> Iterator[Path]:
