@@ -56,11 +56,6 @@ class TurtlesimNode(Node):
         # Simulated time may be made by what these turtles do: so they themselves go by real time.
         self._timer = self.create_timer(STEP_S, self._step, clock=Clock(clock_type=ClockType.STEADY_TIME))
 
-    @property
-    def is_holonomic(self) -> bool:
-        """Whether turtles may go sideways."""
-        return bool(self.get_parameter(parameters.HOLONOMIC).value)
-
     def set_parameters_atomically(self, parameter_list: list[Parameter]) -> SetParametersResult:
         """Set all parameters, or none of them if one is refused, for which the reference's turtlesim has its words."""
         for parameter in parameter_list:
@@ -99,7 +94,7 @@ class TurtlesimNode(Node):
         rotations = self._rotations.get(turtle.name)
         if rotations is None or rotations.is_destroyed:
             rotations = self._rotations[turtle.name] = RotationServer(self, turtle.name)
-        self._endpoints[turtle.name] = TurtleEndpoints(self, turtle, rotations)
+        self._endpoints[turtle.name] = TurtleEndpoints(self, self.sim, turtle, rotations)
 
     def _on_clear(self, _: Any, response: Any) -> Any:
         self.get_logger().info("Clearing turtlesim.")
