@@ -35,7 +35,7 @@ DOORS = {
     "catkin_pkg": "workspace/",
     "reportlab": "tf2_tools/",
     "argcomplete": "cli/main.py",
-    "PIL": "turtlesim/",
+    "PIL": "turtlesim/picture.py",
     "transforms3d": "tf2_ros/transformations.py",
     "nanobind": "nowhere in Python",
     "cyclonedds": "nowhere in Python",

@@ -26,8 +26,7 @@ from tfloom.turtlesim.simulation import TurtleSim
 from tfloom.turtlesim.world import STEP_S, Event, Moved, RotationStep, Turtle, WallHit, is_usable
 
 if TYPE_CHECKING:
-    from PIL.Image import Image
-
+    from tfloom.turtlesim.picture import Picture
     from tfloom.turtlesim.window import Window
 
 FRAME_S = 1 / 60
@@ -63,7 +62,7 @@ class TurtlesimNode(Node):
                 return SetParametersResult(successful=False, reason=reason)
         return super().set_parameters_atomically(parameter_list)
 
-    def render(self, size_px: int) -> Image:
+    def render(self, size_px: int) -> Picture:
         """Return the picture of the world, `size_px` by `size_px`."""
         self.sim.canvas.background = parameters.background(self)
         return self.sim.render(size_px)
