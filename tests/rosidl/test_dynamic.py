@@ -12,10 +12,10 @@ import pytest
 
 from tfloom.interfaces.geometry_msgs.msg import Point
 from tfloom.rosidl import cdr, class_table, registry, sources
+from tfloom.rosidl.definition_files import interface_names
 from tfloom.rosidl.dynamic import define, define_folder
 from tfloom.rosidl.parse import ParseError
 from tfloom.rosidl.registry import get_action_class, get_message_class, get_service_class
-from tfloom.rosidl.sources import interface_names
 
 EVERYTHING = """\
 # Holds one of everything.

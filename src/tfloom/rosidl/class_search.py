@@ -98,7 +98,7 @@ def _word(name: str) -> str:
 def _nearest(name: str) -> str:
     import difflib
 
-    from tfloom.rosidl.sources import KINDS, interface_names
+    from tfloom.rosidl.definition_files import KINDS, interface_names
 
     known = [each for kind in KINDS for each in interface_names(kind)]
     base = name.rpartition("/")[2]

@@ -11,7 +11,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from tfloom.rosidl import registry, sources
+from tfloom.rosidl import definition_files, registry, sources
 from tfloom.rosidl.class_factory import LOCK, load
 from tfloom.rosidl.parse import parse_interface
 
@@ -56,9 +56,9 @@ def define_folder(folder: str | Path) -> dict[str, Any]:
         ParseError: a definition can't be read, or refers to a message that is not known.
     """
     home = Path(folder).resolve()
-    names = sources.names_in(home)
+    names = definition_files.names_in(home)
     if not names:
-        raise FileNotFoundError(f"there are no definitions in {home}/{{{','.join(sources.KINDS)}}}")
+        raise FileNotFoundError(f"there are no definitions in {home}/{{{','.join(definition_files.KINDS)}}}")
     for name in names:
         _, kind, base = name.split("/")
         path = home / kind / f"{base}.{kind}"

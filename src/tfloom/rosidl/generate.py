@@ -8,8 +8,8 @@ from pathlib import Path
 
 from tfloom.rosidl import spec
 from tfloom.rosidl.array_codes import ARRAY_CODES
+from tfloom.rosidl.definition_files import definitions_folder
 from tfloom.rosidl.parse import parse_interface
-from tfloom.rosidl.sources import definitions_folder
 from tfloom.rosidl.type_hash import FindSpec, type_hash
 
 KIND_WORDS = {"msg": "messages", "srv": "services", "action": "actions"}

@@ -75,6 +75,31 @@ def parse_type(text: str, package: str = "") -> spec.Type:
     return spec.Type(base, bound, shape, length)
 
 
+def without_comment(line: str) -> str:
+    """Return a line of a definition up to its comment, stripped on the right."""
+    return line[: _comment_start(line)].rstrip()
+
+
+def message_in_field(line: str, package: str) -> str | None:
+    """Return the whole name of the message that a line of a definition has a field of.
+
+    Args:
+        line: The line, which may hold anything.
+        package: The definition's package, to which a bare name belongs.
+
+    Returns:
+        None for a field of a primitive type, a constant, or no member at all.
+    """
+    match = _LINE.match(without_comment(line))
+    if match is None or match["equals"] or not match["name"]:
+        return None
+    try:
+        type_ = parse_type(match["type"], package)
+    except ValueError:
+        return None
+    return None if type_.is_primitive else type_.base
+
+
 def _split_name(name: str) -> tuple[str, str, str]:
     parts = name.split("/")
     if len(parts) != 3 or parts[1] not in _SECTIONS or not _PACKAGE_NAME.fullmatch(parts[0]):
@@ -106,9 +131,8 @@ class _Line:
 
     def __init__(self, number: int, text: str) -> None:
         self.number = number
-        cut = _comment_start(text)
-        self.text = text[:cut].rstrip()
-        self.comment = text[cut + 1 :].strip()
+        self.text = without_comment(text)
+        self.comment = text[_comment_start(text) + 1 :].strip()
 
 
 def _comment_start(text: str) -> int:

@@ -6,7 +6,7 @@ from collections import OrderedDict
 from collections.abc import Iterable
 from typing import Any
 
-from tfloom.rosidl import sources
+from tfloom.rosidl import definition_files
 from tfloom.rosidl.class_search import find_class
 from tfloom.rosidl.definition import AbstractType, NamespacedType, to_namespaced_type
 from tfloom.rosidl.message import Message
@@ -142,9 +142,9 @@ def get_message_slot_types(msg: Message) -> OrderedDict[str, AbstractType]:
 def get_interface_packages() -> dict[str, str]:
     """Return the packages that have definitions, each with the folder that holds its own."""
     found: dict[str, str] = {}
-    for share in sources.share_folders():
+    for share in definition_files.share_folders():
         for folder in sorted(share.glob("*/")):
-            if folder.name not in found and sources.names_in(folder):
+            if folder.name not in found and definition_files.names_in(folder):
                 found[folder.name] = str(share)
     return found
 
@@ -196,7 +196,7 @@ def get_interface_path(interface_name: str) -> str:
     Raises:
         LookupError: there is none.
     """
-    path = sources.find_path(interface_name)
+    path = definition_files.find_path(interface_name)
     if path is None:
         raise LookupError(f"Could not find the interface '{interface_name}'")
     return str(path)
@@ -205,7 +205,7 @@ def get_interface_path(interface_name: str) -> str:
 def _names(share: str, package: str) -> list[str]:
     from pathlib import Path
 
-    return [name.partition("/")[2] for name in sources.names_in(Path(share) / package)]
+    return [name.partition("/")[2] for name in definition_files.names_in(Path(share) / package)]
 
 
 def _of_kind(kind: str, package_names: Iterable[str]) -> dict[str, list[str]]:
