@@ -6,15 +6,15 @@ from collections.abc import Callable
 
 from tfloom._native import DdsReader, DdsWriter, ReadyQueue, Sink
 from tfloom.rmw.base import Sample
-from tfloom.rmw.compatibility import PolicyKind
 from tfloom.rmw.errors import ClosedError, UnsupportedEventError, WireError
 from tfloom.rmw.events import Count, Event, IncompatibleQoS, LivelinessChanged, Matched, Status
+from tfloom.rmw.qos import QoSPolicyKind
 
 _POLICY_KINDS = {
-    2: PolicyKind.DURABILITY,
-    4: PolicyKind.DEADLINE,
-    8: PolicyKind.LIVELINESS,
-    11: PolicyKind.RELIABILITY,
+    2: QoSPolicyKind.DURABILITY,
+    4: QoSPolicyKind.DEADLINE,
+    8: QoSPolicyKind.LIVELINESS,
+    11: QoSPolicyKind.RELIABILITY,
 }
 """ROS's numbers of policies, by those of DDS (1.4, 2.2.3)."""
 
@@ -79,7 +79,7 @@ def _status(event: Event, fields: tuple[int, int, int, int]) -> Status:
     if event == Event.LIVELINESS_CHANGED:
         return LivelinessChanged(*fields)
     if event == Event.INCOMPATIBLE_QOS:
-        return IncompatibleQoS(fields[0], fields[1], _POLICY_KINDS.get(fields[2], PolicyKind.INVALID))
+        return IncompatibleQoS(fields[0], fields[1], _POLICY_KINDS.get(fields[2], QoSPolicyKind.INVALID))
     return Count(fields[0], fields[1])
 
 

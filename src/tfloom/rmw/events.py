@@ -8,7 +8,7 @@ from __future__ import annotations
 from enum import IntEnum
 from typing import NamedTuple, TypeAlias, Union
 
-from tfloom.rmw.compatibility import PolicyKind
+from tfloom.rmw.qos import QoSPolicyKind
 
 
 class Event(IntEnum):
@@ -39,7 +39,7 @@ class IncompatibleQoS(NamedTuple):
 
     total_count: int
     total_count_change: int
-    last_policy_kind: PolicyKind
+    last_policy_kind: QoSPolicyKind
 
 
 class LivelinessChanged(NamedTuple):

@@ -5,9 +5,9 @@ from __future__ import annotations
 import threading
 
 from tfloom._native import ReadyQueue
-from tfloom.rmw.compatibility import PolicyKind
 from tfloom.rmw.errors import UnsupportedEventError
 from tfloom.rmw.events import Event, IncompatibleQoS, Matched, Status
+from tfloom.rmw.qos import QoSPolicyKind
 
 KNOWN = (Event.MATCHED, Event.INCOMPATIBLE_QOS)
 
@@ -19,7 +19,7 @@ class LocalEvents:
         self._lock = threading.Lock()
         self._listeners: dict[Event, tuple[ReadyQueue, int]] = {}
         self._matched = Matched(0, 0, 0, 0)
-        self._incompatible = IncompatibleQoS(0, 0, PolicyKind.INVALID)
+        self._incompatible = IncompatibleQoS(0, 0, QoSPolicyKind.INVALID)
 
     def add_match(self, change: int) -> None:
         """Note that a peer has connected (1) or left (-1)."""
@@ -34,7 +34,7 @@ class LocalEvents:
             )
             self._post(Event.MATCHED)
 
-    def add_incompatible(self, kind: PolicyKind) -> None:
+    def add_incompatible(self, kind: QoSPolicyKind) -> None:
         """Note that a peer was turned away."""
         with self._lock:
             was = self._incompatible
