@@ -190,7 +190,7 @@ def warn_of_mismatch(end: Reader | Writer, graph: Graph, name: str, *, is_publis
     """Say on stderr that somebody has the topic with whom `end` can't connect, if that's news."""
     status = end.take_event(Event.INCOMPATIBLE_QOS)
     if isinstance(status, IncompatibleQoS):
-        from tfloom.node.qos_mismatch import mismatch_text
+        from tfloom.rmw.qos_mismatch import mismatch_text
 
         print(
             f"WARNING: {mismatch_text(status, name, end.gid, graph, is_publisher=is_publisher)}",

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
+import math
 import threading
 import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from tfloom._native import ReadyQueue
-from tfloom.node.constants import S_TO_NS
 from tfloom.node.endpoint import UNREADABLE
 from tfloom.node.qos import QoSProfile
 from tfloom.node.service import ServiceEnd, SrvType, SrvTypeRequest, SrvTypeResponse
 from tfloom.node.service_introspection import Introspection
 from tfloom.node.task import Future
 from tfloom.rmw.base import RequestId
+from tfloom.rmw.waiting import wait_until_ready
 from tfloom.rosidl import cdr
 from tfloom.rosidl.service import Service as ServiceType
 
@@ -26,9 +27,6 @@ if TYPE_CHECKING:
     from tfloom.rmw.base import Requester, Response
 
 __all__ = ["Client", "SrvType", "SrvTypeRequest", "SrvTypeResponse"]
-
-# Readiness is told, but for a few causes of it on other processes' side.
-_LOOK_AGAIN_NS = S_TO_NS // 10
 
 
 class Client(ServiceEnd["Requester"]):
@@ -162,22 +160,15 @@ class Client(ServiceEnd["Requester"]):
         Returns:
             Whether there is one; False after the timeout, or at shutdown.
         """
-        end_ns = None if timeout_sec is None else time.monotonic_ns() + int(timeout_sec * S_TO_NS)
+        end_s = math.inf if timeout_sec is None else time.monotonic() + timeout_sec
         queue = ReadyQueue()
         self._context.add_queue(queue)
-        self._endpoint.notify_ready(queue, 1)
         try:
-            while self._context.ok():
-                if self.service_is_ready():
-                    return True
-                left_ns = _LOOK_AGAIN_NS if end_ns is None else end_ns - time.monotonic_ns()
-                if left_ns <= 0:
-                    return False
-                queue.wait(min(left_ns, _LOOK_AGAIN_NS))
+            return wait_until_ready(
+                self._endpoint, self.service_is_ready, end_s, queue=queue, is_open=self._context.ok
+            )
         finally:
-            self._endpoint.notify_ready(None)
             self._context.remove_queue(queue)
-        return False
 
     def _read(self, came: Response) -> Any:
         """Return a response and the number of its request."""

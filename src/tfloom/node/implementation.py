@@ -23,11 +23,10 @@ from tfloom.node.throttled_warning import ThrottledWarning
 from tfloom.node.type_support import (
     check_is_valid_msg_type,
     check_is_valid_srv_type,
-    service_of,
-    topic_of,
 )
 from tfloom.node.wait_set import WaitSet
 from tfloom.rmw.base import Reader, Requester, Responder
+from tfloom.rmw.typed_names import service_of, topic_of
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:

@@ -20,8 +20,9 @@ from tfloom.node.service import Service
 from tfloom.node.service_introspection import Introspection
 from tfloom.node.subscription import Subscription
 from tfloom.node.timer import Rate, Timer
-from tfloom.node.type_support import check_is_valid_msg_type, check_is_valid_srv_type, service_of, topic_of
+from tfloom.node.type_support import check_is_valid_msg_type, check_is_valid_srv_type
 from tfloom.node.wait_set import WaitableEntity
+from tfloom.rmw.typed_names import service_of, topic_of
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.service import Service as ServiceType
 

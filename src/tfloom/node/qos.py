@@ -204,12 +204,6 @@ class QoSProfile:
         """Return the names of all settings."""
         return list(_FIELDS)
 
-    def history_text(self) -> str:
-        """Return history and depth as the tools print them: `KEEP_LAST (10)`."""
-        if self.history is HistoryPolicy.KEEP_LAST:
-            return f"{self.history.name} ({self.depth})"
-        return self.history.name
-
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, QoSProfile):
             return NotImplemented

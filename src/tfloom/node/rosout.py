@@ -9,8 +9,8 @@ from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
 from tfloom.node import log_output
 from tfloom.node.constants import S_TO_NS
 from tfloom.node.qos import qos_profile_rosout_default
-from tfloom.node.type_support import topic_of
 from tfloom.rmw.errors import ClosedError
+from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:

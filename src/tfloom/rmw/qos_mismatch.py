@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-from tfloom.node.constants import S_TO_NS
-from tfloom.node.qos import qos_policy_name_from_kind
 from tfloom.rmw.base import EndpointInfo, Graph
 from tfloom.rmw.compatibility import incompatible_policies
 from tfloom.rmw.events import IncompatibleQoS
 from tfloom.rmw.qos import INFINITE_NS, QoS
-
-__all__ = ["mismatch_text"]
 
 
 def mismatch_text(
@@ -29,7 +25,7 @@ def mismatch_text(
         if is_publisher
         else ("publisher", "offering", "No messages will be received from it")
     )
-    policy = qos_policy_name_from_kind(status.last_policy_kind)
+    policy = status.last_policy_kind.name
     return (
         f"New {peer} discovered on topic '{topic_name}', {verb} incompatible QoS. {consequence}. "
         f"Last incompatible policy: {policy}{_both_sides(topic_name, gid, graph, is_publisher)}"
@@ -68,4 +64,4 @@ def _show(qos: QoS, other: QoS, policy: str) -> str:
 
 
 def _seconds(nanoseconds: int) -> str:
-    return f"{nanoseconds / S_TO_NS:g} s"
+    return f"{nanoseconds / 1e9:g} s"
