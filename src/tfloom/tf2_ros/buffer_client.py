@@ -133,32 +133,6 @@ class BufferClient(BufferInterface):
         )
         return self._ask(goal)
 
-    def can_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Any = NO_WAIT) -> bool:
-        """Return whether `lookup_transform` gets a transform."""
-        try:
-            self.lookup_transform(target_frame, source_frame, time, timeout)
-        except TransformException:
-            return False
-        return True
-
-    def can_transform_full(
-        self,
-        target_frame: str,
-        target_time: Any,
-        source_frame: str,
-        source_time: Any,
-        fixed_frame: str,
-        timeout: Any = NO_WAIT,
-    ) -> bool:
-        """Return whether `lookup_transform_full` gets a transform."""
-        try:
-            self.lookup_transform_full(
-                target_frame, target_time, source_frame, source_time, fixed_frame, timeout
-            )
-        except TransformException:
-            return False
-        return True
-
     def destroy(self) -> None:
         """Ask no more."""
         self.action_client.destroy()

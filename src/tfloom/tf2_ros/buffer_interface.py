@@ -10,6 +10,7 @@ from typing import Any
 from tfloom.interfaces.std_msgs.msg import Header
 from tfloom.node.duration import Duration
 from tfloom.node.time import Time
+from tfloom.tf2.errors import TransformException
 
 __all__ = [
     "BufferInterface",
@@ -61,11 +62,11 @@ class BufferInterface:
             TypeException: nothing is registered for the object's type, or for `new_type`.
             TransformException: as `lookup_transform` raises.
         """
-        transform_object = self._registered(type(object_stamped))
-        header = object_stamped.header
-        found = self.lookup_transform(target_frame, header.frame_id, header.stamp, timeout)
-        result = transform_object(object_stamped, found)
-        return result if new_type is None else convert(result, new_type)
+        return self._transform(
+            object_stamped,
+            new_type,
+            lambda frame_id, stamp: self.lookup_transform(target_frame, frame_id, stamp, timeout),
+        )
 
     def transform_full(
         self,
@@ -77,12 +78,18 @@ class BufferInterface:
         new_type: Any = None,
     ) -> Any:
         """Return `object_stamped` in `target_frame` at another time, by way of `fixed_frame`; see `transform`."""
+        return self._transform(
+            object_stamped,
+            new_type,
+            lambda frame_id, stamp: self.lookup_transform_full(
+                target_frame, target_time, frame_id, stamp, fixed_frame, timeout
+            ),
+        )
+
+    def _transform(self, object_stamped: Any, new_type: Any, look_up: Callable[[str, Any], Any]) -> Any:
         transform_object = self._registered(type(object_stamped))
         header = object_stamped.header
-        found = self.lookup_transform_full(
-            target_frame, target_time, header.frame_id, header.stamp, fixed_frame, timeout
-        )
-        result = transform_object(object_stamped, found)
+        result = transform_object(object_stamped, look_up(header.frame_id, header.stamp))
         return result if new_type is None else convert(result, new_type)
 
     def _registered(self, kind: Any) -> Callable[..., Any]:
@@ -107,8 +114,12 @@ class BufferInterface:
         raise NotImplementedException
 
     def can_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Any = NO_WAIT) -> Any:
-        """Return whether `lookup_transform` would have an answer."""
-        raise NotImplementedException
+        """Return whether `lookup_transform` gets a transform, within `timeout`."""
+        try:
+            self.lookup_transform(target_frame, source_frame, time, timeout)
+        except TransformException:
+            return False
+        return True
 
     def can_transform_full(
         self,
@@ -119,8 +130,13 @@ class BufferInterface:
         fixed_frame: str,
         timeout: Any = NO_WAIT,
     ) -> Any:
-        """Return whether `lookup_transform_full` would have an answer."""
-        raise NotImplementedException
+        """Return whether `lookup_transform_full` gets a transform, within `timeout`."""
+        query = target_frame, target_time, source_frame, source_time, fixed_frame
+        try:
+            self.lookup_transform_full(*query, timeout)
+        except TransformException:
+            return False
+        return True
 
 
 def Stamped(obj: Any, stamp: Any, frame_id: str) -> Any:  # noqa: N802, tf2's name
