@@ -27,7 +27,7 @@ def load(name: str) -> Any:
     interface = sources.find_interface(name)
     _check_references(interface)
     class_table.forget(name)
-    parts = {part.name: _message_class(part) for part in _messages(interface)}
+    parts = {part.name: _message_class(part) for part in spec.messages_of(interface)}
     for part, cls in parts.items():
         class_table.register(part, cls)
     if isinstance(interface, spec.Message):
@@ -41,17 +41,13 @@ def load(name: str) -> Any:
     return made
 
 
-def _messages(interface: spec.Interface) -> tuple[spec.Message, ...]:
-    return (interface,) if isinstance(interface, spec.Message) else interface.messages
-
-
 def _check_references(interface: spec.Interface) -> None:
     """Check that all messages referred to are known, and that none contains itself.
 
     Raises:
         ParseError: one is not known, or contains itself.
     """
-    known = {message.name: message for message in _messages(interface)}
+    known = {message.name: message for message in spec.messages_of(interface)}
 
     def visit(message: spec.Message, above: tuple[str, ...]) -> None:
         for field in message.fields:

@@ -18,6 +18,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from tfloom.rosidl import spec
+from tfloom.rosidl.idl_names import PRIMITIVES
 
 SIGNED_NONEXPLICIT_INTEGER_TYPES = ("short", "long", "long long")
 UNSIGNED_NONEXPLICIT_INTEGER_TYPES = ("unsigned short", "unsigned long", "unsigned long long")
@@ -362,9 +363,6 @@ class IdlFile:
         self.content = content
 
 
-_BASIC = {"bool": "boolean", "byte": "octet", "char": "uint8", "float32": "float", "float64": "double"}
-
-
 def to_type(type_: spec.Type) -> AbstractType:
     """Return a field's type as an object of this module."""
     element = _to_element(type_)
@@ -387,7 +385,7 @@ def _to_element(type_: spec.Type) -> AbstractNestableType:
     if type_.base == "wstring":
         return BoundedWString(type_.string_bound) if type_.string_bound else UnboundedWString()
     return (
-        BasicType(_BASIC.get(type_.base, type_.base))
+        BasicType(PRIMITIVES.get(type_.base, type_.base))
         if type_.is_primitive
         else to_namespaced_type(type_.base)
     )

@@ -31,11 +31,6 @@ def load_definitions(folder: Path | None = None) -> dict[str, spec.Interface]:
     return interfaces
 
 
-def messages_of(interface: spec.Interface) -> tuple[spec.Message, ...]:
-    """Return the messages that an interface consists of."""
-    return (interface,) if isinstance(interface, spec.Message) else interface.messages
-
-
 def generate(
     interfaces: Iterable[spec.Interface], find: FindSpec, *, home: str = "tfloom.interfaces."
 ) -> str:
@@ -56,7 +51,7 @@ class _Module:
         self, package: str, kind: str, interfaces: list[spec.Interface], find: FindSpec, home: str
     ) -> None:
         self.package, self.kind, self.interfaces, self.find, self.home = package, kind, interfaces, find, home
-        self.messages = [message for each in interfaces for message in messages_of(each)]
+        self.messages = [message for each in interfaces for message in spec.messages_of(each)]
         self.own = {message.name for message in self.messages}
         self.local_names = self._name_references()
 
@@ -76,7 +71,7 @@ class _Module:
         yield from self._imports()
         yield f"__all__ = [{', '.join(_quoted(name) for name in sorted(self._public()))}]"
         for interface in self.interfaces:
-            for message in messages_of(interface):
+            for message in spec.messages_of(interface):
                 yield from ("", "", *self._message(message))
             if isinstance(interface, spec.Service):
                 yield from ("", "", *self._service(interface))
@@ -252,7 +247,7 @@ def _quoted(value: spec.Value) -> str:
 def generate_all(definitions: Path | None = None) -> dict[str, str]:
     """Return the source of every file below `tfloom/`, by its path: the interfaces and their façades."""
     interfaces = load_definitions(definitions)
-    specs = {message.name: message for each in interfaces.values() for message in messages_of(each)}
+    specs = {message.name: message for each in interfaces.values() for message in spec.messages_of(each)}
     files: dict[str, str] = {}
     kinds = sorted({tuple(name.split("/")[:2]) for name in interfaces})
     for package, kind in kinds:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from tfloom.rosidl.spec import Type
 
-_PRIMITIVES = {"bool": "boolean", "byte": "octet", "char": "uint8", "float32": "float", "float64": "double"}
+PRIMITIVES = {"bool": "boolean", "byte": "octet", "char": "uint8", "float32": "float", "float64": "double"}
+"""The primitives that IDL has another word for."""
 
 
 def idl_name(type_: Type) -> str:
     """Return `double[36]`, `sequence<uint8>`, `sequence<double, 3>`, `string<255>`, `geometry_msgs/Vector3`."""
-    base = _PRIMITIVES.get(type_.base, type_.base)
+    base = PRIMITIVES.get(type_.base, type_.base)
     if not type_.is_primitive:
         package, _, name = type_.base.split("/")
         base = f"{package}/{name}"

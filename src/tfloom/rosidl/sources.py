@@ -62,8 +62,7 @@ def find_message(name: str) -> spec.Message:
         ParseError: its definition can't be read.
     """
     interface = find_interface(definition_name(name))
-    messages = (interface,) if isinstance(interface, spec.Message) else interface.messages
-    for message in messages:
+    for message in spec.messages_of(interface):
         if message.name == name:
             return message
     raise LookupError(f"there is no definition of '{name}'")

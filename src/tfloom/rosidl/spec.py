@@ -137,6 +137,11 @@ class Action(NamedTuple):
 Interface: TypeAlias = Message | Service | Action
 
 
+def messages_of(interface: Interface) -> tuple[Message, ...]:
+    """Return the messages that an interface consists of."""
+    return (interface,) if isinstance(interface, Message) else interface.messages
+
+
 def service(name: str, request: Message, response: Message) -> Service:
     """Complete a service with its event message."""
     event = Message(
