@@ -1,4 +1,4 @@
-"""What buffers share: transforming whole objects, by functions that are registered for their types."""
+"""The interface of buffers: transforming whole objects by functions that are registered for their types."""
 
 # ruff: noqa: ARG002, an interface's methods use none of theirs
 from __future__ import annotations
@@ -34,7 +34,7 @@ class TypeException(Exception):  # noqa: N818, tf2's name
 
 
 class NotImplementedException(Exception):  # noqa: N818, tf2's name
-    """The buffer's class leaves this query out."""
+    """The buffer's class does not implement this query."""
 
     def __init__(self) -> None:
         super().__init__("CanTransform or LookupTransform not implemented")
@@ -140,14 +140,14 @@ class BufferInterface:
 
 
 def Stamped(obj: Any, stamp: Any, frame_id: str) -> Any:  # noqa: N802, tf2's name
-    """Give `obj` a header with this stamp and frame, in place, and return it."""
+    """Set a header with this stamp and frame on `obj`, in place, and return `obj`."""
     message = stamp.to_msg() if isinstance(stamp, Time) else stamp
     obj.header = Header(frame_id=frame_id, stamp=message)
     return obj
 
 
 class TransformRegistration:
-    """Which function transforms which type: one table for the whole process."""
+    """The functions that transform objects, by type: one table for the whole process."""
 
     _functions: dict[Any, Callable[..., Any]] = {}  # noqa: RUF012, shared on purpose
 
@@ -156,7 +156,7 @@ class TransformRegistration:
         print(self._functions)
 
     def add(self, key: Any, callback: Callable[..., Any]) -> None:
-        """Have `callback(object, transform_stamped)` transform objects of the type `key`."""
+        """Register `callback(object, transform_stamped)` to transform objects of the type `key`."""
         self._functions[key] = callback
 
     def get(self, key: Any) -> Callable[..., Any]:
@@ -169,34 +169,34 @@ class TransformRegistration:
 
 
 class ConvertRegistration:
-    """Which functions convert between types: one table for the whole process."""
+    """The functions that convert between types: one table for the whole process."""
 
     _to_msg: dict[Any, Callable[[Any], Any]] = {}  # noqa: RUF012, shared on purpose
     _from_msg: dict[Any, Callable[[Any], Any]] = {}  # noqa: RUF012
     _convert: dict[tuple[Any, Any], Callable[[Any], Any]] = {}  # noqa: RUF012
 
     def add_from_msg(self, key: Any, callback: Callable[[Any], Any]) -> None:
-        """Have `callback(message)` make an object of the type `key`."""
+        """Register `callback(message)` to make an object of the type `key`."""
         self._from_msg[key] = callback
 
     def add_to_msg(self, key: Any, callback: Callable[[Any], Any]) -> None:
-        """Have `callback(object)` make a message of an object of the type `key`."""
+        """Register `callback(object)` to make a message of an object of the type `key`."""
         self._to_msg[key] = callback
 
     def add_convert(self, key: tuple[Any, Any], callback: Callable[[Any], Any]) -> None:
-        """Have `callback(object)` convert from the type `key[0]` to the type `key[1]`."""
+        """Register `callback(object)` to convert from the type `key[0]` to the type `key[1]`."""
         self._convert[key] = callback
 
     def get_from_msg(self, key: Any) -> Callable[[Any], Any]:
-        """Return what makes `key` of a message; TypeException if nothing does."""
+        """Return the function that makes `key` of a message; raise TypeException without one."""
         return _get(self._from_msg, key)
 
     def get_to_msg(self, key: Any) -> Callable[[Any], Any]:
-        """Return what makes a message of `key`; TypeException if nothing does."""
+        """Return the function that makes a message of `key`; raise TypeException without one."""
         return _get(self._to_msg, key)
 
     def get_convert(self, key: tuple[Any, Any]) -> Callable[[Any], Any]:
-        """Return what converts `key[0]` to `key[1]`; TypeException if nothing does."""
+        """Return the function that converts `key[0]` to `key[1]`; raise TypeException without one."""
         return _get(self._convert, key)
 
 
@@ -204,7 +204,7 @@ def convert(a: Any, b_type: Any) -> Any:
     """Return `a` as a `b_type`: by the function registered for the two, as a copy, or by way of a message.
 
     Raises:
-        TypeException: there is no such way.
+        TypeException: no such conversion is registered.
     """
     registration = ConvertRegistration()
     try:
@@ -224,7 +224,7 @@ def _get(table: dict[Any, Callable[..., Any]], key: Any) -> Callable[..., Any]:
 
 
 def _twin(table: dict[Any, Callable[..., Any]], key: Any) -> Any:
-    """Return the message class of the table that has the same ROS name: messages of a real ROS install have others."""
+    """Return the table's message class of the same ROS name, because a real ROS install has classes of its own."""
     name = _ros_name(key)
     return next((each for each in table if name is not None and _ros_name(each) == name), None)
 

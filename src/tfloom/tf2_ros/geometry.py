@@ -1,6 +1,6 @@
 """Messages of geometry_msgs through transforms. Importing this registers them for `Buffer.transform`.
 
-What is passed in is left as it is. Messages may be of any class that has the fields; the result is of the same class.
+Arguments stay unchanged. Messages may be of any class that has the fields; the result is of the same class.
 """
 
 from __future__ import annotations
@@ -57,12 +57,12 @@ Quadruple = tuple[float, float, float, float]
 
 
 def to_msg_msg(msg: Any) -> Any:
-    """Return a message as the message that it is."""
+    """Return the message itself."""
     return msg
 
 
 def from_msg_msg(msg: Any) -> Any:
-    """Return a message as the message that it is."""
+    """Return the message itself."""
     return msg
 
 
@@ -82,7 +82,7 @@ def do_transform_point(point: Any, transform: Any) -> Any:
 def do_transform_vector3(vector3: Any, transform: Any) -> Any:
     """Return a Vector3Stamped, turned by a TransformStamped, whose header it gets; or a Vector3.
 
-    A vector has no place, so it isn't moved.
+    A vector is rotated but not translated, because it has no position.
     """
     if hasattr(vector3, "vector"):
         return _stamped(vector3, transform, "vector", do_transform_vector3)
