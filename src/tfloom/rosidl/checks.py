@@ -24,7 +24,7 @@ def check_names(cls: type[MessageClass], kwargs: dict[str, object]) -> None:
     """Check that all keywords are fields of the class.
 
     Raises:
-        AssertionError: some are none; the text lists them.
+        AssertionError: some are not; the text lists them.
     """
     unknown = sorted(name for name in kwargs if name not in cls._FIELDS and name != "check_fields")
     if unknown:
@@ -32,7 +32,7 @@ def check_names(cls: type[MessageClass], kwargs: dict[str, object]) -> None:
 
 
 def check_field(cls: type[MessageClass], name: str, value: Any) -> None:
-    """Check the value of a field; a name that is no field passes.
+    """Check the value of a field; ignore a name that is not a field.
 
     Raises:
         AssertionError: the value does not fit.
@@ -68,7 +68,7 @@ def _array_mismatch(type_: spec.Type, value: Any) -> str:
 
 
 def _mismatch(type_: spec.Type, value: Any) -> str:
-    """Say how a single value doesn't fit; an empty string if it does."""
+    """Return why a single value does not fit; an empty string if it does."""
     base = type_.base
     wanted: type[Any] = {"bool": bool, "string": str, "wstring": str, "float32": float, "float64": float}.get(
         base, int

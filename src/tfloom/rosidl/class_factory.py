@@ -18,11 +18,11 @@ _HOME = "tfloom.rosidl.dynamic"
 
 
 def load(name: str) -> Any:
-    """Make the classes of a definition that `sources` knows.
+    """Make the classes of a definition that `sources` finds.
 
     Raises:
         LookupError: there is none of that name.
-        ParseError: it can't be read, refers to a message that is not known, or contains itself.
+        ParseError: it can't be read, refers to an unknown message, or contains itself.
     """
     interface = sources.find_interface(name)
     _check_references(interface)
@@ -42,10 +42,10 @@ def load(name: str) -> Any:
 
 
 def _check_references(interface: spec.Interface) -> None:
-    """Check that all messages referred to are known, and that none contains itself.
+    """Check that all messages referred to exist, and that none contains itself.
 
     Raises:
-        ParseError: one is not known, or contains itself.
+        ParseError: one is unknown, or contains itself.
     """
     known = {message.name: message for message in spec.messages_of(interface)}
 

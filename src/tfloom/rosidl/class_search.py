@@ -20,8 +20,8 @@ def find_class(name: str) -> Any:
     """Return the class of a message, service or action by its whole name.
 
     Raises:
-        LookupError: there is none, with the nearest name that there is.
-        ParseError: its definition can't be read.
+        LookupError: there is none; the text has the nearest name that exists.
+        ParseError: its definition can't be parsed.
     """
     found = class_table.find(name)
     if found is None:
@@ -42,7 +42,7 @@ def find_class_of_kind(name: str, kind: str, base: type[T]) -> type[T]:
 
     Raises:
         LookupError: there is none, or it is of another kind.
-        ParseError: its definition can't be read.
+        ParseError: its definition can't be parsed.
     """
     found: type[T] = find_class(name.replace("/", f"/{kind}/") if name.count("/") == 1 else name)
     if issubclass(found, base):
@@ -70,7 +70,9 @@ def _find_by_definition(name: str) -> Any:
     definition = sources.definition_name(name)
     if sources.find_source(definition) is None:
         return None
-    if definition != name:  # a part of a class, which may be there: to load its definition would make another
+    if (
+        definition != name
+    ):  # a part of a class that may exist, so that loading its definition would make a second one
         return _part(find_class(definition), name)
     with class_factory.LOCK:  # one class for all threads
         if class_table.registered(name) is None:

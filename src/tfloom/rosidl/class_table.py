@@ -1,7 +1,7 @@
-"""Interface classes by type name, below all that makes or finds them.
+"""Interface classes by type name: the table that all other modules about classes import.
 
-`message` hands its base class down with `set_message_base`, because a message class may need one made from a
-definition for a field, and what makes classes has to stand below the base class whose first use asks for them.
+`message` passes its base class to `set_message_base` instead of being imported here: the first use of a message class
+compiles its fields, which may make another class from a definition, so `message` itself imports the class factory.
 """
 
 from __future__ import annotations

@@ -36,7 +36,7 @@ def interface_names(kind: str = "msg") -> list[str]:
 
 
 def share_folders() -> Iterator[Path]:
-    """Give the folders that hold `package/kind/Name.kind`: those of AMENT_PREFIX_PATH, then tfloom's own."""
+    """Yield the folders that hold `package/kind/Name.kind`: those of AMENT_PREFIX_PATH, then tfloom's own."""
     for prefix in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep):
         if prefix:
             yield Path(prefix) / "share"

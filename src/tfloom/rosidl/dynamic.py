@@ -17,19 +17,19 @@ from tfloom.rosidl.parse import parse_interface
 
 
 def define(name: str, text: str, path: str | None = None) -> Any:
-    """Make the class of a definition and make it known by its name.
+    """Make the class of a definition and register it by its name.
 
     Args:
-        name: `package/kind/Name`; the kind (msg, srv or action) says how the text is read.
-        text: What the definition file would hold.
+        name: `package/kind/Name`; the kind (msg, srv or action) determines how the text is parsed.
+        text: The text of a definition file.
         path: Where the text comes from, for errors.
 
     Returns:
         A subclass of `Message`, `Service` or `Action`.
 
     Raises:
-        ParseError: the text is no definition, refers to a message that is not known, or contains itself.
-        ValueError: `name` is no interface name.
+        ParseError: the text is not a definition, refers to an unknown message, or contains itself.
+        ValueError: `name` is not an interface name.
     """
     parse_interface(text, name, path)
     with LOCK:
@@ -53,7 +53,7 @@ def define_folder(folder: str | Path) -> dict[str, Any]:
 
     Raises:
         FileNotFoundError: the folder holds no definitions.
-        ParseError: a definition can't be read, or refers to a message that is not known.
+        ParseError: a definition can't be parsed, or refers to an unknown message.
     """
     home = Path(folder).resolve()
     names = definition_files.names_in(home)
@@ -68,7 +68,7 @@ def define_folder(folder: str | Path) -> dict[str, Any]:
 
 
 def __getattr__(name: str) -> Any:
-    """Give a class by its type's name: this is how pickle finds one."""
+    """Return a class by its type's name, because pickle finds classes as attributes of a module."""
     if "/" not in name:
         raise AttributeError(f"module '{__name__}' has no attribute '{name}'")
     try:

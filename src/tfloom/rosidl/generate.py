@@ -38,8 +38,8 @@ def generate(
 
     Args:
         interfaces: The interfaces, all of one package and kind.
-        find: Gives the messages that they refer to.
-        home: What stands before `package.kind` in imports of other messages.
+        find: Returns the message of a name, for references.
+        home: The prefix of `package.kind` in imports of other messages.
     """
     ordered = sorted(interfaces, key=lambda each: each.name)
     package, kind, _ = ordered[0].name.split("/")
@@ -102,7 +102,7 @@ class _Module:
         for name, local in self.local_names.items():
             package, kind, base = name.split("/")
             typed.append((f"{self.home}{package}.{kind}", base if local == base else f"{base} as {local}"))
-        if self.kind != "msg":  # said aloud, as the base class has these names for variables
+        if self.kind != "msg":  # explicit, because the base class declares variables of these names
             typed.append(("typing", "TypeAlias as _TypeAlias"))
         if typed:
             yield "if TYPE_CHECKING:"
@@ -136,7 +136,9 @@ class _Module:
         yield f"        __slots__ = ({slots.rstrip() if len(message.fields) == 1 else slots[:-2]})"
 
     def _typing(self, message: spec.Message) -> Iterator[str]:
-        fields = [each for each in message.fields if not iskeyword(each.name)]  # those go by getattr alone
+        fields = [
+            each for each in message.fields if not iskeyword(each.name)
+        ]  # these are accessible by getattr alone
         named = [each for each in fields if each.name not in {"self", "check_fields"}]
         parameters = "".join(f"{each.name}: {self._takes(each.type)} = ..., " for each in named)
         yield f"        def __init__(self, *, {parameters}check_fields: bool | None = None) -> None: ..."
@@ -204,7 +206,7 @@ def _import_lines(imports: list[tuple[str, str]], indent: str) -> Iterator[str]:
     """Write `from module import name` for each pair, one statement a module, in isort's order."""
     for module in sorted({module for module, _ in imports}):
         names = sorted((name for each, name in imports if each == module), key=_isort_key)
-        # A name with an alias stands in a statement of its own.
+        # A name with an alias needs a statement of its own.
         for group in [
             *([name] for name in names if " as " in name),
             [name for name in names if " as " not in name],

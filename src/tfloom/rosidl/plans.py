@@ -1,4 +1,4 @@
-"""From a message class to the plan that the native codec walks."""
+"""Compilation of message classes to the plans that the native codec walks."""
 
 from __future__ import annotations
 
@@ -26,15 +26,15 @@ _ZEROS: dict[str, Any] = {
 }
 
 _compiling: list[type[MessageClass]] = []
-_lock = threading.RLock()  # a plan that others point to must not be replaced by a second one
+_lock = threading.RLock()  # because a plan that others point to must not be replaced by a second one
 
 
 def compile_plan(cls: type[MessageClass]) -> Plan:
-    """Compile the plan of a message class, and of the messages in it, and leave it on the class.
+    """Compile the plan of a message class, and of the messages in it, and store it on the class.
 
     Raises:
-        TypeError: the class is no message class, or it contains itself.
-        LookupError: it refers to a message that is not known.
+        TypeError: the class is not a message class, or it contains itself.
+        LookupError: it refers to an unknown message.
     """
     owner = _owner(cls)
     with _lock:
@@ -114,7 +114,7 @@ def _filled(type_text: str, default: Any) -> Any:
 
 
 def _initial(base: str, shape: str, length: int, default: Any) -> Any:
-    """Return the default of a field that is no numeric array; None for a message, which is built anew."""
+    """Return the default of a field other than a numeric array; None for a message, which is built each time."""
     zero = _ZEROS.get(base)
     if shape:
         return list(default or ([zero] * length if shape == "array" and base in _ZEROS else []))

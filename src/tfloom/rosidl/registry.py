@@ -18,12 +18,12 @@ __all__ = [
 def get_message_class(name: str) -> type[Message]:
     """Return the class of a message: `geometry_msgs/msg/Twist`, or `geometry_msgs/Twist` for short.
 
-    Those of tfloom come first, then those of any importable package `package.msg`, then those whose definition is
-    in a sourced workspace.
+    The search order is tfloom's own classes, those of any importable module `package.msg`, and definitions in a
+    sourced workspace.
 
     Raises:
-        LookupError: there is no such message, with the nearest name that there is.
-        ParseError: its definition can't be read.
+        LookupError: there is no such message; the text has the nearest name that exists.
+        ParseError: its definition can't be parsed.
     """
     return find_class_of_kind(name, "msg", Message)
 

@@ -1,4 +1,4 @@
-"""What programs import as `rosidl_runtime_py`: types by name, and which there are."""
+"""The functions of `rosidl_runtime_py`: types by name, and lists of them."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def get_namespaced_type(identifier: str) -> NamespacedType:
 
 
 def get_message_namespaced_type(identifier: str) -> NamespacedType:
-    """Return a message's name as an object, `msg` put in where it is left out.
+    """Return a message's name as an object, with `msg` inserted where it is missing.
 
     Raises:
         ValueError: it has fewer than two parts, or an empty one.
@@ -82,7 +82,7 @@ def get_message_namespaced_type(identifier: str) -> NamespacedType:
 
 
 def get_service_namespaced_type(identifier: str) -> NamespacedType:
-    """Return a service's name as an object, `srv` put in where it is left out.
+    """Return a service's name as an object, with `srv` inserted where it is missing.
 
     Raises:
         ValueError: it has fewer than two parts, or an empty one.
@@ -91,7 +91,7 @@ def get_service_namespaced_type(identifier: str) -> NamespacedType:
 
 
 def get_action_namespaced_type(identifier: str) -> NamespacedType:
-    """Return an action's name as an object, `action` put in where it is left out.
+    """Return an action's name as an object, with `action` inserted where it is missing.
 
     Raises:
         ValueError: it has fewer than two parts, or an empty one.
@@ -107,17 +107,17 @@ def _with_kind(identifier: str, kind: str) -> NamespacedType:
 
 
 def is_message(interface: object) -> bool:
-    """Say whether a class, or an instance, is a message's."""
+    """Return whether an object is a message class or a message."""
     return _is(interface, Message)
 
 
 def is_service(interface: object) -> bool:
-    """Say whether a class is a service's."""
+    """Return whether a class is a service's."""
     return _is(interface, Service)
 
 
 def is_action(interface: object) -> bool:
-    """Say whether a class is an action's."""
+    """Return whether a class is an action's."""
     return _is(interface, Action)
 
 
@@ -135,7 +135,7 @@ def import_message_from_namespaced_type(message_type: NamespacedType) -> type[Me
 
 
 def get_message_slot_types(msg: Message) -> OrderedDict[str, AbstractType]:
-    """Return the type of each field, as `rosidl_parser.definition` has types."""
+    """Return the type of each field, as an object of `rosidl_parser.definition`."""
     return OrderedDict(zip(msg._FIELDS, msg.SLOT_TYPES, strict=True))
 
 
@@ -153,7 +153,7 @@ def get_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
     """Return the interfaces of packages, or of all of them, as `kind/Name`, sorted.
 
     Raises:
-        LookupError: a package is not known.
+        LookupError: a package is unknown.
     """
     packages = get_interface_packages()
     wanted = list(package_names) or sorted(packages)
@@ -164,28 +164,28 @@ def get_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
 
 
 def get_message_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
-    """Return the messages of packages, or of all of them, as `msg/Name`; packages without any are left out.
+    """Return the messages of packages, or of all of them, as `msg/Name`; packages without any are omitted.
 
     Raises:
-        LookupError: a package is not known.
+        LookupError: a package is unknown.
     """
     return _of_kind("msg", package_names)
 
 
 def get_service_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
-    """Return the services of packages, or of all of them, as `srv/Name`; packages without any are left out.
+    """Return the services of packages, or of all of them, as `srv/Name`; packages without any are omitted.
 
     Raises:
-        LookupError: a package is not known.
+        LookupError: a package is unknown.
     """
     return _of_kind("srv", package_names)
 
 
 def get_action_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
-    """Return the actions of packages, or of all of them, as `action/Name`; packages without any are left out.
+    """Return the actions of packages, or of all of them, as `action/Name`; packages without any are omitted.
 
     Raises:
-        LookupError: a package is not known.
+        LookupError: a package is unknown.
     """
     return _of_kind("action", package_names)
 

@@ -21,7 +21,7 @@ class Service:
 
 
 class Action:
-    """An action type: `Goal`, `Result`, `Feedback`, and in `Impl` what carries them."""
+    """An action type: `Goal`, `Result`, `Feedback`, and in `Impl` the services and messages that carry them."""
 
     _TYPE_NAME: ClassVar[str]
     _TYPE_HASH: ClassVar[str]

@@ -1,4 +1,4 @@
-"""Where definitions come from: what a program defined, sourced workspaces, and those that come with tfloom."""
+"""Sources of definitions: those that a program defined, sourced workspaces, and those that come with tfloom."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from tfloom.rosidl.parse import parse_interface
 
 
 class Source(NamedTuple):
-    """The text of a definition, and where it stands."""
+    """The text of a definition, and its path."""
 
     text: str
     path: str
@@ -20,7 +20,7 @@ _defined: dict[str, Source] = {}
 
 
 def replace(name: str, source: Source | None) -> Source | None:
-    """Make the definition of `package/kind/Name` known, before all others, or forget it; return what it was."""
+    """Set the definition of `package/kind/Name`, which precedes all others, or remove it; return the previous one."""
     before = _defined.pop(name, None)
     if source is not None:
         _defined[name] = source
@@ -46,7 +46,7 @@ def find_interface(name: str) -> spec.Interface:
 
     Raises:
         LookupError: there is no such definition.
-        ParseError: it can't be read.
+        ParseError: it can't be parsed.
     """
     source = find_source(name)
     if source is None:
@@ -59,7 +59,7 @@ def find_message(name: str) -> spec.Message:
 
     Raises:
         LookupError: there is no such message.
-        ParseError: its definition can't be read.
+        ParseError: its definition can't be parsed.
     """
     interface = find_interface(definition_name(name))
     for message in spec.messages_of(interface):
