@@ -15,7 +15,7 @@ FEEDBACK = "/_action/feedback"
 STATUS = "/_action/status"
 
 SEND_GOAL_TYPE = "_SendGoal"
-"""What the type of an action's `SEND_GOAL` service appends to the action's type."""
+"""Suffix of the action's type name in the type name of its `SEND_GOAL` service."""
 
 
 def new_goal_id() -> UUID:

@@ -6,7 +6,7 @@ from tfloom.rmw.base import NodeName
 from tfloom.rmw.qos import INFINITE_NS, HistoryPolicy, QoS
 
 UNKNOWN_NODE = NodeName("_NODE_NAMESPACE_UNKNOWN_", "_NODE_NAME_UNKNOWN_")
-"""Stands for the node of an endpoint whose participant has not sent it yet, or that is of no ROS node."""
+"""Shown for an endpoint without a node: its participant's node list has not arrived, or it is not ROS's."""
 
 
 def endpoint_text(

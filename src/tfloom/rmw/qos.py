@@ -1,7 +1,7 @@
-"""Policies, their choices and the named profiles: the one table of them, and a quality of service as a wire takes it.
+"""The one table of policies, their choices and the named profiles, and a quality of service as a wire uses it.
 
-Others build on it. `tfloom.node.qos` has rclpy's mutable `QoSProfile`, whose durations are `Duration` objects and
-which checks what is assigned; `tfloom.cli.qos` has the flags of the command line, which must not load a node.
+`tfloom.node.qos` has rclpy's `QoSProfile` besides, because that one is mutable, checks assigned values and holds
+`Duration` objects; `tfloom.cli.qos` has the flags of the command line, made from this table without loading a node.
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
 INFINITE_NS = 0x7FFF_FFFF_FFFF_FFFF
-"""A duration [ns] that never ends: no deadline, no lifespan, no lease."""
+"""The endless duration [ns]: no deadline, no lifespan, no lease."""
 
 BEST_AVAILABLE_NS = INFINITE_NS - 1
-"""The duration [ns] by which ROS says "whatever meets the others on the topic"."""
+"""The duration [ns] that stands for the best one that is compatible with the topic's other endpoints."""
 
 
 class QoSPolicyKind(IntEnum):
@@ -58,7 +58,7 @@ class QoSPolicyEnum(IntEnum):
 
 
 class ReliabilityPolicy(QoSPolicyEnum):
-    """Whether a writer sends again what a reader missed."""
+    """Whether a writer resends samples that a reader missed."""
 
     SYSTEM_DEFAULT = 0
     RELIABLE = 1
@@ -68,7 +68,7 @@ class ReliabilityPolicy(QoSPolicyEnum):
 
 
 class DurabilityPolicy(QoSPolicyEnum):
-    """Whether a reader that comes late is sent what was written before."""
+    """Whether a late reader receives samples that were written before."""
 
     SYSTEM_DEFAULT = 0
     TRANSIENT_LOCAL = 1
@@ -97,7 +97,7 @@ class LivelinessPolicy(QoSPolicyEnum):
 
 
 class QoS(NamedTuple):
-    """What a writer offers or a reader asks for. Durations in nanoseconds, `INFINITE_NS` for none."""
+    """What a writer offers or a reader requests. Durations in nanoseconds, `INFINITE_NS` for none."""
 
     reliability: ReliabilityPolicy = ReliabilityPolicy.RELIABLE
     durability: DurabilityPolicy = DurabilityPolicy.VOLATILE
@@ -171,10 +171,10 @@ PROFILES = {
         liveliness_lease_ns=BEST_AVAILABLE_NS,
     ),
 }
-"""The named profiles by short name, as stated: `resolved` gives what a wire makes of one."""
+"""The named profiles by short name, unresolved; see `QoS.resolved`."""
 
 
 def unknown_policies(qos: QoS) -> list[str]:
-    """Return the types of the policies that are UNKNOWN, which nobody can ask for."""
+    """Return the type names of the policies that are UNKNOWN, which can't be requested."""
     policies = (qos.history, qos.reliability, qos.durability, qos.liveliness)
     return [type(policy).__name__ for policy in policies if policy.name == "UNKNOWN"]

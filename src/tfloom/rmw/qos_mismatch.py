@@ -1,4 +1,4 @@
-"""What is said of two ends of a topic that don't connect because of their qualities of service."""
+"""The warning about a writer and a reader that don't connect because of their qualities of service."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from tfloom.rmw.qos import INFINITE_NS, QoS
 def mismatch_text(
     status: IncompatibleQoS, topic_name: str, gid: bytes, graph: Graph, *, is_publisher: bool
 ) -> str:
-    """Return the warning of a publisher or subscription, with what either side has.
+    """Return the warning of a publisher or subscription, with the policies of both sides.
 
     Args:
-        status: What has been taken of the event.
+        status: The status of the event.
         topic_name: Fully qualified name of the topic.
-        gid: 16 octets of the end that warns.
-        graph: Where the other ends are looked up.
-        is_publisher: Whether the end that warns is the publisher.
+        gid: 16 octets of the endpoint that warns.
+        graph: The graph to look up the other endpoints in.
+        is_publisher: Whether the endpoint that warns is the publisher.
     """
     peer, verb, consequence = (
         ("subscription", "requesting", "No messages will be sent to it")
@@ -51,7 +51,7 @@ def _differences(mine: EndpointInfo, peer: EndpointInfo, is_publisher: bool) -> 
 
 
 def _show(qos: QoS, other: QoS, policy: str) -> str:
-    """Return a policy of one end, with what sets it apart from the other's."""
+    """Return a policy of one endpoint, with its difference from the other's."""
     if policy == "DEADLINE":
         return f"DEADLINE of {_seconds(qos.deadline_ns)}" if qos.deadline_ns < INFINITE_NS else "no DEADLINE"
     text = f"{policy} {getattr(qos, policy.lower()).name}"

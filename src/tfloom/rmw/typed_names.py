@@ -1,4 +1,4 @@
-"""Topics and services of classes: what the wire needs to know of a message or service class."""
+"""Topics and services of message and service classes, as a wire needs them."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def topic_of(msg_type: type[Message], full_name: str, *, is_native: bool = False
     Args:
         msg_type: The class.
         full_name: The topic's fully qualified name.
-        is_native: Whether DDS has the name as it stands, without ROS's prefix.
+        is_native: Whether DDS has the name unchanged, without ROS's prefix.
     """
     return Topic(full_name, msg_type._TYPE_NAME, msg_type._TYPE_HASH, is_native)  # ours
 

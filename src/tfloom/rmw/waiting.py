@@ -33,10 +33,10 @@ def wait_until_ready(
     """Wait until a client's server is matched in both directions.
 
     Args:
-        requester: The client; each match of it wakes the wait.
-        is_ready: Evaluated at the start, after each match, and every `look_again_s`. What it raises ends the wait.
+        requester: The client; each match of it ends a sleep.
+        is_ready: Evaluated at the start, after each match, and every `look_again_s`. An exception ends the wait.
         end_s: When to give up, on the monotonic clock [s].
-        queue: Queue to wait on, where other tokens shall wake the wait, too.
+        queue: Queue to wait on, if other tokens have to end a sleep, too.
         is_open: Evaluated as `is_ready` is; False ends the wait.
         look_again_s: The longest time between two evaluations [s].
 
