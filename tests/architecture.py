@@ -46,7 +46,7 @@ DOORS = {
     "pygame": "turtlesim/window.py",
     "reportlab": "tf2_tools/",
     "argcomplete": "cli/main.py",
-    "PIL": "turtlesim/",
+    "PIL": "turtlesim/picture.py",
     "transforms3d": "tf2_ros/transformations.py",
 }
 """Where each third-party library may be imported."""

@@ -7,7 +7,8 @@ from collections.abc import Callable
 import pytest
 import transcript
 
-from tfloom.cli.type_names import did_you_mean_type, known_types, nearest_types
+from tfloom.cli.type_names import did_you_mean_type, nearest_types
+from tfloom.workspace.interfaces import known_interfaces
 
 
 @pytest.mark.parametrize(
@@ -26,7 +27,7 @@ from tfloom.cli.type_names import did_you_mean_type, known_types, nearest_types
     ],
 )
 def test_the_nearest_comes_first(name: str, kind: str, first: str) -> None:
-    assert nearest_types(name, known_types(kind))[0] == first
+    assert nearest_types(name, known_interfaces(kind))[0] == first
 
 
 @pytest.mark.parametrize("name", ["no_such/msg/Type", "tf", "", "/"])

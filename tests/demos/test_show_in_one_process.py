@@ -158,7 +158,7 @@ def test_a_program_that_is_asked_before_it_has_begun_ends_too(
 ) -> None:
     (tmp_path / "a_slow_starter.py").write_text(
         "from threading import Event\n"
-        "from tfloom.node import create_node, spin\n"
+        "from tfloom.node.client_library import create_node, spin\n"
         "from tfloom.node.program import run_program\n"
         "may_begin = Event()\n"
         "def main(args):\n"

@@ -29,7 +29,7 @@ def test_cyclone_is_the_default(monkeypatch: pytest.MonkeyPatch, value: str | No
 
 
 def test_cyclone_stands_in_for_fast_dds_and_says_so_once(monkeypatch, capsys) -> None:
-    monkeypatch.setattr(backends, "_stand_ins_told", set())
+    monkeypatch.setattr(backends, "_reported_replacements", set())
     monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_fastrtps_cpp")
     assert backends.implementation_identifier() == "rmw_cyclonedds_cpp"
     told = capsys.readouterr().err

@@ -7,7 +7,7 @@ from itertools import product
 import pytest
 
 from tfloom.rmw.compatibility import (
-    PolicyKind,
+    QoSPolicyKind,
     best_available,
     incompatible_policies,
     is_best_available,
@@ -31,10 +31,10 @@ STRONG = QoS(
 )
 WEAK = QoS(ReliabilityPolicy.BEST_EFFORT, DurabilityPolicy.VOLATILE)
 FIELDS = {
-    PolicyKind.RELIABILITY: ["reliability"],
-    PolicyKind.DURABILITY: ["durability"],
-    PolicyKind.DEADLINE: ["deadline_ns"],
-    PolicyKind.LIVELINESS: ["liveliness", "liveliness_lease_ns"],
+    QoSPolicyKind.RELIABILITY: ["reliability"],
+    QoSPolicyKind.DURABILITY: ["durability"],
+    QoSPolicyKind.DEADLINE: ["deadline_ns"],
+    QoSPolicyKind.LIVELINESS: ["liveliness", "liveliness_lease_ns"],
 }
 
 
@@ -44,7 +44,7 @@ def test_equal_ones_and_stronger_offers_meet() -> None:
 
 
 @pytest.mark.parametrize(("kind", "field"), [(k, f) for k, fields in FIELDS.items() for f in fields])
-def test_one_weaker_offer_keeps_the_ends_apart(kind: PolicyKind, field: str) -> None:
+def test_one_weaker_offer_keeps_the_ends_apart(kind: QoSPolicyKind, field: str) -> None:
     offered = STRONG._replace(**{field: getattr(WEAK, field)})
     assert incompatible_policies(offered, STRONG) == [kind]
     assert incompatible_policies(STRONG, offered) == []
@@ -52,10 +52,10 @@ def test_one_weaker_offer_keeps_the_ends_apart(kind: PolicyKind, field: str) -> 
 
 def test_all_that_differ_are_named() -> None:
     assert incompatible_policies(WEAK, STRONG) == [
-        PolicyKind.DURABILITY,
-        PolicyKind.DEADLINE,
-        PolicyKind.LIVELINESS,
-        PolicyKind.RELIABILITY,
+        QoSPolicyKind.DURABILITY,
+        QoSPolicyKind.DEADLINE,
+        QoSPolicyKind.LIVELINESS,
+        QoSPolicyKind.RELIABILITY,
     ]
 
 

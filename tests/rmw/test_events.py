@@ -12,10 +12,16 @@ import pytest
 from tfloom._native import ReadyQueue
 from tfloom.rmw import cyclonedds, local
 from tfloom.rmw.base import NodeName, Participant
-from tfloom.rmw.compatibility import PolicyKind
 from tfloom.rmw.errors import ClosedError, UnsupportedEventError
 from tfloom.rmw.events import Count, Event, IncompatibleQoS, LivelinessChanged, Matched
-from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoS, ReliabilityPolicy
+from tfloom.rmw.qos import (
+    DurabilityPolicy,
+    HistoryPolicy,
+    LivelinessPolicy,
+    QoS,
+    QoSPolicyKind,
+    ReliabilityPolicy,
+)
 
 NODE = NodeName("/", "n")
 DATA = b"\0\1\0\0data"
@@ -58,10 +64,10 @@ def test_matches_are_counted_on_both_ends(wire, topic, take_event) -> None:
 @pytest.mark.parametrize(
     ("offered", "kind"),
     [
-        ({"reliability": ReliabilityPolicy.BEST_EFFORT}, PolicyKind.RELIABILITY),
-        ({"durability": DurabilityPolicy.VOLATILE}, PolicyKind.DURABILITY),
-        ({"deadline_ns": 2_000 * MS}, PolicyKind.DEADLINE),
-        ({"liveliness": LivelinessPolicy.AUTOMATIC}, PolicyKind.LIVELINESS),
+        ({"reliability": ReliabilityPolicy.BEST_EFFORT}, QoSPolicyKind.RELIABILITY),
+        ({"durability": DurabilityPolicy.VOLATILE}, QoSPolicyKind.DURABILITY),
+        ({"deadline_ns": 2_000 * MS}, QoSPolicyKind.DEADLINE),
+        ({"liveliness": LivelinessPolicy.AUTOMATIC}, QoSPolicyKind.LIVELINESS),
     ],
 )
 def test_a_refusal_names_its_policy_on_both_ends(wire, topic, take_event, offered, kind) -> None:

@@ -11,15 +11,11 @@ import numpy as np
 import pytest
 
 from tfloom.interfaces.geometry_msgs.msg import Point
-from tfloom.rosidl import cdr, registry, sources
+from tfloom.rosidl import cdr, class_table, registry, sources
+from tfloom.rosidl.definition_files import interface_names
 from tfloom.rosidl.dynamic import define, define_folder
 from tfloom.rosidl.parse import ParseError
-from tfloom.rosidl.registry import (
-    get_action_class,
-    get_message_class,
-    get_service_class,
-    interface_names,
-)
+from tfloom.rosidl.registry import get_action_class, get_message_class, get_service_class
 
 EVERYTHING = """\
 # Holds one of everything.
@@ -44,12 +40,12 @@ float32 x -1.5
 
 @pytest.fixture(autouse=True)
 def _forgets() -> Iterator[None]:
-    defined, classes = dict(sources._defined), dict(registry._classes)
+    defined, classes = dict(sources._defined), dict(class_table._classes)
     yield
     sources._defined.clear()
     sources._defined.update(defined)
-    registry._classes.clear()
-    registry._classes.update(classes)
+    class_table._classes.clear()
+    class_table._classes.update(classes)
 
 
 def test_text_to_class() -> None:

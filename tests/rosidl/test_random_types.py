@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 from rosbags.typesys.store import Typestore
 
-from tfloom.rosidl import cdr, registry, sources
+from tfloom.rosidl import cdr, class_table, registry, sources
 from tfloom.rosidl.dynamic import define
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.spec import INTEGER_RANGES
@@ -29,7 +29,7 @@ def _forgets() -> Iterator[None]:
     yield
     for name in (INNER, OUTER):
         sources.replace(name, None)
-        registry.forget(name)
+        class_table.forget(name)
 
 
 def primitives(*, wide: bool) -> st.SearchStrategy[str]:

@@ -14,7 +14,7 @@ from tfloom.interfaces.sensor_msgs.msg import CameraInfo
 from tfloom.interfaces.turtlesim.action import RotateAbsolute
 from tfloom.interfaces.turtlesim.srv import Spawn
 from tfloom.rosidl import definition, runtime, sources
-from tfloom.rosidl.registry import interface_names
+from tfloom.rosidl.definition_files import interface_names
 
 
 def test_types_by_name() -> None:

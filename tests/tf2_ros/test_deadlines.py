@@ -26,18 +26,18 @@ def test_calls_come_in_the_order_of_their_times(wait_until: Callable[..., None])
 def test_what_is_called_off_does_not_come(wait_until: Callable[..., None]) -> None:
     called: list[str] = []
     off = call_after(0.02, lambda: called.append("off"))
-    off.call_off()
+    off.cancel()
     call_after(0.04, lambda: called.append("on"))
     wait_until(lambda: called)
     assert called == ["on"]
-    off.call_off()  # again does nothing
+    off.cancel()  # again does nothing
 
 
-def test_a_call_may_call_off_itself_and_make_another() -> None:
+def test_a_call_may_cancel_itself_and_make_another() -> None:
     ended = threading.Event()
 
     def first() -> None:
-        mine.call_off()
+        mine.cancel()
         call_after(0.0, ended.set)
 
     mine = call_after(0.01, first)
@@ -58,12 +58,12 @@ def test_what_is_longer_than_a_thread_can_wait(
         call_after(0.01, lambda: called.append("short"))
         wait_until(lambda: called)
         called.clear()
-    endless.call_off()
+    endless.cancel()
     assert broken == []
 
 
 def test_what_is_called_off_takes_no_room() -> None:
     for _ in range(5):
-        for each in [call_after(3600.0, lambda: None) for _ in range(deadlines.MOST_CALLED_OFF)]:
-            each.call_off()
-    assert len(deadlines._waiting) <= deadlines.MOST_CALLED_OFF + 2 * len(deadlines._functions)
+        for each in [call_after(3600.0, lambda: None) for _ in range(deadlines.MOST_CANCELLED)]:
+            each.cancel()
+    assert len(deadlines._waiting) <= deadlines.MOST_CANCELLED + 2 * len(deadlines._functions)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from tfloom.rosidl.definition_files import interfaces_of
 from tfloom.workspace import index, interfaces
 
 
@@ -23,6 +24,7 @@ def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
             "my_msgs/Inner other\n"
         ),
         "msg/Loop.msg": "Loop[] loops\n",
+        "msg/Stamped.msg": "Header header\n",
     }.items():
         (share / path).parent.mkdir(parents=True, exist_ok=True)
         (share / path).write_text(text)
@@ -33,8 +35,8 @@ def test_a_workspaces_interfaces_stand_beside_ours(workspace: Path) -> None:
     packages = interfaces.interface_packages()
     assert packages["my_msgs"] == workspace
     assert list(packages) == sorted(packages)
-    assert interfaces.interfaces_of(packages["my_msgs"], "msg") == ["Inner", "Loop", "Outer"]
-    assert "Twist" in interfaces.interfaces_of(packages["geometry_msgs"], "msg")
+    assert interfaces_of(packages["my_msgs"], "msg") == ["Inner", "Loop", "Outer", "Stamped"]
+    assert "Twist" in interfaces_of(packages["geometry_msgs"], "msg")
 
 
 OUTER_WITH_NO_COMMENTS = """\
@@ -56,6 +58,16 @@ OUTER_WITH_ALL = OUTER_WITH_ITS_OWN.replace("\tint32 x\n", "\t# inner\n\tint32 x
 )
 def test_the_types_of_fields_stand_beneath_them(workspace: Path, comments: str, text: str) -> None:
     assert "\n".join([*interfaces.expanded_definition("my_msgs/msg/Outer", comments), ""]) == text
+
+
+def test_a_bare_header_is_that_of_std_msgs(workspace: Path) -> None:
+    assert [*interfaces.expanded_definition("my_msgs/Stamped", "none")] == [
+        "Header header",
+        "\tbuiltin_interfaces/Time stamp",
+        "\t\tint32 sec",
+        "\t\tuint32 nanosec",
+        "\tstring frame_id",
+    ]
 
 
 def test_a_type_that_holds_itself_has_an_end(workspace: Path) -> None:

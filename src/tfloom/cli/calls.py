@@ -10,11 +10,13 @@ from contextlib import contextmanager
 from typing import Any, TypeVar
 
 from tfloom._native import ReadyQueue
-from tfloom.cli.action.common import GOAL_SERVICE
 from tfloom.cli.errors import CommandError
 from tfloom.cli.names import did_you_mean
-from tfloom.rmw.base import NodeName, Participant, Service
+from tfloom.rmw.action_names import SEND_GOAL
+from tfloom.rmw.base import NodeName, Participant
 from tfloom.rmw.qos import QoS
+from tfloom.rmw.typed_names import service_of
+from tfloom.rmw.waiting import wait_until_ready
 from tfloom.rosidl import cdr
 
 T = TypeVar("T")
@@ -23,6 +25,8 @@ HINT_S = 2.0
 """How long to wait for a server until the nearest names are told [s]: discovery is quicker on a busy machine, too."""
 PROGRESS_S = 1.0
 """How long a response may take until the user is told what is waited for [s]."""
+CHECK_S = 0.005
+"""How often a server that is waited for is checked [s]: a command lasts about as long as its discovery."""
 LOOK_AGAIN_S = 0.05
 """How often a waiting client looks whether there is still a server [s]."""
 
@@ -34,10 +38,7 @@ class Client:
         self.name = name
         self._class = service_class
         self._graph = participant.graph
-        hashes = (service_class.Request._TYPE_HASH, service_class.Response._TYPE_HASH)
-        self._requester = participant.create_requester(
-            node, Service(name, service_class._TYPE_NAME, *hashes), QoS()
-        )
+        self._requester = participant.create_requester(node, service_of(service_class, name), QoS())
         self._queue = ReadyQueue()
         self._requester.notify(self._queue)
 
@@ -51,29 +52,32 @@ class Client:
         Raises:
             CommandError: there is none within `timeout_s`, or only one that can't be called, and why.
         """
-        end_s = time.monotonic() + timeout_s
-        told_s = time.monotonic() + HINT_S
-        while not self._requester.is_ready():
+        hint_s = time.monotonic() + HINT_S
+
+        def is_ready() -> bool:
+            nonlocal hint_s, while_waiting
+            if self._requester.is_ready():
+                return True
             if obstacle := self._requester.obstacle():
                 raise CommandError(obstacle)
-            if time.monotonic() > end_s:
-                raise CommandError(f"nobody serves {self.name}: waited {timeout_s:g} s for it")
             if while_waiting is not None:
                 while_waiting()
                 while_waiting = None
-            if time.monotonic() > told_s:
-                told_s = math.inf
+            if time.monotonic() > hint_s:
+                hint_s = math.inf
                 print(f"nobody serves {self._nearest()}", file=sys.stderr)
-            time.sleep(0.005)
+            return False
+
+        end_s = time.monotonic() + timeout_s
+        if not wait_until_ready(self._requester, is_ready, end_s, look_again_s=CHECK_S):
+            raise CommandError(f"nobody serves {self.name}: waited {timeout_s:g} s for it")
 
     def _nearest(self) -> str:
         """Return the name of the service or its action, and a line with the nearest that are served."""
-        is_action = self.name.endswith(GOAL_SERVICE)
+        is_action = self.name.endswith(SEND_GOAL)
         served = {end.name for end in self._graph.service_ends() if end.is_server}
-        names = {
-            name.removesuffix(GOAL_SERVICE) for name in served if name.endswith(GOAL_SERVICE) == is_action
-        }
-        name = self.name.removesuffix(GOAL_SERVICE)
+        names = {name.removesuffix(SEND_GOAL) for name in served if name.endswith(SEND_GOAL) == is_action}
+        name = self.name.removesuffix(SEND_GOAL)
         return f"{name} yet{did_you_mean(name, sorted(names))}"
 
     def send(self, request: Any) -> int:

@@ -6,7 +6,8 @@ import argparse
 from collections.abc import Callable, Iterable
 
 from tfloom.cli.parser import VerbParser
-from tfloom.workspace import index, interfaces
+from tfloom.workspace import index
+from tfloom.workspace.interfaces import interface_packages, known_interfaces
 
 MOST_S = 1.0
 """How long a Tab may look for others [s]."""
@@ -56,7 +57,7 @@ def _types_of_topic(args: argparse.Namespace) -> list[str]:
         graph.wait_until_quiet(participant.graph, MOST_S)
         types = graph.topic_types(participant.graph.endpoints())
     name = args.topic_name or ""
-    return types.get(name if name.startswith("/") else f"/{name}", []) or _interfaces("msg")
+    return types.get(name if name.startswith("/") else f"/{name}", []) or known_interfaces("msg")
 
 
 def _nodes(_: argparse.Namespace) -> list[str]:
@@ -83,7 +84,7 @@ def _type_of_service(args: argparse.Namespace) -> list[str]:
     with graph.joined_participant() as participant:
         graph.wait_until_quiet(participant.graph, MOST_S)
         ends = participant.graph.service_ends()
-    return sorted({end.type_name for end in ends if end.name == args.service_name}) or _interfaces("srv")
+    return sorted({end.type_name for end in ends if end.name == args.service_name}) or known_interfaces("srv")
 
 
 def _actions(_: argparse.Namespace) -> list[str]:
@@ -97,7 +98,7 @@ def _type_of_action(args: argparse.Namespace) -> list[str]:
     from tfloom.cli.action.common import settled_ends
 
     types = {end.type_name for end in settled_ends() if end.name == args.action_name}
-    return sorted(types) or _interfaces("action")
+    return sorted(types) or known_interfaces("action")
 
 
 def _parameters(args: argparse.Namespace) -> list[str]:
@@ -143,15 +144,6 @@ def _programs(args: argparse.Namespace) -> list[str]:
     return [index.program_name(path) for path in index.package_programs(args.package_name, prefix)]
 
 
-def _interfaces(*kinds: str) -> list[str]:
-    return [
-        f"{package}/{kind}/{name}"
-        for package, folder in interfaces.interface_packages().items()
-        for kind in kinds or interfaces.KINDS
-        for name in interfaces.interfaces_of(folder, kind)
-    ]
-
-
 _OFFERS: dict[tuple[str, ...], Callable[[argparse.Namespace], Iterable[str]]] = {
     ("topic_name",): _topics,
     ("topic", "topic"): _topics,
@@ -162,15 +154,15 @@ _OFFERS: dict[tuple[str, ...], Callable[[argparse.Namespace], Iterable[str]]] = 
     ("action_type",): _type_of_action,
     ("parameter_name",): _parameters,
     ("parameter_names",): _parameters,
-    ("topic_type",): lambda _: _interfaces("msg"),
-    ("find", "service_type"): lambda _: _interfaces("srv"),
+    ("topic_type",): lambda _: known_interfaces("msg"),
+    ("find", "service_type"): lambda _: known_interfaces("srv"),
     ("transition",): _transitions,
     ("lifecycle", "node_name"): _lifecycle_nodes,
     ("node_name",): _nodes,
     ("package_name",): _packages,
     ("run", "package_name"): _packages_with_programs,
     ("executable_name",): _programs,
-    ("interface", "package_name"): lambda _: list(interfaces.interface_packages()),
-    ("interface", "type"): lambda _: _interfaces(),
+    ("interface", "package_name"): lambda _: list(interface_packages()),
+    ("interface", "type"): lambda _: known_interfaces(),
 }
 """What to offer, by the last or first word of the verb and the argument's name, or by the name alone."""

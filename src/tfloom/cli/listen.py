@@ -18,6 +18,8 @@ from tfloom.rmw.base import EndpointInfo, Graph, NodeName, Participant, Reader, 
 from tfloom.rmw.errors import UnsupportedEventError
 from tfloom.rmw.events import Count, Event, IncompatibleQoS
 from tfloom.rmw.qos import QoS
+from tfloom.rmw.typed_names import topic_of
+from tfloom.rmw.waiting import wait_for_token
 from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
 
@@ -67,7 +69,7 @@ def wait_for_publishers(graph: Graph, name: str, end_s: float) -> list[EndpointI
                 near = did_you_mean(name, {end.topic.name for end in graph.endpoints() if end.is_writer})
                 print(f"waiting for a publisher of {name}{near}", file=sys.stderr)
                 told_s = math.inf
-            _wait(queue, min(end_s, told_s))
+            wait_for_token(queue, min(end_s, told_s))
         return publishers
     finally:
         graph.notify(None)
@@ -138,7 +140,7 @@ def samples_and_ticks(
     on_lost: Callable[[Count], None] | None = None,
 ) -> Iterator[Sample | None]:
     """Yield the samples of a topic as they come and None every `tick_s`; `end_s` and `on_lost` as `samples`."""
-    topic = Topic(name, message_class._TYPE_NAME, message_class._TYPE_HASH)
+    topic = topic_of(message_class, name)
     with shown_node(participant, cli_node()) as node:
         reader = participant.create_reader(node, topic, qos)
         try:
@@ -156,7 +158,7 @@ def samples_and_ticks(
                     if time.monotonic() >= min(next_tick_s, end_s):
                         break
                 else:
-                    _wait(queue, min(end_s, next_tick_s))
+                    wait_for_token(queue, min(end_s, next_tick_s))
                     if on_lost is not None:
                         _tell_of_losses(reader, on_lost)
                     warn_of_mismatch(reader, participant.graph, name, is_publisher=False)
@@ -188,17 +190,9 @@ def warn_of_mismatch(end: Reader | Writer, graph: Graph, name: str, *, is_publis
     """Say on stderr that somebody has the topic with whom `end` can't connect, if that's news."""
     status = end.take_event(Event.INCOMPATIBLE_QOS)
     if isinstance(status, IncompatibleQoS):
-        from tfloom.node.qos.qos_mismatch import mismatch_text
+        from tfloom.rmw.qos_mismatch import mismatch_text
 
         print(
             f"WARNING: {mismatch_text(status, name, end.gid, graph, is_publisher=is_publisher)}",
             file=sys.stderr,
         )
-
-
-def _wait(queue: ReadyQueue, end_s: float) -> None:
-    """Wait for a token until `end_s` on the monotonic clock (inf: for ever)."""
-    if end_s == math.inf:
-        queue.wait(-1)
-    elif (left_s := end_s - time.monotonic()) > 0:
-        queue.wait(int(left_s * 1e9) + 1)

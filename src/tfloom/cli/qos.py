@@ -10,41 +10,27 @@ from typing import Any
 from tfloom.cli.errors import CommandError
 from tfloom.cli.numbers import count, seconds
 from tfloom.rmw.base import EndpointInfo
-from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoS, ReliabilityPolicy
-
-PROFILES = (
-    "unknown",
-    "default",
-    "system_default",
-    "sensor_data",
-    "services_default",
-    "parameters",
-    "parameter_events",
-    "action_status_default",
-    "best_available",
+from tfloom.rmw.compatibility import best_available
+from tfloom.rmw.qos import (
+    POLICIES,
+    PROFILES,
+    DurabilityPolicy,
+    HistoryPolicy,
+    QoS,
+    QoSPolicyEnum,
+    ReliabilityPolicy,
+    unknown_policies,
 )
-POLICIES = {
-    "history": ("system_default", "keep_last", "keep_all", "unknown"),
-    "reliability": ("system_default", "reliable", "best_effort", "unknown", "best_available"),
-    "durability": ("system_default", "transient_local", "volatile", "unknown", "best_available"),
-    "liveliness": ("system_default", "automatic", "manual_by_topic", "unknown", "best_available"),
-}
-KINDS = {
-    "history": HistoryPolicy,
-    "reliability": ReliabilityPolicy,
-    "durability": DurabilityPolicy,
-    "liveliness": LivelinessPolicy,
-}
 
 
 def add_arguments(parser: argparse.ArgumentParser, default: str) -> None:
     """Add the QoS flags; `default` says in the help what happens without them."""
     parser.add_argument(
-        "--qos-profile", choices=PROFILES, help=f"start from this profile (default: {default})"
+        "--qos-profile", choices=list(PROFILES), help=f"start from this profile (default: {default})"
     )
     parser.add_argument("--qos-depth", metavar="N", type=count, help="how many messages to keep")
-    for policy, choices in POLICIES.items():
-        parser.add_argument(f"--qos-{policy}", choices=choices, help=f"{policy} policy")
+    for policy, kind in POLICIES.items():
+        parser.add_argument(f"--qos-{policy}", choices=kind.short_keys(), help=f"{policy} policy")
     parser.add_argument(
         "--qos-liveliness-lease-duration-seconds",
         type=seconds,
@@ -62,7 +48,9 @@ def asked_qos(args: argparse.Namespace, base: QoS) -> QoS | None:
     asked = {policy: getattr(args, f"qos_{policy}") for policy in POLICIES if getattr(args, f"qos_{policy}")}
     if "unknown" in asked.values():
         raise CommandError("'unknown' is what a policy of others can be, not one to ask for")
-    changes: dict[str, Any] = {policy: KINDS[policy][choice.upper()] for policy, choice in asked.items()}
+    changes: dict[str, Any] = {
+        policy: POLICIES[policy].get_from_short_key(choice) for policy, choice in asked.items()
+    }
     if args.qos_depth is not None:
         changes["depth"] = args.qos_depth
     if (lease_s := args.qos_liveliness_lease_duration_seconds) is not None:
@@ -73,39 +61,31 @@ def asked_qos(args: argparse.Namespace, base: QoS) -> QoS | None:
 
 
 def _profile(name: str) -> QoS:
-    from tfloom.node.qos.qos import InvalidQoSProfileException, QoSPresetProfiles
-
-    try:
-        qos: QoS = QoSPresetProfiles.get_from_short_key(name).to_wire()
-    except InvalidQoSProfileException as error:
-        raise CommandError(f"--qos-profile {name} can't be used: {error}") from None
-    return qos
+    qos = PROFILES[name]
+    if unknown := unknown_policies(qos):
+        raise CommandError(f"--qos-profile {name} can't be used: {unknown[0]} is UNKNOWN")
+    return qos.resolved()
 
 
 def suiting_qos(publishers: Sequence[EndpointInfo]) -> QoS:
-    """Return the strictest quality that connects to all of these publishers."""
-    return QoS(
-        reliability=(
-            ReliabilityPolicy.RELIABLE
-            if _all_offer(publishers, "reliability", ReliabilityPolicy.RELIABLE)
-            else ReliabilityPolicy.BEST_EFFORT
-        ),
-        durability=(
-            DurabilityPolicy.TRANSIENT_LOCAL
-            if _all_offer(publishers, "durability", DurabilityPolicy.TRANSIENT_LOCAL)
-            else DurabilityPolicy.VOLATILE
-        ),
-        # What many publishers kept for late comers arrives at once.
-        history=HistoryPolicy.KEEP_ALL,
+    """Return the strictest quality that connects to all of these publishers; without any, the least strict."""
+    # KEEP_ALL, because what many publishers kept for late comers arrives at once.
+    if not publishers:
+        return QoS(ReliabilityPolicy.BEST_EFFORT, DurabilityPolicy.VOLATILE, history=HistoryPolicy.KEEP_ALL)
+    best = QoS(
+        ReliabilityPolicy.BEST_AVAILABLE, DurabilityPolicy.BEST_AVAILABLE, history=HistoryPolicy.KEEP_ALL
     )
+    _warn_of_split(publishers, "reliability", ReliabilityPolicy.RELIABLE)
+    _warn_of_split(publishers, "durability", DurabilityPolicy.TRANSIENT_LOCAL)
+    return best_available(best, [publisher.qos for publisher in publishers], is_writer=False)
 
 
-def _all_offer(publishers: Sequence[EndpointInfo], policy: str, strict: object) -> bool:
+def _warn_of_split(publishers: Sequence[EndpointInfo], policy: str, strict: QoSPolicyEnum) -> None:
+    """Print a line on stderr where some of the publishers offer a policy and some don't."""
     offers = [getattr(publisher.qos, policy) == strict for publisher in publishers]
     if any(offers) and not all(offers):
         print(
             f"{sum(offers)} of {len(offers)} publishers of {publishers[0].topic.name} offer "
-            f"{getattr(strict, 'name', strict)}; listening without it, to hear all of them",
+            f"{strict.name}; listening without it, to hear all of them",
             file=sys.stderr,
         )
-    return bool(offers) and all(offers)

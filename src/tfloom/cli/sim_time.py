@@ -10,8 +10,9 @@ from contextlib import contextmanager
 from tfloom._native import ReadyQueue
 from tfloom.cli.listen import decoded
 from tfloom.interfaces.rosgraph_msgs.msg import Clock
-from tfloom.rmw.base import NodeName, Participant, Reader, Topic
+from tfloom.rmw.base import NodeName, Participant, Reader
 from tfloom.rmw.qos import QoS, ReliabilityPolicy
+from tfloom.rmw.typed_names import topic_of
 
 NowNs = Callable[[], int]
 """Returns the time [ns]; 0 before it is known."""
@@ -26,7 +27,7 @@ def clock(participant: Participant, node: NodeName, *, simulated: bool) -> Itera
     if not simulated:
         yield time.time_ns
         return
-    topic = Topic("/clock", Clock._TYPE_NAME, Clock._TYPE_HASH)
+    topic = topic_of(Clock, "/clock")
     reader = participant.create_reader(node, topic, QoS(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT))
     try:
         yield _SimulatedTime(reader).now_ns

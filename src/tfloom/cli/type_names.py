@@ -10,7 +10,7 @@ from collections.abc import Collection, Iterable
 from tfloom.cli import graph
 from tfloom.cli.names import or_list
 from tfloom.rmw.errors import WireError
-from tfloom.workspace.interfaces import interface_packages, interfaces_of
+from tfloom.workspace.interfaces import known_interfaces
 
 FAMILIAR = ("std_msgs", "geometry_msgs", "sensor_msgs", "nav_msgs", "tf2_msgs", "std_srvs", "turtlesim")
 """Packages that are meant more often than others that have an interface of the same name."""
@@ -29,24 +29,15 @@ def did_you_mean_type(name: str, kind: str, live: Collection[str] = ()) -> str:
 
     Of types that are equally near, those in `live` come first, then those of familiar packages.
     """
-    near = nearest_types(name, known_types(kind) + list(live), live)
+    near = nearest_types(name, known_interfaces(kind) + list(live), live)
     return f"\ndid you mean {or_list(near)}?" if near else ""
 
 
 def warn_if_unknown(name: str, kind: str, live: Collection[str]) -> None:
     """Say on stderr that a type is neither among the interfaces here nor in `live`, with the nearest that are."""
-    if name not in live and name not in known_types(kind):
+    if name not in live and name not in known_interfaces(kind):
         what = {"msg": "message", "srv": "service"}.get(kind, kind)
         print(f"there is no {what} type '{name}'{did_you_mean_type(name, kind, live)}", file=sys.stderr)
-
-
-def known_types(kind: str) -> list[str]:
-    """Return the names of all interfaces of a kind, the workspaces' and our own."""
-    return [
-        f"{package}/{kind}/{base}"
-        for package, folder in interface_packages().items()
-        for base in interfaces_of(folder, kind)
-    ]
 
 
 def nearest_types(name: str, known: Iterable[str], live: Collection[str] = ()) -> list[str]:

@@ -23,10 +23,9 @@ from tfloom.node.values.handle import Handle, unwrap_handle
 from tfloom.node.values.type_support import (
     check_is_valid_msg_type,
     check_is_valid_srv_type,
-    service_of,
-    topic_of,
 )
 from tfloom.rmw.base import Reader, Requester, Responder
+from tfloom.rmw.typed_names import service_of, topic_of
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:

@@ -1,1 +1,1 @@
-"""Bytes over a wire: topics, qualities of service, the graph, and the backends behind one seam (`base`)."""
+"""Bytes over a wire: topics, qualities of service, the graph, and the backends behind one interface (`base`)."""

@@ -1,4 +1,4 @@
-"""Which wire: chosen by RMW_IMPLEMENTATION, imported when chosen."""
+"""Selection of the wire by RMW_IMPLEMENTATION; its backend is imported when it is selected."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ BACKENDS = {
     "rmw_cyclonedds_cpp": "tfloom.rmw.cyclonedds",
     "tfloom_local": "tfloom.rmw.local",
 }
-"""ROS's spelling of each wire, and the module that speaks it."""
+"""ROS's name of each wire, and the module that implements it."""
 
 LIBRARIES = {"rmw_cyclonedds_cpp": "tfloom.rmw.cyclone_library"}
 """The module whose `find_library` locates the library of a wire; a wire that isn't here needs none."""
@@ -25,12 +25,12 @@ STAND_INS = {
     "rmw_fastrtps_cpp": "rmw_cyclonedds_cpp",
     "rmw_fastrtps_dynamic_cpp": "rmw_cyclonedds_cpp",
 }
-"""Wires that we don't have, and the one that is heard by them."""
+"""Wires that are not implemented, and the interoperable one that is used instead."""
 
 DEFAULT = "rmw_cyclonedds_cpp"
 LARGEST_DOMAIN_ID = 232
 
-_stand_ins_told: set[str] = set()
+_reported_replacements: set[str] = set()
 
 
 def open_participant(domain_id: int | None = None, enclave: str = "/") -> Participant:
@@ -41,7 +41,7 @@ def open_participant(domain_id: int | None = None, enclave: str = "/") -> Partic
         enclave: Security enclave to announce.
 
     Raises:
-        ConfigurationError: the domain isn't an integer from 0 to 232, or the wire can't take another setting.
+        ConfigurationError: the domain isn't an integer from 0 to 232, or another setting is invalid for the wire.
         NoBackendError: RMW_IMPLEMENTATION names no known wire, or the wire's library isn't installed.
     """
     module = import_module(BACKENDS[implementation_identifier()])
@@ -61,8 +61,8 @@ def implementation_identifier() -> str:
     if name not in BACKENDS:
         known = ", ".join([*BACKENDS, *STAND_INS])
         raise NoBackendError(f"RMW_IMPLEMENTATION is {asked!r}, which is none of: {known}")
-    if name != asked and asked not in _stand_ins_told:
-        _stand_ins_told.add(asked)
+    if name != asked and asked not in _reported_replacements:
+        _reported_replacements.add(asked)
         print(
             f"tfloom: {asked} isn't available, so {name} is used: topics pass between the two, services don't",
             file=sys.stderr,

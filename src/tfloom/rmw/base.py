@@ -1,7 +1,7 @@
-"""The seam between nodes and wires: bytes, a topic, a quality of service.
+"""The interface between nodes and wires: bytes, a topic, a quality of service.
 
-A backend is a module with `open_participant(domain_id, enclave) -> Participant`. Names and types cross the seam as
-ROS writes them (`/turtle1/pose`, `turtlesim/msg/Pose`); each backend puts them into its wire's form.
+A backend is a module with `open_participant(domain_id, enclave) -> Participant`. Names and types are in
+ROS's form here (`/turtle1/pose`, `turtlesim/msg/Pose`); each backend converts them to its wire's form.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ class Sample(NamedTuple):
     received_stamp_ns: int
     """When it was taken off the wire here [ns since epoch]."""
     publisher_gid: bytes
-    """Who wrote it: 16 octets."""
+    """Gid of its writer: 16 octets."""
 
 
 class NodeName(NamedTuple):
@@ -40,24 +40,24 @@ class NodeName(NamedTuple):
 
 
 class Topic(NamedTuple):
-    """What is written or read."""
+    """The topic of a writer or a reader."""
 
     name: str
     """Fully qualified: `/turtle1/pose`."""
     type_name: str
     """`turtlesim/msg/Pose`."""
     type_hash: str
-    """`RIHS01_` and 64 hex digits; empty if not known."""
+    """`RIHS01_` and 64 hex digits; empty if unknown."""
     is_native: bool = False
-    """Whether DDS has the name as it stands, without ROS's prefix; on the graph it is then no ROS topic."""
+    """Whether DDS has the name unchanged, without ROS's prefix; the graph then does not count it as a ROS topic."""
 
 
 class EndpointInfo(NamedTuple):
-    """A writer or a reader on the graph, anybody's."""
+    """A writer or a reader on the graph, of this or any other participant."""
 
     topic: Topic
     node: NodeName | None
-    """None while its participant has not told which node it belongs to, or for a program that is no ROS node."""
+    """None until its participant's node list has arrived, or for a program that is not a ROS node."""
     is_writer: bool
     gid: bytes
     """16 octets."""
@@ -65,20 +65,20 @@ class EndpointInfo(NamedTuple):
 
 
 class Service(NamedTuple):
-    """What is called or served."""
+    """The service of a client or a server."""
 
     name: str
     """Fully qualified: `/spawn`."""
     type_name: str
     """`turtlesim/srv/Spawn`."""
     request_hash: str = ""
-    """`RIHS01_` and 64 hex digits of the request's part; empty if not known."""
+    """`RIHS01_` and 64 hex digits, of the request's type; empty if unknown."""
     response_hash: str = ""
-    """The same of the response's part."""
+    """The same of the response's type."""
 
 
 class ServiceEndInfo(NamedTuple):
-    """A server or a client on the graph, anybody's."""
+    """A server or a client on the graph, of this or any other participant."""
 
     name: str
     type_name: str
@@ -91,7 +91,7 @@ class ServiceEndInfo(NamedTuple):
 
 
 class RequestId(NamedTuple):
-    """What a server sends back with its response, for the client to know which request it answers."""
+    """The id of a request, which its response carries, too."""
 
     client_gid: bytes
     """16 octets."""
@@ -120,10 +120,10 @@ class Response(NamedTuple):
 
 
 class Graph(Protocol):
-    """Everything a participant has heard of, its own included. Each answer is a snapshot."""
+    """All that a participant has discovered, its own entities included. Each result is a snapshot."""
 
     def nodes(self) -> list[NodeName]:
-        """Return the nodes, one entry for each, in order of their full names; twins are listed twice."""
+        """Return the nodes, one entry for each, in order of their full names, which may be equal."""
 
     def endpoints(self) -> list[EndpointInfo]:
         """Return writers and readers of ROS topics (`rt/…` on DDS), in order of topic name."""
@@ -135,20 +135,20 @@ class Graph(Protocol):
         """Return servers and clients, in order of service name."""
 
     def enclaves(self) -> list[tuple[NodeName, str]]:
-        """Return the nodes as `nodes` does, each with the enclave it is in; empty if that isn't known."""
+        """Return the nodes as `nodes` does, each with the enclave it is in; empty if unknown."""
 
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` whenever the graph has changed; None ends it."""
 
     def changes(self) -> int:
-        """Return a number that grows with each change, for "wait until it is quiet"."""
+        """Return a number that grows with each change."""
 
     def is_whole(self) -> bool:
-        """Tell whether all has come of what is known to come; there may be others of whom nothing came yet."""
+        """Return whether all announced entities have arrived; unannounced participants are not covered."""
 
 
 class Endpoint(Protocol):
-    """What a writer and a reader have in common."""
+    """The common methods of writers and readers."""
 
     gid: bytes
 
@@ -156,17 +156,17 @@ class Endpoint(Protocol):
         """Return how many peers are connected now."""
 
     def notify_event(self, event: Event, queue: ReadyQueue | None, token: int = 0) -> None:
-        """Post `token` to `queue` when `take_event(event)` may have news, once at the start too; None ends it.
+        """Post `token` to `queue` when `take_event(event)` may have a new status, and once at the start; None ends it.
 
         Raises:
-            UnsupportedEventError: this wire, or a such an endpoint, has no such event.
+            UnsupportedEventError: this wire, or this kind of endpoint, has no such event.
         """
 
     def take_event(self, event: Event) -> Status | None:
-        """Return what has become of `event` since it was taken last, or None if nothing has happened.
+        """Return the status of `event` if it has changed since it was taken last, or None.
 
         Raises:
-            UnsupportedEventError: this wire, or a such an endpoint, has no such event.
+            UnsupportedEventError: this wire, or this kind of endpoint, has no such event.
         """
 
     def close(self) -> None:
@@ -180,12 +180,12 @@ class Writer(Endpoint, Protocol):
         """Send one sample: encapsulation header and CDR. Never blocks for longer than the wire's own limit."""
 
     def assert_liveliness(self) -> None:
-        """Say that this writer is alive, as `LivelinessPolicy.MANUAL_BY_TOPIC` wants it; a write says so too."""
+        """Assert that this writer is alive, as `LivelinessPolicy.MANUAL_BY_TOPIC` requires; a write does so, too."""
 
     def wait_for_acks(self, timeout_ns: int) -> bool:
-        """Wait until all connected reliable readers have all that was written; False on a timeout.
+        """Wait until all connected reliable readers have acknowledged all samples; return False on a timeout.
 
-        Does not wait with a timeout of 0, waits for ever with a negative one.
+        A timeout of 0 returns at once; a negative one is endless.
         """
 
 
@@ -195,17 +195,17 @@ class Reader(Endpoint, Protocol):
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` when there is something to take, at once if there may be already; None ends it.
 
-        One post may stand for many samples: take one, and post the token again if there was one.
+        One post may cover many samples: take one, and post the token again if there was one.
         """
 
     def take(self) -> Sample | None:
         """Remove and return the oldest waiting sample, or None. Never blocks."""
 
     def feed(self, sink: Sink) -> None:
-        """From now on push every sample into `sink` on the wire's thread, those already waiting first.
+        """Push every sample into `sink` on the wire's thread from now on, those already waiting first.
 
-        Python never sees them: `take` returns None and `notify` posts nothing. The reader keeps the sink alive,
-        and pushes nothing more once `close` has returned.
+        The samples bypass Python: `take` returns None and `notify` posts nothing. The reader holds a reference to
+        the sink, and pushes nothing more once `close` has returned.
         """
 
 
@@ -214,15 +214,15 @@ class Requester(Protocol):
 
     gid: bytes
     client_gid: bytes
-    """What its `RequestId`s hold: 16 octets."""
+    """The `client_gid` of its `RequestId`s: 16 octets."""
 
     def send(self, data: bytes) -> int:
         """Send a request, encapsulation header and CDR, and return its sequence number.
 
-        Who isn't ready to take it never sees it.
+        A server that is not yet matched in both directions does not receive the request.
 
         Raises:
-            ForeignPeerError: a server of this service speaks another vendor's form and would misread the request.
+            ForeignPeerError: a server of this service uses another vendor's format and would misread the request.
             ClosedError: the requester is closed.
         """
 
@@ -233,13 +233,13 @@ class Requester(Protocol):
         """Post `token` to `queue` when there may be something to take; see `Reader.notify`."""
 
     def notify_ready(self, queue: ReadyQueue | None, token: int = 0) -> None:
-        """Post `token` to `queue` when `is_ready` may have changed, once at the start too; None ends it."""
+        """Post `token` to `queue` when `is_ready` may have changed, and once at the start; None ends it."""
 
     def is_ready(self) -> bool:
-        """Tell whether a server is connected both ways, so that a request sent now will be answered."""
+        """Return whether a server is matched in both directions, so that it will receive and answer a request."""
 
     def obstacle(self) -> str:
-        """Return why this client will never be ready as things stand, for the user to read; empty if it may be."""
+        """Return, for the user, why this client cannot become ready with the present servers; empty if it can."""
 
     def close(self) -> None:
         """Leave the service. Closing again does nothing."""
@@ -254,9 +254,9 @@ class Responder(Protocol):
         """Remove and return the oldest waiting request, or None. Never blocks."""
 
     def send(self, request_id: RequestId, data: bytes) -> None:
-        """Answer a request: encapsulation header and CDR. A client that has left is not an error.
+        """Answer a request: encapsulation header and CDR. It is no error if the client has left.
 
-        May wait, for 0.1 s at most, for a client that can't hear the answer yet.
+        May wait, for 0.1 s at most, until the client's reader is matched.
 
         Raises:
             ClosedError: the responder is closed.
@@ -266,10 +266,10 @@ class Responder(Protocol):
         """Post `token` to `queue` when there may be something to take; see `Reader.notify`."""
 
     def obstacle(self) -> str:
-        """Return why some client can't be served as things stand, for the user to read; empty if all can be."""
+        """Return, for the user, why some of the present clients can't be served; empty if all can be."""
 
     def refusal(self) -> str:
-        """Return why a request was dropped the last time that one was, for the user to read; empty if none was."""
+        """Return, for the user, why the last dropped request was dropped; empty if none was."""
 
     def close(self) -> None:
         """Leave the service. Closing again does nothing."""
@@ -282,25 +282,25 @@ class Participant(Protocol):
 
     @property
     def graph(self) -> Graph:
-        """What this participant has heard of."""
+        """All that this participant has discovered."""
 
     def add_node(self, node: NodeName) -> None:
         """Show a node on the graph."""
 
     def remove_node(self, node: NodeName) -> None:
-        """Take a node off the graph; its writers and readers are to be closed before."""
+        """Remove a node from the graph; its writers and readers must be closed before."""
 
     def create_writer(self, node: NodeName, topic: Topic, qos: QoS) -> Writer:
-        """Offer a topic on behalf of `node`."""
+        """Open a writer of a topic for `node`."""
 
     def create_reader(self, node: NodeName, topic: Topic, qos: QoS) -> Reader:
-        """Ask for a topic on behalf of `node`."""
+        """Open a reader of a topic for `node`."""
 
     def create_requester(self, node: NodeName, service: Service, qos: QoS) -> Requester:
-        """Become a client of a service on behalf of `node`."""
+        """Open a client of a service for `node`."""
 
     def create_responder(self, node: NodeName, service: Service, qos: QoS) -> Responder:
-        """Serve a service on behalf of `node`."""
+        """Open a server of a service for `node`."""
 
     def close(self) -> None:
         """Close all writers and readers and leave the domain. Closing again does nothing."""

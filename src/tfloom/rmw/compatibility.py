@@ -1,8 +1,6 @@
-"""Which readers and writers connect: what is asked for must not exceed what is offered (DDS 1.4, 2.2.3)."""
+"""Compatibility of writers and readers: the requested policies must not exceed the offered ones (DDS 1.4, 2.2.3)."""
 
 from __future__ import annotations
-
-from enum import IntEnum
 
 from tfloom.rmw.qos import (
     BEST_AVAILABLE_NS,
@@ -10,39 +8,31 @@ from tfloom.rmw.qos import (
     DurabilityPolicy,
     LivelinessPolicy,
     QoS,
+    QoSPolicyKind,
     ReliabilityPolicy,
 )
 
 
-class PolicyKind(IntEnum):
-    """The policies that can keep two ends apart, by ROS's numbers."""
+def incompatible_policies(offered: QoS, requested: QoS) -> list[QoSPolicyKind]:
+    """Return the policies that keep a writer and a reader from connecting; empty if they connect.
 
-    INVALID = 1
-    """None that ROS knows."""
-    DURABILITY = 2
-    DEADLINE = 4
-    LIVELINESS = 8
-    RELIABILITY = 16
-
-
-def incompatible_policies(offered: QoS, requested: QoS) -> list[PolicyKind]:
-    """Return the policies by which a writer that offers and a reader that asks don't connect; empty if they do.
-
-    Both are resolved ones (`QoS.resolved`).
+    Args:
+        offered: The writer's quality, resolved (`QoS.resolved`).
+        requested: The reader's quality, resolved.
     """
     apart = {
-        # ROS numbers the stronger of each two lower.
-        PolicyKind.DURABILITY: offered.durability > requested.durability,
-        PolicyKind.DEADLINE: offered.deadline_ns > requested.deadline_ns,
-        PolicyKind.LIVELINESS: offered.liveliness < requested.liveliness
+        # In ROS's numbering, the stronger choice has the lower number.
+        QoSPolicyKind.DURABILITY: offered.durability > requested.durability,
+        QoSPolicyKind.DEADLINE: offered.deadline_ns > requested.deadline_ns,
+        QoSPolicyKind.LIVELINESS: offered.liveliness < requested.liveliness
         or offered.liveliness_lease_ns > requested.liveliness_lease_ns,
-        PolicyKind.RELIABILITY: offered.reliability > requested.reliability,
+        QoSPolicyKind.RELIABILITY: offered.reliability > requested.reliability,
     }
     return [kind for kind, is_apart in apart.items() if is_apart]
 
 
 def is_best_available(qos: QoS) -> bool:
-    """Tell whether a policy of `qos` is up to what others on the topic have."""
+    """Return whether a policy of `qos` depends on the other endpoints of the topic."""
     return (
         qos.reliability == ReliabilityPolicy.BEST_AVAILABLE
         or qos.durability == DurabilityPolicy.BEST_AVAILABLE
@@ -52,14 +42,14 @@ def is_best_available(qos: QoS) -> bool:
 
 
 def best_available(qos: QoS, theirs: list[QoS], *, is_writer: bool) -> QoS:
-    """Return `qos` with each policy that is BEST_AVAILABLE made the strongest by which it meets all of `theirs`.
+    """Return `qos` with each BEST_AVAILABLE policy replaced by the strongest that is compatible with all of `theirs`.
 
-    A writer offers the most there is; a reader asks for what every writer on the topic offers.
+    A writer offers the strongest policy; a reader requests what every writer of the topic offers.
 
     Args:
-        qos: What a new writer or reader wants.
-        theirs: What the readers, or the writers, that are on the topic now have.
-        is_writer: Whether `qos` is offered, not asked for.
+        qos: The quality of a new writer or reader.
+        theirs: The qualities of the topic's present readers, or writers.
+        is_writer: Whether `qos` is a writer's, not a reader's.
     """
     reliability, durability, liveliness = qos.reliability, qos.durability, qos.liveliness
     if reliability == ReliabilityPolicy.BEST_AVAILABLE:
@@ -88,7 +78,7 @@ def best_available(qos: QoS, theirs: list[QoS], *, is_writer: bool) -> QoS:
 
 
 def _best_duration(duration_ns: int, theirs_ns: list[int], *, is_writer: bool) -> int:
-    """Offer the shortest that anybody asks for; ask for the longest that anybody offers."""
+    """Return the shortest requested duration for a writer, the longest offered one for a reader."""
     if duration_ns != BEST_AVAILABLE_NS:
         return duration_ns
     if not theirs_ns:

@@ -1,7 +1,7 @@
-"""Cyclone's XML for how far ROS programs look for one another.
+"""Cyclone's XML configuration for the range of discovery.
 
 ROS_AUTOMATIC_DISCOVERY_RANGE: LOCALHOST (ours where it isn't set), SUBNET, OFF or SYSTEM_DEFAULT.
-ROS_STATIC_PEERS: hosts to look at besides, separated by semicolons. A CYCLONEDDS_URI outweighs both.
+ROS_STATIC_PEERS: further hosts to search, separated by semicolons. A CYCLONEDDS_URI takes precedence over both.
 """
 
 from __future__ import annotations
@@ -14,21 +14,21 @@ from tfloom.rmw.errors import ConfigurationError
 RANGES = ("LOCALHOST", "SUBNET", "OFF", "SYSTEM_DEFAULT")
 DEFAULT_RANGE = "LOCALHOST"
 LOCAL_PARTICIPANTS = 60
-"""How many programs find one another on one machine, where each has to be looked for at a port of its own."""
+"""How many programs can discover one another on one machine, because each is searched at a port of its own."""
 
 _LOOPBACK = ("127.0.0.1", "localhost", "::1")
 
 # Linux's loopback takes 64 KiB in one piece, which halves the cost of a message of 1 MB.
 _LARGE_DATAGRAMS = "<MaxMessageSize>65500B</MaxMessageSize><FragmentSize>65000B</FragmentSize>"
-# A message of 5 MB at best effort comes in one burst; the system may allow less, and then that's what there is.
+# A message of 5 MB at best effort arrives in one burst; the system may limit the buffer to less.
 _RECEIVE_BUFFER = '<SocketReceiveBufferSize max="4MB"/>'
-# A writer that leaves waits until its last samples are acknowledged, which it asks for this often. Cyclone's own 100 ms
-# are for networks; here they would have each program take 0.2 s to end.
+# A writer that leaves waits until its last samples are acknowledged, which it requests this often. Cyclone's own 100 ms
+# are for networks; on one machine they would delay the end of each program by 0.2 s.
 _PROMPT_ACKNOWLEDGEMENTS = "<HeartbeatInterval>20ms</HeartbeatInterval>"
 
 
 def configuration() -> str:
-    """Return the configuration that the environment asks for.
+    """Return the configuration for the environment.
 
     Raises:
         ConfigurationError: ROS_AUTOMATIC_DISCOVERY_RANGE isn't one of `RANGES`.
@@ -37,7 +37,7 @@ def configuration() -> str:
 
 
 def discovery_range() -> str:
-    """Return which of `RANGES` the environment asks for.
+    """Return the one of `RANGES` that the environment selects.
 
     Raises:
         ConfigurationError: ROS_AUTOMATIC_DISCOVERY_RANGE isn't one of them.
@@ -53,7 +53,7 @@ def discovery_range() -> str:
 
 
 def look_up_peers() -> None:
-    """Look up the hosts of ROS_STATIC_PEERS: for one that isn't there, Cyclone would abort the process.
+    """Check the hosts of ROS_STATIC_PEERS, because an unknown one makes Cyclone abort the process.
 
     Raises:
         ConfigurationError: one can't be found.
@@ -90,7 +90,7 @@ def configuration_for(asked: str, static_peers: list[str]) -> str:
 
 
 def _loopback(*, reach_others: bool = False) -> str:
-    """Talk by unicast on the loopback interface, and where others are to be reached on the one that Cyclone finds."""
+    """Use unicast on the loopback interface, and for other machines the interface that Cyclone selects."""
     interfaces = '<NetworkInterface address="127.0.0.1" multicast="false"/>'
     if reach_others:
         interfaces += '<NetworkInterface autodetermine="true" multicast="false"/>'
@@ -99,7 +99,7 @@ def _loopback(*, reach_others: bool = False) -> str:
 
 
 def _peers(addresses: list[str]) -> str:
-    """Look at these hosts, at the port of each index that a program can have."""
+    """Search these hosts, at the port of each participant index."""
     peers = "".join(f'<Peer address="{_escaped(address)}"/>' for address in dict.fromkeys(addresses))
     return (
         "<ParticipantIndex>auto</ParticipantIndex>"

@@ -1,4 +1,4 @@
-"""Writers and readers on Cyclone: a thin face on the native ones, which do all the work."""
+"""Writers and readers on Cyclone: thin wrappers of the native ones."""
 
 from __future__ import annotations
 
@@ -6,24 +6,24 @@ from collections.abc import Callable
 
 from tfloom._native import DdsReader, DdsWriter, ReadyQueue, Sink
 from tfloom.rmw.base import Sample
-from tfloom.rmw.compatibility import PolicyKind
 from tfloom.rmw.errors import ClosedError, UnsupportedEventError, WireError
 from tfloom.rmw.events import Count, Event, IncompatibleQoS, LivelinessChanged, Matched, Status
+from tfloom.rmw.qos import QoSPolicyKind
 
 _POLICY_KINDS = {
-    2: PolicyKind.DURABILITY,
-    4: PolicyKind.DEADLINE,
-    8: PolicyKind.LIVELINESS,
-    11: PolicyKind.RELIABILITY,
+    2: QoSPolicyKind.DURABILITY,
+    4: QoSPolicyKind.DEADLINE,
+    8: QoSPolicyKind.LIVELINESS,
+    11: QoSPolicyKind.RELIABILITY,
 }
-"""ROS's numbers of policies, by those of DDS (1.4, 2.2.3)."""
+"""ROS's policy kinds, by the numbers of DDS (1.4, 2.2.3)."""
 
 _ACKS_SLICE_NS = 100_000_000
-"""How long to wait between two looks at signals."""
+"""How long to wait between two checks for signals."""
 
 
 class CycloneEndpoint:
-    """What a writer and a reader have in common."""
+    """The common part of writers and readers."""
 
     def __init__(
         self, native: DdsWriter | DdsReader, topic_name: str, forget: Callable[[CycloneEndpoint], None]
@@ -43,7 +43,7 @@ class CycloneEndpoint:
         return self._endpoint.matched()
 
     def notify_event(self, event: Event, queue: ReadyQueue | None, token: int = 0) -> None:
-        """Post `token` to `queue` when `take_event(event)` may have news, once at the start too; None ends it.
+        """Post `token` to `queue` when `take_event(event)` may have a new status, and once at the start; None ends it.
 
         Raises:
             UnsupportedEventError: the event is one of the other kind of endpoint.
@@ -54,7 +54,7 @@ class CycloneEndpoint:
             raise UnsupportedEventError(f"{event.name}: {error}") from None
 
     def take_event(self, event: Event) -> Status | None:
-        """Return what has become of `event` since it was taken last, or None if nothing has happened.
+        """Return the status of `event` if it has changed since it was taken last, or None.
 
         Raises:
             UnsupportedEventError: the event is one of the other kind of endpoint.
@@ -79,7 +79,7 @@ def _status(event: Event, fields: tuple[int, int, int, int]) -> Status:
     if event == Event.LIVELINESS_CHANGED:
         return LivelinessChanged(*fields)
     if event == Event.INCOMPATIBLE_QOS:
-        return IncompatibleQoS(fields[0], fields[1], _POLICY_KINDS.get(fields[2], PolicyKind.INVALID))
+        return IncompatibleQoS(fields[0], fields[1], _POLICY_KINDS.get(fields[2], QoSPolicyKind.INVALID))
     return Count(fields[0], fields[1])
 
 
@@ -93,7 +93,7 @@ class CycloneWriter(CycloneEndpoint):
         self._native = native
 
     def write(self, data: bytes) -> None:
-        """Send one sample; waits where readers of a reliable topic don't keep up.
+        """Send one sample; blocks while readers of a reliable topic lag behind.
 
         Raises:
             ClosedError: the writer has left its topic.
@@ -105,7 +105,7 @@ class CycloneWriter(CycloneEndpoint):
             raise self._error("write to", error) from None
 
     def assert_liveliness(self) -> None:
-        """Say that this writer is alive.
+        """Assert that this writer is alive.
 
         Raises:
             ClosedError: the writer has left its topic.
@@ -116,9 +116,9 @@ class CycloneWriter(CycloneEndpoint):
             raise self._error("assert liveliness on", error) from None
 
     def wait_for_acks(self, timeout_ns: int) -> bool:
-        """Wait until all connected reliable readers have all that was written; False on a timeout.
+        """Wait until all connected reliable readers have acknowledged all samples; return False on a timeout.
 
-        Does not wait with a timeout of 0, waits for ever with a negative one; Ctrl-C ends it.
+        A timeout of 0 returns at once; a negative one is endless. Ctrl-C ends the wait.
 
         Raises:
             ClosedError: the writer has left its topic.
@@ -152,7 +152,7 @@ class CycloneReader(CycloneEndpoint):
         self._native.notify(queue, token)
 
     def take(self) -> Sample | None:
-        """Remove and return the oldest waiting sample, or None. Its time of receipt is that of its being taken."""
+        """Remove and return the oldest waiting sample, or None. Its time of receipt is the time of this call."""
         taken = self._native.take()
         return None if taken is None else Sample(*taken)
 

@@ -1,4 +1,4 @@
-"""The graph as DDS discovery and the participants' own lists of nodes tell it."""
+"""The graph, from DDS discovery and the participants' node lists."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _READ_ALL = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPoli
 
 
 class _View(NamedTuple):
-    """What was known at one count of changes."""
+    """The graph at one count of changes."""
 
     changes: int
     enclaves: list[tuple[NodeName, str]]
@@ -34,7 +34,7 @@ class _View(NamedTuple):
 
 
 class CycloneGraph:
-    """Everything a participant has heard of; see `base.Graph`."""
+    """All that a participant has discovered; see `base.Graph`."""
 
     def __init__(self, participant: DdsParticipant) -> None:
         self._native = DdsGraph(
@@ -52,7 +52,7 @@ class CycloneGraph:
         return [node for node, _ in self._current().enclaves]
 
     def enclaves(self) -> list[tuple[NodeName, str]]:
-        """Return the nodes as `nodes` does, each with the enclave it is in; empty if that isn't known."""
+        """Return the nodes as `nodes` does, each with the enclave it is in; empty if unknown."""
         return list(self._current().enclaves)
 
     def raw_endpoints(self) -> list[EndpointInfo]:
@@ -76,7 +76,7 @@ class CycloneGraph:
         return self._native.changes()
 
     def is_whole(self) -> bool:
-        """Tell whether each end that is in a list of nodes has come, and the list of each participant that has ends."""
+        """Return whether each listed endpoint has arrived, and the node list of each participant with endpoints."""
         return self._current().is_whole
 
     def close(self) -> None:
@@ -94,11 +94,11 @@ class CycloneGraph:
         participants, endpoints = self._native.snapshot()
         enclaves: list[tuple[NodeName, str]] = []
         node_of: dict[bytes, NodeName] = {}
-        silent: set[bytes] = set()  # ROS participants that have told of no nodes yet
+        silent: set[bytes] = set()  # ROS participants without a node list so far
         for participant, participant_data, node_list in participants:
-            told = key_values(participant_data)
-            enclave = told.get("enclave", "")
-            if "enclave" in told and not node_list:
+            values = key_values(participant_data)
+            enclave = values.get("enclave", "")
+            if "enclave" in values and not node_list:
                 silent.add(participant)
             for ends in _decoded(node_list):
                 enclaves.append((ends.name, enclave))
@@ -130,7 +130,7 @@ class CycloneGraph:
 
 
 def _decoded(node_list: bytes) -> list[node_lists.NodeEnds]:
-    """Return the nodes in a list from the wire; none where nothing came yet, or what came can't be read."""
+    """Return the nodes in a list from the wire; empty before the first list, or for one that can't be decoded."""
     if not node_list:
         return []
     try:

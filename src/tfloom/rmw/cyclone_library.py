@@ -1,4 +1,4 @@
-"""Where libddsc is: in the wheel of cyclonedds, found without importing that package."""
+"""The path of libddsc in the wheel of cyclonedds, found without importing that package."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _ELSEWHERE = (
 
 
 _PLACES = (("../cyclonedds.libs", re.compile(r".*ddsc[-.]")), (".dylibs", re.compile("libddsc")))
-"""Where wheels keep it, from the package on: on Linux and Windows, and on macOS."""
+"""Where wheels have it, relative to the package: on Linux and Windows, and on macOS."""
 
 
 def find_library() -> str:
@@ -54,7 +54,7 @@ def _check_version(package: str) -> None:
 
 
 def _names_in(folder: str) -> list[str]:
-    # By os alone: to import pathlib would take longer than all the rest here.
+    # By os alone, because importing pathlib would take longer than all the rest here.
     try:
         return [entry.name for entry in os.scandir(folder)]
     except OSError:

@@ -1,7 +1,7 @@
-"""How the ends of a service find each other on DDS, and who isn't to be talked to.
+"""Matching of servers and clients on DDS, and detection of incompatible vendors.
 
 rmw_cyclonedds writes `serviceid=` into the USER_DATA of both endpoints of a server and `clientid=` into a client's, so
-that a peer can tell whether it sees both. Other vendors put no header into the CDR and would misread ours.
+that a peer can check that both are matched. Other vendors put no header into the CDR and would misread ours.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from tfloom.rmw.cyclone_endpoints import CycloneReader, CycloneWriter
 from tfloom.rmw.topic_names import key_values
 
 CYCLONE_VENDOR = b"\x01\x10"
-"""What a GUID of Cyclone's starts with (RTPS 2.5, 8.3.3.1.3)."""
+"""The first octets of Cyclone's GUIDs (RTPS 2.5, 8.3.3.1.3)."""
 
 SERVER_KEY = "serviceid"
 CLIENT_KEY = "clientid"
@@ -31,23 +31,23 @@ def end_id(participant_gid: bytes, number: int) -> str:
 
 def end_user_data(key: str, identifier: str, type_hash: str) -> bytes:
     """Return the USER_DATA of an endpoint of a service."""
-    told = f"{key}={identifier};"
-    return (told + f"typehash={type_hash};" if type_hash else told).encode()
+    text = f"{key}={identifier};"
+    return (text + f"typehash={type_hash};" if type_hash else text).encode()
 
 
 def _ids(peers: list[tuple[bytes, bytes]], key: str) -> set[str]:
-    """Return the ids that these peers tell; an empty text stands for those that tell none."""
+    """Return the ids in these peers' USER_DATA; an empty text stands for those without one."""
     return {_id(user_data, key) for _, user_data in peers}
 
 
 @lru_cache(maxsize=1024)
 def _id(user_data: bytes, key: str) -> str:
-    """Return what a peer's USER_DATA tells of `key`; asked of the same peers again and again."""
+    """Return the value of `key` in a peer's USER_DATA; cached, because the same peers are looked up again and again."""
     return key_values(user_data).get(key, "")
 
 
 class _Peers:
-    """What client and server have in common."""
+    """The common part of clients and servers."""
 
     def __init__(self, requests: CycloneWriter | CycloneReader, name: str, others: str) -> None:
         self._requests_end = requests
@@ -55,7 +55,7 @@ class _Peers:
         self._others = others
 
     def accepts(self, publisher_gid: bytes) -> bool:
-        """Tell whether this peer is Cyclone's."""
+        """Return whether this peer is Cyclone's."""
         return publisher_gid.startswith(CYCLONE_VENDOR)
 
     def obstacle(self) -> str:
@@ -69,7 +69,7 @@ class _Peers:
 
 
 class CycloneServers(_Peers):
-    """What a client knows of its servers; see `services.Servers`."""
+    """The servers of a client; see `services.Servers`."""
 
     def __init__(self, requests: CycloneWriter, responses: CycloneReader, name: str) -> None:
         super().__init__(requests, name, "a server")
@@ -77,21 +77,21 @@ class CycloneServers(_Peers):
         self._responses = responses
 
     def is_ready(self) -> bool:
-        """Tell whether both endpoints of a server are connected, and none is of another vendor."""
-        hearing = _ids(self._requests.matched(), SERVER_KEY)
-        return bool(hearing & _ids(self._responses.matched(), SERVER_KEY)) and not self.obstacle()
+        """Return whether both endpoints of a server are matched, and none is of another vendor."""
+        receiving = _ids(self._requests.matched(), SERVER_KEY)
+        return bool(receiving & _ids(self._responses.matched(), SERVER_KEY)) and not self.obstacle()
 
 
 class CycloneClients(_Peers):
-    """What a server knows of its clients; see `services.Clients`."""
+    """The clients of a server; see `services.Clients`."""
 
     def __init__(self, requests: CycloneReader, responses: CycloneWriter, name: str) -> None:
         super().__init__(requests, name, "a client")
         self._requests = requests
         self._responses = responses
 
-    def hears(self, publisher_gid: bytes) -> bool | None:
-        """Tell whether the client that wrote from here is connected both ways; None if it has left."""
+    def is_matched(self, publisher_gid: bytes) -> bool | None:
+        """Return whether the client of this writer is matched in both directions; None if it has left."""
         clients = dict(self._requests.matched())
         if publisher_gid not in clients:
             return None

@@ -1,6 +1,6 @@
 """The wire of rmw_cyclonedds: DDS through the library of the cyclonedds wheel.
 
-Samples are raw CDR both ways; nothing is marshalled here. Participants announce `enclave=…;`, endpoints
+Samples are raw CDR in both directions. Participants announce `enclave=…;`, endpoints
 `typehash=…;`, and each participant lists its nodes on `ros_discovery_info`.
 """
 
@@ -48,7 +48,7 @@ def open_participant(domain_id: int, enclave: str = "/") -> Participant:
     Raises:
         NoBackendError: cyclonedds isn't installed, or isn't version 11.
         ConfigurationError: ROS_AUTOMATIC_DISCOVERY_RANGE isn't a range.
-        WireError: the library can't join; its text says why.
+        WireError: the library can't join; the text has the reason.
     """
     participant = CycloneParticipant(domain_id, enclave)
     _open_participants.add(participant)
@@ -57,7 +57,7 @@ def open_participant(domain_id: int, enclave: str = "/") -> Participant:
 
 @atexit.register
 def _close_all() -> None:
-    """Say goodbye to peers, which would else wait for us until our lease ends."""
+    """Close all participants, because peers would otherwise wait until the lease ends."""
     for participant in list(_open_participants):
         participant.close()
 
@@ -109,31 +109,31 @@ class CycloneParticipant:
         """Show a node on the graph."""
         with self._lock:
             self._nodes.append(node)
-            self._tell()
+            self._publish_nodes()
 
     def remove_node(self, node: NodeName) -> None:
-        """Take a node off the graph.
+        """Remove a node from the graph.
 
         Raises:
             ValueError: this participant has no such node.
         """
         with self._lock:
             self._nodes.remove(node)
-            self._tell()
+            self._publish_nodes()
 
     def create_writer(self, node: NodeName, topic: Topic, qos: QoS) -> CycloneWriter:
-        """Offer a topic on behalf of `node`.
+        """Open a writer of a topic for `node`.
 
         Raises:
-            WireError: the library refuses it; its text says why.
+            WireError: the library refuses it; the text has the reason.
         """
         return self._open_topic(CycloneWriter, node, topic, qos)
 
     def create_reader(self, node: NodeName, topic: Topic, qos: QoS) -> CycloneReader:
-        """Ask for a topic on behalf of `node`.
+        """Open a reader of a topic for `node`.
 
         Raises:
-            WireError: the library refuses it; its text says why.
+            WireError: the library refuses it; the text has the reason.
         """
         return self._open_topic(CycloneReader, node, topic, qos)
 
@@ -145,20 +145,20 @@ class CycloneParticipant:
         return end
 
     def create_requester(self, node: NodeName, service: Service, qos: QoS) -> HeaderRequester:
-        """Become a client of a service on behalf of `node`.
+        """Open a client of a service for `node`.
 
         Raises:
-            WireError: the library refuses it; its text says why.
+            WireError: the library refuses it; the text has the reason.
         """
         requests, responses = self._open_service(CLIENT_KEY, CycloneWriter, CycloneReader, node, service, qos)
         servers = CycloneServers(requests, responses, service.name)
         return HeaderRequester(requests, responses, servers, os.urandom(8))
 
     def create_responder(self, node: NodeName, service: Service, qos: QoS) -> HeaderResponder:
-        """Serve a service on behalf of `node`.
+        """Open a server of a service for `node`.
 
         Raises:
-            WireError: the library refuses it; its text says why.
+            WireError: the library refuses it; the text has the reason.
         """
         requests, responses = self._open_service(SERVER_KEY, CycloneReader, CycloneWriter, node, service, qos)
         return HeaderResponder(requests, responses, CycloneClients(requests, responses, service.name))
@@ -207,22 +207,22 @@ class CycloneParticipant:
     def _remember(self, node: NodeName, *ends: CycloneEndpoint) -> None:
         with self._lock:
             self._ends.update(dict.fromkeys(ends, node))
-            self._tell()
+            self._publish_nodes()
 
     def _forget(self, end: CycloneEndpoint) -> None:
-        """Drop an endpoint that closes from the list of what its node has."""
+        """Remove a closing endpoint from its node's list."""
         if self._is_forked():
             return
         with self._lock:
             if self._ends.pop(end, None) is not None:
-                self._tell()
+                self._publish_nodes()
 
     def _is_forked(self) -> bool:
-        """Tell whether this is a child of the process that joined: there the library's threads don't exist."""
+        """Return whether this is a forked child of the process that joined, without the library's threads."""
         return self._process != os.getpid()
 
-    def _tell(self) -> None:
-        """Tell all participants what nodes are here, and what each has open."""
+    def _publish_nodes(self) -> None:
+        """Publish the node list: this participant's nodes, and the endpoints of each."""
         nodes = {node: node_lists.NodeEnds(node, [], []) for node in self._nodes}
         for end, node in self._ends.items():
             if entry := nodes.get(node):

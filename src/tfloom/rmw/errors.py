@@ -1,10 +1,10 @@
-"""What can go wrong with a wire.
+"""Errors of a wire.
 
 WireError (RuntimeError)
-├── NoBackendError         the wire asked for, or any wire, isn't installed or isn't known
-├── ConfigurationError     an environment variable or an argument holds what the wire can't take
+├── NoBackendError         the selected wire is unknown, or not installed
+├── ConfigurationError     an environment variable or an argument is invalid for the wire
 ├── ClosedError            an endpoint was used after it had left its topic
-├── ForeignPeerError       a service's other end speaks another vendor's form
+├── ForeignPeerError       a service's peer uses another vendor's format
 └── UnsupportedEventError  this wire, or this kind of endpoint, has no such event
 """
 
@@ -12,15 +12,15 @@ from __future__ import annotations
 
 
 class WireError(RuntimeError):
-    """The wire refused something; the message says what and what to do."""
+    """The wire refused an operation; the text has the reason and the remedy."""
 
 
 class NoBackendError(WireError):
-    """No backend can be had: an unknown name, or a library that isn't installed."""
+    """No backend is available: an unknown name, or a library that isn't installed."""
 
 
 class ConfigurationError(WireError):
-    """A setting can't be used: which one, what it holds, and what it may hold."""
+    """A setting is invalid; the text has its name, its value and the valid values."""
 
 
 class ClosedError(WireError):
@@ -28,8 +28,8 @@ class ClosedError(WireError):
 
 
 class ForeignPeerError(WireError):
-    """A request would reach a server of another vendor, which would misread it; so it wasn't sent."""
+    """A request was not sent, because a server of another vendor would misread it."""
 
 
 class UnsupportedEventError(WireError):
-    """An event that this wire doesn't know, or that the other kind of endpoint has."""
+    """An event that this wire, or this kind of endpoint, does not have."""

@@ -1,4 +1,4 @@
-"""What happens to a writer or a reader besides data: peers come and go, promises are broken, samples are lost.
+"""Events of writers and readers: matched and unmatched peers, missed deadlines, lost liveliness, lost samples.
 
 A status counts from the endpoint's opening; its changes count since it was taken last.
 """
@@ -8,21 +8,21 @@ from __future__ import annotations
 from enum import IntEnum
 from typing import NamedTuple, TypeAlias, Union
 
-from tfloom.rmw.compatibility import PolicyKind
+from tfloom.rmw.qos import QoSPolicyKind
 
 
 class Event(IntEnum):
-    """What can be watched. Writers and readers know all but those said to be of the other."""
+    """The events. Writers and readers have all but those marked as the other's."""
 
     MATCHED = 0
     INCOMPATIBLE_QOS = 1
     DEADLINE_MISSED = 2
     LIVELINESS_LOST = 3
-    """Of writers: this one didn't say in time that it is alive."""
+    """Of writers: this one did not assert its liveliness in time."""
     LIVELINESS_CHANGED = 4
-    """Of readers: a writer didn't, or does again."""
+    """Of readers: a writer did not, or does again."""
     MESSAGE_LOST = 5
-    """Of readers: samples that will never come."""
+    """Of readers: samples that were lost."""
 
 
 class Matched(NamedTuple):
@@ -35,11 +35,11 @@ class Matched(NamedTuple):
 
 
 class IncompatibleQoS(NamedTuple):
-    """How many peers were turned away, and a policy by which the last one was."""
+    """How many incompatible peers there were, and a policy that kept the last one from connecting."""
 
     total_count: int
     total_count_change: int
-    last_policy_kind: PolicyKind
+    last_policy_kind: QoSPolicyKind
 
 
 class LivelinessChanged(NamedTuple):
@@ -52,7 +52,7 @@ class LivelinessChanged(NamedTuple):
 
 
 class Count(NamedTuple):
-    """How often it has happened: deadlines missed, liveliness lost, messages lost."""
+    """How often an event has occurred: deadlines missed, liveliness lost, messages lost."""
 
     total_count: int
     total_count_change: int

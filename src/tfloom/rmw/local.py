@@ -1,7 +1,7 @@
-"""The in-process wire: what is written is in the matched readers before `write` returns.
+"""The in-process wire: a sample is in the matched readers before `write` returns.
 
-Participants of one process on the same domain hear each other, as on DDS: same topic, same type, compatible qualities
-of service. Nothing leaves the process, no thread runs, and the order of samples is the order of writes.
+Participants of one process on the same domain match as on DDS: same topic, same type, compatible qualities of service.
+Nothing leaves the process, there is no thread, and the order of samples is the order of writes.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def open_participant(domain_id: int, enclave: str = "/") -> Participant:
 
 
 class _Domain:
-    """Everybody on one domain of this process."""
+    """The participants on one domain of this process."""
 
     def __init__(self) -> None:
         self.lock = threading.Lock()
@@ -55,7 +55,7 @@ class _Domain:
             self.participants.append(participant)
 
     def remove_participant(self, participant: LocalParticipant) -> bool:
-        """Say goodbye to a participant and tell whether it was the last."""
+        """Remove a participant and return whether it was the last."""
         with self.lock:
             self.participants.remove(participant)
             return not self.participants
@@ -108,7 +108,7 @@ class _Domain:
 
 
 class LocalGraph:
-    """What everybody on the domain has; see `base.Graph`."""
+    """The entities of all participants on the domain; see `base.Graph`."""
 
     def __init__(self, domain: _Domain) -> None:
         self._domain = domain
@@ -154,7 +154,7 @@ class LocalGraph:
         self._listener = None if queue is None else (queue, token)
 
     def is_whole(self) -> bool:
-        """Return True: here everything is known at once."""
+        """Return True, because all entities are visible at once."""
         return True
 
     def changes(self) -> int:
@@ -162,7 +162,7 @@ class LocalGraph:
         return self._domain.changes
 
     def post_change(self) -> None:
-        """Tell whoever asked to be told."""
+        """Post the token of `notify`."""
         if listener := self._listener:
             listener[0].post(listener[1])
 
@@ -195,7 +195,7 @@ class LocalParticipant:
         self._domain.add_node(node, self.enclave)
 
     def remove_node(self, node: NodeName) -> None:
-        """Take a node off the graph.
+        """Remove a node from the graph.
 
         Raises:
             ValueError: this participant has no such node.
@@ -204,25 +204,25 @@ class LocalParticipant:
         self._domain.remove_node(node, self.enclave)
 
     def create_writer(self, node: NodeName, topic: Topic, qos: QoS) -> LocalWriter:
-        """Offer a topic on behalf of `node`."""
+        """Open a writer of a topic for `node`."""
         writer = LocalWriter(self._describe(node, topic, qos, is_writer=True), self._domain.remove_writer)
         self._domain.add_writer(writer)
         return writer
 
     def create_reader(self, node: NodeName, topic: Topic, qos: QoS) -> LocalReader:
-        """Ask for a topic on behalf of `node`."""
+        """Open a reader of a topic for `node`."""
         reader = LocalReader(self._describe(node, topic, qos, is_writer=False), self._domain.remove_reader)
         self._domain.add_reader(reader)
         return reader
 
     def create_requester(self, node: NodeName, service: Service, qos: QoS) -> HeaderRequester:
-        """Become a client of a service on behalf of `node`."""
+        """Open a client of a service for `node`."""
         responses = self.create_reader(node, response_topic(service), waiting_qos(qos, is_client=True))
         requests = self.create_writer(node, request_topic(service), qos)
         return HeaderRequester(requests, responses, LocalServers(requests, responses), requests.gid[-8:])
 
     def create_responder(self, node: NodeName, service: Service, qos: QoS) -> HeaderResponder:
-        """Serve a service on behalf of `node`."""
+        """Open a server of a service for `node`."""
         responses = self.create_writer(node, response_topic(service), qos)
         requests = self.create_reader(node, request_topic(service), waiting_qos(qos, is_client=False))
         return HeaderResponder(requests, responses, LocalClients())

@@ -1,6 +1,6 @@
 """Writers and readers of the in-process wire: a write puts a sample into every matched reader before it returns.
 
-Locks are taken in this order: a domain's, a writer's, a reader's.
+Locks are acquired in this order: a domain's, a writer's, a reader's.
 """
 
 from __future__ import annotations
@@ -26,12 +26,12 @@ class _Stored(NamedTuple):
 
 
 def _keep(qos: QoS) -> deque[_Stored]:
-    """Return an empty store that holds what `qos` keeps."""
+    """Return an empty queue for as many samples as `qos` keeps."""
     return deque(maxlen=None if qos.history == HistoryPolicy.KEEP_ALL else qos.depth)
 
 
 class LocalEndpoint:
-    """What a writer and a reader have in common."""
+    """The common part of writers and readers."""
 
     def __init__(self, info: EndpointInfo) -> None:
         self.info = info
@@ -41,7 +41,7 @@ class LocalEndpoint:
         self._closed = False
 
     def notify_event(self, event: Event, queue: ReadyQueue | None, token: int = 0) -> None:
-        """Post `token` to `queue` when `take_event(event)` may have news; MATCHED and INCOMPATIBLE_QOS alone are known.
+        """Post `token` to `queue` when `take_event(event)` may have a new status, of MATCHED or INCOMPATIBLE_QOS.
 
         Raises:
             UnsupportedEventError: the event is another one.
@@ -49,7 +49,7 @@ class LocalEndpoint:
         self.events.notify(event, queue, token)
 
     def take_event(self, event: Event) -> Status | None:
-        """Return what has become of `event` since it was taken last, or None if nothing has happened.
+        """Return the status of `event` if it has changed since it was taken last, or None.
 
         Raises:
             UnsupportedEventError: the event is neither MATCHED nor INCOMPATIBLE_QOS.
@@ -87,7 +87,7 @@ class LocalWriter(LocalEndpoint):
         return INFINITE_NS if lifespan_ns == INFINITE_NS else now_ns + lifespan_ns
 
     def match(self, reader: LocalReader) -> None:
-        """Connect a reader if it is of the same topic, type and compatible qualities; send it what it missed."""
+        """Connect a reader of the same topic, type and compatible qualities; send it the samples kept for it."""
         mine, theirs = self.info, reader.info
         if mine.topic.name != theirs.topic.name or mine.topic.type_name != theirs.topic.type_name:
             return
@@ -120,14 +120,14 @@ class LocalWriter(LocalEndpoint):
             return len(self._readers)
 
     def assert_liveliness(self) -> None:
-        """Do nothing: leases don't end on this wire."""
+        """Do nothing, because leases don't end on this wire."""
 
     def wait_for_acks(self, timeout_ns: int) -> bool:  # noqa: ARG002 - there is nothing to wait for
-        """Return True: what is written has arrived."""
+        """Return True, because a written sample has arrived."""
         return True
 
     def close(self) -> None:
-        """Leave the topic; what readers have not taken yet stays with them."""
+        """Leave the topic; readers keep the samples that they have not taken yet."""
         with self._lock:
             if self._closed:
                 return
@@ -150,7 +150,7 @@ class LocalReader(LocalEndpoint):
         self._writers = 0
 
     def deliver(self, stored: _Stored) -> None:
-        """Take in one sample, on the writer's thread."""
+        """Accept one sample, on the writer's thread."""
         with self._lock:
             if self._closed:
                 return
@@ -185,7 +185,7 @@ class LocalReader(LocalEndpoint):
                 _push(sink, self._waiting.popleft())
 
     def count_writer(self, change: int) -> None:
-        """Note that a writer has come (1) or gone (-1)."""
+        """Count a writer that has matched (1) or left (-1)."""
         with self._lock:
             self._writers += change
             self.events.add_match(change)
@@ -195,7 +195,7 @@ class LocalReader(LocalEndpoint):
         return self._writers
 
     def close(self) -> None:
-        """Leave the topic; what waits is dropped."""
+        """Leave the topic; waiting samples are dropped."""
         with self._lock:
             if self._closed:
                 return

@@ -1,28 +1,28 @@
-"""The events of the in-process wire: peers that connect, and peers that don't."""
+"""The events of the in-process wire: matched peers and incompatible ones."""
 
 from __future__ import annotations
 
 import threading
 
 from tfloom._native import ReadyQueue
-from tfloom.rmw.compatibility import PolicyKind
 from tfloom.rmw.errors import UnsupportedEventError
 from tfloom.rmw.events import Event, IncompatibleQoS, Matched, Status
+from tfloom.rmw.qos import QoSPolicyKind
 
 KNOWN = (Event.MATCHED, Event.INCOMPATIBLE_QOS)
 
 
 class LocalEvents:
-    """What has happened to one endpoint, and who wants to know."""
+    """The statuses of one endpoint, and the queues to notify."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self._listeners: dict[Event, tuple[ReadyQueue, int]] = {}
         self._matched = Matched(0, 0, 0, 0)
-        self._incompatible = IncompatibleQoS(0, 0, PolicyKind.INVALID)
+        self._incompatible = IncompatibleQoS(0, 0, QoSPolicyKind.INVALID)
 
     def add_match(self, change: int) -> None:
-        """Note that a peer has connected (1) or left (-1)."""
+        """Count a peer that has matched (1) or left (-1)."""
         with self._lock:
             was = self._matched
             new = max(change, 0)
@@ -34,8 +34,8 @@ class LocalEvents:
             )
             self._post(Event.MATCHED)
 
-    def add_incompatible(self, kind: PolicyKind) -> None:
-        """Note that a peer was turned away."""
+    def add_incompatible(self, kind: QoSPolicyKind) -> None:
+        """Count an incompatible peer."""
         with self._lock:
             was = self._incompatible
             self._incompatible = IncompatibleQoS(was.total_count + 1, was.total_count_change + 1, kind)
@@ -46,7 +46,7 @@ class LocalEvents:
             listener[0].post(listener[1])
 
     def notify(self, event: Event, queue: ReadyQueue | None, token: int) -> None:
-        """Post `token` to `queue` when the event has news, once at the start too; None ends it.
+        """Post `token` to `queue` when the event has a new status, and once at the start; None ends it.
 
         Raises:
             UnsupportedEventError: the event isn't one of `KNOWN`.

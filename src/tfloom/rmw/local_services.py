@@ -1,4 +1,4 @@
-"""What the ends of a service on the in-process wire know of each other."""
+"""Servers and clients of a service on the in-process wire, as each other's peers."""
 
 from __future__ import annotations
 
@@ -6,32 +6,32 @@ from tfloom.rmw.local_endpoints import LocalReader, LocalWriter
 
 
 class LocalServers:
-    """What a client knows of its servers; see `services.Servers`."""
+    """The servers of a client; see `services.Servers`."""
 
     def __init__(self, requests: LocalWriter, responses: LocalReader) -> None:
         self._requests = requests
         self._responses = responses
 
     def is_ready(self) -> bool:
-        """Tell whether a server is there."""
+        """Return whether there is a server."""
         return self._requests.matched_count() > 0 and self._responses.matched_count() > 0
 
     def obstacle(self) -> str:
-        """Return an empty text: all ends are ours."""
+        """Return an empty text, because all peers use the same format."""
         return ""
 
 
 class LocalClients:
-    """What a server knows of its clients; see `services.Clients`."""
+    """The clients of a server; see `services.Clients`."""
 
     def obstacle(self) -> str:
-        """Return an empty text: all ends are ours."""
+        """Return an empty text, because all peers use the same format."""
         return ""
 
-    def accepts(self, publisher_gid: bytes) -> bool:  # noqa: ARG002 - whoever it is
-        """Return True: all ends are ours."""
+    def accepts(self, publisher_gid: bytes) -> bool:  # noqa: ARG002 - the same for all
+        """Return True, because all peers use the same format."""
         return True
 
-    def hears(self, publisher_gid: bytes) -> bool | None:  # noqa: ARG002 - whoever it is
-        """Return True: a client opens its reader first."""
+    def is_matched(self, publisher_gid: bytes) -> bool | None:  # noqa: ARG002 - the same for all
+        """Return True, because a client opens its reader first."""
         return True

@@ -1,4 +1,4 @@
-"""The messages on `ros_discovery_info`, in which each participant tells of its nodes and of their readers and writers.
+"""The messages on `ros_discovery_info`, in which each participant lists its nodes with their readers and writers.
 
 The type is rmw_dds_common/msg/ParticipantEntitiesInfo: the participant's gid and a sequence of nodes, each with its
 namespace, its name, and the gids of its readers and of its writers.
@@ -21,7 +21,7 @@ _LENGTH = struct.Struct("<I")
 
 
 class NodeEnds(NamedTuple):
-    """A node and what it has open."""
+    """A node and its open endpoints."""
 
     name: NodeName
     reader_gids: list[bytes]
@@ -29,7 +29,7 @@ class NodeEnds(NamedTuple):
 
 
 class NodeListError(ValueError):
-    """The bytes aren't a list of nodes; the message says at which octet."""
+    """The bytes aren't a list of nodes; the text has the octet."""
 
 
 def encode(participant_gid: bytes, nodes: list[NodeEnds]) -> bytes:
@@ -75,7 +75,7 @@ def _put_string(data: bytearray, text: str) -> None:
 
 
 class _Cursor:
-    """Reads on, and never past the end."""
+    """Reads values in order, and checks each read against the end."""
 
     def __init__(self, data: bytes) -> None:
         self._data = data
@@ -89,7 +89,7 @@ class _Cursor:
         return taken
 
     def length(self, smallest_item: int) -> int:
-        """Read how many items follow; more than the bytes left can hold is an error, before anybody loops."""
+        """Read how many items follow; raise if the remaining bytes can't hold so many."""
         self._at += -self._at % 4
         (count,) = _LENGTH.unpack(self.take(4))
         if count * smallest_item > len(self._data) - self._at:

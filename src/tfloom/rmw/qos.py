@@ -1,19 +1,64 @@
-"""Quality of service as a wire knows it: plain numbers, in nanoseconds. Programs use `node/qos/qos.py`."""
+"""The one table of policies, their choices and the named profiles, and a quality of service as a wire uses it.
+
+`tfloom.node.qos.qos` has rclpy's `QoSProfile` besides, because that one is mutable, checks assigned values and holds
+`Duration` objects; `tfloom.cli.qos` has the flags of the command line, made from this table without loading a node.
+"""
 
 from __future__ import annotations
 
 from enum import IntEnum
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
 
 INFINITE_NS = 0x7FFF_FFFF_FFFF_FFFF
-"""A duration [ns] that never ends: no deadline, no lifespan, no lease."""
+"""The endless duration [ns]: no deadline, no lifespan, no lease."""
 
 BEST_AVAILABLE_NS = INFINITE_NS - 1
-"""The duration [ns] by which ROS says "whatever meets the others on the topic"."""
+"""The duration [ns] that stands for the best one that is compatible with the topic's other endpoints."""
 
 
-class ReliabilityPolicy(IntEnum):
-    """Whether a writer sends again what a reader missed."""
+class QoSPolicyKind(IntEnum):
+    """The policies, as events and overriding options name them."""
+
+    INVALID = 1 << 0
+    DURABILITY = 1 << 1
+    DEADLINE = 1 << 2
+    LIVELINESS = 1 << 3
+    RELIABILITY = 1 << 4
+    HISTORY = 1 << 5
+    LIFESPAN = 1 << 6
+    DEPTH = 1 << 7
+    LIVELINESS_LEASE_DURATION = 1 << 8
+    AVOID_ROS_NAMESPACE_CONVENTIONS = 1 << 9
+
+
+class QoSPolicyEnum(IntEnum):
+    """A policy's choices, with the short names that command lines and parameters use."""
+
+    @classmethod
+    def short_keys(cls) -> list[str]:
+        """Return the short names of all choices."""
+        return [policy.short_key for policy in cls]
+
+    @classmethod
+    def get_from_short_key(cls, name: str) -> Self:
+        """Return the policy of a short name.
+
+        Raises:
+            KeyError: there is none of that name.
+        """
+        return cls[name.upper()]
+
+    @property
+    def short_key(self) -> str:
+        """The name in lower case, e.g. `keep_last`."""
+        return self.name.lower()
+
+
+class ReliabilityPolicy(QoSPolicyEnum):
+    """Whether a writer resends samples that a reader missed."""
 
     SYSTEM_DEFAULT = 0
     RELIABLE = 1
@@ -22,8 +67,8 @@ class ReliabilityPolicy(IntEnum):
     BEST_AVAILABLE = 4
 
 
-class DurabilityPolicy(IntEnum):
-    """Whether a reader that comes late is sent what was written before."""
+class DurabilityPolicy(QoSPolicyEnum):
+    """Whether a late reader receives samples that were written before."""
 
     SYSTEM_DEFAULT = 0
     TRANSIENT_LOCAL = 1
@@ -32,7 +77,7 @@ class DurabilityPolicy(IntEnum):
     BEST_AVAILABLE = 4
 
 
-class HistoryPolicy(IntEnum):
+class HistoryPolicy(QoSPolicyEnum):
     """Whether an end keeps all samples or the last `depth`."""
 
     SYSTEM_DEFAULT = 0
@@ -41,8 +86,8 @@ class HistoryPolicy(IntEnum):
     UNKNOWN = 3
 
 
-class LivelinessPolicy(IntEnum):
-    """Who says that a writer is alive: the wire, or each write."""
+class LivelinessPolicy(QoSPolicyEnum):
+    """What asserts that a writer is alive: the wire, or the writer itself."""
 
     SYSTEM_DEFAULT = 0
     AUTOMATIC = 1
@@ -52,7 +97,7 @@ class LivelinessPolicy(IntEnum):
 
 
 class QoS(NamedTuple):
-    """What a writer offers or a reader asks for. Durations in nanoseconds, `INFINITE_NS` for none."""
+    """What a writer offers or a reader requests. Durations in nanoseconds, `INFINITE_NS` for none."""
 
     reliability: ReliabilityPolicy = ReliabilityPolicy.RELIABLE
     durability: DurabilityPolicy = DurabilityPolicy.VOLATILE
@@ -82,3 +127,54 @@ class QoS(NamedTuple):
 
 def _limited(duration_ns: int) -> int:
     return duration_ns if 0 < duration_ns < INFINITE_NS else INFINITE_NS
+
+
+POLICIES: dict[str, type[QoSPolicyEnum]] = {
+    "history": HistoryPolicy,
+    "reliability": ReliabilityPolicy,
+    "durability": DurabilityPolicy,
+    "liveliness": LivelinessPolicy,
+}
+"""The policies that are a choice, by the name of their field."""
+
+_UNSET = QoS(deadline_ns=0, lifespan_ns=0, liveliness=LivelinessPolicy.SYSTEM_DEFAULT, liveliness_lease_ns=0)
+
+ROSOUT_DEFAULT = _UNSET._replace(
+    depth=1000, durability=DurabilityPolicy.TRANSIENT_LOCAL, lifespan_ns=10_000_000_000
+)
+PROFILES = {
+    "unknown": _UNSET._replace(
+        history=HistoryPolicy.UNKNOWN,
+        depth=0,
+        reliability=ReliabilityPolicy.UNKNOWN,
+        durability=DurabilityPolicy.UNKNOWN,
+        liveliness=LivelinessPolicy.UNKNOWN,
+    ),
+    "default": _UNSET._replace(depth=10),
+    "system_default": _UNSET._replace(
+        history=HistoryPolicy.SYSTEM_DEFAULT,
+        depth=0,
+        reliability=ReliabilityPolicy.SYSTEM_DEFAULT,
+        durability=DurabilityPolicy.SYSTEM_DEFAULT,
+    ),
+    "sensor_data": _UNSET._replace(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT),
+    "services_default": _UNSET._replace(depth=10),
+    "parameters": _UNSET._replace(depth=1000),
+    "parameter_events": _UNSET._replace(depth=1000),
+    "action_status_default": _UNSET._replace(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL),
+    "best_available": _UNSET._replace(
+        depth=10,
+        reliability=ReliabilityPolicy.BEST_AVAILABLE,
+        durability=DurabilityPolicy.BEST_AVAILABLE,
+        deadline_ns=BEST_AVAILABLE_NS,
+        liveliness=LivelinessPolicy.BEST_AVAILABLE,
+        liveliness_lease_ns=BEST_AVAILABLE_NS,
+    ),
+}
+"""The named profiles by short name, unresolved; see `QoS.resolved`."""
+
+
+def unknown_policies(qos: QoS) -> list[str]:
+    """Return the type names of the policies that are UNKNOWN, which can't be requested."""
+    policies = (qos.history, qos.reliability, qos.durability, qos.liveliness)
+    return [type(policy).__name__ for policy in policies if policy.name == "UNKNOWN"]

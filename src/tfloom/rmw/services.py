@@ -1,7 +1,7 @@
-"""Services over two topics in rmw_cyclonedds' form: a header within the CDR says which client asked, and what.
+"""Services over two topics in rmw_cyclonedds' format: a header within the CDR identifies client and request.
 
-After the encapsulation header stand 8 octets that name the client and its 64-bit sequence number, then the message.
-Every client hears every response and keeps its own.
+The encapsulation header is followed by 8 octets that identify the client, a 64-bit sequence number, and the message.
+Every client receives every response and keeps its own.
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ from tfloom.rmw.events import Event
 from tfloom.rmw.qos import QoS
 
 CLIENT_WAIT_S = 0.1
-"""How long a response waits for a client that can't hear it yet."""
+"""How long a response waits until its client's reader is matched."""
 
 LEAST_WAITING = 1000
-"""How many requests, or responses, a reader keeps at least while nobody takes them."""
+"""The least number of requests, or responses, that a reader keeps until they are taken."""
 
 _HEADER = struct.Struct("<8sq")
 _ENCAPSULATION_SIZE = 4
@@ -32,33 +32,33 @@ _MOST_CLIENTS = 4096
 
 
 class Servers(Protocol):
-    """What a client's wire knows of the servers."""
+    """The servers of a client, as its wire has discovered them."""
 
     def is_ready(self) -> bool:
-        """Tell whether one is connected both ways."""
+        """Return whether one is matched in both directions."""
 
     def obstacle(self) -> str:
-        """Return why a peer can't be talked to, or an empty text."""
+        """Return why a peer is incompatible, or an empty text."""
 
 
 class Clients(Protocol):
-    """What a server's wire knows of the clients."""
+    """The clients of a server, as its wire has discovered them."""
 
     def obstacle(self) -> str:
-        """Return why a peer can't be talked to, or an empty text."""
+        """Return why a peer is incompatible, or an empty text."""
 
     def accepts(self, publisher_gid: bytes) -> bool:
-        """Tell whether what this client wrote is in our form."""
+        """Return whether this client's requests are in our format."""
 
-    def hears(self, publisher_gid: bytes) -> bool | None:
-        """Tell whether the client that wrote from here hears responses now; None if it has left."""
+    def is_matched(self, publisher_gid: bytes) -> bool | None:
+        """Return whether the response reader of this writer's client is matched; None if the client has left."""
 
 
 def waiting_qos(qos: QoS, *, is_client: bool) -> QoS:
-    """Return what the reader of a service's end asks for.
+    """Return the quality that the reader of a server or a client requests.
 
-    All clients' requests meet in a server's one reader, and a client's is passed all clients' responses: with ROS's
-    default depth of 10, one is lost when eleven come at once. A server whose depth is below that is left its wish.
+    A server's one reader receives all clients' requests, and a client's receives all clients' responses: with ROS's
+    default depth of 10, one is lost when eleven arrive at once. A server with a smaller depth keeps that depth.
     """
     if is_client or qos.depth >= QoS().depth:
         return qos._replace(depth=max(qos.depth, LEAST_WAITING))
@@ -70,7 +70,7 @@ def _with_header(data: bytes, key: bytes, sequence_number: int) -> bytes:
 
 
 def _split(sample: Sample) -> tuple[bytes, int, bytes] | None:
-    """Return client key, sequence number and message; None for what is too short for them."""
+    """Return client key, sequence number and message; None for a sample that is too short for them."""
     if len(sample.data) <= _DATA_START:
         return None
     key, sequence_number = _HEADER.unpack_from(sample.data, _ENCAPSULATION_SIZE)
@@ -94,7 +94,7 @@ class HeaderRequester:
         """Send a request and return its sequence number.
 
         Raises:
-            ForeignPeerError: a server of this service speaks another vendor's form.
+            ForeignPeerError: a server of this service uses another vendor's format.
             ClosedError: the requester is closed.
         """
         if text := self._servers.obstacle():
@@ -119,16 +119,16 @@ class HeaderRequester:
         self._responses.notify(queue, token)
 
     def notify_ready(self, queue: ReadyQueue | None, token: int = 0) -> None:
-        """Post `token` to `queue` when `is_ready` may have changed, once at the start too; None ends it."""
+        """Post `token` to `queue` when `is_ready` may have changed, and once at the start; None ends it."""
         self._requests.notify_event(Event.MATCHED, queue, token)
         self._responses.notify_event(Event.MATCHED, queue, token)
 
     def is_ready(self) -> bool:
-        """Tell whether a server is connected both ways."""
+        """Return whether a server is matched in both directions."""
         return self._servers.is_ready()
 
     def obstacle(self) -> str:
-        """Return why this client will never be ready as things stand, or an empty text."""
+        """Return why this client cannot become ready with the present servers, or an empty text."""
         return self._servers.obstacle()
 
     def close(self) -> None:
@@ -168,7 +168,7 @@ class HeaderResponder:
         self._gids[key] = publisher_gid
 
     def send(self, request_id: RequestId, data: bytes) -> None:
-        """Answer a request; waits for `CLIENT_WAIT_S` at most for a client that can't hear the answer yet.
+        """Answer a request; waits for `CLIENT_WAIT_S` at most until the client's reader is matched.
 
         Raises:
             ClosedError: the responder is closed.
@@ -181,10 +181,10 @@ class HeaderResponder:
             self._responses.write(_with_header(data, key, request_id.sequence_number))
 
     def _wait_for_client(self, publisher_gid: bytes) -> bool:
-        """Wait until a client hears, or for long enough; False if it has left."""
+        """Wait until a client's reader is matched or the time is over; return False if the client has left."""
         end = time.monotonic() + CLIENT_WAIT_S
-        while not (hears := self._clients.hears(publisher_gid)):
-            if hears is None:
+        while not (is_matched := self._clients.is_matched(publisher_gid)):
+            if is_matched is None:
                 return False
             if time.monotonic() > end:
                 break
@@ -196,11 +196,11 @@ class HeaderResponder:
         self._requests.notify(queue, token)
 
     def obstacle(self) -> str:
-        """Return why some client can't be served as things stand, or an empty text."""
+        """Return why some of the present clients can't be served, or an empty text."""
         return self._clients.obstacle()
 
     def refusal(self) -> str:
-        """Return why a request was dropped the last time that one was, or an empty text."""
+        """Return why the last dropped request was dropped, or an empty text."""
         return self._refusal
 
     def close(self) -> None:

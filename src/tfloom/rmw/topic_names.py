@@ -17,7 +17,7 @@ def topic_to_dds(name: str) -> str:
 
 
 def topic_from_dds(name: str) -> str | None:
-    """Return the fully qualified name of a ROS topic, or None if the DDS topic is none."""
+    """Return the fully qualified name of a ROS topic, or None if the DDS topic is not ROS's."""
     prefix, slash, rest = name.partition("/")
     return slash + rest if prefix == TOPIC_PREFIX and rest else None
 
@@ -35,7 +35,7 @@ def response_topic(service: Service) -> Topic:
 
 
 def service_from_request_topic(name: str, type_name: str) -> tuple[str, str] | None:
-    """Return the name and type of the service that takes requests on a topic, or None if it is none's."""
+    """Return the name and type of the service that takes requests on a topic, or None if it is not a request topic."""
     prefix, suffix = _REQUEST
     if not (name.startswith(prefix + "/") and name.endswith(suffix) and type_name.endswith(_REQUEST_TYPE)):
         return None
@@ -56,7 +56,7 @@ def type_to_dds(name: str) -> str:
 
 
 def type_from_dds(name: str) -> str:
-    """Return ROS's name of a type; one that isn't ROS's comes back as it is."""
+    """Return ROS's name of a type; return any other name unchanged."""
     parts = name.split("::")
     if len(parts) < 3 or parts[-2] != "dds_" or not parts[-1].endswith("_"):
         return name
@@ -64,6 +64,6 @@ def type_from_dds(name: str) -> str:
 
 
 def key_values(user_data: bytes) -> dict[str, str]:
-    """Return what an entity's USER_DATA tells: `enclave=/;typehash=RIHS01_…;` as a dict. Never fails."""
+    """Return an entity's USER_DATA, `enclave=/;typehash=RIHS01_…;`, as a dict; ignore malformed parts."""
     entries = (entry.partition("=") for entry in user_data.decode("utf-8", "replace").split(";"))
     return {key: value for key, equals, value in entries if equals}

@@ -1,1 +1,1 @@
-"""Message types: their text, their hash, their Python classes and their bytes."""
+"""Message types: definitions, type hashes, Python classes and the codec."""

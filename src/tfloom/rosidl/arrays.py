@@ -5,11 +5,11 @@ from __future__ import annotations
 from array import array
 from typing import Any
 
-from tfloom.rosidl.message import ARRAY_CODES
+from tfloom.rosidl.array_codes import ARRAY_CODES
 from tfloom.rosidl.parse import parse_type
 from tfloom.rosidl.spec import Type
 
-# A number of 8 octets has two names, by platform: l and q.
+# A number of 8 octets has two codes, depending on the platform: l and q.
 _KINDS = {
     **dict.fromkeys("bhilq", "signed"),
     **dict.fromkeys("BHILQ", "unsigned"),
@@ -18,11 +18,11 @@ _KINDS = {
 
 
 def convert(type_text: str, value: Any) -> Any:
-    """Turn what a user assigns to a numeric array into what the message holds.
+    """Convert a value that is assigned to a numeric array field to the array that the message holds.
 
     Args:
         type_text: The field's type, `float64[36]` or `uint8[]`.
-        value: An array of the right type, which is kept as it is; or anything with numbers in it.
+        value: An array of the right type, which is returned unchanged, or any iterable of numbers.
 
     Returns:
         A numpy array or an `array.array` of the field's number type. The length is not checked.
@@ -47,7 +47,7 @@ def _numpy_array(type_: Type, value: Any) -> Any:
 
 
 def _from_memory(code: str, value: Any) -> array[Any] | None:
-    """Copy memory that holds the same numbers, a numpy image say, in one go."""
+    """Copy a buffer of the same number type, such as a numpy image, at once; None for any other value."""
     try:
         view = memoryview(value)
     except TypeError:

@@ -1,4 +1,4 @@
-"""Messages to bytes and back: plain CDR version 1 behind a 4-octet encapsulation header."""
+"""Encoding and decoding of messages: plain CDR version 1 after a 4-octet encapsulation header."""
 
 from __future__ import annotations
 
@@ -17,25 +17,25 @@ __all__ = ["DecodeError", "EncodeError", "decode", "encode"]
 
 
 def encode(message: Message) -> bytes:
-    """Return encapsulation header and CDR, little-endian, as long as the message is: not padded.
+    """Return encapsulation header and CDR of a message, little-endian, without padding at the end.
 
     Raises:
-        EncodeError: a field holds what its type has no place for, with the field's path.
-        TypeError: `message` is no message.
+        EncodeError: a field's value does not fit its type; the text has the field's path.
+        TypeError: `message` is not a message.
     """
     return _native.encode(message)
 
 
 def decode(message_class: type[M], data: Buffer) -> M:
-    """Build a message from encapsulation header and CDR of either byte order. Padding at the end is passed over.
+    """Build a message from encapsulation header and CDR of either byte order. Padding at the end is ignored.
 
     Args:
-        message_class: What to build.
-        data: bytes, or anything that gives its memory.
+        message_class: The class of the message.
+        data: bytes, or any object with the buffer protocol.
 
     Raises:
-        DecodeError: the bytes are no such message, with the field's path and the byte's offset.
-        TypeError: `message_class` is no message class.
+        DecodeError: the bytes are not such a message; the text has the field's path and the byte's offset.
+        TypeError: `message_class` is not a message class.
     """
     message: M = _native.decode(message_class, data)
     return message

@@ -8,27 +8,31 @@ from collections.abc import Collection
 from typing import Any
 
 from tfloom.rosidl import spec
-from tfloom.rosidl.message import ARRAY_CODES, Message
+from tfloom.rosidl.array_codes import ARRAY_CODES
+from tfloom.rosidl.class_search import find_field_class
 from tfloom.rosidl.parse import parse_type
-from tfloom.rosidl.registry import get_message_class
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from tfloom.rosidl.class_table import MessageClass
 
 # The largest finite numbers, in the reference's spelling.
 _FLOAT_LIMITS = {"float32": ("float", "3.402823466e+38"), "float64": ("double", "1.7976931348623157e+308")}
 
 
-def check_names(cls: type[Message], kwargs: dict[str, object]) -> None:
+def check_names(cls: type[MessageClass], kwargs: dict[str, object]) -> None:
     """Check that all keywords are fields of the class.
 
     Raises:
-        AssertionError: some are none; the text lists them.
+        AssertionError: some are not; the text lists them.
     """
     unknown = sorted(name for name in kwargs if name not in cls._FIELDS and name != "check_fields")
     if unknown:
         raise AssertionError(f"Invalid arguments passed to constructor: {', '.join(unknown)}")
 
 
-def check_field(cls: type[Message], name: str, value: Any) -> None:
-    """Check the value of a field; a name that is no field passes.
+def check_field(cls: type[MessageClass], name: str, value: Any) -> None:
+    """Check the value of a field; ignore a name that is not a field.
 
     Raises:
         AssertionError: the value does not fit.
@@ -64,7 +68,7 @@ def _array_mismatch(type_: spec.Type, value: Any) -> str:
 
 
 def _mismatch(type_: spec.Type, value: Any) -> str:
-    """Say how a single value doesn't fit; an empty string if it does."""
+    """Return why a single value does not fit; an empty string if it does."""
     base = type_.base
     wanted: type[Any] = {"bool": bool, "string": str, "wstring": str, "float32": float, "float64": float}.get(
         base, int
@@ -73,7 +77,7 @@ def _mismatch(type_: spec.Type, value: Any) -> str:
         fits = isinstance(value, (bytes, bytearray)) and len(value) == 1
         return "" if fits else "field must be of type 'bytes' or 'ByteString' with length 1"
     if not type_.is_primitive:
-        cls = get_message_class(base)
+        cls = find_field_class(base)
         return "" if isinstance(value, cls) else f"field must be a sub message of type '{cls.__name__}'"
     if not isinstance(value, wanted):
         return f"field must be of type '{wanted.__name__}'"

@@ -8,7 +8,7 @@
       AbstractNestedType      Array
         AbstractSequence      BoundedSequence  UnboundedSequence
 
-Types are equal when they say the same.
+Types are equal when their classes and attributes are.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from tfloom.rosidl import spec
+from tfloom.rosidl.idl_names import PRIMITIVES
 
 SIGNED_NONEXPLICIT_INTEGER_TYPES = ("short", "long", "long long")
 UNSIGNED_NONEXPLICIT_INTEGER_TYPES = ("unsigned short", "unsigned long", "unsigned long long")
@@ -113,7 +114,7 @@ class AbstractGenericString(AbstractNestableType):
     __slots__ = ()
 
     def has_maximum_size(self) -> bool:
-        """Say whether its length is bounded."""
+        """Return whether its length is bounded."""
         return hasattr(self, "maximum_size")
 
 
@@ -168,7 +169,7 @@ class AbstractNestedType(AbstractType):
         self.value_type = value_type
 
     def has_maximum_size(self) -> bool:
-        """Say whether its length has a bound."""
+        """Return whether its length has a bound."""
         return not isinstance(self, UnboundedSequence)
 
 
@@ -213,17 +214,17 @@ class Annotation:
 
 
 class Annotatable:
-    """A thing that annotations can be put on."""
+    """Base of elements that can have annotations."""
 
     def __init__(self) -> None:
         self.annotations: list[Annotation] = []
 
     def has_annotation(self, name: str) -> bool:
-        """Say whether there is exactly one annotation of that name."""
+        """Return whether there is exactly one annotation of that name."""
         return len(self.get_annotation_values(name)) == 1
 
     def has_annotations(self, name: str) -> bool:
-        """Say whether there is any annotation of that name."""
+        """Return whether there is any annotation of that name."""
         return bool(self.get_annotation_values(name))
 
     def get_annotation_values(self, name: str) -> list[Any]:
@@ -277,7 +278,7 @@ class Structure(Annotatable):
         self.members = members or []
 
     def has_any_member_with_annotation(self, name: str) -> bool:
-        """Say whether a field has an annotation of that name."""
+        """Return whether a field has an annotation of that name."""
         return any(member.has_annotation(name) for member in self.members)
 
 
@@ -300,7 +301,7 @@ class Service:
 
 
 class Action:
-    """Goal, result, feedback, and what carries them."""
+    """Goal, result and feedback, and the services and message that carry them."""
 
     def __init__(
         self, namespaced_type: NamespacedType, goal: Message, result: Message, feedback: Message
@@ -330,7 +331,7 @@ class Include:
 
 
 class IdlLocator:
-    """Where a file is."""
+    """The path of a file."""
 
     def __init__(self, basepath: str | os.PathLike[str], relative_path: str | os.PathLike[str]) -> None:
         self.basepath = basepath
@@ -344,7 +345,7 @@ class IdlLocator:
 
 
 class IdlContent:
-    """What a file defines."""
+    """The definitions in a file."""
 
     def __init__(self) -> None:
         self.elements: list[Any] = []
@@ -355,14 +356,11 @@ class IdlContent:
 
 
 class IdlFile:
-    """A file and what it defines."""
+    """A file and its definitions."""
 
     def __init__(self, locator: IdlLocator, content: IdlContent) -> None:
         self.locator = locator
         self.content = content
-
-
-_BASIC = {"bool": "boolean", "byte": "octet", "char": "uint8", "float32": "float", "float64": "double"}
 
 
 def to_type(type_: spec.Type) -> AbstractType:
@@ -387,7 +385,7 @@ def _to_element(type_: spec.Type) -> AbstractNestableType:
     if type_.base == "wstring":
         return BoundedWString(type_.string_bound) if type_.string_bound else UnboundedWString()
     return (
-        BasicType(_BASIC.get(type_.base, type_.base))
+        BasicType(PRIMITIVES.get(type_.base, type_.base))
         if type_.is_primitive
         else to_namespaced_type(type_.base)
     )

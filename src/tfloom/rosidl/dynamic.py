@@ -8,34 +8,28 @@ Types of a sourced workspace need neither: `registry.get_message_class` finds th
 
 from __future__ import annotations
 
-import threading
 from pathlib import Path
 from typing import Any
 
-from tfloom.rosidl import registry, sources, spec
-from tfloom.rosidl.message import Message
-from tfloom.rosidl.parse import ParseError, parse_interface
-from tfloom.rosidl.service import Action, Service
-from tfloom.rosidl.type_hash import type_hash
-
-LOCK = threading.RLock()
-"""Held while classes are made."""
+from tfloom.rosidl import definition_files, registry, sources
+from tfloom.rosidl.class_factory import LOCK, load
+from tfloom.rosidl.parse import parse_interface
 
 
 def define(name: str, text: str, path: str | None = None) -> Any:
-    """Make the class of a definition and make it known by its name.
+    """Make the class of a definition and register it by its name.
 
     Args:
-        name: `package/kind/Name`; the kind (msg, srv or action) says how the text is read.
-        text: What the definition file would hold.
+        name: `package/kind/Name`; the kind (msg, srv or action) determines how the text is parsed.
+        text: The text of a definition file.
         path: Where the text comes from, for errors.
 
     Returns:
         A subclass of `Message`, `Service` or `Action`.
 
     Raises:
-        ParseError: the text is no definition, refers to a message that is not known, or contains itself.
-        ValueError: `name` is no interface name.
+        ParseError: the text is not a definition, refers to an unknown message, or contains itself.
+        ValueError: `name` is not an interface name.
     """
     parse_interface(text, name, path)
     with LOCK:
@@ -59,12 +53,12 @@ def define_folder(folder: str | Path) -> dict[str, Any]:
 
     Raises:
         FileNotFoundError: the folder holds no definitions.
-        ParseError: a definition can't be read, or refers to a message that is not known.
+        ParseError: a definition can't be parsed, or refers to an unknown message.
     """
     home = Path(folder).resolve()
-    names = sources.names_in(home)
+    names = definition_files.names_in(home)
     if not names:
-        raise FileNotFoundError(f"there are no definitions in {home}/{{{','.join(sources.KINDS)}}}")
+        raise FileNotFoundError(f"there are no definitions in {home}/{{{','.join(definition_files.KINDS)}}}")
     for name in names:
         _, kind, base = name.split("/")
         path = home / kind / f"{base}.{kind}"
@@ -73,124 +67,8 @@ def define_folder(folder: str | Path) -> dict[str, Any]:
         return {name: load(name) for name in names}
 
 
-def load(name: str) -> Any:
-    """Make the classes of a definition that `sources` knows.
-
-    Raises:
-        LookupError: there is none of that name.
-        ParseError: as `define`.
-    """
-    interface = sources.find_interface(name)
-    _check_references(interface)
-    registry.forget(name)
-    parts = {part.name: _message_class(part) for part in _messages(interface)}
-    for each in parts.values():
-        registry.register(each)
-    if isinstance(interface, spec.Message):
-        return parts[name]
-    made = (
-        _service_class(interface, parts)
-        if isinstance(interface, spec.Service)
-        else _action_class(interface, parts)
-    )
-    registry.register(made)
-    return made
-
-
-def _messages(interface: spec.Interface) -> tuple[spec.Message, ...]:
-    return (interface,) if isinstance(interface, spec.Message) else interface.messages
-
-
-def _check_references(interface: spec.Interface) -> None:
-    """Check that all messages referred to are known, and that none contains itself.
-
-    Raises:
-        ParseError: one is not known, or contains itself.
-    """
-    known = {message.name: message for message in _messages(interface)}
-
-    def visit(message: spec.Message, above: tuple[str, ...]) -> None:
-        for field in message.fields:
-            if field.type.is_primitive:
-                continue
-            chain = (*above, message.name, field.type.base)
-            if field.type.base in chain[:-1]:
-                raise _at(message, field, f"a message contains itself: {' -> '.join(chain)}")
-            try:
-                nested = known.get(field.type.base) or sources.find_message(field.type.base)
-            except LookupError as error:
-                raise _at(message, field, str(error)) from None
-            visit(nested, chain[:-1])
-
-    for message in known.values():
-        visit(message, ())
-
-
-def _at(message: spec.Message, field: spec.Field, reason: str) -> ParseError:
-    source = sources.find_source(sources.definition_name(message.name))
-    return ParseError(source.path if source else message.name, *field.position, reason)
-
-
-def _class(name: str, base: type, attributes: dict[str, Any]) -> Any:
-    """Make a class that pickle finds again, by `__getattr__` below."""
-    return type(
-        name.rpartition("/")[2],
-        (base,),
-        {"__module__": __name__, "__qualname__": name, "_TYPE_NAME": name, **attributes},
-    )
-
-
-def _message_class(message: spec.Message) -> type[Message]:
-    attributes: dict[str, Any] = {
-        "__doc__": message.comment or f"The message {message.name}.",
-        "__slots__": tuple(f"_{field.name}" for field in message.fields),
-        "_TYPE_HASH": type_hash(message, sources.find_message),
-        "_FIELDS": {field.name: str(field.type) for field in message.fields},
-        "_DEFAULTS": {field.name: field.default for field in message.fields if field.default is not None},
-        **{constant.name: constant.value for constant in message.constants},
-    }
-    made: type[Message] = _class(message.name, Message, attributes)
-    return made
-
-
-def _service_class(service: spec.Service, parts: dict[str, type[Message]]) -> type[Service]:
-    made: type[Service] = _class(
-        service.name,
-        Service,
-        {
-            "_TYPE_HASH": type_hash(service, sources.find_message),
-            "Request": parts[service.request.name],
-            "Response": parts[service.response.name],
-            "Event": parts[service.event.name],
-        },
-    )
-    return made
-
-
-def _action_class(action: spec.Action, parts: dict[str, type[Message]]) -> type[Action]:
-    carriers = {
-        "SendGoalService": _service_class(action.send_goal, parts),
-        "GetResultService": _service_class(action.get_result, parts),
-        "FeedbackMessage": parts[action.feedback_message.name],
-        "CancelGoalService": registry.get_service_class("action_msgs/srv/CancelGoal"),
-        "GoalStatusMessage": registry.get_message_class("action_msgs/msg/GoalStatusArray"),
-    }
-    made: type[Action] = _class(
-        action.name,
-        Action,
-        {
-            "_TYPE_HASH": type_hash(action, sources.find_message),
-            "Goal": parts[action.goal.name],
-            "Result": parts[action.result.name],
-            "Feedback": parts[action.feedback.name],
-            "Impl": type("Impl", (), {"__doc__": "What carries the action.", **carriers}),
-        },
-    )
-    return made
-
-
 def __getattr__(name: str) -> Any:
-    """Give a class by its type's name: this is how pickle finds one."""
+    """Return a class by its type's name, because pickle finds classes as attributes of a module."""
     if "/" not in name:
         raise AttributeError(f"module '{__name__}' has no attribute '{name}'")
     try:

@@ -1,4 +1,4 @@
-"""What type checkers are told that numeric arrays take and give. Not imported at run time."""
+"""The types of numeric arrays, for type checkers: what a field accepts and returns. Not imported at run time."""
 
 from __future__ import annotations
 

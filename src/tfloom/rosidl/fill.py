@@ -1,4 +1,4 @@
-"""Messages from plain values: what a user wrote as YAML on a command line."""
+"""Messages from plain values, such as YAML on a command line."""
 
 from __future__ import annotations
 
@@ -6,13 +6,14 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any
 
-from tfloom.rosidl.message import ARRAY_CODES, Message
+from tfloom.rosidl.array_codes import ARRAY_CODES
+from tfloom.rosidl.message import Message
 from tfloom.rosidl.parse import parse_type
 from tfloom.rosidl.registry import get_message_class
 from tfloom.rosidl.spec import FLOATS, INTEGER_RANGES, STRINGS, Type
 
 StampSetter = Callable[[Message], None]
-"""Puts a `builtin_interfaces/msg/Time` where a value said `now` or `auto`."""
+"""Sets a `builtin_interfaces/msg/Time` in a field whose value was `now` or `auto`."""
 
 
 def set_message_fields(
@@ -21,14 +22,14 @@ def set_message_fields(
     """Set fields of a message from a mapping, nested as the message is.
 
     Args:
-        msg: The message to change. Fields that `values` doesn't name stay as they are.
-        values: Field names to plain values, which are converted to the field's type where nothing is lost: 1 to
-            1.0, '5' to 5. None leaves `msg` as it is.
+        msg: The message to change. Fields that are not in `values` stay unchanged.
+        values: Field names to plain values, which are converted to the field's type if that is exact: 1 to 1.0,
+            '5' to 5. None leaves `msg` unchanged.
         expand_header_auto: A `std_msgs/msg/Header` may be the word `auto`: its stamp is to be set later.
         expand_time_now: A `builtin_interfaces/msg/Time` may be the word `now`: it is to be set later.
 
     Returns:
-        A function for each time to be set later; give it the time of publishing.
+        A function for each time to be set later, to be called with the time of publishing.
 
     Raises:
         AttributeError: there is no such field.
@@ -40,7 +41,7 @@ def set_message_fields(
 
 
 class Filler:
-    """What `set_message_fields` does, for who asks which field a value didn't fit."""
+    """Fills a message as `set_message_fields` does, and keeps the path of a field that a value did not fit."""
 
     def __init__(self, *, auto: bool, now: bool) -> None:
         self.setters: list[StampSetter] = []
@@ -99,7 +100,7 @@ class Filler:
 
 
 def _convert(type_: Type, value: Any) -> Any:
-    """Convert a plain value where nothing is lost."""
+    """Convert a plain value if that is exact."""
     if type_.base in FLOATS:
         return float(value)
     if type_.base in STRINGS:

@@ -7,9 +7,9 @@ from keyword import iskeyword
 from pathlib import Path
 
 from tfloom.rosidl import spec
-from tfloom.rosidl.message import ARRAY_CODES
+from tfloom.rosidl.array_codes import ARRAY_CODES
+from tfloom.rosidl.definition_files import definitions_folder
 from tfloom.rosidl.parse import parse_interface
-from tfloom.rosidl.registry import definitions_folder
 from tfloom.rosidl.type_hash import FindSpec, type_hash
 
 KIND_WORDS = {"msg": "messages", "srv": "services", "action": "actions"}
@@ -31,11 +31,6 @@ def load_definitions(folder: Path | None = None) -> dict[str, spec.Interface]:
     return interfaces
 
 
-def messages_of(interface: spec.Interface) -> tuple[spec.Message, ...]:
-    """Return the messages that an interface consists of."""
-    return (interface,) if isinstance(interface, spec.Message) else interface.messages
-
-
 def generate(
     interfaces: Iterable[spec.Interface], find: FindSpec, *, home: str = "tfloom.interfaces."
 ) -> str:
@@ -43,8 +38,8 @@ def generate(
 
     Args:
         interfaces: The interfaces, all of one package and kind.
-        find: Gives the messages that they refer to.
-        home: What stands before `package.kind` in imports of other messages.
+        find: Returns the message of a name, for references.
+        home: The prefix of `package.kind` in imports of other messages.
     """
     ordered = sorted(interfaces, key=lambda each: each.name)
     package, kind, _ = ordered[0].name.split("/")
@@ -56,7 +51,7 @@ class _Module:
         self, package: str, kind: str, interfaces: list[spec.Interface], find: FindSpec, home: str
     ) -> None:
         self.package, self.kind, self.interfaces, self.find, self.home = package, kind, interfaces, find, home
-        self.messages = [message for each in interfaces for message in messages_of(each)]
+        self.messages = [message for each in interfaces for message in spec.messages_of(each)]
         self.own = {message.name for message in self.messages}
         self.local_names = self._name_references()
 
@@ -76,7 +71,7 @@ class _Module:
         yield from self._imports()
         yield f"__all__ = [{', '.join(_quoted(name) for name in sorted(self._public()))}]"
         for interface in self.interfaces:
-            for message in messages_of(interface):
+            for message in spec.messages_of(interface):
                 yield from ("", "", *self._message(message))
             if isinstance(interface, spec.Service):
                 yield from ("", "", *self._service(interface))
@@ -107,7 +102,7 @@ class _Module:
         for name, local in self.local_names.items():
             package, kind, base = name.split("/")
             typed.append((f"{self.home}{package}.{kind}", base if local == base else f"{base} as {local}"))
-        if self.kind != "msg":  # said aloud, as the base class has these names for variables
+        if self.kind != "msg":  # explicit, because the base class declares variables of these names
             typed.append(("typing", "TypeAlias as _TypeAlias"))
         if typed:
             yield "if TYPE_CHECKING:"
@@ -141,7 +136,9 @@ class _Module:
         yield f"        __slots__ = ({slots.rstrip() if len(message.fields) == 1 else slots[:-2]})"
 
     def _typing(self, message: spec.Message) -> Iterator[str]:
-        fields = [each for each in message.fields if not iskeyword(each.name)]  # those go by getattr alone
+        fields = [
+            each for each in message.fields if not iskeyword(each.name)
+        ]  # these are accessible by getattr alone
         named = [each for each in fields if each.name not in {"self", "check_fields"}]
         parameters = "".join(f"{each.name}: {self._takes(each.type)} = ..., " for each in named)
         yield f"        def __init__(self, *, {parameters}check_fields: bool | None = None) -> None: ..."
@@ -209,7 +206,7 @@ def _import_lines(imports: list[tuple[str, str]], indent: str) -> Iterator[str]:
     """Write `from module import name` for each pair, one statement a module, in isort's order."""
     for module in sorted({module for module, _ in imports}):
         names = sorted((name for each, name in imports if each == module), key=_isort_key)
-        # A name with an alias stands in a statement of its own.
+        # A name with an alias needs a statement of its own.
         for group in [
             *([name] for name in names if " as " in name),
             [name for name in names if " as " not in name],
@@ -252,7 +249,7 @@ def _quoted(value: spec.Value) -> str:
 def generate_all(definitions: Path | None = None) -> dict[str, str]:
     """Return the source of every file below `tfloom/`, by its path: the interfaces and their façades."""
     interfaces = load_definitions(definitions)
-    specs = {message.name: message for each in interfaces.values() for message in messages_of(each)}
+    specs = {message.name: message for each in interfaces.values() for message in spec.messages_of(each)}
     files: dict[str, str] = {}
     kinds = sorted({tuple(name.split("/")[:2]) for name in interfaces})
     for package, kind in kinds:

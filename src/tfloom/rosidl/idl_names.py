@@ -1,15 +1,16 @@
-"""IDL's words for field types, as `get_fields_and_field_types` gives them."""
+"""IDL's names of field types, as `get_fields_and_field_types` returns them."""
 
 from __future__ import annotations
 
 from tfloom.rosidl.spec import Type
 
-_PRIMITIVES = {"bool": "boolean", "byte": "octet", "char": "uint8", "float32": "float", "float64": "double"}
+PRIMITIVES = {"bool": "boolean", "byte": "octet", "char": "uint8", "float32": "float", "float64": "double"}
+"""The primitives that have another name in IDL."""
 
 
 def idl_name(type_: Type) -> str:
     """Return `double[36]`, `sequence<uint8>`, `sequence<double, 3>`, `string<255>`, `geometry_msgs/Vector3`."""
-    base = _PRIMITIVES.get(type_.base, type_.base)
+    base = PRIMITIVES.get(type_.base, type_.base)
     if not type_.is_primitive:
         package, _, name = type_.base.split("/")
         base = f"{package}/{name}"

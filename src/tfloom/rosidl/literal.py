@@ -15,13 +15,13 @@ def parse_value(type_: spec.Type, text: str) -> spec.Value:
 
     Args:
         type_: Its type; for an array or a sequence, the text is a list in brackets.
-        text: What stands after the name, stripped.
+        text: The text after the name, stripped.
 
     Returns:
         A bool, int, float, str, bytes of length 1 (`byte`), or a list of them.
 
     Raises:
-        ValueError: the text is no value of the type, with the reason.
+        ValueError: the text is not a value of the type; the text of the error has the reason.
     """
     if not type_.shape:
         return _parse_single(type_, text.strip())

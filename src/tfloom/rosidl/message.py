@@ -1,7 +1,7 @@
 """The base of all message classes.
 
-A message class says what it is in `_TYPE_NAME`, `_TYPE_HASH`, `_FIELDS` and `_DEFAULTS`, and has a slot `_x` for
-each field `x`. Everything else, construction and the codec's plan included, follows from these at first use.
+A message class states its type in `_TYPE_NAME`, `_TYPE_HASH`, `_FIELDS` and `_DEFAULTS`, and has a slot `_x` for each
+field `x`. Everything else, such as construction and the codec's plan, is derived from these at first use.
 """
 
 from __future__ import annotations
@@ -9,6 +9,8 @@ from __future__ import annotations
 import os
 
 from tfloom._native import check_fields_by_default, set_message_hooks
+from tfloom.rosidl.array_codes import ARRAY_CODES
+from tfloom.rosidl.class_table import set_message_base
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -21,24 +23,9 @@ if TYPE_CHECKING:
 else:
     from tfloom._native import MessageBase
 
-ARRAY_CODES = {
-    "int8": "b",
-    "uint8": "B",
-    "char": "B",
-    "int16": "h",
-    "uint16": "H",
-    "int32": "i",
-    "uint32": "I",
-    "int64": "q",
-    "uint64": "Q",
-    "float32": "f",
-    "float64": "d",
-}
-"""The type code by which `array.array` and numpy hold a sequence of each number type."""
-
 
 class _SlotTypes:
-    """`SLOT_TYPES`: the type of each field as an object of `tfloom.rosidl.definition`, made when asked for."""
+    """`SLOT_TYPES`: the type of each field as an object of `tfloom.rosidl.definition`, made on access."""
 
     def __get__(self, instance: object, owner: type[Message]) -> tuple[AbstractType, ...]:
         from tfloom.rosidl.definition import to_type
@@ -50,9 +37,9 @@ class _SlotTypes:
 class Message(MessageBase):
     """A ROS message: a plain object with a slot for each field.
 
-    A numeric sequence is an `array.array`, a numeric array of fixed length a numpy array; what is assigned to one
-    is converted. All other fields are kept as they are given and checked when the message is encoded, or at once
-    with `check_fields=True` or where the environment says `ROS_PYTHON_CHECK_FIELDS=1`.
+    A numeric sequence is an `array.array`, a numeric array of fixed length a numpy array; values assigned to one are
+    converted. Values of other fields are stored unchanged and checked when the message is encoded, or on assignment
+    with `check_fields=True` or with `ROS_PYTHON_CHECK_FIELDS=1` in the environment.
     """
 
     __slots__: Any = ()
@@ -63,7 +50,7 @@ class Message(MessageBase):
     _FIELDS: ClassVar[dict[str, str]] = {}
     """The type of each field, as a definition writes it, with whole message names."""
     _DEFAULTS: ClassVar[dict[str, Value]] = {}
-    """The fields whose definition gives a default."""
+    """The defaults, of the fields whose definition has one."""
     _PLAN: ClassVar[Plan | None] = None
     _check_fields: bool
     SLOT_TYPES = _SlotTypes()
@@ -80,7 +67,7 @@ class Message(MessageBase):
 
     @classmethod
     def get_fields_and_field_types(cls) -> dict[str, str]:
-        """Return the type of each field, in IDL's words: `double`, `sequence<uint8>`, `geometry_msgs/Vector3`."""
+        """Return the type of each field, in IDL's names: `double`, `sequence<uint8>`, `geometry_msgs/Vector3`."""
         from tfloom.rosidl.idl_names import idl_name
         from tfloom.rosidl.parse import parse_type
 
@@ -102,7 +89,7 @@ def _is_numeric_array(type_text: str) -> bool:
 
 
 def _converting(name: str, member: Any) -> property:
-    """Make the property of a numeric array: what is assigned is converted."""
+    """Make the property of a numeric array, which converts values on assignment."""
 
     def assign(self: Message, value: object) -> None:
         member.__set__(self, _convert(type(self), name, value))
@@ -118,7 +105,7 @@ def _equal(ours: Any, theirs: Any) -> bool:
 
 
 def _field_repr(value: object) -> str:
-    """Show a sequence of numbers as a list, everything else as Python does."""
+    """Return the repr of a value; of a numeric sequence, that of a list."""
     if type(value).__name__ != "array":
         return repr(value)
     return repr(value.tolist())  # type: ignore[attr-defined]
@@ -149,7 +136,7 @@ def _check_names(cls: type[Message], kwargs: dict[str, object]) -> None:
 
 
 class EncodeError(ValueError):
-    """A message holds a value that its type has no place for. The text starts with the field's path."""
+    """A message holds a value that does not fit its field's type. The text starts with the field's path."""
 
     path: str
     """`TransformStamped.transform.translation.x`"""
@@ -158,14 +145,15 @@ class EncodeError(ValueError):
 
 
 class DecodeError(ValueError):
-    """Bytes are no message of the type. The text starts with the path of the field that can't be read."""
+    """Bytes are not a message of the type. The text starts with the path of the field that can't be decoded."""
 
     path: str
     reason: str
     offset: int
-    """Where [bytes from the start of the encapsulation header]."""
+    """Where decoding failed [bytes from the start of the encapsulation header]."""
 
 
+set_message_base(Message)
 set_message_hooks(
     compile=_compile,
     convert=_convert,

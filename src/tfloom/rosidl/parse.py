@@ -1,4 +1,4 @@
-"""Definition text (.msg, .srv, .action) to specs. A mistake is a `ParseError` with file, line and column."""
+"""Definition text (.msg, .srv, .action) to specs. An error is a `ParseError` with file, line and column."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _SECTIONS = {"msg": 1, "srv": 2, "action": 3}
 
 
 class ParseError(ValueError):
-    """A definition that can't be read. The text starts with `file:line:column:`."""
+    """A definition that can't be parsed. The text starts with `file:line:column:`."""
 
     def __init__(self, path: str, line: int, column: int, reason: str) -> None:
         super().__init__(f"{path}:{line}:{column}: {reason}")
@@ -30,13 +30,13 @@ def parse_interface(text: str, name: str, path: str | None = None) -> spec.Inter
     """Parse the text of a definition.
 
     Args:
-        text: What the file holds.
-        name: `package/kind/Name`; the kind (msg, srv or action) says how many parts `---` divides the text into.
+        text: The content of the file.
+        name: `package/kind/Name`; the kind (msg, srv or action) determines how many parts `---` divides the text into.
         path: Where the text comes from, for errors; by default `package/kind/Name.kind`.
 
     Raises:
-        ParseError: the text is no such definition.
-        ValueError: `name` is no interface name.
+        ParseError: the text is not such a definition.
+        ValueError: `name` is not an interface name.
     """
     package, kind, _ = _split_name(name)
     parser = _Parser(package, path or f"{name}.{kind}")
@@ -59,7 +59,7 @@ def parse_type(text: str, package: str = "") -> spec.Type:
     """Parse a field's type: `float64[36]`, `string<=10[<=5]`, `Point`, `geometry_msgs/Point[]`.
 
     Raises:
-        ValueError: it is none, with the reason.
+        ValueError: it is not a type; the text has the reason.
     """
     match = _TYPE.fullmatch(text)
     if match is None:
@@ -75,6 +75,31 @@ def parse_type(text: str, package: str = "") -> spec.Type:
     return spec.Type(base, bound, shape, length)
 
 
+def without_comment(line: str) -> str:
+    """Return a line of a definition up to its comment, stripped on the right."""
+    return line[: _comment_start(line)].rstrip()
+
+
+def message_in_field(line: str, package: str) -> str | None:
+    """Return the whole name of the message that a line of a definition has a field of.
+
+    Args:
+        line: The line, which may hold anything.
+        package: The definition's package, to which a bare name belongs.
+
+    Returns:
+        None for a field of a primitive type, a constant, or no member at all.
+    """
+    match = _LINE.match(without_comment(line))
+    if match is None or match["equals"] or not match["name"]:
+        return None
+    try:
+        type_ = parse_type(match["type"], package)
+    except ValueError:
+        return None
+    return None if type_.is_primitive else type_.base
+
+
 def _split_name(name: str) -> tuple[str, str, str]:
     parts = name.split("/")
     if len(parts) != 3 or parts[1] not in _SECTIONS or not _PACKAGE_NAME.fullmatch(parts[0]):
@@ -85,7 +110,7 @@ def _split_name(name: str) -> tuple[str, str, str]:
 
 
 def _resolve(base: str, package: str) -> str:
-    """Give a message its whole name: a bare one is of the same package, except `Header`."""
+    """Return the whole name of a type: a bare name is of the same package, except `Header`."""
     if base in spec.PRIMITIVES:
         return base
     parts = base.split("/")
@@ -102,13 +127,12 @@ def _resolve(base: str, package: str) -> str:
 
 
 class _Line:
-    """A line without its comment, and where it stands."""
+    """A line without its comment, and its number."""
 
     def __init__(self, number: int, text: str) -> None:
         self.number = number
-        cut = _comment_start(text)
-        self.text = text[:cut].rstrip()
-        self.comment = text[cut + 1 :].strip()
+        self.text = without_comment(text)
+        self.comment = text[_comment_start(text) + 1 :].strip()
 
 
 def _comment_start(text: str) -> int:

@@ -1,17 +1,19 @@
-"""From a message class to the plan that the native codec walks."""
+"""Compilation of message classes to the plans that the native codec walks."""
 
 from __future__ import annotations
 
 import threading
 
-from tfloom._native import Plan, adopt
-from tfloom.rosidl.message import ARRAY_CODES, Message
-from tfloom.rosidl.registry import get_message_class
+from tfloom._native import MessageBase, Plan, adopt
+from tfloom.rosidl.array_codes import ARRAY_CODES
+from tfloom.rosidl.class_search import find_field_class
 from tfloom.rosidl.type_text import split_type
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
+
+    from tfloom.rosidl.class_table import MessageClass
 
 _ZEROS: dict[str, Any] = {
     **dict.fromkeys(ARRAY_CODES, 0),
@@ -23,27 +25,32 @@ _ZEROS: dict[str, Any] = {
     "wstring": "",
 }
 
-_compiling: list[type[Message]] = []
-_lock = threading.RLock()  # a plan that others point to must not be replaced by a second one
+_compiling: list[type[MessageClass]] = []
+_lock = threading.RLock()  # because a plan that others point to must not be replaced by a second one
 
 
-def compile_plan(cls: type[Message]) -> Plan:
-    """Compile the plan of a message class, and of the messages in it, and leave it on the class.
+def compile_plan(cls: type[MessageClass]) -> Plan:
+    """Compile the plan of a message class, and of the messages in it, and store it on the class.
 
     Raises:
-        TypeError: the class is no message class, or it contains itself.
-        LookupError: it refers to a message that is not known.
+        TypeError: the class is not a message class, or it contains itself.
+        LookupError: it refers to an unknown message.
     """
-    owner = next(
-        (base for base in cls.__mro__ if issubclass(base, Message) and "_FIELDS" in base.__dict__), Message
-    )
-    if owner is Message:
-        raise TypeError(f"{cls.__qualname__} is no message class")
+    owner = _owner(cls)
     with _lock:
         return owner._PLAN or _compile(owner)
 
 
-def _compile(owner: type[Message]) -> Plan:
+def _owner(cls: type[MessageClass]) -> type[MessageClass]:
+    """Return the class itself, or the base that has the fields."""
+    if issubclass(cls, MessageBase):
+        for base in cls.__mro__:
+            if base.__dict__.get("_TYPE_NAME"):
+                return base
+    raise TypeError(f"{cls.__qualname__} is no message class")
+
+
+def _compile(owner: type[MessageClass]) -> Plan:
     if owner in _compiling:
         raise TypeError(f"{owner._TYPE_NAME} contains itself")
     plan = Plan(owner, owner._TYPE_NAME)
@@ -57,7 +64,7 @@ def _compile(owner: type[Message]) -> Plan:
     return plan
 
 
-def _add_fields(plan: Plan, owner: type[Message]) -> None:
+def _add_fields(plan: Plan, owner: type[MessageClass]) -> None:
     for name, text in owner._FIELDS.items():
         _add_field(plan, name, text, owner._DEFAULTS.get(name))
 
@@ -66,7 +73,7 @@ def _add_field(plan: Plan, name: str, type_text: str, default: Any) -> None:
     base, string_bound, shape, length = split_type(type_text)
     nested = None
     if base not in _ZEROS:
-        nested = get_message_class(base)
+        nested = find_field_class(base)
         if nested._PLAN is None:
             compile_plan(nested)
     is_array = bool(shape) and base in ARRAY_CODES
@@ -107,7 +114,7 @@ def _filled(type_text: str, default: Any) -> Any:
 
 
 def _initial(base: str, shape: str, length: int, default: Any) -> Any:
-    """Return the default of a field that is no numeric array; None for a message, which is built anew."""
+    """Return the default of a field other than a numeric array; None for a message, which is built each time."""
     zero = _ZEROS.get(base)
     if shape:
         return list(default or ([zero] * length if shape == "array" and base in _ZEROS else []))

@@ -1,4 +1,4 @@
-"""What programs import as `rosidl_runtime_py`: types by name, and which there are."""
+"""The functions of `rosidl_runtime_py`: types by name, and lists of them."""
 
 from __future__ import annotations
 
@@ -6,10 +6,11 @@ from collections import OrderedDict
 from collections.abc import Iterable
 from typing import Any
 
-from tfloom.rosidl import sources
+from tfloom.rosidl import definition_files
+from tfloom.rosidl.class_search import find_class
 from tfloom.rosidl.definition import AbstractType, NamespacedType, to_namespaced_type
 from tfloom.rosidl.message import Message
-from tfloom.rosidl.registry import find_class, get_action_class, get_message_class, get_service_class
+from tfloom.rosidl.registry import get_action_class, get_message_class, get_service_class
 from tfloom.rosidl.service import Action, Service
 
 
@@ -72,7 +73,7 @@ def get_namespaced_type(identifier: str) -> NamespacedType:
 
 
 def get_message_namespaced_type(identifier: str) -> NamespacedType:
-    """Return a message's name as an object, `msg` put in where it is left out.
+    """Return a message's name as an object, with `msg` inserted where it is missing.
 
     Raises:
         ValueError: it has fewer than two parts, or an empty one.
@@ -81,7 +82,7 @@ def get_message_namespaced_type(identifier: str) -> NamespacedType:
 
 
 def get_service_namespaced_type(identifier: str) -> NamespacedType:
-    """Return a service's name as an object, `srv` put in where it is left out.
+    """Return a service's name as an object, with `srv` inserted where it is missing.
 
     Raises:
         ValueError: it has fewer than two parts, or an empty one.
@@ -90,7 +91,7 @@ def get_service_namespaced_type(identifier: str) -> NamespacedType:
 
 
 def get_action_namespaced_type(identifier: str) -> NamespacedType:
-    """Return an action's name as an object, `action` put in where it is left out.
+    """Return an action's name as an object, with `action` inserted where it is missing.
 
     Raises:
         ValueError: it has fewer than two parts, or an empty one.
@@ -106,17 +107,17 @@ def _with_kind(identifier: str, kind: str) -> NamespacedType:
 
 
 def is_message(interface: object) -> bool:
-    """Say whether a class, or an instance, is a message's."""
+    """Return whether an object is a message class or a message."""
     return _is(interface, Message)
 
 
 def is_service(interface: object) -> bool:
-    """Say whether a class is a service's."""
+    """Return whether a class is a service's."""
     return _is(interface, Service)
 
 
 def is_action(interface: object) -> bool:
-    """Say whether a class is an action's."""
+    """Return whether a class is an action's."""
     return _is(interface, Action)
 
 
@@ -134,16 +135,16 @@ def import_message_from_namespaced_type(message_type: NamespacedType) -> type[Me
 
 
 def get_message_slot_types(msg: Message) -> OrderedDict[str, AbstractType]:
-    """Return the type of each field, as `rosidl_parser.definition` has types."""
+    """Return the type of each field, as an object of `rosidl_parser.definition`."""
     return OrderedDict(zip(msg._FIELDS, msg.SLOT_TYPES, strict=True))
 
 
 def get_interface_packages() -> dict[str, str]:
     """Return the packages that have definitions, each with the folder that holds its own."""
     found: dict[str, str] = {}
-    for share in sources.share_folders():
+    for share in definition_files.share_folders():
         for folder in sorted(share.glob("*/")):
-            if folder.name not in found and sources.names_in(folder):
+            if folder.name not in found and definition_files.names_in(folder):
                 found[folder.name] = str(share)
     return found
 
@@ -152,7 +153,7 @@ def get_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
     """Return the interfaces of packages, or of all of them, as `kind/Name`, sorted.
 
     Raises:
-        LookupError: a package is not known.
+        LookupError: a package is unknown.
     """
     packages = get_interface_packages()
     wanted = list(package_names) or sorted(packages)
@@ -163,28 +164,28 @@ def get_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
 
 
 def get_message_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
-    """Return the messages of packages, or of all of them, as `msg/Name`; packages without any are left out.
+    """Return the messages of packages, or of all of them, as `msg/Name`; packages without any are omitted.
 
     Raises:
-        LookupError: a package is not known.
+        LookupError: a package is unknown.
     """
     return _of_kind("msg", package_names)
 
 
 def get_service_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
-    """Return the services of packages, or of all of them, as `srv/Name`; packages without any are left out.
+    """Return the services of packages, or of all of them, as `srv/Name`; packages without any are omitted.
 
     Raises:
-        LookupError: a package is not known.
+        LookupError: a package is unknown.
     """
     return _of_kind("srv", package_names)
 
 
 def get_action_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
-    """Return the actions of packages, or of all of them, as `action/Name`; packages without any are left out.
+    """Return the actions of packages, or of all of them, as `action/Name`; packages without any are omitted.
 
     Raises:
-        LookupError: a package is not known.
+        LookupError: a package is unknown.
     """
     return _of_kind("action", package_names)
 
@@ -195,7 +196,7 @@ def get_interface_path(interface_name: str) -> str:
     Raises:
         LookupError: there is none.
     """
-    path = sources.find_path(interface_name)
+    path = definition_files.find_path(interface_name)
     if path is None:
         raise LookupError(f"Could not find the interface '{interface_name}'")
     return str(path)
@@ -204,7 +205,7 @@ def get_interface_path(interface_name: str) -> str:
 def _names(share: str, package: str) -> list[str]:
     from pathlib import Path
 
-    return [name.partition("/")[2] for name in sources.names_in(Path(share) / package)]
+    return [name.partition("/")[2] for name in definition_files.names_in(Path(share) / package)]
 
 
 def _of_kind(kind: str, package_names: Iterable[str]) -> dict[str, list[str]]:

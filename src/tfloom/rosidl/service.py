@@ -6,8 +6,6 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any, ClassVar
 
-    from tfloom.rosidl.message import Message
-
 
 class Service:
     """A service type: `Request`, `Response`, and the `Event` that introspection publishes."""
@@ -16,14 +14,14 @@ class Service:
     _TYPE_HASH: ClassVar[str]
     Request: ClassVar[type[Any]]
     Response: ClassVar[type[Any]]
-    Event: ClassVar[type[Message]]
+    Event: ClassVar[type[Any]]
 
     def __init__(self) -> None:
         raise NotImplementedError("Service classes can not be instantiated")
 
 
 class Action:
-    """An action type: `Goal`, `Result`, `Feedback`, and in `Impl` what carries them."""
+    """An action type: `Goal`, `Result`, `Feedback`, and in `Impl` the services and messages that carry them."""
 
     _TYPE_NAME: ClassVar[str]
     _TYPE_HASH: ClassVar[str]

@@ -1,21 +1,16 @@
-"""Where definitions come from: what a program defined, sourced workspaces, and those that come with tfloom."""
+"""Sources of definitions: those that a program defined, sourced workspaces, and those that come with tfloom."""
 
 from __future__ import annotations
 
-import os
-from collections.abc import Iterator
-from pathlib import Path
 from typing import NamedTuple
 
 from tfloom.rosidl import spec
+from tfloom.rosidl.definition_files import find_path
 from tfloom.rosidl.parse import parse_interface
-from tfloom.rosidl.registry import definitions_folder
-
-KINDS = ("msg", "srv", "action")
 
 
 class Source(NamedTuple):
-    """The text of a definition, and where it stands."""
+    """The text of a definition, and its path."""
 
     text: str
     path: str
@@ -25,7 +20,7 @@ _defined: dict[str, Source] = {}
 
 
 def replace(name: str, source: Source | None) -> Source | None:
-    """Make the definition of `package/kind/Name` known, before all others, or forget it; return what it was."""
+    """Set the definition of `package/kind/Name`, which precedes all others, or remove it; return the previous one."""
     before = _defined.pop(name, None)
     if source is not None:
         _defined[name] = source
@@ -46,42 +41,12 @@ def find_source(name: str) -> Source | None:
     return None if path is None else Source(path.read_text(encoding="utf-8"), str(path))
 
 
-def find_path(name: str) -> Path | None:
-    """Return the file that defines `package/kind/Name`, in a sourced workspace or of tfloom's own, or None."""
-    parts = name.split("/")
-    if len(parts) != 3 or parts[1] not in KINDS or not all(part.isidentifier() for part in parts):
-        return None
-    package, kind, base = parts
-    for share in share_folders():
-        path = share / package / kind / f"{base}.{kind}"
-        if path.is_file():
-            return path
-    return None
-
-
-def share_folders() -> Iterator[Path]:
-    """Give the folders that hold `package/kind/Name.kind`: those of AMENT_PREFIX_PATH, then tfloom's own."""
-    for prefix in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep):
-        if prefix:
-            yield Path(prefix) / "share"
-    yield definitions_folder()
-
-
-def names_in(package_folder: Path) -> list[str]:
-    """Return the names of the definitions in a package's folder, `package/{msg,srv,action}/Name.kind`, sorted."""
-    return sorted(
-        f"{package_folder.name}/{kind}/{path.stem}"
-        for kind in KINDS
-        for path in (package_folder / kind).glob(f"*.{kind}")
-    )
-
-
 def find_interface(name: str) -> spec.Interface:
     """Return the spec of `package/kind/Name`.
 
     Raises:
         LookupError: there is no such definition.
-        ParseError: it can't be read.
+        ParseError: it can't be parsed.
     """
     source = find_source(name)
     if source is None:
@@ -94,11 +59,10 @@ def find_message(name: str) -> spec.Message:
 
     Raises:
         LookupError: there is no such message.
-        ParseError: its definition can't be read.
+        ParseError: its definition can't be parsed.
     """
     interface = find_interface(definition_name(name))
-    messages = (interface,) if isinstance(interface, spec.Message) else interface.messages
-    for message in messages:
+    for message in spec.messages_of(interface):
         if message.name == name:
             return message
     raise LookupError(f"there is no definition of '{name}'")

@@ -1,4 +1,4 @@
-"""What an interface definition says, as plain values: types, fields, constants, messages, services, actions."""
+"""Interface definitions as plain values: types, fields, constants, messages, services, actions."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ STRINGS = frozenset({"string", "wstring"})
 PRIMITIVES = frozenset({"bool", *INTEGER_RANGES, *FLOATS, *STRINGS})
 
 EMPTY_FIELD = "structure_needs_at_least_one_member"
-"""The uint8 that stands on the wire, and in the hash, for a message without fields."""
+"""The uint8 by which a message without fields is represented on the wire and in the hash."""
 
 Value: TypeAlias = bool | int | float | str | bytes | list["Value"] | None
 """A default or a constant."""
@@ -42,7 +42,7 @@ class Type(NamedTuple):
 
     @property
     def is_primitive(self) -> bool:
-        """Whether the base is no message."""
+        """Whether the base is a primitive, not a message."""
         return self.base in PRIMITIVES
 
     @property
@@ -51,7 +51,7 @@ class Type(NamedTuple):
         return Type(self.base, self.string_bound)
 
     def __str__(self) -> str:
-        """Give the text as a definition writes it, with whole message names."""
+        """Return the text as a definition writes it, with whole message names."""
         bound = f"<={self.string_bound}" if self.string_bound else ""
         shape = {"": "", "array": f"[{self.length}]", "bounded": f"[<={self.length}]", "unbounded": "[]"}
         return f"{self.base}{bound}{shape[self.shape]}"
@@ -63,7 +63,7 @@ class Field(NamedTuple):
     name: str
     type: Type
     default: Value = None
-    """None if the definition gives none."""
+    """None if the definition has none."""
     comment: str = ""
     position: tuple[int, int] = (0, 0)
     """Line and column of the field's type, for errors."""
@@ -89,7 +89,7 @@ class Message(NamedTuple):
 
     @property
     def wire_fields(self) -> tuple[Field, ...]:
-        """The fields, or the one that stands in for none."""
+        """The fields, or `EMPTY_FIELD` where there are none."""
         return self.fields or (Field(EMPTY_FIELD, Type("uint8")),)
 
     @property
@@ -113,7 +113,7 @@ class Service(NamedTuple):
 
 
 class Action(NamedTuple):
-    """An action: what the user fills in, and the services and message that carry it."""
+    """An action: goal, result and feedback, and the services and message that carry them."""
 
     name: str
     goal: Message
@@ -135,6 +135,11 @@ class Action(NamedTuple):
 
 
 Interface: TypeAlias = Message | Service | Action
+
+
+def messages_of(interface: Interface) -> tuple[Message, ...]:
+    """Return the messages that an interface consists of."""
+    return (interface,) if isinstance(interface, Message) else interface.messages
 
 
 def service(name: str, request: Message, response: Message) -> Service:

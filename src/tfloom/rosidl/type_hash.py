@@ -32,7 +32,7 @@ _BOUNDED_STRINGS = {"string": 21, "wstring": 22}
 _SHAPE_OFFSETS = {"": 0, "array": 48, "bounded": 96, "unbounded": 144}
 
 FindSpec = Callable[[str], spec.Message]
-"""Gives the spec of a message by its name; raises LookupError for one that is not known."""
+"""Returns the spec of a message by its name; raises LookupError for an unknown one."""
 
 
 def type_hash(interface: spec.Interface, find: FindSpec) -> str:
@@ -40,17 +40,17 @@ def type_hash(interface: spec.Interface, find: FindSpec) -> str:
 
     Args:
         interface: The message, service or action.
-        find: Gives the messages that it refers to.
+        find: Returns the message of a name, for references.
 
     Raises:
-        LookupError: a message that it refers to is not known.
+        LookupError: a message that it refers to is unknown.
     """
     text = json.dumps(type_description(interface, find), separators=(", ", ": "))
     return f"RIHS01_{hashlib.sha256(text.encode()).hexdigest()}"
 
 
 def type_description(interface: spec.Interface, find: FindSpec) -> dict[str, Any]:
-    """Return the type's description and those of all messages in it, sorted by name, as the hash takes them."""
+    """Return the type's description and those of all messages in it, sorted by name, as the hash requires."""
     known = dict(_descriptions(interface))
     waiting = list(known.values())
     while waiting:
@@ -64,7 +64,7 @@ def type_description(interface: spec.Interface, find: FindSpec) -> dict[str, Any
 
 
 def _descriptions(interface: spec.Interface) -> Iterable[tuple[str, dict[str, Any]]]:
-    """Give the interface's own description and those of its parts, by name."""
+    """Yield the interface's own description and those of its parts, with their names."""
     if isinstance(interface, spec.Message):
         yield interface.name, _describe(interface.name, interface.wire_fields)
         return

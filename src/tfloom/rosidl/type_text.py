@@ -1,4 +1,4 @@
-"""A field's type as text: the one spelling that classes keep, `float64[36]`, `geometry_msgs/msg/Point[<=5]`."""
+"""A field's type as text, in the spelling of message classes: `float64[36]`, `geometry_msgs/msg/Point[<=5]`."""
 
 from __future__ import annotations
 

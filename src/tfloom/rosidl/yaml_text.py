@@ -1,4 +1,4 @@
-"""Messages to text as `ros2 topic echo` prints them (YAML and CSV), and from values as `ros2 topic pub` takes them."""
+"""Messages as text in the formats of `ros2 topic echo` (YAML and CSV), and from the values of `ros2 topic pub`."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def message_to_yaml(
     import yaml
 
     class Dumper(yaml.SafeDumper):
-        """Mappings stand in block style, except inside flow sequences, where YAML knows no blocks."""
+        """Writes mappings in block style, except inside flow sequences, where YAML has none."""
 
     def represent_mapping(dumper: Dumper, mapping: OrderedDict[str, Any]) -> Any:
         return dumper.represent_mapping("tag:yaml.org,2002:map", list(mapping.items()), flow_style=False)

@@ -1,4 +1,4 @@
-"""The buffer's numpy face: many stamps and many points at once. numpy is loaded by the first call."""
+"""The buffer for numpy arrays: many stamps and many points at once. The first call imports numpy."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Poses(NamedTuple):
     rotations_xyzw: NDArray[np.float64]
     """(N, 4) unit quaternions."""
     known: NDArray[np.bool_]
-    """(N,) False where there is no answer; the row is then NaN."""
+    """(N,) bool: False where the lookup failed; the row is then NaN."""
 
     def matrices(self) -> NDArray[np.float64]:
         """Return them as matrices (N, 4, 4)."""
@@ -37,7 +37,7 @@ class Poses(NamedTuple):
 
 
 class Samples(NamedTuple):
-    """What is stored of one edge, oldest first."""
+    """The stored samples of one edge, oldest first."""
 
     stamps_ns: NDArray[np.int64]
     """(N,)"""
@@ -48,7 +48,7 @@ class Samples(NamedTuple):
 
 
 class Arrays(Frames):
-    """The part of a buffer that takes and gives arrays."""
+    """The part of a buffer that accepts and returns arrays."""
 
     def lookup_many(
         self,
@@ -59,19 +59,19 @@ class Arrays(Frames):
         strict: bool = True,
         workers: int = 1,
     ) -> Poses:
-        """Return target_from_source at many stamps, each as `lookup` gives it.
+        """Return target_from_source at many stamps, each as `lookup` returns it.
 
-        Ascending stamps are fastest; any order is fine. The result may span inserts that happen meanwhile.
+        Ascending stamps are fastest; any order is valid. Transforms inserted meanwhile may affect some of the rows.
 
         Args:
             target_frame: Frame to express the data in.
             source_frame: Frame the data is in now.
             stamps_ns: (N,) integers or datetime64 [ns since epoch]; 0 is the latest time.
-            strict: Whether a stamp without an answer is an error.
+            strict: Whether to raise for a stamp whose lookup fails.
             workers: How many threads share the work.
 
         Raises:
-            TransformException: as `lookup`, for the first stamp without an answer if `strict`; its `index` says which.
+            TransformException: as `lookup`, for the first stamp that fails if `strict`; its `index` is the stamp's.
             TypeError: the stamps are not integers.
             ValueError: they are not one-dimensional, beyond 64 bits of nanoseconds, or NaT.
         """
@@ -149,7 +149,7 @@ class Arrays(Frames):
             (N, 3) of the points' type: `out`, or a new array.
 
         Raises:
-            TransformException: as `lookup`; for a point's stamp, its `index` says which.
+            TransformException: as `lookup`; for a point's stamp, its `index` is the point's.
             TypeError, ValueError: an array has the wrong type or shape.
         """
         checked = _points(points)
@@ -160,7 +160,7 @@ class Arrays(Frames):
             )
         if out is not None:
             _out(checked, out)
-        result = _out(checked, None)  # `out` stays as it is where a stamp has no answer
+        result = _out(checked, None)  # `out` stays unchanged where a lookup fails
         first = self.lookup(target_frame, fixed_frame, target_stamp_ns)
         fill = self.deskew_float32 if checked.dtype == "float32" else self.deskew_float64
         fill(fixed_frame, source_frame, _row(first), stamps, checked, result, max(1, workers))
@@ -186,10 +186,10 @@ class Arrays(Frames):
             stamps_ns: (N,) integers or datetime64 [ns since epoch], in any order.
             positions: (N, 3) [m].
             rotations_xyzw: (N, 4), of any length but zero.
-            authority: Who says so.
+            authority: Name of the publisher.
 
         Returns:
-            How many were stored; the others were rejected, as by `set`.
+            How many were stored; the others were rejected, as `set` rejects.
 
         Raises:
             TypeError, ValueError: an array has the wrong type or shape.
@@ -206,7 +206,7 @@ class Arrays(Frames):
         return self.store_many(frame_id, child_frame_id, stamps, np.ascontiguousarray(rows), authority)
 
     def to_arrays(self, frame_id: str, child_frame_id: str) -> Samples:
-        """Return what is stored of the edge from `frame_id` to `child_frame_id`; nothing if there is no such edge."""
+        """Return the stored samples of an edge; empty arrays if there is no such edge."""
         import numpy as np
 
         stamps, rows = self.samples(frame_id, child_frame_id)

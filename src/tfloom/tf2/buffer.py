@@ -1,4 +1,4 @@
-"""The buffer: transforms between frames go in, the transform between any two at any known time comes out."""
+"""The buffer: stores transforms between frames and returns the transform between any two at any stored time."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from tfloom.tf2.velocity import Velocities
 __all__ = ["LATEST", "Buffer"]
 
 LATEST = 0
-"""As a query's stamp: the newest time at which the whole chain is known."""
+"""Stamp of a query for the newest time at which the whole chain is known."""
 
 DEFAULT_CACHE_TIME_NS = 10_000_000_000
 
@@ -18,7 +18,7 @@ class Buffer(Velocities):
     Args:
         cache_time_ns: How far back each frame's history reaches from its newest sample [ns]; None: without limit.
 
-    What it rejects, it logs to the logger `tfloom.tf2`, or where `set_log_callback` says.
+    Rejected transforms are logged to the logger `tfloom.tf2`, or by the function of `set_log_callback`.
     """
 
     def __init__(self, cache_time_ns: int | None = DEFAULT_CACHE_TIME_NS) -> None:

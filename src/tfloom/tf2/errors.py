@@ -1,4 +1,4 @@
-"""What a buffer raises.
+"""Exceptions of a buffer.
 
     TransformException
     ├── ConnectivityException            the frames are in different trees
@@ -10,7 +10,7 @@
         ├── ForwardExtrapolationException        after its newest sample
         └── NoDataForExtrapolationException      there is one sample only, or none
 
-The texts are tf2's to the letter; what they say is on the exceptions as data, too.
+The texts are tf2's to the letter; attributes hold the same facts as data.
 """
 
 from __future__ import annotations
@@ -29,15 +29,15 @@ __all__ = [
 
 
 class TransformException(Exception):  # noqa: N818, public names are tf2's
-    """A transform could not be had."""
+    """A transform is not available."""
 
     __module__ = "tf2"
 
     frame_id: str | None = None
-    """The frame that is missing, or whose history is the limit; None where the matter is not one frame's."""
+    """The frame that is missing or whose history is exceeded; None where the error is not about a single frame."""
 
     def __reduce__(self) -> tuple[object, ...]:
-        """Pickle by our own module's name, as there is no module `tf2` to find the class in."""
+        """Pickle by this module's name, because there is no module `tf2` to find the class in."""
         return _rebuild, (type(self).__name__, self.args), self.__dict__ or None
 
 
@@ -71,7 +71,7 @@ class ExtrapolationException(TransformException):
     __module__ = "tf2"
 
     requested_ns: int | None = None
-    """The stamp asked for [ns since epoch]."""
+    """The requested stamp [ns since epoch]."""
     oldest_ns: int | None = None
     """The oldest stamp that `frame_id` has; None if it has no data."""
     newest_ns: int | None = None

@@ -17,22 +17,22 @@ __all__ = ["Edge", "Explanation", "Frames"]
 
 
 class Explanation(NamedTuple):
-    """What a lookup would go through, and what stands in its way."""
+    """The chain of a lookup, and the reason why it fails."""
 
     target_frame: str
     source_frame: str
     stamp_ns: int
-    """The time asked for; 0: the latest."""
+    """The requested time; 0: the latest."""
     chain: list[str]
-    """The frames from the source to the target; where they are not connected, each one's way up to its root."""
+    """The frames from the source to the target; where they are not connected, the path from each to its root."""
     edges: list[Edge]
-    """What is known of each link of the chain."""
+    """The stored history of each link of the chain."""
     error: TransformException | None
-    """What `lookup` raises, or None."""
+    """The exception that `lookup` raises, or None."""
     failing_edge: Edge | None
     """The link that lacks the time, or None."""
     remedy: str
-    """What would mend it; empty if there is an answer."""
+    """How to resolve the failure; empty if the lookup succeeds."""
 
     def __str__(self) -> str:
         asked = "the latest time" if self.stamp_ns == 0 else f"{self.stamp_ns / 1e9:.6f}"
@@ -49,7 +49,7 @@ class Explanation(NamedTuple):
         return "\n".join(lines)
 
     def _parents(self) -> list[str]:
-        """Return the parent in each edge at the time asked for; the newest one, where the chain isn't whole."""
+        """Return the parent in each edge at the requested time; the newest parent where the chain is incomplete."""
         if len(self.edges) != len(self.chain) - 1:
             return [edge.frame_id for edge in self.edges]
         pairs = zip(self.edges, self.chain, self.chain[1:], strict=False)
@@ -88,12 +88,12 @@ class Frames(_native.Buffer):
         return min((stamp for stamp in stamps if stamp != 0), default=0)
 
     def explain(self, target_frame: str, source_frame: str, stamp_ns: int = 0) -> Explanation:
-        """Tell what a lookup goes through: each link's history, which of them fails, and what would mend it."""
+        """Return the chain of a lookup: each link's history, which link fails, and how to resolve it."""
         error = self._error(target_frame, source_frame, stamp_ns)
         by_child = {edge.child_frame_id: edge for edge in self.edges()}
         if error is None and target_frame != source_frame:
             down, up = self.branches(target_frame, source_frame, stamp_ns)
-            while up and down and up[-1] == down[-1]:  # what is above where they meet
+            while up and down and up[-1] == down[-1]:  # the part above the common ancestor
                 up.pop()
                 down.pop()
             chain = self.path(target_frame, source_frame, stamp_ns)
@@ -121,7 +121,7 @@ class Frames(_native.Buffer):
 
 
 def _branches_by_newest(target: str, source: str, by_child: dict[str, Edge]) -> tuple[list[str], list[str]]:
-    """Return the ways up from the source and from the target: both to where they meet, or each to its root."""
+    """Return the paths up from source and target: both to their common ancestor, or each to its root."""
     up, down = _way_up(source, by_child, target), _way_up(target, by_child, source)
     if up[-1] == target:
         return up, [target]
@@ -176,7 +176,7 @@ def _remedy(
 
 
 def _circle(parents: dict[str, str | None], starts: list[str]) -> list[str]:
-    """Return the frames of the first circle of parents above any of these frames; none if there is none."""
+    """Return the frames of the first loop of parents above any of these frames; empty without a loop."""
     for start in starts:
         way: list[str] = []
         frame: str | None = start

@@ -14,13 +14,13 @@ __all__ = ["Files"]
 
 
 class Files(Arrays):
-    """The part of a buffer that goes to files and comes from them."""
+    """The part of a buffer that writes and maps files."""
 
     def freeze(self, path: str | os.PathLike[str]) -> None:
-        """Write all that is stored to a file, which `map` takes back.
+        """Write all that is stored to a file that `map` reads.
 
-        The file is there whole or not at all: one that was there is replaced, and who has mapped it keeps what it
-        was. Inserts wait while the samples are copied to memory, not while they are written.
+        The file appears complete or not at all. It replaces a previous one, whose mappings keep the previous content.
+        Inserts are blocked while the samples are copied to memory, but not while they are written.
 
         Args:
             path: Where to; its folder must exist.
@@ -41,15 +41,15 @@ class Files(Arrays):
         except BaseException as error:
             partial.unlink(missing_ok=True)
             if isinstance(error, OSError) and error.filename == os.fspath(partial):
-                error.filename = os.fspath(path)  # the one that the caller knows
+                error.filename = os.fspath(path)  # the caller's path, not that of the temporary file
             raise
 
     @classmethod
     def map(cls, path: str | os.PathLike[str]) -> Self:
-        """Return a buffer with all that was frozen to a file, which answers as the one that was frozen did.
+        """Return a buffer with the content of a file, which answers as the frozen buffer did.
 
         The file is mapped for reading: samples stay in it until they are read, and processes that map the same file
-        share them. It is never written to: what is inserted lives in memory. Overwriting or truncating it in place
+        share them. The file stays unchanged: inserts are kept in memory. Overwriting or truncating it in place
         meanwhile is not allowed; `freeze` to the same path is.
 
         Args:
@@ -57,7 +57,7 @@ class Files(Arrays):
 
         Raises:
             OSError: the file can't be read.
-            ValueError: it is no frozen buffer, or not whole; the text says what is wrong, and at which byte.
+            ValueError: it is no frozen buffer, or incomplete; the text names the defect and its byte.
         """
         from mmap import ACCESS_READ, mmap
         from pathlib import Path

@@ -16,7 +16,7 @@ EARLIEST_S = 1e-5
 
 
 class Twist(NamedTuple):
-    """How a frame moves."""
+    """Velocity of a frame."""
 
     linear: Triple
     """Velocity of its origin [m/s]."""
@@ -46,7 +46,7 @@ class Velocities(Files):
             fixed_frame: The frame that it moves in.
             stamp_ns: When [ns since epoch]; 0 is the latest.
             interval_ns: Time over which to take the mean [ns].
-            axes_frame: Frame whose axes the vectors are written in; None: those of `fixed_frame`.
+            axes_frame: Frame in whose axes the vectors are expressed; None: `fixed_frame`.
 
         Raises:
             TransformException: as `lookup`.

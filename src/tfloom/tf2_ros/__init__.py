@@ -1,1 +1,1 @@
-"""Frames over time for ROS programs: buffers, listeners, broadcasters, and what is done with transforms."""
+"""Frames over time for ROS programs: buffers, listeners, broadcasters, and operations on transforms."""

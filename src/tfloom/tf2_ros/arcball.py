@@ -1,4 +1,4 @@
-"""Turning things with the mouse, by the names of tf_transformations: a ball under the window that the cursor drags."""
+"""Rotating with the mouse, by the names of tf_transformations: a virtual trackball that the cursor drags."""
 
 from __future__ import annotations
 
@@ -49,11 +49,11 @@ class Arcball:
         self._is_constrained = False
 
     def place(self, center: Sequence[float], radius: float) -> None:
-        """Put the ball somewhere in the window."""
+        """Place the ball in the window."""
         self._center, self._radius = (float(center[0]), float(center[1])), float(radius)
 
     def setaxes(self, *axes: ArrayLike) -> None:
-        """Set the axes that turning is constrained to while `setconstrain` says so; none: it is never constrained."""
+        """Set the axes that drags are constrained to while `setconstrain` is on; without axes they are free."""
         self._axes = [unit_vector(axis) for axis in axes] or None
 
     def setconstrain(self, constrain: bool) -> None:

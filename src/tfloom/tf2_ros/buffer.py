@@ -1,4 +1,4 @@
-"""The buffer that programs use: lookups that wait, and futures of transforms to come."""
+"""The buffer that programs use: lookups with a timeout, and futures of transforms."""
 
 from __future__ import annotations
 
@@ -31,19 +31,19 @@ __all__ = ["Buffer"]
 LEAST_JUMP_BACK = Duration(seconds=-1)
 LONGEST_MARGIN_NS = 1_000_000_000
 SLICE_S = 0.25
-"""A wait looks this often whether its context was shut down [s]."""
+"""How often a wait checks whether its context was shut down [s]."""
 
 
 class Buffer(BufferCore, BufferInterface):
     """A tree of frames over time. A TransformListener fills it; all methods may be called from any thread.
 
-    A query with a timeout waits on a condition that each new transform wakes. It doesn't need the executor that it
-    is called on: a callback may wait for a transform.
+    A query with a timeout waits on a condition that each new transform notifies. It needs no executor, so a callback
+    may wait for a transform.
 
     Args:
         cache_time: How far back each frame's history reaches from its newest sample; None: 10 s.
-        node: It offers the service `tf2_frames`, which tells the frames as YAML, and its clock is watched: a jump
-            back in simulated time clears the buffer. A listener has its own node's clock watched in any case.
+        node: Node that serves `tf2_frames`, which returns the frames as YAML. Its clock is watched: a jump back in
+            simulated time clears the buffer. A listener's node is always watched.
     """
 
     def __init__(self, cache_time: Any = None, node: Node | None = None) -> None:
@@ -72,7 +72,7 @@ class Buffer(BufferCore, BufferInterface):
         self.clear()
 
     def _ignore_stragglers(self, jump_ns: int, now_ns: int) -> None:
-        """Ignore, for a moment, transforms that were sent before a jump back: their stamps are near the old time."""
+        """Ignore for a moment transforms that were sent before a jump back, by their stamps near the old time."""
         margin_ns = min(-jump_ns // 2, LONGEST_MARGIN_NS)
         self.ignore_from(now_ns - jump_ns - margin_ns, margin_ns / 1e9)
 
@@ -123,7 +123,7 @@ class Buffer(BufferCore, BufferInterface):
         timeout: Any = NO_WAIT,
         return_debug_tuple: bool = False,
     ) -> bool | tuple[bool, str]:
-        """Return whether `lookup_transform` has an answer, after waiting for it; with the reason if asked to."""
+        """Return whether `lookup_transform` succeeds within `timeout`; with `return_debug_tuple` also why not."""
         if timeout is not NO_WAIT:
             self._wait(timeout, self.wait, target_frame, source_frame, time_ns(time))
         verdict = self.can_transform_core(target_frame, source_frame, time)
@@ -139,7 +139,7 @@ class Buffer(BufferCore, BufferInterface):
         timeout: Any = NO_WAIT,
         return_debug_tuple: bool = False,
     ) -> bool | tuple[bool, str]:
-        """Return whether `lookup_transform_full` has an answer, after waiting for it; see `can_transform`."""
+        """Return whether `lookup_transform_full` succeeds within `timeout`; see `can_transform`."""
         query = target_frame, target_time, source_frame, source_time, fixed_frame
         if timeout is not NO_WAIT:
             self._wait(timeout, self.wait_full, *_in_ns(*query))
@@ -151,17 +151,17 @@ class Buffer(BufferCore, BufferInterface):
         while (left_s := end_s - (start_s := monotonic())) > 0:
             slice_s = min(left_s, SLICE_S)
             if wait(*query, timeout_s=slice_s) or monotonic() - start_s < slice_s / 2:
-                return  # it's there; or it never can be, where the wait ends early
+                return  # it is there; or it cannot come, where the wait ends early
             if self._context is not None and not self._context.ok():
                 return
 
     def wait_for_transform_async(
         self, target_frame: str, source_frame: str, time: Any, timeout: Any = None
     ) -> Future[TransformStamped]:
-        """Return a future of what `lookup_transform` will return once it can.
+        """Return a future of the transform that `lookup_transform` will return once it is available.
 
-        It is completed on the thread that brings the missing transform. Where it's clear that none can come, the
-        future has the exception; after `timeout` it has a LookupException. Cancelling the future ends the waiting.
+        It is completed on the thread that inserts the missing transform. A lookup that cannot succeed any more sets
+        its exception; after `timeout` it is a LookupException. Cancelling the future ends the waiting.
         """
         query = target_frame, source_frame, time
         return self._future(
@@ -180,7 +180,7 @@ class Buffer(BufferCore, BufferInterface):
         fixed_frame: str,
         timeout: Any = None,
     ) -> Future[TransformStamped]:
-        """Return a future of what `lookup_transform_full` will return; see `wait_for_transform_async`."""
+        """Return a future of the transform of `lookup_transform_full`; see `wait_for_transform_async`."""
         query = target_frame, target_time, source_frame, source_time, fixed_frame
         return self._future(
             lambda: self.lookup_transform_full_core(*query),
@@ -192,7 +192,7 @@ class Buffer(BufferCore, BufferInterface):
     async def lookup_transform_async(
         self, target_frame: str, source_frame: str, time: Any, timeout: Any = None
     ) -> TransformStamped:
-        """Return what `lookup_transform` does, as soon as it can; see `wait_for_transform_async`."""
+        """Return the transform of `lookup_transform` once it is available; see `wait_for_transform_async`."""
         await self.wait_for_transform_async(target_frame, source_frame, time, timeout)
         return self.lookup_transform_core(target_frame, source_frame, time)
 
@@ -205,7 +205,7 @@ class Buffer(BufferCore, BufferInterface):
         fixed_frame: str,
         timeout: Any = None,
     ) -> TransformStamped:
-        """Return what `lookup_transform_full` does, as soon as it can; see `wait_for_transform_async`."""
+        """Return the transform of `lookup_transform_full` once it is available; see `wait_for_transform_async`."""
         query = target_frame, target_time, source_frame, source_time, fixed_frame
         await self.wait_for_transform_full_async(*query, timeout)
         return self.lookup_transform_full_core(*query)
@@ -224,7 +224,7 @@ class Buffer(BufferCore, BufferInterface):
                 return
             try:
                 future.set_result(look_up())
-            except Exception as error:  # noqa: BLE001, whoever awaits the future is to see it
+            except Exception as error:  # noqa: BLE001, it is raised where the future is awaited
                 future.set_exception(error)
 
         handle = request(complete)
@@ -233,13 +233,13 @@ class Buffer(BufferCore, BufferInterface):
             return future
 
         def expire() -> None:
-            if self.cancel_request(handle):  # else it is being answered
+            if self.cancel_request(handle):  # else it is being completed
                 future.set_exception(LookupException(f"timed out: {obstacle()}"))
 
         future.add_done_callback(lambda ended: ended.cancelled() and self.cancel_request(handle))
         if timeout is not None:
             deadline = call_after(duration_ns(timeout) / 1e9, expire)
-            future.when_complete(deadline.call_off)
+            future.when_complete(deadline.cancel)
         return future
 
 

@@ -1,4 +1,4 @@
-"""Looks transforms up in a buffer that another program keeps."""
+"""Lookups in a buffer of another program."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from tfloom.tf2.errors import (
 from tfloom.tf2_ros.buffer_core import S_TO_NS, duration_ns, time_ns
 from tfloom.tf2_ros.buffer_interface import NO_WAIT, BufferInterface
 
-# Actions are imported by those who use them: `import tf2_ros` is quick without.
+# Actions are imported where they are used, because `import tf2_ros` has to be quick.
 if TYPE_CHECKING:
     from tfloom.interfaces.geometry_msgs.msg import TransformStamped
     from tfloom.interfaces.tf2_msgs.action import LookupTransform_Goal
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 __all__ = ["BufferClient"]
 
 LONGEST_S = 2**31 - 1
-"""What a message can hold: 68 years; rclpy's Infinite is longer [s]."""
+"""The longest duration that a message can hold, 68 years; rclpy's Infinite is longer [s]."""
 PADDING = Duration(seconds=2.0)
 WRONG = "Something is likely wrong with the server."
 ERRORS: dict[int, type[TransformException]] = {
@@ -44,9 +44,9 @@ ERRORS: dict[int, type[TransformException]] = {
     TF2Error.INVALID_ARGUMENT_ERROR: InvalidArgumentException,
     TF2Error.TIMEOUT_ERROR: TimeoutException,
 }
-"""What is raised for an answer's code; for any other: TransformException."""
+"""The exception for each error code of a result; other codes raise TransformException."""
 LOOK_AGAIN_S = 0.1
-"""How often a query that others spin for looks whether they still do [s]."""
+"""How often a query checks whether its node is still spun elsewhere [s]."""
 
 _lock = threading.Lock()
 _spinning: weakref.WeakKeyDictionary[Node, threading.Lock] = weakref.WeakKeyDictionary()
@@ -55,14 +55,14 @@ _spinning: weakref.WeakKeyDictionary[Node, threading.Lock] = weakref.WeakKeyDict
 class BufferClient(BufferInterface):
     """The queries of a buffer, answered by the `BufferServer` of another program, or tf2's own.
 
-    They may be called from any thread. Where the node is in an executor, this must spin on another thread
-    meanwhile; where it is in none, the query itself spins the node.
+    They may be called from any thread. A node in an executor must be spun on another thread meanwhile; a node in none
+    is spun by the query itself.
 
     Args:
-        node: The node that asks.
+        node: The node of the action client.
         ns: Name of the server's action, as `tf2_buffer_server`.
-        check_frequency: Taken for the sake of tf2's signature: answers come by themselves, nothing looks for them.
-        timeout_padding: How much longer than a query's own timeout its answer may take; a Duration, or seconds.
+        check_frequency: Accepted for tf2's signature and unused, because results arrive as events.
+        timeout_padding: How much longer than the query's timeout its result may take; a Duration, or seconds.
     """
 
     def __init__(
@@ -79,7 +79,7 @@ class BufferClient(BufferInterface):
         self.timeout_padding = timeout_padding
 
     def wait_for_server(self, timeout_sec: float | None = None) -> bool:
-        """Wait until the server is there; False if it isn't after `timeout_sec` [s] (None: never), or at shutdown."""
+        """Wait until the server is there; return False after `timeout_sec` [s] (None: no limit) or at shutdown."""
         return self.action_client.wait_for_server(timeout_sec)
 
     def lookup_transform(
@@ -91,15 +91,15 @@ class BufferClient(BufferInterface):
             target_frame: Frame to express the data in.
             source_frame: Frame the data is in now.
             time: Time of the transform, as a Time or a stamp; zero is the newest at which the whole chain is known.
-            timeout: How long the server is to wait for it.
+            timeout: How long the server waits for it.
 
         Raises:
-            TimeoutException: there is no server; the transform didn't come in time; or the server's answer didn't.
+            TimeoutException: there is no server, or the transform or the server's result did not arrive in time.
             LookupException, ConnectivityException, ExtrapolationException, InvalidArgumentException: as
                 `Buffer.lookup_transform` raises them, at the server.
-            TransformException: the server gave no answer, or one with an unknown error.
-            TypeError: `time` is no time.
-            RuntimeError: called in a callback of the executor that would have to take in the answer.
+            TransformException: the server sent no result, or one with an unknown error.
+            TypeError: `time` has neither `sec` and `nanosec` nor `nanoseconds`.
+            RuntimeError: called in a callback of the single-threaded executor that has to process the result.
         """
         goal = self._goal_type(
             target_frame=target_frame,
@@ -133,34 +133,8 @@ class BufferClient(BufferInterface):
         )
         return self._ask(goal)
 
-    def can_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Any = NO_WAIT) -> bool:
-        """Return whether `lookup_transform` gets a transform."""
-        try:
-            self.lookup_transform(target_frame, source_frame, time, timeout)
-        except TransformException:
-            return False
-        return True
-
-    def can_transform_full(
-        self,
-        target_frame: str,
-        target_time: Any,
-        source_frame: str,
-        source_time: Any,
-        fixed_frame: str,
-        timeout: Any = NO_WAIT,
-    ) -> bool:
-        """Return whether `lookup_transform_full` gets a transform."""
-        try:
-            self.lookup_transform_full(
-                target_frame, target_time, source_frame, source_time, fixed_frame, timeout
-            )
-        except TransformException:
-            return False
-        return True
-
     def destroy(self) -> None:
-        """Ask no more."""
+        """Destroy the action client."""
         self.action_client.destroy()
 
     def _ask(self, goal: LookupTransform_Goal) -> TransformStamped:
@@ -226,7 +200,7 @@ class BufferClient(BufferInterface):
 
 
 def _transform_of(response: Any, goal: LookupTransform_Goal) -> TransformStamped:
-    """Return the transform of a server's answer, or raise its error."""
+    """Return the transform of a server's result, or raise its error."""
     from tfloom.interfaces.action_msgs.msg import GoalStatus
 
     result = None if response is None else response.result
@@ -236,7 +210,7 @@ def _transform_of(response: Any, goal: LookupTransform_Goal) -> TransformStamped
     if error.error != TF2Error.NO_ERROR:
         raise ERRORS.get(error.error, TransformException)(error.error_string)
     if response.status == GoalStatus.STATUS_ABORTED:
-        # tf2's own server ends so what it has waited for in vain, with an empty transform that looks like an answer.
+        # tf2's own server ends a goal that timed out like this, with an empty transform that looks like a result.
         raise TimeoutException(
             f"Timed out after {duration_ns(goal.timeout) / 1e9:g} s waiting for the transform from "
             f"{goal.source_frame} to {goal.target_frame}"

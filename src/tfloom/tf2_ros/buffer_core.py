@@ -1,4 +1,4 @@
-"""The buffer with tf2_py's face: message in, message out."""
+"""The buffer with tf2_py's interface: messages in, messages out."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Triple = tuple[float, float, float]
 
 
 class BufferCore(tf2_buffer.Buffer):
-    """A tree of frames over time that takes and gives `geometry_msgs/msg/TransformStamped`.
+    """A tree of frames over time that accepts and returns `geometry_msgs/msg/TransformStamped`.
 
     Times and durations may be ROS messages (`sec`, `nanosec`) or rclpy's objects (`nanoseconds`). Messages may be of
     any class, a real ROS install's included: their fields are read by attribute.
@@ -37,7 +37,7 @@ class BufferCore(tf2_buffer.Buffer):
         self.set_log_callback(_log)
 
     def set_transform(self, transform: Any, authority: str) -> None:
-        """Store a TransformStamped. What is wrong with it is logged, not raised.
+        """Store a TransformStamped. An invalid one is rejected and logged.
 
         Raises:
             TypeError: the message or one of its parts lacks a field.
@@ -49,14 +49,14 @@ class BufferCore(tf2_buffer.Buffer):
         self.set_message(transform, authority, static=True)
 
     def can_transform_core(self, target_frame: str, source_frame: str, time: Any) -> tuple[bool, str]:
-        """Return whether `lookup_transform_core` would have an answer, and if not, why."""
+        """Return whether `lookup_transform_core` would succeed, and if not, why."""
         obstacle = self.find_obstacle(target_frame, source_frame, time_ns(time))
         return obstacle is None, obstacle or ""
 
     def can_transform_full_core(
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
     ) -> tuple[bool, str]:
-        """Return whether `lookup_transform_full_core` would have an answer, and if not, why."""
+        """Return whether `lookup_transform_full_core` would succeed, and if not, why."""
         obstacle = self.find_obstacle_full(
             target_frame, time_ns(target_time), source_frame, time_ns(source_time), fixed_frame
         )
@@ -84,7 +84,7 @@ class BufferCore(tf2_buffer.Buffer):
     ) -> TransformStamped:
         """Return the transform of data at `source_time`, by way of `fixed_frame`, to the target at `target_time`.
 
-        The answer has the target's time. Raises as `lookup_transform_core` does.
+        The result has the target's time. Raises as `lookup_transform_core` does.
         """
         message: TransformStamped = self.lookup_message_full(
             target_frame, target_time, source_frame, source_time, fixed_frame

@@ -1,4 +1,4 @@
-"""What buffers share: transforming whole objects, by functions that are registered for their types."""
+"""The interface of buffers: transforming whole objects by functions that are registered for their types."""
 
 # ruff: noqa: ARG002, an interface's methods use none of theirs
 from __future__ import annotations
@@ -10,6 +10,7 @@ from typing import Any
 from tfloom.interfaces.std_msgs.msg import Header
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.time import Time
+from tfloom.tf2.errors import TransformException
 
 __all__ = [
     "BufferInterface",
@@ -33,7 +34,7 @@ class TypeException(Exception):  # noqa: N818, tf2's name
 
 
 class NotImplementedException(Exception):  # noqa: N818, tf2's name
-    """The buffer's class leaves this query out."""
+    """The buffer's class does not implement this query."""
 
     def __init__(self) -> None:
         super().__init__("CanTransform or LookupTransform not implemented")
@@ -61,11 +62,11 @@ class BufferInterface:
             TypeException: nothing is registered for the object's type, or for `new_type`.
             TransformException: as `lookup_transform` raises.
         """
-        transform_object = self._registered(type(object_stamped))
-        header = object_stamped.header
-        found = self.lookup_transform(target_frame, header.frame_id, header.stamp, timeout)
-        result = transform_object(object_stamped, found)
-        return result if new_type is None else convert(result, new_type)
+        return self._transform(
+            object_stamped,
+            new_type,
+            lambda frame_id, stamp: self.lookup_transform(target_frame, frame_id, stamp, timeout),
+        )
 
     def transform_full(
         self,
@@ -77,12 +78,18 @@ class BufferInterface:
         new_type: Any = None,
     ) -> Any:
         """Return `object_stamped` in `target_frame` at another time, by way of `fixed_frame`; see `transform`."""
+        return self._transform(
+            object_stamped,
+            new_type,
+            lambda frame_id, stamp: self.lookup_transform_full(
+                target_frame, target_time, frame_id, stamp, fixed_frame, timeout
+            ),
+        )
+
+    def _transform(self, object_stamped: Any, new_type: Any, look_up: Callable[[str, Any], Any]) -> Any:
         transform_object = self._registered(type(object_stamped))
         header = object_stamped.header
-        found = self.lookup_transform_full(
-            target_frame, target_time, header.frame_id, header.stamp, fixed_frame, timeout
-        )
-        result = transform_object(object_stamped, found)
+        result = transform_object(object_stamped, look_up(header.frame_id, header.stamp))
         return result if new_type is None else convert(result, new_type)
 
     def _registered(self, kind: Any) -> Callable[..., Any]:
@@ -107,8 +114,12 @@ class BufferInterface:
         raise NotImplementedException
 
     def can_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Any = NO_WAIT) -> Any:
-        """Return whether `lookup_transform` would have an answer."""
-        raise NotImplementedException
+        """Return whether `lookup_transform` gets a transform, within `timeout`."""
+        try:
+            self.lookup_transform(target_frame, source_frame, time, timeout)
+        except TransformException:
+            return False
+        return True
 
     def can_transform_full(
         self,
@@ -119,19 +130,24 @@ class BufferInterface:
         fixed_frame: str,
         timeout: Any = NO_WAIT,
     ) -> Any:
-        """Return whether `lookup_transform_full` would have an answer."""
-        raise NotImplementedException
+        """Return whether `lookup_transform_full` gets a transform, within `timeout`."""
+        query = target_frame, target_time, source_frame, source_time, fixed_frame
+        try:
+            self.lookup_transform_full(*query, timeout)
+        except TransformException:
+            return False
+        return True
 
 
 def Stamped(obj: Any, stamp: Any, frame_id: str) -> Any:  # noqa: N802, tf2's name
-    """Give `obj` a header with this stamp and frame, in place, and return it."""
+    """Set a header with this stamp and frame on `obj`, in place, and return `obj`."""
     message = stamp.to_msg() if isinstance(stamp, Time) else stamp
     obj.header = Header(frame_id=frame_id, stamp=message)
     return obj
 
 
 class TransformRegistration:
-    """Which function transforms which type: one table for the whole process."""
+    """The functions that transform objects, by type: one table for the whole process."""
 
     _functions: dict[Any, Callable[..., Any]] = {}  # noqa: RUF012, shared on purpose
 
@@ -140,7 +156,7 @@ class TransformRegistration:
         print(self._functions)
 
     def add(self, key: Any, callback: Callable[..., Any]) -> None:
-        """Have `callback(object, transform_stamped)` transform objects of the type `key`."""
+        """Register `callback(object, transform_stamped)` to transform objects of the type `key`."""
         self._functions[key] = callback
 
     def get(self, key: Any) -> Callable[..., Any]:
@@ -153,34 +169,34 @@ class TransformRegistration:
 
 
 class ConvertRegistration:
-    """Which functions convert between types: one table for the whole process."""
+    """The functions that convert between types: one table for the whole process."""
 
     _to_msg: dict[Any, Callable[[Any], Any]] = {}  # noqa: RUF012, shared on purpose
     _from_msg: dict[Any, Callable[[Any], Any]] = {}  # noqa: RUF012
     _convert: dict[tuple[Any, Any], Callable[[Any], Any]] = {}  # noqa: RUF012
 
     def add_from_msg(self, key: Any, callback: Callable[[Any], Any]) -> None:
-        """Have `callback(message)` make an object of the type `key`."""
+        """Register `callback(message)` to make an object of the type `key`."""
         self._from_msg[key] = callback
 
     def add_to_msg(self, key: Any, callback: Callable[[Any], Any]) -> None:
-        """Have `callback(object)` make a message of an object of the type `key`."""
+        """Register `callback(object)` to make a message of an object of the type `key`."""
         self._to_msg[key] = callback
 
     def add_convert(self, key: tuple[Any, Any], callback: Callable[[Any], Any]) -> None:
-        """Have `callback(object)` convert from the type `key[0]` to the type `key[1]`."""
+        """Register `callback(object)` to convert from the type `key[0]` to the type `key[1]`."""
         self._convert[key] = callback
 
     def get_from_msg(self, key: Any) -> Callable[[Any], Any]:
-        """Return what makes `key` of a message; TypeException if nothing does."""
+        """Return the function that makes `key` of a message; raise TypeException without one."""
         return _get(self._from_msg, key)
 
     def get_to_msg(self, key: Any) -> Callable[[Any], Any]:
-        """Return what makes a message of `key`; TypeException if nothing does."""
+        """Return the function that makes a message of `key`; raise TypeException without one."""
         return _get(self._to_msg, key)
 
     def get_convert(self, key: tuple[Any, Any]) -> Callable[[Any], Any]:
-        """Return what converts `key[0]` to `key[1]`; TypeException if nothing does."""
+        """Return the function that converts `key[0]` to `key[1]`; raise TypeException without one."""
         return _get(self._convert, key)
 
 
@@ -188,7 +204,7 @@ def convert(a: Any, b_type: Any) -> Any:
     """Return `a` as a `b_type`: by the function registered for the two, as a copy, or by way of a message.
 
     Raises:
-        TypeException: there is no such way.
+        TypeException: no such conversion is registered.
     """
     registration = ConvertRegistration()
     try:
@@ -208,7 +224,7 @@ def _get(table: dict[Any, Callable[..., Any]], key: Any) -> Callable[..., Any]:
 
 
 def _twin(table: dict[Any, Callable[..., Any]], key: Any) -> Any:
-    """Return the message class of the table that has the same ROS name: messages of a real ROS install have others."""
+    """Return the table's message class of the same ROS name, because a real ROS install has classes of its own."""
     name = _ros_name(key)
     return next((each for each in table if name is not None and _ros_name(each) == name), None)
 

@@ -1,4 +1,4 @@
-"""Answers lookups of other programs from one buffer, by the action `tf2_msgs/action/LookupTransform`."""
+"""Lookups for other programs in a buffer of this one, by the action `tf2_msgs/action/LookupTransform`."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from tfloom.tf2.errors import (
 from tfloom.tf2_ros.buffer_core import BufferCore, duration_ns, time_ns
 from tfloom.tf2_ros.deadlines import call_after
 
-# Actions are imported by those who use them: `import tf2_ros` is quick without.
+# Actions are imported where they are used, because `import tf2_ros` has to be quick.
 if TYPE_CHECKING:
     from collections.abc import Callable
 
@@ -36,24 +36,24 @@ CODES: dict[type[TransformException], int] = {
     TimeoutException: TF2Error.TIMEOUT_ERROR,
     TransformException: TF2Error.TRANSFORM_ERROR,
 }
-"""What each kind of error is called in an answer; the kinds of ExtrapolationException share one."""
+"""The error code of each exception in a result; the kinds of ExtrapolationException share one."""
 RESULT_TIMEOUT_S = 10.0
-"""How long an answer is kept for a client that is slow to ask for it."""
+"""How long a result is kept for a client that requests it late."""
 MOST_SECONDS = 2**31 - 1
-"""What the seconds of a stamp can be at most."""
+"""The largest number of seconds in a stamp."""
 
 
 class BufferServer:
-    """Lets others look transforms up in a buffer of this program; `BufferClient` is the other end.
+    """Serves lookups in a buffer of this program; `BufferClient` is the client.
 
-    A goal whose transform is there, or that has no time to wait, is answered at once, and succeeds even when the
-    answer is an error, as in tf2. Any other waits: the transform itself wakes it, with no thread and no polling. It
-    succeeds with the transform; it is aborted with an error when its timeout is over, or as soon as the time that it
-    asks for is older than what the buffer keeps. A goal that waits can be cancelled.
+    A goal whose transform is available, or whose timeout is zero, ends at once, and succeeds even with an error as its
+    result, as in tf2. Any other goal waits for its transform, without a thread and without polling. It succeeds with
+    the transform; it is aborted with an error when its timeout is over, or as soon as the requested time is older
+    than the buffer's history. A waiting goal can be cancelled.
 
     Args:
-        buffer: What to answer from.
-        node: The node that serves; whoever spins it answers.
+        buffer: The buffer to look up in.
+        node: The node that serves, on the executor that spins it.
         action_name: Name of the action.
     """
 
@@ -69,7 +69,7 @@ class BufferServer:
             self._execute,
             cancel_callback=lambda _handle: CancelResponse.ACCEPT,
             result_timeout=RESULT_TIMEOUT_S,
-            forget_told_results=True,  # the list of goals, which is told at every change, would grow and grow
+            forget_told_results=True,  # because the list of goals, published at every change, would grow without end
         )
 
     async def _execute(self, handle: ServerGoalHandle) -> LookupTransform_Result:
@@ -93,12 +93,12 @@ class BufferServer:
         return result
 
     def destroy(self) -> None:
-        """Serve no more. Goals that wait get no answer."""
+        """Destroy the action server. Waiting goals get no result."""
         self._server.destroy()
 
 
 class _Query:
-    """What a goal asks of a buffer."""
+    """The query of a goal."""
 
     def __init__(self, buffer: BufferCore, goal: LookupTransform_Goal) -> None:
         self._buffer = buffer
@@ -115,7 +115,7 @@ class _Query:
         )
 
     def is_settled(self) -> bool:
-        """Return whether it is to be answered now."""
+        """Return whether the goal ends at once."""
         return self._timeout_s <= 0 or self._find_obstacle() is None
 
     def answer(self) -> LookupTransform_Result:
@@ -131,7 +131,7 @@ class _Query:
         return LookupTransform_Result(transform=transform)
 
     def wait(self) -> Future[bool]:
-        """Return a future: True once the transform is there, or none can come any more; False after the timeout."""
+        """Return a future: True once the transform is available or cannot come any more, False after the timeout."""
         waiting: Future[bool] = Future()
         request = self._add_request(lambda _handle, _is_available: waiting.set_result(True))
         if not request:
@@ -139,20 +139,20 @@ class _Query:
             return waiting
 
         def expire() -> None:
-            if self._buffer.cancel_request(request):  # else it is being answered
+            if self._buffer.cancel_request(request):  # else it is being completed
                 waiting.set_result(False)
 
         deadline = call_after(self._timeout_s, expire)
 
         def forget() -> None:
-            deadline.call_off()
+            deadline.cancel()
             self._buffer.cancel_request(request)
 
         waiting.when_complete(forget)
         return waiting
 
     def timeout_error(self) -> TimeoutException:
-        """Return what tells that the transform did not come, and why."""
+        """Return the exception for a transform that did not arrive, with the reason."""
         goal = self._goal
         return TimeoutException(
             f"Timed out after {self._timeout_s:g} s waiting for the transform from {goal.source_frame} to "

@@ -1,4 +1,4 @@
-"""Calls at a later time, all on one thread that starts with the first of them."""
+"""Delayed calls, all on one thread that starts with the first of them."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from itertools import count
 
 __all__ = ["Deadline", "call_after"]
 
-MOST_CALLED_OFF = 1000
-"""How many calls that were called off may wait for their time to be forgotten."""
+MOST_CANCELLED = 1000
+"""How many cancelled calls may stay in the heap before it is rebuilt."""
 
 _waiting: list[tuple[float, int]] = []
 _functions: dict[int, Callable[[], None]] = {}
@@ -21,22 +21,22 @@ _thread: threading.Thread | None = None
 
 
 class Deadline:
-    """A call that is to come; `call_after` makes one."""
+    """A delayed call; `call_after` makes one."""
 
     def __init__(self, number: int) -> None:
         self._number = number
 
-    def call_off(self) -> None:
-        """Let the function not be called, unless it has been."""
+    def cancel(self) -> None:
+        """Cancel the call, unless it has been made."""
         with _changed:
             _functions.pop(self._number, None)
-            if len(_waiting) > 2 * len(_functions) + MOST_CALLED_OFF:
+            if len(_waiting) > 2 * len(_functions) + MOST_CANCELLED:
                 _waiting[:] = [entry for entry in _waiting if entry[1] in _functions]
                 heapq.heapify(_waiting)
 
 
 def call_after(delay_s: float, function: Callable[[], None]) -> Deadline:
-    """Have `function()` called once, after `delay_s` by the steady clock, on a thread that all such calls share."""
+    """Call `function()` once, after `delay_s` by the steady clock, on a thread that all such calls share."""
     global _thread  # noqa: PLW0603, one for the process
     with _changed:
         number = next(_numbers)
@@ -54,7 +54,7 @@ def _run() -> None:
         with _changed:
             while not _waiting or _waiting[0][0] > time.monotonic():
                 left_s = _waiting[0][0] - time.monotonic() if _waiting else threading.TIMEOUT_MAX
-                _changed.wait(min(left_s, threading.TIMEOUT_MAX))  # what is longer can't be waited for
+                _changed.wait(min(left_s, threading.TIMEOUT_MAX))  # the longest possible wait
             function = _functions.pop(heapq.heappop(_waiting)[1], None)
         if function is not None:
             function()

@@ -1,6 +1,6 @@
 """Messages of geometry_msgs through transforms. Importing this registers them for `Buffer.transform`.
 
-What is passed in is left as it is. Messages may be of any class that has the fields; the result is of the same class.
+Arguments stay unchanged. Messages may be of any class that has the fields; the result is of the same class.
 """
 
 from __future__ import annotations
@@ -23,6 +23,8 @@ from tfloom.tf2.transform import Transform
 from tfloom.tf2_ros.buffer_interface import ConvertRegistration, TransformRegistration
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
@@ -51,56 +53,46 @@ __all__ = [
 ]
 
 Triple = tuple[float, float, float]
+Quadruple = tuple[float, float, float, float]
 
 
 def to_msg_msg(msg: Any) -> Any:
-    """Return a message as the message that it is."""
+    """Return the message itself."""
     return msg
 
 
 def from_msg_msg(msg: Any) -> Any:
-    """Return a message as the message that it is."""
+    """Return the message itself."""
     return msg
 
 
 def value_of(transform: Any) -> Transform:
     """Return a Transform or TransformStamped message as a value; a zero quaternion counts as no rotation."""
     message = getattr(transform, "transform", transform)
-    p, q = message.translation, message.rotation
-    rotation = (q.x, q.y, q.z, q.w)
-    return Transform((p.x, p.y, p.z), rotation if any(rotation) else (0.0, 0.0, 0.0, 1.0))
+    return Transform(_xyz(message.translation), _rotation(message.rotation))
 
 
 def do_transform_point(point: Any, transform: Any) -> Any:
     """Return a PointStamped through a TransformStamped, whose header it gets; or a Point or Point32 through either."""
-    value = value_of(transform)
-    if not hasattr(point, "point"):
-        return _with(point, value.apply(_xyz(point)))
-    result = _headed(point, transform)
-    _put(result.point, value.apply(_xyz(point.point)))
-    return result
+    if hasattr(point, "point"):
+        return _stamped(point, transform, "point", do_transform_point)
+    return _with(point, value_of(transform).apply(_xyz(point)))
 
 
 def do_transform_vector3(vector3: Any, transform: Any) -> Any:
     """Return a Vector3Stamped, turned by a TransformStamped, whose header it gets; or a Vector3.
 
-    A vector has no place, so it isn't moved.
+    A vector is rotated but not translated, because it has no position.
     """
-    value = value_of(transform)
-    if not hasattr(vector3, "vector"):
-        return _with(vector3, _turned(value, _xyz(vector3)))
-    result = _headed(vector3, transform)
-    _put(result.vector, _turned(value, _xyz(vector3.vector)))
-    return result
+    if hasattr(vector3, "vector"):
+        return _stamped(vector3, transform, "vector", do_transform_vector3)
+    return _with(vector3, _turned(value_of(transform), _xyz(vector3)))
 
 
 def do_transform_pose(pose: Any, transform: Any) -> Any:
     """Return a Pose through a TransformStamped; its orientation has w ≥ 0."""
     result = type(pose)()
-    q = pose.orientation
-    orientation = (q.x, q.y, q.z, q.w)
-    placed = Transform(_xyz(pose.position), orientation if any(orientation) else (0.0, 0.0, 0.0, 1.0))
-    moved = value_of(transform) @ placed
+    moved = value_of(transform) @ Transform(_xyz(pose.position), _rotation(pose.orientation))
     _put(result.position, moved.translation)
     x, y, z, w = moved.rotation_xyzw
     _put_quaternion(result.orientation, (-x, -y, -z, -w) if w < 0 else (x, y, z, w))
@@ -109,9 +101,7 @@ def do_transform_pose(pose: Any, transform: Any) -> Any:
 
 def do_transform_pose_stamped(pose: Any, transform: Any) -> Any:
     """Return a PoseStamped through a TransformStamped, whose header it gets."""
-    result = _headed(pose, transform)
-    result.pose = do_transform_pose(pose.pose, transform)
-    return result
+    return _stamped(pose, transform, "pose", do_transform_pose)
 
 
 def do_transform_pose_with_covariance(pose: Any, transform: Any) -> Any:
@@ -124,9 +114,7 @@ def do_transform_pose_with_covariance(pose: Any, transform: Any) -> Any:
 
 def do_transform_pose_with_covariance_stamped(pose: Any, transform: Any) -> Any:
     """Return a PoseWithCovarianceStamped through a TransformStamped, whose header it gets."""
-    result = _headed(pose, transform)
-    result.pose = do_transform_pose_with_covariance(pose.pose, transform)
-    return result
+    return _stamped(pose, transform, "pose", do_transform_pose_with_covariance)
 
 
 def do_transform_polygon(polygon: Any, transform: Any) -> Any:
@@ -139,9 +127,7 @@ def do_transform_polygon(polygon: Any, transform: Any) -> Any:
 
 def do_transform_polygon_stamped(polygon: Any, transform: Any) -> Any:
     """Return a PolygonStamped through a TransformStamped, whose header it gets."""
-    result = _headed(polygon, transform)
-    result.polygon = do_transform_polygon(polygon.polygon, transform)
-    return result
+    return _stamped(polygon, transform, "polygon", do_transform_polygon)
 
 
 def do_transform_quaternion(quaternion: Any, transform: Any) -> Any:
@@ -154,9 +140,7 @@ def do_transform_quaternion(quaternion: Any, transform: Any) -> Any:
 
 def do_transform_quaternion_stamped(quaternion: Any, transform: Any) -> Any:
     """Return a QuaternionStamped turned by a TransformStamped, whose header it gets."""
-    result = _headed(quaternion, transform)
-    result.quaternion = do_transform_quaternion(quaternion.quaternion, transform)
-    return result
+    return _stamped(quaternion, transform, "quaternion", do_transform_quaternion)
 
 
 def do_transform_transform(moved: Any, transform: Any) -> Any:
@@ -170,55 +154,42 @@ def do_transform_transform(moved: Any, transform: Any) -> Any:
 
 def do_transform_transform_stamped(moved: Any, transform: Any) -> Any:
     """Return a TransformStamped of the same child with another before it, whose header it gets."""
-    result = _headed(moved, transform)
-    result.child_frame_id = moved.child_frame_id
-    result.transform = do_transform_transform(moved.transform, transform)
-    return result
+    return _stamped(moved, transform, "transform", do_transform_transform, "child_frame_id")
 
 
 def do_transform_wrench(wrench: Any, transform: Any) -> Any:
     """Return a Wrench at the transform's target: F' = R F, τ' = R τ + cross(t, F')."""
     result = type(wrench)()
-    value = value_of(transform)
-    force = _turned(value, _xyz(wrench.force))
-    torque = _turned(value, _xyz(wrench.torque))
+    force, torque = _shifted(value_of(transform), _xyz(wrench.force), _xyz(wrench.torque))
     _put(result.force, force)
-    _put(result.torque, _sum(torque, _cross(value.translation, force)))
+    _put(result.torque, torque)
     return result
 
 
 def do_transform_wrench_stamped(wrench: Any, transform: Any) -> Any:
     """Return a WrenchStamped at the target of a TransformStamped, whose header it gets."""
-    result = _headed(wrench, transform)
-    result.wrench = do_transform_wrench(wrench.wrench, transform)
-    return result
+    return _stamped(wrench, transform, "wrench", do_transform_wrench)
 
 
 def do_transform_twist(twist: Any, transform: Any) -> Any:
     """Return a Twist of the same body at the transform's target: ω' = R ω, v' = R v + cross(t, ω')."""
     result = type(twist)()
-    value = value_of(transform)
-    angular = _turned(value, _xyz(twist.angular))
-    linear = _turned(value, _xyz(twist.linear))
+    angular, linear = _shifted(value_of(transform), _xyz(twist.angular), _xyz(twist.linear))
     _put(result.angular, angular)
-    _put(result.linear, _sum(linear, _cross(value.translation, angular)))
+    _put(result.linear, linear)
     return result
 
 
 def do_transform_twist_stamped(twist: Any, transform: Any) -> Any:
     """Return a TwistStamped at the target of a TransformStamped, whose header it gets."""
-    result = _headed(twist, transform)
-    result.twist = do_transform_twist(twist.twist, transform)
-    return result
+    return _stamped(twist, transform, "twist", do_transform_twist)
 
 
 def do_transform_velocity_stamped(velocity: Any, transform: Any) -> Any:
     """Return a VelocityStamped at the target of a TransformStamped, whose header it gets; its frames stay."""
-    result = _headed(velocity, transform)
-    result.body_frame_id = velocity.body_frame_id
-    result.reference_frame_id = velocity.reference_frame_id
-    result.velocity = do_transform_twist(velocity.velocity, transform)
-    return result
+    return _stamped(
+        velocity, transform, "velocity", do_transform_twist, "body_frame_id", "reference_frame_id"
+    )
 
 
 def transform_covariance(cov_in: ArrayLike, transform: Any) -> NDArray[np.float64]:
@@ -231,12 +202,20 @@ def transform_covariance(cov_in: ArrayLike, transform: Any) -> NDArray[np.float6
     return turned
 
 
-def _headed(message: Any, transform: Any) -> Any:
-    """Return a new message of the same class with the transform's header, number by number: of any class, too."""
+def _stamped(
+    message: Any, transform: Any, part: str, do_transform: Callable[[Any, Any], Any], *kept: str
+) -> Any:
+    """Return a new message of the same class: the transform's header, `part` transformed, the `kept` fields copied.
+
+    The header is copied number by number, because the two messages may be of different packages' classes.
+    """
     result = type(message)()
     header, given = result.header, transform.header
     header.frame_id = given.frame_id
     header.stamp.sec, header.stamp.nanosec = given.stamp.sec, given.stamp.nanosec
+    for name in kept:
+        setattr(result, name, getattr(message, name))
+    setattr(result, part, do_transform(getattr(message, part), transform))
     return result
 
 
@@ -255,7 +234,13 @@ def _put(part: Any, xyz: Triple) -> None:
     part.x, part.y, part.z = xyz
 
 
-def _put_quaternion(part: Any, xyzw: tuple[float, float, float, float]) -> None:
+def _rotation(q: Any) -> Quadruple:
+    """Return a quaternion (x, y, z, w); one of zeros, as an unset message has it, counts as no rotation."""
+    rotation = (q.x, q.y, q.z, q.w)
+    return rotation if any(rotation) else (0.0, 0.0, 0.0, 1.0)
+
+
+def _put_quaternion(part: Any, xyzw: Quadruple) -> None:
     part.x, part.y, part.z, part.w = xyzw
 
 
@@ -263,17 +248,18 @@ def _turned(value: Transform, vector: Triple) -> Triple:
     return Transform((0.0, 0.0, 0.0), value.rotation_xyzw).apply(vector)
 
 
-def _sum(a: Triple, b: Triple) -> Triple:
-    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
+def _shifted(value: Transform, resultant: Triple, moment: Triple) -> tuple[Triple, Triple]:
+    """Return a force and its torque, or an angular velocity and a linear one, at the transform's target.
+
+    f' = R f and m' = R m + t x f'.
+    """
+    fx, fy, fz = turned = _turned(value, resultant)
+    mx, my, mz = _turned(value, moment)
+    tx, ty, tz = value.translation
+    return turned, (mx + (ty * fz - tz * fy), my + (tz * fx - tx * fz), mz + (tx * fy - ty * fx))
 
 
-def _cross(a: Triple, b: Triple) -> Triple:
-    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-
-
-def _product(
-    a: tuple[float, float, float, float], b: tuple[float, float, float, float]
-) -> tuple[float, float, float, float]:
+def _product(a: Quadruple, b: Quadruple) -> Quadruple:
     ax, ay, az, aw = a
     bx, by, bz, bw = b
     return (

@@ -1,4 +1,4 @@
-"""Messages held back until they can be transformed."""
+"""Messages that are held until they can be transformed."""
 
 from __future__ import annotations
 
@@ -27,13 +27,13 @@ class FilterFailureReason(IntEnum):
 
     Unknown = 0
     OutTheBack = 1
-    """Its stamp is older than all that the buffer keeps."""
+    """Its stamp is older than the buffer's history."""
     EmptyFrameID = 2
-    """It names no frame."""
+    """Its frame id is empty."""
     NoTransformFound = 3
     """`buffer_timeout` has passed."""
     QueueFull = 4
-    """Newer ones took its place."""
+    """The queue was full of newer messages."""
 
 
 _TEXTS = {
@@ -52,7 +52,7 @@ def get_filter_failure_reason_string(reason: int) -> str:
 
 
 class _Held:
-    """A message, and what it waits for."""
+    """A held message, and the transforms it waits for."""
 
     def __init__(self, message: Any, missing: int) -> None:
         self.message = message
@@ -62,17 +62,17 @@ class _Held:
 
 
 class MessageFilter(SimpleFilter):
-    """Hands on the messages of a filter once the buffer can transform them into one frame or several.
+    """Passes on the messages of a filter once the buffer can transform them into one frame or several.
 
-    Callbacks are called on the executor that spins the node; without a node, on the thread that brings the message
-    or the transform that was missing.
+    Callbacks run on the executor that spins the node; without a node, on the thread that adds the message or the
+    missing transform.
 
     Args:
-        f: The filter whose messages to take, such as a `message_filters.Subscriber`; None: those of `add`.
-        buffer: Where to look.
+        f: The input filter, such as a `message_filters.Subscriber`; None: messages come from `add` alone.
+        buffer: The buffer to look up in.
         target_frame: The frame, or all of the frames, that messages must be transformable into.
         queue_size: How many messages to hold; the oldest are dropped. 0: any number.
-        node: Whose executor calls back; None: that of the filter's node, if it has one.
+        node: Node whose executor runs the callbacks; None: that of the filter's node, if it has one.
         buffer_timeout: How long to hold a message by the steady clock; None: until it's dropped for another reason.
     """
 
@@ -120,7 +120,7 @@ class MessageFilter(SimpleFilter):
         return "".join(f"{frame} " for frame in self._targets)
 
     def setTolerance(self, tolerance: Any) -> None:  # noqa: N802, tf2_ros' name
-        """Ask for the transform a duration after the stamp as well, from the next message on."""
+        """Require the transform a duration after the stamp as well, from the next message on."""
         self._tolerance_ns = duration_ns(tolerance)
 
     def setQueueSize(self, new_queue_size: int) -> None:  # noqa: N802, tf2_ros' name
@@ -132,11 +132,11 @@ class MessageFilter(SimpleFilter):
         return self._queue_size
 
     def registerFailureCallback(self, callback: Callable[[Any, FilterFailureReason], Any]) -> None:  # noqa: N802
-        """Have `callback(message, reason)` called for each message that is dropped."""
+        """Register `callback(message, reason)` for each message that is dropped."""
         self._failure_callbacks.append(callback)
 
     def clear(self) -> None:
-        """Forget all messages that are held."""
+        """Discard all held messages."""
         with self._lock:
             forgotten = list(self._held.values())
             self._held.clear()
@@ -146,7 +146,7 @@ class MessageFilter(SimpleFilter):
             self._cancel(held)
 
     def add(self, msg: Any) -> None:
-        """Hand a message on as soon as the buffer can transform it."""
+        """Pass a message on as soon as the buffer can transform it."""
         header = msg.header
         frame = header.frame_id.removeprefix("/")
         if not frame:
@@ -155,7 +155,9 @@ class MessageFilter(SimpleFilter):
         stamp = time_ns(header.stamp)
         stamps = (stamp, stamp + self._tolerance_ns) if self._tolerance_ns else (stamp,)
         queries = [(target, frame, at) for target in self._targets for at in stamps]
-        held = _Held(msg, len(queries) + 1)  # the one more keeps it from being settled before all are asked
+        held = _Held(
+            msg, len(queries) + 1
+        )  # one more than queries, because it must stay open until all are requested
         for query in queries:
             handle = self._buffer.add_request(*query, partial(self._answer, held))
             if handle is None:
@@ -185,7 +187,7 @@ class MessageFilter(SimpleFilter):
             self._cancel(each)
             self._drop(each.message, FilterFailureReason.QueueFull)
         if is_settled:
-            self._cancel(held)  # what was asked after it had failed
+            self._cancel(held)  # the requests made after it had failed
         elif is_ready:
             self.signalMessage(held.message)
         elif self._timeout_s is not None:

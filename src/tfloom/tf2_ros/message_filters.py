@@ -1,4 +1,4 @@
-"""Messages of several topics brought together by their stamps: what message_filters offers."""
+"""Messages of several topics matched by their stamps, with message_filters' interface."""
 
 from __future__ import annotations
 
@@ -20,22 +20,22 @@ __all__ = ["ApproximateTimeSynchronizer", "Cache", "Chain", "SimpleFilter", "Sub
 
 
 class SimpleFilter:
-    """Hands messages on to callbacks."""
+    """Passes messages on to callbacks."""
 
     _clock: Clock | None = None
-    """What gives the time of arrival to messages without a header; None: the system's clock."""
+    """The clock for the arrival time of messages without a header; None: the system's clock."""
 
     def __init__(self) -> None:
         self.callbacks: dict[int, tuple[Callable[..., Any], tuple[Any, ...]]] = {}
 
     def registerCallback(self, cb: Callable[..., Any], *args: Any) -> int:  # noqa: N802, message_filters' name
-        """Have `cb(*messages, *args)` called; returns a number for it."""
+        """Register `cb(*messages, *args)` and return its number."""
         number = max(self.callbacks, default=-1) + 1
         self.callbacks[number] = cb, args
         return number
 
     def unregisterCallback(self, conn: int) -> None:  # noqa: N802, message_filters' name
-        """Have a callback called no more, by its number."""
+        """Remove a callback, by its number."""
         self.callbacks.pop(conn, None)
 
     def signalMessage(self, *msg: Any) -> None:  # noqa: N802, message_filters' name
@@ -45,11 +45,11 @@ class SimpleFilter:
 
 
 class Subscriber(SimpleFilter):
-    """Hands on the messages of a topic.
+    """Passes on the messages of a topic.
 
     Args:
-        args: The node, the type and the topic, and what else `Node.create_subscription` takes; the callback is the
-            filter's own, and the history's depth is 10 unless said otherwise.
+        args: Node, type and topic, and the other arguments of `Node.create_subscription`; the callback is the filter's
+            own, and the history's default depth is 10.
     """
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
@@ -62,25 +62,25 @@ class Subscriber(SimpleFilter):
         self.sub = self.node.create_subscription(self.type, self.topic, self.callback, **kwargs)
 
     def callback(self, msg: Any) -> None:
-        """Hand a message on."""
+        """Pass a message on."""
         self.signalMessage(msg)
 
     def getTopic(self) -> str:  # noqa: N802, message_filters' name
-        """Return the topic, as it was given."""
+        """Return the topic as passed in."""
         return str(self.topic)
 
     def __getattr__(self, name: str) -> Any:
-        """Give what the subscription has."""
+        """Return an attribute of the subscription."""
         if name == "sub":
             raise AttributeError(name)
         return getattr(self.sub, name)
 
 
 class Cache(SimpleFilter):
-    """Keeps the last messages in order of time, and hands each on.
+    """Keeps the last messages in order of time, and passes each on.
 
     Args:
-        f: The filter whose messages to keep; None: those of `add`.
+        f: The input filter; None: messages come from `add` alone.
         cache_size: How many.
         allow_headerless: Whether a message without a header gets the time of its arrival, by the subscriber's node's
             clock.
@@ -101,7 +101,7 @@ class Cache(SimpleFilter):
             self.incoming_connection = f.registerCallback(self.add)
 
     def add(self, msg: Any) -> None:
-        """Keep a message, and hand it on."""
+        """Keep a message, and pass it on."""
         stamp = _stamp(msg, self.allow_headerless, self._clock)
         if stamp is None:
             return
@@ -145,10 +145,10 @@ class Cache(SimpleFilter):
 
 
 class Chain(SimpleFilter):
-    """Several filters one after the other, as one: what goes into the first comes out of the last.
+    """Several filters in a row, as one: messages enter the first and leave the last.
 
     Args:
-        message_filter: The filter whose messages to take; None: those of `add`.
+        message_filter: The input filter; None: messages come from `add` alone.
     """
 
     def __init__(self, message_filter: Any = None) -> None:
@@ -163,7 +163,7 @@ class Chain(SimpleFilter):
         """Take the messages of a filter.
 
         Raises:
-            RuntimeError: the chain takes those of another already.
+            RuntimeError: the chain is connected to another filter already.
         """
         if self.incoming_connection is not None:
             raise RuntimeError("Already connected")
@@ -171,7 +171,7 @@ class Chain(SimpleFilter):
         self.incoming_connection = message_filter.registerCallback(self.add)
 
     def add(self, message: Any) -> None:
-        """Put a message into the first filter; it comes out at once if there is none."""
+        """Put a message into the first filter; without filters it leaves the chain at once."""
         if self._filters:
             self._filters[0].add(message)
         else:
@@ -193,7 +193,7 @@ class Chain(SimpleFilter):
 
 
 class TimeSynchronizer(SimpleFilter):
-    """Hands on messages of several filters that have the very same stamp, together.
+    """Passes on messages of several filters that have the very same stamp, together.
 
     Args:
         fs: The filters.
@@ -216,7 +216,7 @@ class TimeSynchronizer(SimpleFilter):
         ]
 
     def add(self, msg: Any, my_queue: dict[int, Any], my_queue_index: int | None = None) -> None:  # noqa: ARG002
-        """Keep a message, and hand on what is complete."""
+        """Keep a message, and pass on the sets that are complete."""
         stamp = _stamp(msg, False, self._clock)
         if stamp is None:
             return
@@ -230,7 +230,7 @@ class TimeSynchronizer(SimpleFilter):
 
 
 class ApproximateTimeSynchronizer(TimeSynchronizer):
-    """Hands on messages of several filters whose stamps are near each other, together; each message once.
+    """Passes on messages of several filters with stamps near each other, together; each message once.
 
     Args:
         fs: The filters.
@@ -248,7 +248,7 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
         self.allow_headerless = allow_headerless
 
     def add(self, msg: Any, my_queue: dict[int, Any], my_queue_index: int | None = None) -> None:  # noqa: ARG002
-        """Keep a message, and hand on the nearest to it of each other filter, if all are near enough."""
+        """Keep a message, and pass on the nearest to it of each other filter, if all are near enough."""
         stamp = _stamp(msg, self.allow_headerless, self._clock)
         if stamp is None:
             return

@@ -1,4 +1,4 @@
-"""Between arrays with named fields and plain ones, by the names that sensor_msgs_py has for it."""
+"""Conversion between arrays with named fields and plain ones, by sensor_msgs_py's names."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""PointCloud2 in numpy's hands: what sensor_msgs_py.point_cloud2 offers."""
+"""PointCloud2 as numpy arrays, with sensor_msgs_py.point_cloud2's interface."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ def points_view(cloud: PointCloud2, data: Any = None) -> NDArray[Any]:
     """Return the points (height, width) as a structured view of the cloud's bytes, or of `data` laid out alike.
 
     Raises:
-        ValueError: there are fewer bytes than the cloud's sizes ask for.
+        ValueError: there are fewer bytes than the cloud's sizes require.
     """
     dtype = dtype_from_fields(cloud.fields, cloud.point_step, is_bigendian=bool(cloud.is_bigendian))
     octets = memoryview(cloud.data if data is None else data).cast("B")
@@ -120,7 +120,7 @@ def read_points(
 
     Raises:
         AssertionError: a field is not there.
-        ValueError: there are fewer bytes than the cloud's sizes ask for.
+        ValueError: there are fewer bytes than the cloud's sizes require.
     """
     points = points_view(cloud)
     if field_names is not None:

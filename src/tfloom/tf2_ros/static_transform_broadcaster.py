@@ -1,4 +1,4 @@
-"""Sends transforms that hold for good."""
+"""Sends static transforms, which hold at all times."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ __all__ = ["StaticTransformBroadcaster"]
 
 
 class StaticTransformBroadcaster:
-    """Publishes on /tf_static, for those who are there and those who come later.
+    """Publishes on /tf_static, to present subscriptions and to later ones.
 
-    Each message holds all that this broadcaster has sent, as late joiners get the last message alone. What is sent
-    again with the same child frame replaces what was sent before.
+    Each message holds all transforms that this broadcaster has sent, because late joiners get the last message alone.
+    A transform replaces the previous one of the same child frame.
 
     Args:
         node: The node that publishes.

@@ -1,4 +1,4 @@
-"""Fills a buffer from /tf and /tf_static."""
+"""Insertion of /tf and /tf_static into a buffer."""
 
 from __future__ import annotations
 
@@ -28,13 +28,13 @@ JOIN_TIMEOUT_S = 2.0
 
 
 class TransformListener:
-    """Subscribes to /tf and /tf_static and puts all that comes into a buffer.
+    """Subscribes to /tf and /tf_static and inserts all transforms into a buffer.
 
     The bytes go from the wire's thread straight into the native buffer: no message is built, no executor has to
     spin, and no callback waits behind them. Only where `callback`, `static_callback` or the buffer's
     `set_transform` are overridden, messages are built and pass through these, on the executor.
 
-    It lives as long as its node, also where nobody keeps it, or until `unregister`.
+    It lasts as long as its node, even without a reference to it, or until `unregister`.
 
     Args:
         buffer: What to fill.
@@ -83,7 +83,7 @@ class TransformListener:
 
     @property
     def buffer(self) -> Any:
-        """What is filled. Assigning another sends all that comes from now on there."""
+        """The buffer. After assigning another one, new transforms go there."""
         return self._buffer
 
     @buffer.setter
@@ -99,7 +99,7 @@ class TransformListener:
                 subscription.feed(buffer.tf_sink(AUTHORITY, static=name == "static_callback"))
 
     def _is_direct(self, callback: str, setter: str) -> bool:
-        """Return whether nobody has put code of their own between the wire and the native buffer."""
+        """Return whether no override lies between the wire and the native buffer."""
         kind = type(self._buffer)
         return (
             isinstance(self._buffer, BufferCore)
@@ -114,7 +114,7 @@ class TransformListener:
             self._buffer.set_transform(transform, AUTHORITY)
 
     def static_callback(self, data: TFMessage) -> None:
-        """Put the transforms of a message into the buffer, for good."""
+        """Put the transforms of a message into the buffer, as static ones."""
         for transform in data.transforms:
             self._buffer.set_transform_static(transform, AUTHORITY)
 

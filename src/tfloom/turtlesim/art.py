@@ -10,10 +10,7 @@ from collections.abc import Iterable, Iterator
 from functools import lru_cache
 from typing import NamedTuple
 
-from PIL import Image, ImageDraw
-
-Point = tuple[float, float]
-Color = tuple[int, int, int]
+from tfloom.turtlesim.picture import Color, Ink, Picture, Point
 
 SMOOTHING = 4
 """How many times finer than the result a turtle is painted, for smooth edges."""
@@ -170,7 +167,7 @@ PATTERNS = {
 }
 
 
-def sprite(kind: int, theta_rad: float, length_px: float) -> Image.Image:
+def sprite(kind: int, theta_rad: float, length_px: float) -> Picture:
     """Return a square picture of a turtle on transparent ground, the turtle's origin in its middle.
 
     Args:
@@ -183,18 +180,17 @@ def sprite(kind: int, theta_rad: float, length_px: float) -> Image.Image:
 
 
 @lru_cache(maxsize=2000)
-def _sprite(kind: int, heading: int, length_px: int) -> Image.Image:
+def _sprite(kind: int, heading: int, length_px: int) -> Picture:
     theta = 2 * math.pi * heading / HEADINGS
     cos, sin = math.cos(theta), math.sin(theta)
     side = max(2, round(1.1 * length_px))
     fine = side * SMOOTHING
     scale = length_px * SMOOTHING
-    image = Image.new("RGBA", (fine, fine))
-    draw = ImageDraw.Draw(image)
+    ink = Ink(fine)
     for shape in turtle_shapes(LOOKS[kind]):
         points = [
             (fine / 2 + scale * (cos * x - sin * y), fine / 2 - scale * (sin * x + cos * y))
             for x, y in shape.points
         ]
-        draw.polygon(points, fill=(*shape.fill, 255))
-    return image.reduce(SMOOTHING)
+        ink.polygon(points, shape.fill)
+    return ink.reduced(SMOOTHING)

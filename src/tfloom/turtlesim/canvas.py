@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import io
-import math
 from collections.abc import Iterable
 
-from PIL import Image, ImageDraw
-
 from tfloom.turtlesim.art import sprite
+from tfloom.turtlesim.picture import Box, Ink, Picture, plain, to_png
 from tfloom.turtlesim.world import PX_PER_M, WINDOW_PX, WORLD_SIZE_M, Color, Stroke, Turtle
 
 FINENESS = 4
@@ -17,9 +14,6 @@ FINE_PX = WINDOW_PX * FINENESS
 NOTHING_DRAWN: Color = (255, 255, 255)
 """What a turtle's colour sensor sees where there is no stroke, whatever the background."""
 DEFAULT_BACKGROUND: Color = (0x45, 0x56, 0xFF)
-OPAQUE = 255
-
-Box = tuple[int, int, int, int]
 
 
 class Canvas:
@@ -31,27 +25,22 @@ class Canvas:
 
     def __init__(self, background: Color = DEFAULT_BACKGROUND) -> None:
         self.background = background
-        self._ink = Image.new("RGBA", (FINE_PX, FINE_PX))
-        self._draw = ImageDraw.Draw(self._ink)
-        self._ground: Image.Image | None = None
+        self._ink = Ink(FINE_PX)
+        self._ground: Picture | None = None
         self._ground_color = background
         self._fresh: Box | None = None
 
     def clear(self) -> None:
         """Wipe off all strokes."""
-        self._ink.paste((0, 0, 0, 0), (0, 0, FINE_PX, FINE_PX))
+        self._ink.clear()
         self._ground = None
 
     def paint(self, stroke: Stroke) -> None:
         """Draw a stroke with round ends."""
         ends = [_fine(*stroke.start), _fine(*stroke.end)]
         width = stroke.width_px * FINENESS
-        color = (*stroke.color, OPAQUE)
-        self._draw.line(ends, color, width)
-        radius = width / 2
-        for x, y in ends:
-            self._draw.ellipse((x - radius, y - radius, x + radius, y + radius), color)
-        self._touch(ends, radius)
+        self._ink.line(ends, stroke.color, width)
+        self._touch(ends, width / 2)
 
     def _touch(self, ends: list[tuple[float, float]], radius: float) -> None:
         """Remember what part of the ink has changed."""
@@ -66,13 +55,9 @@ class Canvas:
     def color_at(self, x: float, y: float) -> Color:
         """Return the colour of the strokes at a place [m]; white where there is none."""
         px, py = (min(max(int(value), 0), FINE_PX - 1) for value in _fine(x, y))
-        pixel = self._ink.getpixel((px, py))
-        if not isinstance(pixel, tuple) or pixel[3] == 0:
-            return NOTHING_DRAWN
-        red, green, blue, _ = pixel
-        return red, green, blue
+        return self._ink.color_at(px, py) or NOTHING_DRAWN
 
-    def render(self, turtles: Iterable[Turtle], size_px: int = WINDOW_PX) -> Image.Image:
+    def render(self, turtles: Iterable[Turtle], size_px: int = WINDOW_PX) -> Picture:
         """Return an RGB picture of `size_px` by `size_px`, the turtles in order of their names."""
         picture = self._ground_at(size_px).copy()
         scale = size_px / WINDOW_PX
@@ -84,35 +69,27 @@ class Canvas:
 
     def png(self, turtles: Iterable[Turtle], size_px: int = WINDOW_PX) -> bytes:
         """Return the picture as a PNG file's bytes."""
-        file = io.BytesIO()
-        self.render(turtles, size_px).save(file, "PNG")
-        return file.getvalue()
+        return to_png(self.render(turtles, size_px))
 
-    def _ground_at(self, size_px: int) -> Image.Image:
+    def _ground_at(self, size_px: int) -> Picture:
         """Return background and strokes in this size; only what is fresh is scaled again."""
         ground, fresh = self._ground, self._fresh
         self._fresh = None
         if ground is None or ground.width != size_px or self._ground_color != self.background:
-            ground = self._ground = Image.new("RGB", (size_px, size_px), self.background)
+            ground = self._ground = plain(size_px, self.background)
             self._ground_color = self.background
             fresh = (0, 0, FINE_PX, FINE_PX)
         if fresh is not None:
             self._scale_ink(ground, fresh)
         return ground
 
-    def _scale_ink(self, ground: Image.Image, part: Box) -> None:
+    def _scale_ink(self, ground: Picture, part: Box) -> None:
         """Lay the ink within `part`, in the ink's pixels, onto `ground`."""
         ratio = FINE_PX / ground.width
         left, top = (max(0, int(edge / ratio) - 1) for edge in part[:2])
         right, bottom = (min(ground.width, int(edge / ratio) + 2) for edge in part[2:])
         if left < right and top < bottom:
-            # The part alone: resize() would first copy all of an image with transparency.
-            x, y = int(left * ratio), int(top * ratio)
-            ink = self._ink.crop((x, y, math.ceil(right * ratio), math.ceil(bottom * ratio)))
-            source = (left * ratio - x, top * ratio - y, right * ratio - x, bottom * ratio - y)
-            ink = ink.resize((right - left, bottom - top), Image.Resampling.BOX, source)
-            ground.paste(self.background, (left, top, right, bottom))
-            ground.paste(ink, (left, top), ink)
+            self._ink.lay_onto(ground, (left, top, right, bottom), self.background)
 
 
 def _fine(x: float, y: float) -> tuple[float, float]:

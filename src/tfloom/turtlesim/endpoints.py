@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from tfloom.interfaces.geometry_msgs.msg import Twist
+from tfloom.node.node import Node
+from tfloom.turtlesim import parameters
 from tfloom.turtlesim.messages import Color, Pose, SetPen, TeleportAbsolute, TeleportRelative
 from tfloom.turtlesim.rotations import RotationServer
+from tfloom.turtlesim.simulation import TurtleSim
 from tfloom.turtlesim.world import Rotation, Turtle, is_usable
-
-if TYPE_CHECKING:
-    from tfloom.turtlesim.node import TurtlesimNode
 
 QOS_DEPTH = 7
 
@@ -19,13 +19,15 @@ class TurtleEndpoints:
     """The topics, services and action of one turtle.
 
     Args:
-        node: The node that has them.
+        node: The node that has them, with turtlesim's parameters.
+        sim: The simulation that the turtle is part of.
         turtle: The turtle.
         rotations: Serves the action under the turtle's name.
     """
 
-    def __init__(self, node: TurtlesimNode, turtle: Turtle, rotations: RotationServer) -> None:
+    def __init__(self, node: Node, sim: TurtleSim, turtle: Turtle, rotations: RotationServer) -> None:
         self._node = node
+        self._sim = sim
         self._turtle = turtle
         name = turtle.name
         self._pose = node.create_publisher(Pose, f"{name}/pose", QOS_DEPTH)
@@ -60,7 +62,7 @@ class TurtleEndpoints:
                 angular_velocity=turtle.angular_velocity,
             )
         )
-        red, green, blue = self._node.sim.canvas.color_at(turtle.x, turtle.y)
+        red, green, blue = self._sim.canvas.color_at(turtle.x, turtle.y)
         self._color.publish(Color(r=red, g=green, b=blue))
 
     def tell_rotation(self, rotation: Rotation) -> None:
@@ -81,8 +83,8 @@ class TurtleEndpoints:
     def _on_cmd_vel(self, twist: Twist) -> None:
         ahead, left, turn = twist.linear.x, twist.linear.y, twist.angular.z
         if not self._refuses("a velocity command", ahead, left, turn):
-            sideways = left if self._node.is_holonomic else None
-            if self._node.sim.world.command(self._turtle, ahead, sideways, turn) is not None:
+            sideways = left if parameters.is_holonomic(self._node) else None
+            if self._sim.world.command(self._turtle, ahead, sideways, turn) is not None:
                 self._rotations.abort_for_command()
 
     def _on_set_pen(self, request: Any, response: Any) -> Any:

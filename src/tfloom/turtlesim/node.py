@@ -26,8 +26,7 @@ from tfloom.turtlesim.simulation import TurtleSim
 from tfloom.turtlesim.world import STEP_S, Event, Moved, RotationStep, Turtle, WallHit, is_usable
 
 if TYPE_CHECKING:
-    from PIL.Image import Image
-
+    from tfloom.turtlesim.picture import Picture
     from tfloom.turtlesim.window import Window
 
 FRAME_S = 1 / 60
@@ -56,11 +55,6 @@ class TurtlesimNode(Node):
         # Simulated time may be made by what these turtles do: so they themselves go by real time.
         self._timer = self.create_timer(STEP_S, self._step, clock=Clock(clock_type=ClockType.STEADY_TIME))
 
-    @property
-    def is_holonomic(self) -> bool:
-        """Whether turtles may go sideways."""
-        return bool(self.get_parameter(parameters.HOLONOMIC).value)
-
     def set_parameters_atomically(self, parameter_list: list[Parameter]) -> SetParametersResult:
         """Set all parameters, or none of them if one is refused, for which the reference's turtlesim has its words."""
         for parameter in parameter_list:
@@ -68,7 +62,7 @@ class TurtlesimNode(Node):
                 return SetParametersResult(successful=False, reason=reason)
         return super().set_parameters_atomically(parameter_list)
 
-    def render(self, size_px: int) -> Image:
+    def render(self, size_px: int) -> Picture:
         """Return the picture of the world, `size_px` by `size_px`."""
         self.sim.canvas.background = parameters.background(self)
         return self.sim.render(size_px)
@@ -99,7 +93,7 @@ class TurtlesimNode(Node):
         rotations = self._rotations.get(turtle.name)
         if rotations is None or rotations.is_destroyed:
             rotations = self._rotations[turtle.name] = RotationServer(self, turtle.name)
-        self._endpoints[turtle.name] = TurtleEndpoints(self, turtle, rotations)
+        self._endpoints[turtle.name] = TurtleEndpoints(self, self.sim, turtle, rotations)
 
     def _on_clear(self, _: Any, response: Any) -> Any:
         self.get_logger().info("Clearing turtlesim.")

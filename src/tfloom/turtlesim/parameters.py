@@ -59,6 +59,11 @@ def background(node: Node) -> Color:
     return red, green, blue
 
 
+def is_holonomic(node: Node) -> bool:
+    """Return whether turtles may go sideways."""
+    return bool(node.get_parameter(HOLONOMIC).value)
+
+
 def refusal(node: Node, parameter: Parameter) -> str | None:
     """Return why a declared parameter can't be set to this, in the reference's words; None if it can, or for ours."""
     if not node.has_parameter(parameter.name):

@@ -10,7 +10,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any, Protocol
 
-from PIL import Image
+from tfloom.turtlesim.picture import Picture, from_rgb, save
 
 FRAME_MS = 40
 """Time between two pictures [ms]: 25 a second, which GIF can express."""
@@ -24,7 +24,7 @@ class RecordingError(Exception):
 class Recorder(Protocol):
     """Takes a picture every FRAME_MS and makes a file of them."""
 
-    def add(self, picture: Image.Image) -> None:
+    def add(self, picture: Picture) -> None:
         """Take the next picture: RGB, SIDE_PX by SIDE_PX."""
 
     def finish(self) -> None:
@@ -58,9 +58,9 @@ class Still:
 
     def __init__(self, path: Path) -> None:
         self._path = path
-        self._last: Image.Image | None = None
+        self._last: Picture | None = None
 
-    def add(self, picture: Image.Image) -> None:
+    def add(self, picture: Picture) -> None:
         """Take the next picture."""
         self._last = picture
 
@@ -79,7 +79,7 @@ class Animation:
         self._lasting_ms: list[int] = []
         self._last = b""
 
-    def add(self, picture: Image.Image) -> None:
+    def add(self, picture: Picture) -> None:
         """Take the next picture."""
         pixels = picture.tobytes()
         if pixels == self._last:
@@ -89,9 +89,9 @@ class Animation:
         self._frames.append(zlib.compress(pixels, 1))
         self._lasting_ms.append(FRAME_MS)
 
-    def _pictures(self) -> Iterator[Image.Image]:
+    def _pictures(self) -> Iterator[Picture]:
         for frame in self._frames:
-            yield Image.frombytes("RGB", (SIDE_PX, SIDE_PX), zlib.decompress(frame))
+            yield from_rgb(zlib.decompress(frame), SIDE_PX)
 
     def finish(self) -> None:
         """Write the animation, which repeats for ever."""
@@ -126,7 +126,7 @@ class Film:
             command, stdin=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True
         )
 
-    def add(self, picture: Image.Image) -> None:
+    def add(self, picture: Picture) -> None:
         """Take the next picture."""
         if self._ffmpeg.stdin is not None:
             with suppress(BrokenPipeError):  # it has ended; `finish` tells why
@@ -141,8 +141,8 @@ class Film:
             )
 
 
-def _save(picture: Image.Image, path: Path, **options: Any) -> None:
+def _save(picture: Picture, path: Path, **options: Any) -> None:
     try:
-        picture.save(path, **options)
+        save(picture, path, **options)
     except OSError as error:
         raise RecordingError(f"can't record to {path}: {error.strerror or error}") from None

@@ -11,13 +11,10 @@ sim  # a notebook shows the picture
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from tfloom.turtlesim.canvas import Canvas
+from tfloom.turtlesim.picture import Picture
 from tfloom.turtlesim.world import STEP_S, WINDOW_PX, Event, Stroke, Turtle, World
-
-if TYPE_CHECKING:
-    from PIL.Image import Image
 
 
 class TurtleSim:
@@ -48,7 +45,7 @@ class TurtleSim:
         self.clear()
         return self.world.reset()
 
-    def render(self, size_px: int = WINDOW_PX) -> Image:
+    def render(self, size_px: int = WINDOW_PX) -> Picture:
         """Return the picture, RGB, `size_px` by `size_px`."""
         return self.canvas.render(self.world.turtles.values(), size_px)
 

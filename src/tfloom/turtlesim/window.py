@@ -6,7 +6,7 @@ import os
 import sys
 from collections.abc import Callable
 
-from PIL import Image
+from tfloom.turtlesim.picture import Picture
 
 os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
 
@@ -41,7 +41,7 @@ class Window:
         except pygame.error as error:
             raise NoDisplayError(str(error)) from None
 
-    def show(self, draw: Callable[[int], Image.Image]) -> bool:
+    def show(self, draw: Callable[[int], Picture]) -> bool:
         """Show the picture that `draw` makes in the size it is given [px]; return False once the window is closed."""
         if any(event.type in {pygame.QUIT, pygame.WINDOWCLOSE} for event in pygame.event.get()):
             return False

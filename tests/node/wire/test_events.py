@@ -24,7 +24,7 @@ from tfloom.node.qos.qos import (
     qos_profile_best_available,
 )
 from tfloom.node.values.duration import Duration
-from tfloom.rmw.compatibility import PolicyKind
+from tfloom.rmw.qos import QoSPolicyKind
 
 SpinUntil = Callable[..., None]
 StartTalker = Callable[..., Program]
@@ -137,25 +137,25 @@ def test_a_killed_talker_isnt_alive_when_its_lease_ends(
         (
             {"reliability": BEST_EFFORT},
             {},
-            PolicyKind.RELIABILITY,
+            QoSPolicyKind.RELIABILITY,
             "offered RELIABILITY BEST_EFFORT, requested RELIABILITY RELIABLE",
         ),
         (
             {},
             {"durability": DurabilityPolicy.TRANSIENT_LOCAL},
-            PolicyKind.DURABILITY,
+            QoSPolicyKind.DURABILITY,
             "offered DURABILITY VOLATILE, requested DURABILITY TRANSIENT_LOCAL",
         ),
         (
             {},
             {"deadline": Duration(seconds=1)},
-            PolicyKind.DEADLINE,
+            QoSPolicyKind.DEADLINE,
             "offered no DEADLINE, requested DEADLINE of 1 s",
         ),
         (
             {"liveliness_lease_duration": 2},
             {"liveliness_lease_duration": Duration(seconds=0.5)},
-            PolicyKind.LIVELINESS,
+            QoSPolicyKind.LIVELINESS,
             (
                 "offered LIVELINESS AUTOMATIC with a lease of 2 s, "
                 "requested LIVELINESS AUTOMATIC with a lease of 0.5 s"
@@ -164,7 +164,7 @@ def test_a_killed_talker_isnt_alive_when_its_lease_ends(
         (
             {},
             {"liveliness": LivelinessPolicy.MANUAL_BY_TOPIC},
-            PolicyKind.LIVELINESS,
+            QoSPolicyKind.LIVELINESS,
             "offered LIVELINESS AUTOMATIC, requested LIVELINESS MANUAL_BY_TOPIC",
         ),
     ],
@@ -176,7 +176,7 @@ def test_incompatible_qos_is_told_to_both_ends_with_both_sides(
     capsys: pytest.CaptureFixture[str],
     offered: dict[str, Any],
     requested: dict[str, Any],
-    kind: PolicyKind,
+    kind: QoSPolicyKind,
     sides: str,
 ) -> None:
     talker = start_talker(**offered)

@@ -8,10 +8,9 @@ from typing import NamedTuple
 from tfloom.cli import graph
 from tfloom.cli.errors import CommandError
 from tfloom.cli.names import did_you_mean, full_topic_name
+from tfloom.rmw.action_names import SEND_GOAL, SEND_GOAL_TYPE
 from tfloom.rmw.base import Graph
-
-GOAL_SERVICE = "/_action/send_goal"
-GOAL_TYPE = "_SendGoal"
+from tfloom.rmw.endpoint_text import UNKNOWN_NODE
 
 
 class ActionEnd(NamedTuple):
@@ -27,13 +26,13 @@ def action_ends(found: Graph) -> list[ActionEnd]:
     """Return the servers and clients of all actions, in order of the actions' names, then the nodes'."""
     return sorted(
         ActionEnd(
-            end.name.removesuffix(GOAL_SERVICE),
-            end.type_name.removesuffix(GOAL_TYPE),
-            end.node.full if end.node else "_NODE_NAME_UNKNOWN_",
+            end.name.removesuffix(SEND_GOAL),
+            end.type_name.removesuffix(SEND_GOAL_TYPE),
+            end.node.full if end.node else UNKNOWN_NODE.name,
             end.is_server,
         )
         for end in found.service_ends()
-        if end.name.endswith(GOAL_SERVICE)
+        if end.name.endswith(SEND_GOAL)
     )
 
 

@@ -13,8 +13,10 @@ from tfloom.cli.errors import standard_input
 from tfloom.cli.interfaces import action_class, fill_message, parse_yaml
 from tfloom.cli.listen import cli_node, decoded, shown_node
 from tfloom.cli.names import full_topic_name
-from tfloom.rmw.base import NodeName, Participant, Reader, Topic
+from tfloom.rmw.action_names import CANCEL_GOAL, FEEDBACK, GET_RESULT, SEND_GOAL, key_of, new_goal_id
+from tfloom.rmw.base import NodeName, Participant, Reader
 from tfloom.rmw.qos import QoS
+from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl.yaml_text import message_to_yaml
 
 STATUS = ("UNKNOWN", "ACCEPTED", "EXECUTING", "CANCELING", "SUCCEEDED", "CANCELED", "ABORTED")
@@ -52,7 +54,7 @@ def main(args: argparse.Namespace) -> int:
         if not client.send(goal):
             print("Goal was rejected.")
             return 1
-        print(f"Goal accepted with ID: {bytes(client.goal_id.uuid).hex()}\n")
+        print(f"Goal accepted with ID: {key_of(client.goal_id).hex()}\n")
         try:
             response = client.result()
         except KeyboardInterrupt:
@@ -76,21 +78,16 @@ class _ActionClient:
     def __init__(
         self, participant: Participant, node: NodeName, name: str, cls: type[Any], ends: ExitStack
     ) -> None:
-        import uuid
-
-        from tfloom.interfaces.unique_identifier_msgs.msg import UUID
-
         def client(service: str, service_class: type[Any]) -> Client:
-            return ends.enter_context(
-                service_client(participant, node, f"{name}/_action/{service}", service_class)
-            )
+            return ends.enter_context(service_client(participant, node, name + service, service_class))
 
-        self.goal_id = UUID(uuid=list(uuid.uuid4().bytes))
+        self.goal_id = new_goal_id()
+        self._key = key_of(self.goal_id)
         self._name = name
         self._class = cls
-        self._send_goal = client("send_goal", cls.Impl.SendGoalService)
-        self._get_result = client("get_result", cls.Impl.GetResultService)
-        self._cancel_goal = client("cancel_goal", cls.Impl.CancelGoalService)
+        self._send_goal = client(SEND_GOAL, cls.Impl.SendGoalService)
+        self._get_result = client(GET_RESULT, cls.Impl.GetResultService)
+        self._cancel_goal = client(CANCEL_GOAL, cls.Impl.CancelGoalService)
         self._feedback: Reader | None = None
 
     def wait_for_server(self) -> None:
@@ -101,7 +98,7 @@ class _ActionClient:
     def listen_to_feedback(self, participant: Participant, node: NodeName, ends: ExitStack) -> None:
         """Print feedback from now on, and wait until the server knows that we listen."""
         cls = self._class.Impl.FeedbackMessage
-        topic = Topic(f"{self._name}/_action/feedback", cls._TYPE_NAME, cls._TYPE_HASH)
+        topic = topic_of(cls, self._name + FEEDBACK)
         self._feedback = participant.create_reader(node, topic, QoS())
         ends.callback(self._feedback.close)
         end_s = time.monotonic() + FEEDBACK_TIMEOUT_S
@@ -124,7 +121,7 @@ class _ActionClient:
 
         request = self._class.Impl.CancelGoalService.Request(goal_info=GoalInfo(goal_id=self.goal_id))
         response = self._cancel_goal.call(request, CANCEL_TIMEOUT_S)
-        if any(bytes(each.goal_id.uuid) == bytes(self.goal_id.uuid) for each in response.goals_canceling):
+        if any(key_of(each.goal_id) == self._key for each in response.goals_canceling):
             return "Goal canceled."
         return f"The server did not cancel the goal: {CANCEL_REFUSALS.get(response.return_code, 'no reason given')}"
 
@@ -136,5 +133,5 @@ class _ActionClient:
     def _print_feedback(self) -> None:
         while self._feedback and (sample := self._feedback.take()):
             message = decoded(self._class.Impl.FeedbackMessage, sample)
-            if message is not None and bytes(message.goal_id.uuid) == bytes(self.goal_id.uuid):
+            if message is not None and key_of(message.goal_id) == self._key:
                 print(f"Feedback:\n    {_indented(message.feedback)}")

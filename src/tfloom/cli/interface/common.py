@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.workspace.interfaces import KINDS
+from tfloom.rosidl.definition_files import KINDS
 
 TITLES = {"msg": "Messages", "srv": "Services", "action": "Actions"}
 

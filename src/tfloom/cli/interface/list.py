@@ -6,7 +6,7 @@ import argparse
 
 from tfloom.cli.interface.common import TITLES, add_kind_flags, asked_kinds
 from tfloom.cli.listing import print_json
-from tfloom.workspace.interfaces import interface_packages, interfaces_of
+from tfloom.workspace.interfaces import known_interfaces
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -16,15 +16,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Print the names of each kind under the kind's title."""
-    packages = interface_packages()
-    names = {
-        kind: [
-            f"{package}/{kind}/{name}"
-            for package in packages
-            for name in interfaces_of(packages[package], kind)
-        ]
-        for kind in asked_kinds(args)
-    }
+    names = {kind: known_interfaces(kind) for kind in asked_kinds(args)}
     if args.json:
         print_json(names)
         return 0

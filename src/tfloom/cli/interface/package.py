@@ -8,7 +8,8 @@ from tfloom.cli.errors import CommandError
 from tfloom.cli.interface.common import add_kind_flags, asked_kinds
 from tfloom.cli.listing import print_names
 from tfloom.cli.names import did_you_mean
-from tfloom.workspace.interfaces import interface_packages, interfaces_of
+from tfloom.rosidl.definition_files import interfaces_of
+from tfloom.workspace.interfaces import interface_packages
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -15,9 +15,10 @@ from tfloom.cli.listen import decoded, find_type, publishers_of, samples, unmet,
 from tfloom.cli.names import full_topic_name
 from tfloom.cli.numbers import seconds
 from tfloom.cli.selection import field_picker, message_filter
-from tfloom.rmw.base import Participant, Sample, Topic
+from tfloom.rmw.base import Participant, Sample
 from tfloom.rmw.events import Count
 from tfloom.rmw.qos import QoS, ReliabilityPolicy
+from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl.message import Message
 
 SENSOR_DATA = QoS(reliability=ReliabilityPolicy.BEST_EFFORT, depth=5)
@@ -69,7 +70,7 @@ def main(args: argparse.Namespace) -> int:
         graph.wait_until_quiet(participant.graph, args.spin_time)
         listen_to = asked_class or message_class(find_type(participant.graph, name))
         quality = qos.asked_qos(args, SENSOR_DATA) or _suiting_qos(participant, name, end_s)
-        topic = Topic(name, listen_to._TYPE_NAME, listen_to._TYPE_HASH)
+        topic = topic_of(listen_to, name)
         if publishers_of(participant.graph, name) and (
             reason := unmet(participant.graph, topic, is_publisher=False)
         ):

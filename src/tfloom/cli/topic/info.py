@@ -9,7 +9,7 @@ from tfloom.cli.graph import add_arguments as add_graph_arguments
 from tfloom.cli.graph import settled_graph, topic_types
 from tfloom.cli.names import did_you_mean, full_topic_name
 from tfloom.rmw.base import EndpointInfo
-from tfloom.rmw.qos import INFINITE_NS, HistoryPolicy, QoS
+from tfloom.rmw.endpoint_text import UNKNOWN_NODE, endpoint_text, policy_texts
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -50,38 +50,15 @@ def main(args: argparse.Namespace) -> int:
 
 
 def describe_endpoint(end: EndpointInfo) -> str:
-    """Return the lines that tell all about a writer or a reader."""
-    node = end.node
-    return "\n".join(
-        [
-            f"Node name: {node.name if node else '_NODE_NAME_UNKNOWN_'}",
-            f"Node namespace: {node.namespace if node else '_NODE_NAMESPACE_UNKNOWN_'}",
-            f"Topic type: {end.topic.type_name}",
-            f"Topic type hash: {end.topic.type_hash or 'INVALID'}",
-            f"Endpoint type: {'PUBLISHER' if end.is_writer else 'SUBSCRIPTION'}",
-            f"GID: {'.'.join(f'{octet:02x}' for octet in end.gid)}",
-            "QoS profile:",
-            *(f"  {name}: {value}" for name, value in describe_qos(end.qos).items()),
-        ]
+    """Return the lines that describe a writer or a reader."""
+    return endpoint_text(
+        end.node or UNKNOWN_NODE,
+        end.topic.type_name,
+        end.topic.type_hash or "INVALID",
+        "PUBLISHER" if end.is_writer else "SUBSCRIPTION",
+        end.gid,
+        end.qos,
     )
-
-
-def describe_qos(qos: QoS) -> dict[str, str]:
-    """Return each policy of a quality of service as text, by its title."""
-    depth = f" ({qos.depth})" if qos.history == HistoryPolicy.KEEP_LAST else ""
-    return {
-        "Reliability": qos.reliability.name,
-        "History (Depth)": f"{qos.history.name}{depth}",
-        "Durability": qos.durability.name,
-        "Lifespan": _duration(qos.lifespan_ns),
-        "Deadline": _duration(qos.deadline_ns),
-        "Liveliness": qos.liveliness.name,
-        "Liveliness lease duration": _duration(qos.liveliness_lease_ns),
-    }
-
-
-def _duration(duration_ns: int) -> str:
-    return "Infinite" if duration_ns >= INFINITE_NS else f"{duration_ns} nanoseconds"
 
 
 def _print_json(name: str, types: list[str], *sides: list[EndpointInfo]) -> None:
@@ -94,7 +71,7 @@ def _print_json(name: str, types: list[str], *sides: list[EndpointInfo]) -> None
                 "type": end.topic.type_name,
                 "type_hash": end.topic.type_hash,
                 "gid": end.gid.hex(),
-                "qos": describe_qos(end.qos),
+                "qos": policy_texts(end.qos),
             }
             for end in side
         ]

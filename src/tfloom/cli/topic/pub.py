@@ -16,8 +16,9 @@ from tfloom.cli.listen import HINT_S, cli_node, shown_node, unmet, warn_of_misma
 from tfloom.cli.names import full_topic_name
 from tfloom.cli.numbers import count, rate, seconds
 from tfloom.cli.sim_time import NowNs, clock, wait_until_known
-from tfloom.rmw.base import NodeName, Topic, Writer
+from tfloom.rmw.base import NodeName, Writer
 from tfloom.rmw.qos import QoS
+from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
 
@@ -78,7 +79,7 @@ def main(args: argparse.Namespace) -> int:
     )
     node = cli_node() if args.node_name is None else _named_node(args.node_name)
     with graph.joined_participant() as participant, shown_node(participant, node):
-        topic = Topic(name, cls._TYPE_NAME, cls._TYPE_HASH)
+        topic = topic_of(cls, name)
         writer = participant.create_writer(node, topic, quality)
 
         def look_for_mismatch() -> None:

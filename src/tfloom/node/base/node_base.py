@@ -33,9 +33,8 @@ from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.type_support import (
     check_is_valid_msg_type,
     check_is_valid_srv_type,
-    service_of,
-    topic_of,
 )
+from tfloom.rmw.typed_names import service_of, topic_of
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.service import Service as ServiceType
 

@@ -9,8 +9,8 @@ from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
 from tfloom.node.log import log_output
 from tfloom.node.qos.qos import qos_profile_rosout_default
 from tfloom.node.values.constants import S_TO_NS
-from tfloom.node.values.type_support import topic_of
 from tfloom.rmw.errors import ClosedError
+from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import threading
 import time
 from collections.abc import Callable
@@ -13,8 +14,8 @@ from tfloom.node.endpoints.service import ServiceEndpoint, SrvType, SrvTypeReque
 from tfloom.node.endpoints.service_introspection import Introspection
 from tfloom.node.executing.task import Future
 from tfloom.node.qos.qos import QoSProfile
-from tfloom.node.values.constants import S_TO_NS
 from tfloom.rmw.base import RequestId
+from tfloom.rmw.waiting import wait_until_ready
 from tfloom.rosidl import cdr
 from tfloom.rosidl.service import Service as ServiceType
 
@@ -26,9 +27,6 @@ if TYPE_CHECKING:
     from tfloom.rmw.base import Requester, Response
 
 __all__ = ["Client", "SrvType", "SrvTypeRequest", "SrvTypeResponse"]
-
-# The wire reports readiness, except for a few causes in other processes.
-_LOOK_AGAIN_NS = S_TO_NS // 10
 
 
 class Client(ServiceEndpoint["Requester"]):
@@ -163,22 +161,15 @@ class Client(ServiceEndpoint["Requester"]):
         Returns:
             Whether one is; False after the timeout, or at shutdown.
         """
-        end_ns = None if timeout_sec is None else time.monotonic_ns() + int(timeout_sec * S_TO_NS)
+        end_s = math.inf if timeout_sec is None else time.monotonic() + timeout_sec
         queue = ReadyQueue()
         self._context.add_queue(queue)
-        self._endpoint.notify_ready(queue, 1)
         try:
-            while self._context.ok():
-                if self.service_is_ready():
-                    return True
-                left_ns = _LOOK_AGAIN_NS if end_ns is None else end_ns - time.monotonic_ns()
-                if left_ns <= 0:
-                    return False
-                queue.wait(min(left_ns, _LOOK_AGAIN_NS))
+            return wait_until_ready(
+                self._endpoint, self.service_is_ready, end_s, queue=queue, is_open=self._context.ok
+            )
         finally:
-            self._endpoint.notify_ready(None)
             self._context.remove_queue(queue)
-        return False
 
     def _read(self, incoming: Response) -> Any:
         """Return a response and the number of its request."""

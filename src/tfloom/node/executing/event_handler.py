@@ -6,9 +6,9 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Protocol
 
 from tfloom.node.executing.entity import Entity
-from tfloom.node.qos.qos_mismatch import mismatch_text
 from tfloom.rmw.errors import UnsupportedEventError
 from tfloom.rmw.events import Count, Event, IncompatibleQoS, LivelinessChanged, Matched, Status
+from tfloom.rmw.qos_mismatch import mismatch_text
 
 if TYPE_CHECKING:
     from tfloom._native import ReadyQueue

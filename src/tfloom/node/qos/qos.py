@@ -5,14 +5,19 @@ from __future__ import annotations
 from enum import Enum, IntEnum
 from typing import TYPE_CHECKING, Any
 
-from tfloom.node.values.constants import INT64_MAX
 from tfloom.node.values.duration import Duration
 from tfloom.rmw import qos as wire
+from tfloom.rmw.qos import (
+    DurabilityPolicy,
+    HistoryPolicy,
+    LivelinessPolicy,
+    QoSPolicyEnum,
+    QoSPolicyKind,
+    ReliabilityPolicy,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Callable
-
-    from typing_extensions import Self
 
 __all__ = [
     "DurabilityPolicy",
@@ -44,21 +49,6 @@ __all__ = [
 ]
 
 
-class QoSPolicyKind(IntEnum):
-    """The policies, as events and overriding options name them."""
-
-    INVALID = 1 << 0
-    DURABILITY = 1 << 1
-    DEADLINE = 1 << 2
-    LIVELINESS = 1 << 3
-    RELIABILITY = 1 << 4
-    HISTORY = 1 << 5
-    LIFESPAN = 1 << 6
-    DEPTH = 1 << 7
-    LIVELINESS_LEASE_DURATION = 1 << 8
-    AVOID_ROS_NAMESPACE_CONVENTIONS = 1 << 9
-
-
 def qos_policy_name_from_kind(policy_kind: QoSPolicyKind | int) -> str:
     """Return a policy's name, e.g. `DURABILITY`, from its number."""
     return QoSPolicyKind(policy_kind).name
@@ -71,74 +61,12 @@ class InvalidQoSProfileException(Exception):  # noqa: N818  # ROS's name
         super().__init__("Invalid QoSProfile", *args)
 
 
-class QoSPolicyEnum(IntEnum):
-    """A policy's choices, with the short names that command lines and parameters use."""
-
-    @classmethod
-    def short_keys(cls) -> list[str]:
-        """Return the short names of all choices."""
-        return [policy.short_key for policy in cls]
-
-    @classmethod
-    def get_from_short_key(cls, name: str) -> Self:
-        """Return the policy of a short name.
-
-        Raises:
-            KeyError: there is none of that name.
-        """
-        return cls[name.upper()]
-
-    @property
-    def short_key(self) -> str:
-        """The name in lower case, e.g. `keep_last`."""
-        return self.name.lower()
-
-
-class HistoryPolicy(QoSPolicyEnum):
-    """Whether to keep all samples or the last `depth`."""
-
-    SYSTEM_DEFAULT = 0
-    KEEP_LAST = 1
-    KEEP_ALL = 2
-    UNKNOWN = 3
-
-
-class ReliabilityPolicy(QoSPolicyEnum):
-    """Whether to send again what was lost."""
-
-    SYSTEM_DEFAULT = 0
-    RELIABLE = 1
-    BEST_EFFORT = 2
-    UNKNOWN = 3
-    BEST_AVAILABLE = 4
-
-
-class DurabilityPolicy(QoSPolicyEnum):
-    """Whether a late subscription gets what was published before."""
-
-    SYSTEM_DEFAULT = 0
-    TRANSIENT_LOCAL = 1
-    VOLATILE = 2
-    UNKNOWN = 3
-    BEST_AVAILABLE = 4
-
-
-class LivelinessPolicy(QoSPolicyEnum):
-    """Whether the wire asserts that a publisher is alive, or the publisher itself."""
-
-    SYSTEM_DEFAULT = 0
-    AUTOMATIC = 1
-    MANUAL_BY_TOPIC = 3
-    UNKNOWN = 4
-    BEST_AVAILABLE = 5
-
-
 QoSHistoryPolicy = HistoryPolicy
 QoSReliabilityPolicy = ReliabilityPolicy
 QoSDurabilityPolicy = DurabilityPolicy
 QoSLivelinessPolicy = LivelinessPolicy
 
-BEST_AVAILABLE_DURATION = Duration(nanoseconds=INT64_MAX - 1)
+BEST_AVAILABLE_DURATION = Duration(nanoseconds=wire.BEST_AVAILABLE_NS)
 """Deadline or lease that follows the other side's."""
 
 
@@ -239,31 +167,35 @@ class QoSProfile:
         Raises:
             InvalidQoSProfileException: a policy is UNKNOWN.
         """
-        for policy in (self.history, self.reliability, self.durability, self.liveliness):
-            if policy.name == "UNKNOWN":
-                raise InvalidQoSProfileException(f"{type(policy).__name__} is UNKNOWN")
+        stated = self.as_stated()
+        if unknown := wire.unknown_policies(stated):
+            raise InvalidQoSProfileException(f"{unknown[0]} is UNKNOWN")
+        return stated.resolved()
+
+    def as_stated(self) -> wire.QoS:
+        """Return the settings as they are, durations in nanoseconds."""
         return wire.QoS(
-            reliability=wire.ReliabilityPolicy(self.reliability or ReliabilityPolicy.RELIABLE),
-            durability=wire.DurabilityPolicy(self.durability or DurabilityPolicy.VOLATILE),
-            history=wire.HistoryPolicy(self.history or HistoryPolicy.KEEP_LAST),
-            depth=self.depth or 1,
-            deadline_ns=self.deadline.nanoseconds or wire.INFINITE_NS,
-            lifespan_ns=self.lifespan.nanoseconds or wire.INFINITE_NS,
-            liveliness=wire.LivelinessPolicy(self.liveliness or LivelinessPolicy.AUTOMATIC),
-            liveliness_lease_ns=self.liveliness_lease_duration.nanoseconds or wire.INFINITE_NS,
+            reliability=self.reliability,
+            durability=self.durability,
+            history=self.history,
+            depth=self.depth,
+            deadline_ns=self.deadline.nanoseconds,
+            lifespan_ns=self.lifespan.nanoseconds,
+            liveliness=self.liveliness,
+            liveliness_lease_ns=self.liveliness_lease_duration.nanoseconds,
         )
 
     @classmethod
     def from_wire(cls, qos: wire.QoS) -> QoSProfile:
         """Return the profile of an endpoint on the graph; an endless duration is `Infinite`."""
         return cls(
-            history=HistoryPolicy(qos.history),
+            history=qos.history,
             depth=qos.depth,
-            reliability=ReliabilityPolicy(qos.reliability),
-            durability=DurabilityPolicy(qos.durability),
+            reliability=qos.reliability,
+            durability=qos.durability,
             lifespan=Duration(nanoseconds=qos.lifespan_ns),
             deadline=Duration(nanoseconds=qos.deadline_ns),
-            liveliness=LivelinessPolicy(qos.liveliness),
+            liveliness=qos.liveliness,
             liveliness_lease_duration=Duration(nanoseconds=qos.liveliness_lease_ns),
         )
 
@@ -271,12 +203,6 @@ class QoSProfile:
     def field_names() -> list[str]:
         """Return the names of all settings."""
         return list(_FIELDS)
-
-    def history_text(self) -> str:
-        """Return history and depth as the tools print them: `KEEP_LAST (10)`."""
-        if self.history is HistoryPolicy.KEEP_LAST:
-            return f"{self.history.name} ({self.depth})"
-        return self.history.name
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, QoSProfile):
@@ -304,36 +230,16 @@ def _field(name: str, convert: Callable[[Any, str], Any]) -> property:
 for _name, (_, _convert) in _FIELDS.items():
     setattr(QoSProfile, _name, _field(_name, _convert))
 
-qos_profile_unknown = QoSProfile(
-    history=HistoryPolicy.UNKNOWN,
-    depth=0,
-    reliability=ReliabilityPolicy.UNKNOWN,
-    durability=DurabilityPolicy.UNKNOWN,
-    liveliness=LivelinessPolicy.UNKNOWN,
-)
-qos_profile_default = QoSProfile(depth=10)
-qos_profile_system_default = QoSProfile(
-    history=HistoryPolicy.SYSTEM_DEFAULT,
-    depth=0,
-    reliability=ReliabilityPolicy.SYSTEM_DEFAULT,
-    durability=DurabilityPolicy.SYSTEM_DEFAULT,
-)
-qos_profile_sensor_data = QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT)
-qos_profile_services_default = QoSProfile(depth=10)
-qos_profile_parameters = QoSProfile(depth=1000)
-qos_profile_parameter_events = QoSProfile(depth=1000)
-qos_profile_action_status_default = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-qos_profile_rosout_default = QoSProfile(
-    depth=1000, durability=DurabilityPolicy.TRANSIENT_LOCAL, lifespan=Duration(seconds=10)
-)
-qos_profile_best_available = QoSProfile(
-    depth=10,
-    reliability=ReliabilityPolicy.BEST_AVAILABLE,
-    durability=DurabilityPolicy.BEST_AVAILABLE,
-    deadline=BEST_AVAILABLE_DURATION,
-    liveliness=LivelinessPolicy.BEST_AVAILABLE,
-    liveliness_lease_duration=BEST_AVAILABLE_DURATION,
-)
+qos_profile_unknown = QoSProfile.from_wire(wire.PROFILES["unknown"])
+qos_profile_default = QoSProfile.from_wire(wire.PROFILES["default"])
+qos_profile_system_default = QoSProfile.from_wire(wire.PROFILES["system_default"])
+qos_profile_sensor_data = QoSProfile.from_wire(wire.PROFILES["sensor_data"])
+qos_profile_services_default = QoSProfile.from_wire(wire.PROFILES["services_default"])
+qos_profile_parameters = QoSProfile.from_wire(wire.PROFILES["parameters"])
+qos_profile_parameter_events = QoSProfile.from_wire(wire.PROFILES["parameter_events"])
+qos_profile_action_status_default = QoSProfile.from_wire(wire.PROFILES["action_status_default"])
+qos_profile_rosout_default = QoSProfile.from_wire(wire.ROSOUT_DEFAULT)
+qos_profile_best_available = QoSProfile.from_wire(wire.PROFILES["best_available"])
 
 
 def qos_check_compatible(

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from tfloom.node.qos.qos import QoSProfile, qos_profile_unknown
 from tfloom.node.values.type_hash import TypeHash
 from tfloom.rmw.base import NodeName
+from tfloom.rmw.endpoint_text import UNKNOWN_NODE, endpoint_text
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -15,9 +16,6 @@ if TYPE_CHECKING:
     from tfloom.rmw.base import EndpointInfo
 
 __all__ = ["TopicEndpointInfo", "TopicEndpointTypeEnum"]
-
-UNKNOWN_NODE_NAME = "_NODE_NAME_UNKNOWN_"
-UNKNOWN_NODE_NAMESPACE = "_NODE_NAMESPACE_UNKNOWN_"
 
 
 class TopicEndpointTypeEnum(IntEnum):
@@ -81,7 +79,7 @@ class TopicEndpointInfo:
     @classmethod
     def from_graph(cls, info: EndpointInfo) -> Self:
         """Return the description of an endpoint of the graph."""
-        node = info.node or NodeName(UNKNOWN_NODE_NAMESPACE, UNKNOWN_NODE_NAME)
+        node = info.node or UNKNOWN_NODE
         kinds = TopicEndpointTypeEnum
         return cls(
             node_name=node.name,
@@ -102,23 +100,11 @@ class TopicEndpointInfo:
         return hash((tuple(self.endpoint_gid), self.endpoint_type))
 
     def __str__(self) -> str:
-        gid = ".".join(f"{octet:02x}" for octet in self.endpoint_gid)
-        profile = self.qos_profile
-        return "\n".join(
-            [
-                f"Node name: {self.node_name}",
-                f"Node namespace: {self.node_namespace}",
-                f"Topic type: {self.topic_type}",
-                f"Topic type hash: {self.topic_type_hash}",
-                f"Endpoint type: {self.endpoint_type.name}",
-                f"GID: {gid}",
-                "QoS profile:",
-                f"  Reliability: {profile.reliability.name}",
-                f"  History (Depth): {profile.history_text()}",
-                f"  Durability: {profile.durability.name}",
-                f"  Lifespan: {profile.lifespan}",
-                f"  Deadline: {profile.deadline}",
-                f"  Liveliness: {profile.liveliness.name}",
-                f"  Liveliness lease duration: {profile.liveliness_lease_duration}",
-            ]
+        return endpoint_text(
+            NodeName(self.node_namespace, self.node_name),
+            self.topic_type,
+            str(self.topic_type_hash),
+            self.endpoint_type.name,
+            self.endpoint_gid,
+            self.qos_profile.as_stated(),
         )

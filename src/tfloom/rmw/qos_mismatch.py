@@ -1,27 +1,23 @@
-"""The warning about two endpoints of a topic whose QoS is incompatible."""
+"""The warning about a writer and a reader that don't connect because of their qualities of service."""
 
 from __future__ import annotations
 
-from tfloom.node.qos.qos import qos_policy_name_from_kind
-from tfloom.node.values.constants import S_TO_NS
 from tfloom.rmw.base import EndpointInfo, Graph
 from tfloom.rmw.compatibility import incompatible_policies
 from tfloom.rmw.events import IncompatibleQoS
 from tfloom.rmw.qos import INFINITE_NS, QoS
 
-__all__ = ["mismatch_text"]
-
 
 def mismatch_text(
     status: IncompatibleQoS, topic_name: str, gid: bytes, graph: Graph, *, is_publisher: bool
 ) -> str:
-    """Return the warning of a publisher or subscription, with the QoS of both sides.
+    """Return the warning of a publisher or subscription, with the policies of both sides.
 
     Args:
-        status: Status of the event.
+        status: The status of the event.
         topic_name: Fully qualified name of the topic.
-        gid: Global id of the endpoint that warns, 16 octets.
-        graph: Graph in which the other endpoints are looked up.
+        gid: 16 octets of the endpoint that warns.
+        graph: The graph to look up the other endpoints in.
         is_publisher: Whether the endpoint that warns is the publisher.
     """
     peer, verb, consequence = (
@@ -29,7 +25,7 @@ def mismatch_text(
         if is_publisher
         else ("publisher", "offering", "No messages will be received from it")
     )
-    policy = qos_policy_name_from_kind(status.last_policy_kind)
+    policy = status.last_policy_kind.name
     return (
         f"New {peer} discovered on topic '{topic_name}', {verb} incompatible QoS. {consequence}. "
         f"Last incompatible policy: {policy}{_both_sides(topic_name, gid, graph, is_publisher)}"
@@ -55,7 +51,7 @@ def _differences(mine: EndpointInfo, peer: EndpointInfo, is_publisher: bool) -> 
 
 
 def _show(qos: QoS, other: QoS, policy: str) -> str:
-    """Return a policy of one end, with what sets it apart from the other's."""
+    """Return a policy of one endpoint, with its difference from the other's."""
     if policy == "DEADLINE":
         return f"DEADLINE of {_seconds(qos.deadline_ns)}" if qos.deadline_ns < INFINITE_NS else "no DEADLINE"
     text = f"{policy} {getattr(qos, policy.lower()).name}"
@@ -68,4 +64,4 @@ def _show(qos: QoS, other: QoS, policy: str) -> str:
 
 
 def _seconds(nanoseconds: int) -> str:
-    return f"{nanoseconds / S_TO_NS:g} s"
+    return f"{nanoseconds / 1e9:g} s"

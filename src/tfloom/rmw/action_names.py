@@ -1,0 +1,33 @@
+"""The services and topics that an action is made of, and the ids of goals."""
+
+from __future__ import annotations
+
+import os
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from tfloom.interfaces.unique_identifier_msgs.msg import UUID
+
+SEND_GOAL = "/_action/send_goal"
+CANCEL_GOAL = "/_action/cancel_goal"
+GET_RESULT = "/_action/get_result"
+FEEDBACK = "/_action/feedback"
+STATUS = "/_action/status"
+
+SEND_GOAL_TYPE = "_SendGoal"
+"""Suffix of the action's type name in the type name of its `SEND_GOAL` service."""
+
+
+def new_goal_id() -> UUID:
+    """Return a random id, a UUID of version 4."""
+    from tfloom.interfaces.unique_identifier_msgs.msg import UUID
+
+    octets = bytearray(os.urandom(16))
+    octets[6] = octets[6] & 0x0F | 0x40
+    octets[8] = octets[8] & 0x3F | 0x80
+    return UUID(uuid=list(octets))
+
+
+def key_of(goal_id: UUID) -> bytes:
+    """Return an id as 16 octets."""
+    return bytes(bytearray(goal_id.uuid))

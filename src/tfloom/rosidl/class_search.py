@@ -1,0 +1,108 @@
+"""The class of a type name: from the table, from a Python module, or made from a definition."""
+
+from __future__ import annotations
+
+from tfloom.rosidl import class_table
+from tfloom.rosidl.service import Action, Service
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any, TypeVar
+
+    T = TypeVar("T")
+
+
+class UnknownTypeError(LookupError):
+    """There is no interface of this name."""
+
+
+def find_class(name: str) -> Any:
+    """Return the class of a message, service or action by its whole name.
+
+    Raises:
+        LookupError: there is none; the text has the nearest name that exists.
+        ParseError: its definition can't be parsed.
+    """
+    found = class_table.find(name)
+    if found is None:
+        found = _find_by_definition(name)
+        if found is None:
+            raise UnknownTypeError(f"there is no {_word(name)} type '{name}'{_nearest(name)}")
+        class_table.register(name, found)
+    return found
+
+
+def find_class_of_kind(name: str, kind: str, base: type[T]) -> type[T]:
+    """Return the class of `package/kind/Name`, or of `package/Name` for short.
+
+    Args:
+        name: The type's name.
+        kind: What a short name leaves out: msg, srv or action.
+        base: The base class of this kind.
+
+    Raises:
+        LookupError: there is none, or it is of another kind.
+        ParseError: its definition can't be parsed.
+    """
+    found: type[T] = find_class(name.replace("/", f"/{kind}/") if name.count("/") == 1 else name)
+    if issubclass(found, base):
+        return found
+    other = next(each for each in (class_table.message_base(), Service, Action) if issubclass(found, each))
+    raise LookupError(f"'{name}' is no {base.__name__.lower()} type but a {other.__name__.lower()} type")
+
+
+def find_field_class(name: str) -> type[Any]:
+    """Return the class of a field's type that is a message.
+
+    Raises:
+        LookupError, ParseError: as `find_class_of_kind`.
+    """
+    return find_class_of_kind(name, "msg", class_table.message_base())
+
+
+def _find_by_definition(name: str) -> Any:
+    parts = name.split("/")
+    if len(parts) != 3 or not all(part.isidentifier() for part in parts):
+        return None
+
+    from tfloom.rosidl import class_factory, sources
+
+    definition = sources.definition_name(name)
+    if sources.find_source(definition) is None:
+        return None
+    if (
+        definition != name
+    ):  # a part of a class that may exist, so that loading its definition would make a second one
+        return _part(find_class(definition), name)
+    with class_factory.LOCK:  # one class for all threads
+        if class_table.registered(name) is None:
+            class_factory.load(definition)
+        return class_table.registered(name)
+
+
+def _part(owner: type[Any], name: str) -> Any:
+    """Return the class of this type name among the parts of a service or action, or None."""
+    for each in vars(owner).values():
+        if not isinstance(each, type) or each.__qualname__ == owner.__qualname__:
+            continue
+        if getattr(each, "_TYPE_NAME", None) == name:
+            return each
+        if (found := _part(each, name)) is not None:
+            return found
+    return None
+
+
+def _word(name: str) -> str:
+    parts = name.split("/")
+    return {"srv": "service", "action": "action"}.get(parts[1] if len(parts) == 3 else "", "message")
+
+
+def _nearest(name: str) -> str:
+    import difflib
+
+    from tfloom.rosidl.definition_files import KINDS, interface_names
+
+    known = [each for kind in KINDS for each in interface_names(kind)]
+    base = name.rpartition("/")[2]
+    close = [each for each in known if each.endswith(f"/{base}")] or difflib.get_close_matches(name, known, 1)
+    return f"; did you mean '{close[0]}'?" if close else ""

@@ -1,0 +1,93 @@
+"""Interface classes by type name: the table that all other modules about classes import.
+
+`message` passes its base class to `set_message_base` instead of being imported here: the first use of a message class
+compiles its fields, which may make another class from a definition, so `message` itself imports the class factory.
+"""
+
+from __future__ import annotations
+
+import sys
+
+from tfloom._native import MessageBase
+from tfloom.rosidl.service import Action, Service
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import Any, ClassVar, Protocol
+
+    from tfloom._native import Plan
+    from tfloom.rosidl.spec import Value
+
+    class MessageClass(Protocol):
+        """What every message class states about its type; `message.Message` documents each."""
+
+        _TYPE_NAME: ClassVar[str]
+        _FIELDS: ClassVar[dict[str, str]]
+        _DEFAULTS: ClassVar[dict[str, Value]]
+        _PLAN: ClassVar[Plan | None]
+
+
+_classes: dict[str, Any] = {}
+_bases: dict[str, type[Any]] = {"msg": MessageBase}
+
+
+def set_message_base(cls: type[Any]) -> None:
+    """Set what message classes made at run time derive from."""
+    _bases["msg"] = cls
+
+
+def message_base() -> type[Any]:
+    """Return what message classes made at run time derive from."""
+    return _bases["msg"]
+
+
+def register(name: str, cls: type[Any]) -> None:
+    """Enter a class under a name."""
+    _classes[name] = cls
+
+
+def registered(name: str) -> Any:
+    """Return the class entered under a name, or None."""
+    return _classes.get(name)
+
+
+def forget(name: str) -> None:
+    """Remove the class of a name, and those of its parts."""
+    for known in [each for each in _classes if each == name or each.startswith(f"{name}_")]:
+        del _classes[known]
+
+
+def find(name: str) -> Any:
+    """Return the class of `package/kind/Name` that is entered, or that a Python module holds, or None.
+
+    Modules are `tfloom.interfaces.package.kind` and `package.kind`, in this order.
+    """
+    found = _classes.get(name)
+    if found is None:
+        found = _find_in_modules(name)
+        if found is not None:
+            _classes[name] = found
+    return found
+
+
+def _find_in_modules(name: str) -> Any:
+    parts = name.split("/")
+    if len(parts) != 3 or not all(part.isidentifier() for part in parts):
+        return None
+    package, kind, base = parts
+    for module_name in (f"tfloom.interfaces.{package}.{kind}", f"{package}.{kind}"):
+        found = getattr(_import(module_name), base, None)
+        if isinstance(found, type) and issubclass(found, (MessageBase, Service, Action)):
+            return found
+    return None
+
+
+def _import(module_name: str) -> Any:
+    """Import a module; return None if it or its package is missing. What fails inside it is raised."""
+    try:
+        __import__(module_name)
+    except ModuleNotFoundError as error:
+        if error.name is None or not module_name.startswith(error.name):
+            raise
+        return None
+    return sys.modules[module_name]

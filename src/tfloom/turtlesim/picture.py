@@ -1,0 +1,97 @@
+"""Raster pictures. The only file that imports Pillow."""
+
+from __future__ import annotations
+
+import io
+import math
+from pathlib import Path
+from typing import Any, TypeAlias
+
+from PIL import Image, ImageDraw
+
+Color: TypeAlias = tuple[int, int, int]
+Point: TypeAlias = tuple[float, float]
+Box: TypeAlias = tuple[int, int, int, int]
+"""Left, top, right and bottom [px]; right and bottom are outside."""
+Picture: TypeAlias = Image.Image
+
+CLEAR = (0, 0, 0, 0)
+OPAQUE = 255
+
+
+def plain(side_px: int, color: Color) -> Picture:
+    """Return a square RGB picture of one colour."""
+    return Image.new("RGB", (side_px, side_px), color)
+
+
+def from_rgb(pixels: bytes, side_px: int) -> Picture:
+    """Return a square RGB picture of the pixels that `Picture.tobytes` gave."""
+    return Image.frombytes("RGB", (side_px, side_px), pixels)
+
+
+def to_png(picture: Picture) -> bytes:
+    """Return a picture as the bytes of a PNG file."""
+    file = io.BytesIO()
+    picture.save(file, "PNG")
+    return file.getvalue()
+
+
+def save(picture: Picture, path: Path, **options: Any) -> None:
+    """Write a picture to a file, in the format of the file's ending.
+
+    Raises:
+        OSError: it can't be written.
+    """
+    picture.save(path, **options)
+
+
+class Ink:
+    """A square transparent picture to draw on, in opaque colours.
+
+    Args:
+        side_px: Width and height.
+    """
+
+    def __init__(self, side_px: int) -> None:
+        self._image = Image.new("RGBA", (side_px, side_px))
+        self._draw = ImageDraw.Draw(self._image)
+
+    def clear(self) -> None:
+        """Make all of it transparent."""
+        self._image.paste(CLEAR, (0, 0, *self._image.size))
+
+    def line(self, ends: list[Point], color: Color, width_px: int) -> None:
+        """Draw a line with round ends."""
+        fill = (*color, OPAQUE)
+        self._draw.line(ends, fill, width_px)
+        radius = width_px / 2
+        for x, y in ends:
+            self._draw.ellipse((x - radius, y - radius, x + radius, y + radius), fill)
+
+    def polygon(self, points: list[Point], color: Color) -> None:
+        """Fill a polygon."""
+        self._draw.polygon(points, fill=(*color, OPAQUE))
+
+    def color_at(self, x: int, y: int) -> Color | None:
+        """Return the colour of a pixel, or None where it is transparent."""
+        pixel = self._image.getpixel((x, y))
+        if not isinstance(pixel, tuple) or pixel[3] == 0:
+            return None
+        red, green, blue, _ = pixel
+        return red, green, blue
+
+    def reduced(self, factor: int) -> Picture:
+        """Return the whole, smaller by a whole factor."""
+        return self._image.reduce(factor)
+
+    def lay_onto(self, ground: Picture, part: Box, background: Color) -> None:
+        """Replace a part of `ground`, in its own pixels, by the ink there, scaled, on `background`."""
+        ratio = self._image.width / ground.width
+        left, top, right, bottom = part
+        x, y = int(left * ratio), int(top * ratio)
+        # The part alone, because resize() would first copy all of an image with transparency.
+        ink = self._image.crop((x, y, math.ceil(right * ratio), math.ceil(bottom * ratio)))
+        source = (left * ratio - x, top * ratio - y, right * ratio - x, bottom * ratio - y)
+        ink = ink.resize((right - left, bottom - top), Image.Resampling.BOX, source)
+        ground.paste(background, part)
+        ground.paste(ink, (left, top), ink)

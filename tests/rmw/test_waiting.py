@@ -1,0 +1,83 @@
+"""Waits for a server: what wakes them, and what ends them."""
+
+from __future__ import annotations
+
+import math
+import threading
+import time
+from collections.abc import Iterator
+
+import pytest
+
+from tfloom._native import ReadyQueue
+from tfloom.rmw import local
+from tfloom.rmw.base import NodeName, Participant, Service
+from tfloom.rmw.qos import QoS
+from tfloom.rmw.waiting import wait_for_token, wait_until_ready
+
+KILL = Service("/kill", "turtlesim/srv/Kill")
+NODE = NodeName("/", "node")
+
+
+@pytest.fixture
+def participant(domain_id: int) -> Iterator[Participant]:
+    participant = local.open_participant(domain_id)
+    participant.add_node(NODE)
+    yield participant
+    participant.close()
+
+
+def test_a_server_that_comes_ends_the_wait(participant: Participant) -> None:
+    client = participant.create_requester(NODE, KILL, QoS())
+    looks: list[bool] = []
+
+    def is_ready() -> bool:
+        looks.append(client.is_ready())
+        if len(looks) == 1:
+            threading.Thread(target=participant.create_responder, args=(NODE, KILL, QoS())).start()
+        return looks[-1]
+
+    # Looks an hour apart: it's the match that wakes the wait.
+    assert wait_until_ready(client, is_ready, time.monotonic() + 60, look_again_s=3600)
+    assert looks[0] is False
+    assert looks[-1] is True
+
+
+def test_the_end_of_the_time_ends_the_wait(participant: Participant) -> None:
+    client = participant.create_requester(NODE, KILL, QoS())
+    looks: list[bool] = []
+    is_ready = lambda: bool(looks.append(False))  # noqa: E731
+    assert not wait_until_ready(client, is_ready, time.monotonic())
+    assert looks == [False]
+
+
+def test_a_queue_of_the_callers_wakes_the_wait_to_end_it(participant: Participant) -> None:
+    client = participant.create_requester(NODE, KILL, QoS())
+    queue, closed = ReadyQueue(), threading.Event()
+
+    def is_ready() -> bool:
+        closed.set()
+        queue.post(7)
+        return False
+
+    is_open = lambda: not closed.is_set()  # noqa: E731
+    assert not wait_until_ready(client, is_ready, queue=queue, is_open=is_open, look_again_s=3600)
+
+
+def test_what_the_question_raises_ends_the_wait(participant: Participant) -> None:
+    client = participant.create_requester(NODE, KILL, QoS())
+
+    def is_ready() -> bool:
+        raise LookupError("no such thing")
+
+    with pytest.raises(LookupError, match="no such thing"):
+        wait_until_ready(client, is_ready)
+
+
+def test_a_token_ends_an_endless_wait() -> None:
+    queue = ReadyQueue()
+    queue.post(1)
+    wait_for_token(queue, math.inf)
+    queue.post(2)
+    wait_for_token(queue, time.monotonic() - 1)
+    assert queue.wait(0) == [2]  # the time was over: nothing was waited for
