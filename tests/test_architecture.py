@@ -126,7 +126,7 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
         },
         [
             "rmw/x.py:1 imports cyclonedds, a library that has no door",
-            "rmw/x.py:2 imports PIL; its one door is turtlesim/",
+            "rmw/x.py:2 imports PIL; its one door is turtlesim/picture.py",
             "tf2_tools/show.py:1 imports pygame; its one door is turtlesim/window.py",
         ],
     ),
