@@ -109,6 +109,20 @@ def _log_directory(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
         yield
 
 
+@pytest.fixture(autouse=True)
+def _signal_handlers() -> Iterator[None]:
+    """Give SIGINT and SIGTERM back to what handled them before the test.
+
+    Programs and commands that run in this process leave their handlers, and `init` takes its own for the previous.
+    """
+    before = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)}
+    yield
+    if (node := sys.modules.get("tfloom.node")) is not None:
+        node.uninstall_signal_handlers()
+    for number, handler in before.items():
+        signal.signal(number, handler)
+
+
 @contextmanager
 def hold_domain() -> Iterator[int]:
     """Hold a DDS domain that no other test on this machine uses, and set ROS_DOMAIN_ID to it.

@@ -51,6 +51,7 @@ def waited(changes_s: list[float], most_s: float, whole_from: int = 0) -> float:
     return duration
 
 
+@pytest.mark.timing
 @pytest.mark.parametrize(
     ("changes_s", "most_s", "at_least_s"),
     [
@@ -68,6 +69,7 @@ def test_it_waits_until_nothing_new_comes(changes_s: list[float], most_s: float,
     assert at_least_s <= duration < at_least_s + 0.4 + graph.LATE_MOST_S
 
 
+@pytest.mark.timing
 @pytest.mark.parametrize(
     ("changes_s", "most_s", "at_least_s"),
     [([0.6], 5.0, 0.6), ([], 5.0, graph.LEAST_S + graph.PATIENCE_S), ([], 0.4, 0.4)],

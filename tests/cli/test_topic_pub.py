@@ -85,6 +85,7 @@ def test_a_rate_that_is_none_is_told(domain_id: int) -> None:
     assert (answer.exit_code, answer.text) == (1, "rate must be greater than zero")
 
 
+@pytest.mark.timing
 def test_the_rate_is_kept(domain_id: int, start_program: Callable[..., object]) -> None:
     start = time.monotonic()
     program = start_program(

@@ -30,6 +30,7 @@ def listen(domain_id: int, start_program: Callable[..., Program]) -> Callable[..
     return start
 
 
+@pytest.mark.timing
 def test_hz_has_the_recorded_form(listen: Callable[..., object]) -> None:
     program = listen("hz")
     recorded = transcript.golden("topic_hz").text.splitlines()[:2]

@@ -60,7 +60,7 @@ def spin_until(executor: SingleThreadedExecutor) -> Callable[..., None]:
     """Spin until a condition holds; fail the test when it stays false."""
     import time
 
-    def spin(condition: Callable[[], object], timeout_s: float = 10.0) -> None:
+    def spin(condition: Callable[[], object], timeout_s: float = 30.0) -> None:
         end = time.monotonic() + timeout_s
         while not condition():
             if time.monotonic() > end:

@@ -111,7 +111,7 @@ def test_another_thread_cannot_spin_it_meanwhile(node: Node, context: Context) -
         node.create_timer(0.0, begun.set)
         thread = threading.Thread(target=executor.spin)
         thread.start()
-        assert begun.wait(10)
+        assert begun.wait(30)
         for spin in (
             executor.spin,
             executor.spin_once,

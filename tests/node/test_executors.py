@@ -209,6 +209,7 @@ def test_a_reentrant_group_lets_async_callbacks_overlap(
     gate.set_result(None)
 
 
+@pytest.mark.timing
 def test_a_waiting_coroutine_takes_no_time(node: Node, executor: SingleThreadedExecutor) -> None:
     gate: Future[None] = Future(executor=executor)
 
@@ -294,7 +295,7 @@ def test_two_threads_cannot_spin_one_executor(context: Context, node: Node) -> N
 
         thread = threading.Thread(target=spin)
         thread.start()
-        assert spinning.wait(10)
+        assert spinning.wait(30)
         with pytest.raises(RuntimeError, match="already spinning"):  # noqa: PT012
             while True:
                 executor.spin_once(timeout_sec=0)
@@ -308,7 +309,7 @@ def test_threads_run_what_groups_allow(context: Context, node: Node) -> None:
     for future in done:
 
         def callback(future: Future[bool] = future) -> None:
-            together.wait(10)
+            together.wait(30)
             future.set_result(True)
 
         node.create_timer(0.001, callback, MutuallyExclusiveCallbackGroup())

@@ -70,7 +70,7 @@ def test_spin_once_returns_after_a_response(
         thread = threading.Thread(target=spin)
         thread.start()
         executor.spin_once(timeout_sec=5)
-        assert returned.wait(10)
+        assert returned.wait(30)
         assert future.result().sum == 5
         thread.join()
 

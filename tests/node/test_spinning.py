@@ -118,11 +118,11 @@ def test_what_a_callback_destroys_runs_no_more(node: Node, executor: Executor) -
     numbers_into(node, lambda _: ran.append("message"), 3)
     executor.add_node(node)
     spinning = Spinning(executor)
-    assert finished.wait(20)
+    assert finished.wait(30)
     before = len(ran)
     guard.trigger()
     finished.clear()
-    assert finished.wait(20)
+    assert finished.wait(30)
     assert len(ran) == before
     executor.shutdown(10)
     assert spinning.join() is None
@@ -138,7 +138,7 @@ def test_a_callback_may_destroy_its_own_node(node: Node, executor: Executor) -> 
     node.create_timer(0.0, end)
     executor.add_node(node)
     spinning = Spinning(executor)
-    assert done.wait(20)
+    assert done.wait(30)
     wait_until(lambda: executor.get_nodes() == [])
     executor.shutdown(10)
     assert spinning.join() is None
@@ -434,7 +434,7 @@ def test_shutting_the_context_down_ends_a_spin(context: Context, node: Node, exe
     node.create_timer(0.0, begun.set)
     executor.add_node(node)
     spinning = Spinning(executor)
-    assert begun.wait(20)
+    assert begun.wait(30)
     context.shutdown()
     assert isinstance(spinning.join(), ExternalShutdownException | None)
 
@@ -459,6 +459,7 @@ def test_two_contexts_spin_side_by_side(context: Context, make_node: Callable[..
             spins[1].join()
 
 
+@pytest.mark.timing
 def test_an_idle_node_takes_no_time(node: Node, executor: Executor) -> None:
     executor.add_node(node)
     node.create_subscription(Int32, "numbers", lambda _: None, 10)

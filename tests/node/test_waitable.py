@@ -240,6 +240,7 @@ def test_an_error_in_a_waitable_comes_out_of_spin(node: Node, executor: Executor
         executor.spin()
 
 
+@pytest.mark.timing
 def test_it_takes_no_time_while_it_waits(node: Node, executor: Executor) -> None:
     guard = _rclpy.GuardCondition(node.context)
     node.add_waitable(Collects("guard_condition", guard, lambda: 1))

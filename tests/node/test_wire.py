@@ -64,7 +64,7 @@ def test_topics_services_and_names_pass(
         (info,) = node.get_publishers_info_by_topic("/chatter")
         assert (info.node_namespace, info.node_name) == ("/there", "server")
         program.signal(signal.SIGTERM)
-        assert program.wait(20) == 0, program.output
+        assert program.wait() == 0, program.output
         for _ in range(1000):
             if not client.service_is_ready():
                 break

@@ -24,5 +24,5 @@ keep = AtTheVeryEnd()
 @pytest.mark.parametrize("turn", range(3))
 def test_a_waiting_daemon_thread_does_not_abort_the_process(start_program, turn: int) -> None:
     program = start_program("python", "-c", WAITS_AT_THE_END)
-    assert program.wait(10) == 0, program.output
+    assert program.wait() == 0, program.output
     assert program.output == ""

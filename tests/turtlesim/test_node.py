@@ -46,6 +46,7 @@ def test_it_starts_with_the_reference_s_lines(
     assert lines == [masked(line) for line in GOLDEN.read_text().splitlines()[2:4]]
 
 
+@pytest.mark.timing
 def test_poses(stage: Any) -> None:
     poses = poses_of(stage)
     started = time.monotonic()
