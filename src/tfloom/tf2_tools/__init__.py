@@ -1,1 +1,1 @@
-"""The programs of tf2: they print, watch, draw, serve and publish transforms."""
+"""The programs of tf2: printing, monitoring, drawing, serving and publishing transforms."""

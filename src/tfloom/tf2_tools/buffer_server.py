@@ -24,12 +24,12 @@ LONGEST_S = 9e9
 
 
 class TfBuffer(Node):
-    """Listens to /tf and /tf_static, and serves the action `tf2_buffer_server`.
+    """Subscribes to /tf and /tf_static, and serves the action `tf2_buffer_server`.
 
     The parameter `buffer_size` is how far back each frame's history reaches [s].
 
     Raises:
-        InvalidParameterValueException: `buffer_size` is no length of time.
+        InvalidParameterValueException: `buffer_size` is not a valid duration.
     """
 
     def __init__(self) -> None:

@@ -29,9 +29,9 @@ Default echo rate is 1 if echo_rate is not given."""  # noqa: W291  # as the ref
 
 NO_NUMBER = 2
 TRAILING_TEXT = 3
-"""Exit codes for a rate that is no number, and for one with something after the number."""
+"""Exit codes for a rate that is not a number, and for one with text after the number."""
 POLL_S = 0.05
-"""How long a wait may last before it looks whether the program is to end."""
+"""How long a wait may last before it checks for shutdown."""
 
 _NUMBER = re.compile(
     r"\s*[-+]?(?:\d+\.?\d*(?:e[-+]?\d+)?|\.\d+(?:e[-+]?\d+)?|inf(?:inity)?|nan)", re.IGNORECASE
@@ -39,7 +39,7 @@ _NUMBER = re.compile(
 
 
 class RateError(ValueError):
-    """The echo rate makes no sense."""
+    """The echo rate is invalid."""
 
     def __init__(self, text: str, exit_code: int) -> None:
         super().__init__(text)
@@ -50,7 +50,7 @@ def parse_rate(text: str) -> float:
     """Return an echo rate [Hz].
 
     Raises:
-        RateError: `text` is no number, has something after the number, or the number is not above zero.
+        RateError: `text` is not a number, has text after the number, or the number is not above zero.
     """
     match = _NUMBER.match(text)
     if match is None or match.end() < len(text):
@@ -63,12 +63,12 @@ def parse_rate(text: str) -> float:
 
 
 class Echo:
-    """Prints source_from_target from what a node hears on /tf and /tf_static.
+    """Prints source_from_target from a node's subscriptions to /tf and /tf_static.
 
     Args:
-        node: Listens, and logs while there is nothing to print.
+        node: The node that subscribes, and logs while there is nothing to print.
         source_frame: Frame to express the transform in.
-        target_frame: Frame whose place is printed.
+        target_frame: Frame whose pose is printed.
     """
 
     def __init__(self, node: Node, source_frame: str, target_frame: str) -> None:
@@ -78,7 +78,7 @@ class Echo:
         self._listener = TransformListener(self._buffer, node, spin_thread=True)
 
     def run(self, rate_hz: float) -> None:
-        """Wait until the transform is known, then print it at this rate until shutdown."""
+        """Wait until the transform is available, then print it at this rate until shutdown."""
         self._wait()
         due = time.monotonic()
         while ok():
@@ -119,7 +119,7 @@ class Echo:
 
 
 def main(args: list[str] | None = None) -> int:
-    """Echo the transform that the command line asks for until stopped; return the exit code."""
+    """Echo the transform of the command line until stopped; return the exit code."""
     args = sys.argv[1:] if args is None else args
     words = remove_ros_args(args)
     if len(words) not in {2, 3}:

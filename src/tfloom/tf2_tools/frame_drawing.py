@@ -1,4 +1,4 @@
-"""A tf tree as a PDF: frames as boxes, each transform as an arrow with a card that says who sends it and how often.
+"""A tf tree as a PDF: frames as boxes, each transform as an arrow with a card of its publisher and rate.
 
 Sizes are in points of 1/72 inch; y grows upwards, as in PDF.
 """
@@ -17,7 +17,7 @@ from tfloom.tf2_tools.page_fonts import Font, printable
 from tfloom.tf2_tools.tree_layout import Layout, Size, arrange
 
 PAGE_LIMIT = 14_400.0
-"""The longest side that PDF readers agree to show."""
+"""The longest side that PDF readers support."""
 MARGIN = 28.0
 ARROW = 13.0
 CARD_PADDING = 5.0
@@ -47,7 +47,7 @@ def draw_frames(records: Sequence[FrameRecord], recorded_at: float, path: Path) 
     """Write a PDF of one page, as large as the tree needs.
 
     Args:
-        records: The frames; none gives a page that says so.
+        records: The frames; if empty, the page has a note instead.
         recorded_at: When they were gathered [s since epoch].
         path: File to write.
 
@@ -71,7 +71,7 @@ def wrapped(name: str, limit: int = NAME_LIMIT) -> list[str]:
 
 
 class _Box:
-    """A frame's name, broken into lines, and the room that it takes."""
+    """A frame's name, broken into lines, and the size of its box."""
 
     def __init__(self, frame: str) -> None:
         self.lines = wrapped(printable(frame))
@@ -80,7 +80,7 @@ class _Box:
 
 
 class _Card:
-    """What is said of one transform, in two columns."""
+    """The card of one transform, in two columns."""
 
     def __init__(self, record: FrameRecord) -> None:
         self.rows: list[tuple[str, str]] = []
@@ -106,7 +106,7 @@ class _Drawing:
         self.tree_width, self.tree_height = (depth, breadth) if sideways else (breadth, depth)
 
     def unwieldiness(self) -> float:
-        """Return the picture's longer side; what grows downwards, as trees do, may be half as long again."""
+        """Return the picture's longer side, with a bonus of half for a tree that grows downwards."""
         return max(self.tree_width, self.tree_height) * (1.5 if self.sideways else 1.0)
 
     def _arrange(self) -> Layout:
@@ -116,7 +116,7 @@ class _Drawing:
         return arrange(self.parents, sizes, sibling_gap=SIBLING_GAP, generation_gap=GENERATION_GAP)
 
     def _cell_size(self, frame: str, *, is_loop: bool) -> Size:
-        """Return the room for a frame with its card before it, and before that, in a loop, its parent again."""
+        """Return the size of a frame with its card before it, and before that, in a loop, its parent again."""
         parts: list[_Box | _Card] = [self.boxes[frame]]
         if frame in self.cards:
             parts.append(self.cards[frame])
@@ -153,7 +153,7 @@ class _Drawing:
         return part.width if self.sideways else part.height
 
     def _parts(self, frame: str) -> list[tuple[_Box | _Card, float, str]]:
-        """Return what stands at a frame, from its parent's side: part, depth at which it begins, style."""
+        """Return the parts at a frame, from its parent's side: part, depth at which it begins, style."""
         column: list[tuple[_Box | _Card, str]] = []
         if frame in self.layout.loop_starts:
             column.append((self.boxes[self.parents[frame]], "loop"))
@@ -187,7 +187,7 @@ class _Drawing:
     def _draw_curve(
         self, canvas: Canvas, depth: float, breadth: float, to_depth: float, to_breadth: float
     ) -> None:
-        # A shallow parent's box ends before its generation does: go straight until there is room to bend.
+        # Straight until there is room to bend, because a shallow parent's box ends before its generation does.
         bend = to_depth - GENERATION_GAP
         middle = to_depth - GENERATION_GAP / 2
         path = canvas.beginPath()
@@ -249,7 +249,7 @@ def _draw_box(
 
 
 def _draw_card(canvas: Canvas, card: _Card, x: float, y: float) -> None:
-    """Draw what is said of a transform, from the upper left corner x, y."""
+    """Draw the card of a transform, from the upper left corner x, y."""
     canvas.setFillColor(white)
     canvas.setStrokeColor(HAIRLINE)
     canvas.setLineWidth(0.7)
@@ -263,7 +263,7 @@ def _draw_card(canvas: Canvas, card: _Card, x: float, y: float) -> None:
 
 
 class _Legend:
-    """The page's title, when its data was recorded, and what its lines mean."""
+    """The page's title, time of recording and legend."""
 
     def __init__(self, recorded_at: float, *, loops: bool, empty: bool) -> None:
         self.lines = [f"Recorded at time: {recorded_at}"]

@@ -1,4 +1,4 @@
-"""What a buffer tells of its frames: read from its YAML text, written as a Graphviz graph."""
+"""A buffer's frames: read from its YAML text, written as a Graphviz graph."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class FrameRecord(NamedTuple):
     parent: str
     broadcaster: str
     rate: float
-    """Transforms a second [Hz]; 10000 where there has been one alone, or a static one."""
+    """Transforms a second [Hz]; 10000 for a single one, or a static one."""
     most_recent: float
     """Newest stamp [s since epoch]; 0 if static."""
     oldest: float
@@ -26,11 +26,11 @@ class FrameRecord(NamedTuple):
 
     @property
     def is_static(self) -> bool:
-        """Whether the transform holds for all time."""
+        """Whether the transform is static."""
         return self.most_recent == 0.0 and self.oldest == 0.0
 
     def label(self) -> list[tuple[str, str]]:
-        """Return what a drawing says of the transform, as names and values."""
+        """Return the properties of the transform for a drawing, as names and values."""
         return [
             ("Broadcaster", self.broadcaster),
             ("Average rate", str(self.rate)),
@@ -40,7 +40,7 @@ class FrameRecord(NamedTuple):
         ]
 
 
-# No YAML parser reads every frame id back: `yes`, `1.0` or `it's` would come out as something else.
+# Not by a YAML parser, because frame ids such as `yes`, `1.0` or `it's` would change.
 _RECORD = re.compile(
     r"(?P<child>.*?): \n"
     r"  parent: '(?P<parent>.*?)'\n"
@@ -56,10 +56,10 @@ _NUMBERS = ("rate", "most_recent", "oldest", "buffer_length")
 
 
 def parse_frames_yaml(text: str) -> list[FrameRecord]:
-    """Read what `all_frames_as_yaml` wrote; text without a frame, `[]` or nothing, gives none.
+    """Read what `all_frames_as_yaml` wrote; text without a frame, `[]` or an empty one, has none.
 
     Raises:
-        ValueError: the text is neither, or a number in it is none.
+        ValueError: the text is neither, or a number in it is invalid.
     """
     if text.strip() in {"", "[]"}:
         return []
@@ -84,10 +84,10 @@ def parents_of(records: Iterable[FrameRecord]) -> dict[str, str]:
 
 
 def write_gv(records: list[FrameRecord], recorded_at: float) -> str:
-    """Write the frames in Graphviz's language.
+    """Return the frames in Graphviz's language.
 
     Args:
-        records: The frames; none gives a graph that says so.
+        records: The frames; if empty, the graph has a note instead.
         recorded_at: When they were gathered [s since epoch].
     """
     if not records:

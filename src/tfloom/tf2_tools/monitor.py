@@ -1,4 +1,4 @@
-"""tf2_monitor: how old transforms are when they come, and how often they come, every ten seconds."""
+"""tf2_monitor: the delays and rates of transforms, every ten seconds."""
 
 from __future__ import annotations
 
@@ -26,25 +26,25 @@ USAGE = "TF_Monitor: usage: tf2_monitor framea frameb"
 WRONG_USAGE = 255
 """Exit code; the reference returns -1."""
 AUTHORITY = "<no authority available>"
-"""What stands for the publisher, whom a message doesn't name."""
+"""Shown as the publisher, because messages don't name theirs."""
 ROUNDS = 21
 ROUND_S = 0.5
-"""Results are printed after so many rounds of this length [s]."""
+"""Results are printed after this many rounds of this length [s]."""
 MOST_SAMPLES = 1000
 LOW_PASS = 0.01
 LEAST_SPAN_S = 1e-8
-"""A rate is told as if its messages came over this time at least [s]."""
+"""The least time over which a rate is computed [s]."""
 DEPTH = 100
 
 
 class Delays:
-    """The last thousand delays of something [s]."""
+    """The last thousand delays of a frame or publisher [s]."""
 
     def __init__(self) -> None:
         self._samples: deque[float] = deque(maxlen=MOST_SAMPLES)
 
     def add(self, delay_s: float) -> None:
-        """Take one in."""
+        """Add a delay."""
         self._samples.append(delay_s)
 
     @property
@@ -67,14 +67,14 @@ class NetDelay:
         self._is_empty = True
 
     def add(self, delay_s: float) -> None:
-        """Take one more look in."""
+        """Add a sample."""
         self.average_s = delay_s if self._is_empty else LOW_PASS * delay_s + (1.0 - LOW_PASS) * self.average_s
         self.greatest_s = max(self.greatest_s, delay_s)
         self._is_empty = False
 
 
 class Statistics:
-    """What has come, by frame and in all."""
+    """Statistics of the received transforms, by frame and in all."""
 
     def __init__(self) -> None:
         self._frames: dict[str, Delays] = {}
@@ -82,7 +82,7 @@ class Statistics:
         self._arrivals_s: deque[float] = deque(maxlen=MOST_SAMPLES)
 
     def add(self, stamps_s: Iterable[tuple[str, float]], now_s: float) -> None:
-        """Take in a message: the child frame and stamp of each of its transforms, and when it came [s since epoch]."""
+        """Add a message: child frame and stamp of each of its transforms, and its time of arrival [s since epoch]."""
         delays = [(frame, now_s - stamp_s) for frame, stamp_s in stamps_s]
         for frame, delay_s in delays:
             self._frames.setdefault(frame, Delays()).add(delay_s)
@@ -90,7 +90,7 @@ class Statistics:
         self._arrivals_s.append(now_s)
 
     def text(self, chain: Iterable[str] | None = None) -> str:
-        """Return what is told of the frames in `chain`, or of all, and of those who send them."""
+        """Return the report on the frames in `chain`, or on all, and on their publishers."""
         frames = self._frames if chain is None else self._frames.keys() & set(chain)
         lines = ["", "Frames:"]
         lines += [
@@ -109,7 +109,7 @@ class Statistics:
 
 
 class Monitor(Node):
-    """Gathers what comes on /tf and /tf_static, of all frames or of the chain between two.
+    """Collects statistics of /tf and /tf_static, of all frames or of the chain between two.
 
     Args:
         pair: The two frames; None: all.
@@ -157,12 +157,12 @@ class Monitor(Node):
         print(flush=True)
 
     def _look(self) -> None:
-        """Take in how old the pair's transform is now. One without a stamp is static, and never old."""
+        """Add the present age of the pair's transform. One without a stamp is static and has none."""
         if self._pair is None:
             return
         try:
             stamp_s = self._buffer.get_latest_common_time(*self._pair).nanoseconds / 1e9
-        except TransformException:  # for now there is no chain
+        except TransformException:  # there is no chain yet
             return
         self._net.add(self._now_s() - stamp_s if stamp_s else 0.0)
 

@@ -1,4 +1,4 @@
-"""Fonts for a page of PDF: each letter in the first font that has it, embedded: a reader needs none of its own."""
+"""Fonts for a page of PDF: each letter in the first font that has it, embedded so that readers need no fonts."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ FACES = (
     ("msyh.ttc", "msyhbd.ttc"),
     ("malgun.ttf", "malgunbd.ttf"),
 )
-"""Plain and bold, by the names of files that reportlab looks for in its own and in the system's folders of fonts."""
+"""Plain and bold, by the names of files that reportlab searches in its own and in the system's font folders."""
 
 
 class Font(NamedTuple):
@@ -83,6 +83,6 @@ def _load(file: str) -> TTFont | None:
     try:
         face = TTFont(file, file)
     except (TTFError, OSError):
-        return None  # isn't on this machine
+        return None  # not installed on this machine
     pdfmetrics.registerFont(face)
     return face

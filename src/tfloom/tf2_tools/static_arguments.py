@@ -30,15 +30,15 @@ OLD_FORMS = {
     8: (*TRANSLATION, "--yaw", "--pitch", "--roll", *FRAMES),
     9: (*TRANSLATION, *QUATERNION, *FRAMES),
 }
-"""What the words of the older form mean, by their number."""
+"""The meanings of the older form's words, by their number."""
 
 
 class ArgumentsError(ValueError):
-    """The command line makes no sense; its text says why."""
+    """The command line is invalid; the text has the reason."""
 
 
 class StaticTransform(NamedTuple):
-    """What is to be published: frame_from_child."""
+    """The transform to publish: frame_from_child."""
 
     translation: tuple[float, float, float]
     """[m]."""
@@ -53,7 +53,7 @@ def parse(words: Sequence[str]) -> StaticTransform:
     """Read a command line without its ROS arguments.
 
     Raises:
-        ArgumentsError: words are missing, too many or no numbers, two forms are mixed, or a frame has no name.
+        ArgumentsError: words are missing, too many or not numbers, two forms are mixed, or a frame has no name.
     """
     if not words:
         raise ArgumentsError("Not enough arguments to parse")
@@ -73,7 +73,7 @@ def parse(words: Sequence[str]) -> StaticTransform:
 
 
 def _split(words: Sequence[str]) -> tuple[dict[str, str], list[str]]:
-    """Part flags with their values from what is left."""
+    """Separate flags with their values from the other words."""
     flags: dict[str, str] = {}
     rest: list[str] = []
     coming = iter(words)

@@ -25,17 +25,17 @@ EVENT_OVERRIDING = QoSOverridingOptions(
 STATIC_OVERRIDING = QoSOverridingOptions(
     [QoSPolicyKind.DEPTH, QoSPolicyKind.HISTORY, QoSPolicyKind.RELIABILITY]
 )
-"""What the reference, a C++ node, lets parameters override of its publishers."""
+"""The policies of its publishers that parameters may override, as in the reference, a C++ node."""
 
 
 class StaticTransformPublisher(Node):
     """Broadcasts one static transform; its numbers are read-only parameters.
 
     Args:
-        transform: What to broadcast.
+        transform: The transform to broadcast.
 
     Raises:
-        ValueError: the two frames are one.
+        ValueError: the two frames are the same.
     """
 
     _parameter_event_overriding = EVENT_OVERRIDING

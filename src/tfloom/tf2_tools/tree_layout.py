@@ -1,4 +1,4 @@
-"""Where to put the nodes of a forest so that it reads well: parents centred over children, nothing overlapping.
+"""Layout of a forest: parents centred over children, nothing overlapping.
 
 Two axes, whichever way the drawing turns them: siblings lie along the breadth, generations along the depth.
 """
@@ -11,14 +11,14 @@ from typing import NamedTuple
 
 
 class Size(NamedTuple):
-    """How much room a node needs, in any unit of length."""
+    """The size of a node, in any unit of length."""
 
     breadth: float
     depth: float
 
 
 class Place(NamedTuple):
-    """Where a node is."""
+    """The position of a node."""
 
     breadth: float
     """The node's middle."""
@@ -27,7 +27,7 @@ class Place(NamedTuple):
 
 
 class Layout(NamedTuple):
-    """A forest in its place, starting at (0, 0)."""
+    """A laid-out forest, starting at (0, 0)."""
 
     places: dict[str, Place]
     roots: list[str]

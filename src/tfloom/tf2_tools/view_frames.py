@@ -16,11 +16,11 @@ from tfloom.tf2_ros.transform_listener import TransformListener
 from tfloom.tf2_tools.frame_records import parse_frames_yaml, write_gv
 
 COPY_NAME = "frames.pdf"
-"""The name that tutorials tell people to open."""
+"""The name of the file in tutorials."""
 
 
 def parse_arguments(words: list[str]) -> argparse.Namespace:
-    """Read a command line without its ROS arguments; exits with a usage text if it makes no sense."""
+    """Read a command line without its ROS arguments; exit with a usage text if it is invalid."""
     parser = argparse.ArgumentParser(
         prog="view_frames",
         description="Listen to /tf and /tf_static, then draw the tree of frames that were heard of: NAME.gv is its "
@@ -44,10 +44,10 @@ def write_files(frames_yaml: str, name: str, recorded_at: float, folder: Path) -
     """Write a tree's text and picture.
 
     Args:
-        frames_yaml: The frames, as a buffer's `all_frames_as_yaml` gives them.
-        name: What the files are called, without an ending.
+        frames_yaml: The frames, as a buffer's `all_frames_as_yaml` returns them.
+        name: Name of the files, without an ending.
         recorded_at: When the frames were gathered [s since epoch].
-        folder: Where the files go.
+        folder: The folder of the files.
 
     Returns:
         The files: NAME.gv, NAME.pdf, and the picture's copy unless NAME is its name already.
@@ -75,7 +75,7 @@ def spin_for(node: Node, duration_s: float) -> None:
 
 
 def run(node: Node, options: argparse.Namespace) -> int:
-    """Listen and write the files; return the exit code."""
+    """Collect transforms and write the files; return the exit code."""
     buffer = Buffer(node=node)
     listener = TransformListener(buffer, node)
     node.get_logger().info(f"Listening to tf data for {options.wait_time} seconds...")

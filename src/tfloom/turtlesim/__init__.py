@@ -1,1 +1,1 @@
-"""Turtles that draw: their world, its picture, and the programs around it."""
+"""The turtle simulator: its world, the world's picture, and its programs."""

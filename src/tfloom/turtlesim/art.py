@@ -15,12 +15,12 @@ from tfloom.turtlesim.picture import Color, Ink, Picture, Point
 SMOOTHING = 4
 """How many times finer than the result a turtle is painted, for smooth edges."""
 HEADINGS = 180
-"""How many directions are told apart: every two degrees."""
+"""Number of headings with a sprite: one every two degrees."""
 OUTLINE: Color = (38, 43, 40)
 
 
 class Look(NamedTuple):
-    """What tells one kind of turtle from another."""
+    """Colours and shell pattern of a kind of turtle."""
 
     skin: Color
     shell: Color
@@ -171,7 +171,7 @@ def sprite(kind: int, theta_rad: float, length_px: float) -> Picture:
     """Return a square picture of a turtle on transparent ground, the turtle's origin in its middle.
 
     Args:
-        kind: Which of `LOOKS`; counted on from the first after the last.
+        kind: Index into `LOOKS`, modulo its length.
         theta_rad: Its heading, counter-clockwise from the right; rounded to two degrees.
         length_px: Its length.
     """

@@ -1,4 +1,4 @@
-"""The turtles' world as a picture: pen strokes that stay, turtles on top. One painter for every way to show it."""
+"""The turtles' world as a picture: pen strokes that stay, turtles on top. Window, records and notebooks use it."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ FINENESS = 4
 """How many times finer than the original's picture strokes are kept: smooth there, and sharp in larger ones."""
 FINE_PX = WINDOW_PX * FINENESS
 NOTHING_DRAWN: Color = (255, 255, 255)
-"""What a turtle's colour sensor sees where there is no stroke, whatever the background."""
+"""The colour sensor's reading where there is no stroke, for any background."""
 DEFAULT_BACKGROUND: Color = (0x45, 0x56, 0xFF)
 
 
@@ -28,10 +28,10 @@ class Canvas:
         self._ink = Ink(FINE_PX)
         self._ground: Picture | None = None
         self._ground_color = background
-        self._fresh: Box | None = None
+        self._changed: Box | None = None
 
     def clear(self) -> None:
-        """Wipe off all strokes."""
+        """Remove all strokes."""
         self._ink.clear()
         self._ground = None
 
@@ -43,14 +43,14 @@ class Canvas:
         self._touch(ends, width / 2)
 
     def _touch(self, ends: list[tuple[float, float]], radius: float) -> None:
-        """Remember what part of the ink has changed."""
+        """Extend the part of the ink that has changed."""
         (x0, y0), (x1, y1) = ends
         low, high = min(x0, x1) - radius - 1, max(x0, x1) + radius + 1
         top, bottom = min(y0, y1) - radius - 1, max(y0, y1) + radius + 1
-        if self._fresh is not None:
-            low, top = min(low, self._fresh[0]), min(top, self._fresh[1])
-            high, bottom = max(high, self._fresh[2]), max(bottom, self._fresh[3])
-        self._fresh = int(low), int(top), int(high) + 1, int(bottom) + 1
+        if self._changed is not None:
+            low, top = min(low, self._changed[0]), min(top, self._changed[1])
+            high, bottom = max(high, self._changed[2]), max(bottom, self._changed[3])
+        self._changed = int(low), int(top), int(high) + 1, int(bottom) + 1
 
     def color_at(self, x: float, y: float) -> Color:
         """Return the colour of the strokes at a place [m]; white where there is none."""
@@ -72,15 +72,15 @@ class Canvas:
         return to_png(self.render(turtles, size_px))
 
     def _ground_at(self, size_px: int) -> Picture:
-        """Return background and strokes in this size; only what is fresh is scaled again."""
-        ground, fresh = self._ground, self._fresh
-        self._fresh = None
+        """Return background and strokes in this size; only the changed part is scaled again."""
+        ground, changed = self._ground, self._changed
+        self._changed = None
         if ground is None or ground.width != size_px or self._ground_color != self.background:
             ground = self._ground = plain(size_px, self.background)
             self._ground_color = self.background
-            fresh = (0, 0, FINE_PX, FINE_PX)
-        if fresh is not None:
-            self._scale_ink(ground, fresh)
+            changed = (0, 0, FINE_PX, FINE_PX)
+        if changed is not None:
+            self._scale_ink(ground, changed)
         return ground
 
     def _scale_ink(self, ground: Picture, part: Box) -> None:

@@ -19,11 +19,11 @@ TURN_SPEED = 0.4
 NEAR_M = 0.1
 NEAR_RAD = 0.01
 STANDING = 0.0001
-"""A turtle slower than this stands still [m/s, rad/s]."""
+"""A turtle slower than this has stopped [m/s, rad/s]."""
 
 
 class Goal:
-    """Where the turtle is to be."""
+    """The pose to reach."""
 
     def __init__(self, x: float, y: float, theta: float) -> None:
         self.x = x
@@ -31,7 +31,7 @@ class Goal:
         self.theta = normalize_angle(theta)
 
     def is_reached(self, pose: Pose) -> bool:
-        """Whether `pose` is near enough."""
+        """Return whether `pose` is near enough."""
         return (
             abs(pose.x - self.x) < NEAR_M
             and abs(pose.y - self.y) < NEAR_M
@@ -40,7 +40,7 @@ class Goal:
 
 
 class DrawSquare(Node):
-    """Resets turtlesim, then goes ahead and turns left by turns, with a stop after each."""
+    """Resets turtlesim, then drives ahead and turns left in turn, with a stop after each."""
 
     def __init__(self) -> None:
         super().__init__("draw_square")
@@ -57,7 +57,7 @@ class DrawSquare(Node):
         self.create_timer(STEP_S, self._on_timer)
 
     def _on_pose(self, pose: Pose) -> None:
-        if self._skip_pose:  # it may have waited here from before the reset
+        if self._skip_pose:  # it may be from before the reset
             self._skip_pose = False
         else:
             self._pose = pose

@@ -1,4 +1,4 @@
-"""What one turtle has on the wire, under its name: pose, colour sensor, commands, pen, teleports, rotations."""
+"""The topics, services and action of one turtle: pose, colour sensor, commands, pen, teleports, rotations."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class TurtleEndpoints:
         node: The node that has them, with turtlesim's parameters.
         sim: The simulation that the turtle is part of.
         turtle: The turtle.
-        rotations: Serves the action under the turtle's name.
+        rotations: The action server of the turtle's name.
     """
 
     def __init__(self, node: Node, sim: TurtleSim, turtle: Turtle, rotations: RotationServer) -> None:
@@ -42,7 +42,7 @@ class TurtleEndpoints:
         rotations.serve(turtle)
 
     def destroy(self) -> None:
-        """Take all of it off the wire, the action once its goals have ended."""
+        """Destroy all of them, the action once its goals have ended."""
         for publisher in (self._pose, self._color):
             self._node.destroy_publisher(publisher)
         self._node.destroy_subscription(self._cmd_vel)
@@ -51,7 +51,7 @@ class TurtleEndpoints:
         self._rotations.release()
 
     def publish(self) -> None:
-        """Tell where the turtle is, what it was commanded [m, rad, m/s, rad/s], and what it sees under it."""
+        """Publish the turtle's pose and commanded velocity [m, rad, m/s, rad/s], and the colour under it."""
         turtle = self._turtle
         self._pose.publish(
             Pose(
@@ -65,12 +65,12 @@ class TurtleEndpoints:
         red, green, blue = self._sim.canvas.color_at(turtle.x, turtle.y)
         self._color.publish(Color(r=red, g=green, b=blue))
 
-    def tell_rotation(self, rotation: Rotation) -> None:
-        """Tell how a turn towards a goal stands."""
-        self._rotations.tell(rotation)
+    def report_rotation(self, rotation: Rotation) -> None:
+        """Report the state of a turn towards a goal to the goal's client."""
+        self._rotations.report(rotation)
 
-    def _refuses(self, what: str, *numbers: float) -> bool:
-        """Whether a turtle can't act on these numbers; if so, warn."""
+    def _rejects(self, what: str, *numbers: float) -> bool:
+        """Return whether these numbers are unusable for a turtle; if so, warn."""
         if is_usable(*numbers):
             return False
         listed = ", ".join(map(str, numbers))
@@ -82,7 +82,7 @@ class TurtleEndpoints:
 
     def _on_cmd_vel(self, twist: Twist) -> None:
         ahead, left, turn = twist.linear.x, twist.linear.y, twist.angular.z
-        if not self._refuses("a velocity command", ahead, left, turn):
+        if not self._rejects("a velocity command", ahead, left, turn):
             sideways = left if parameters.is_holonomic(self._node) else None
             if self._sim.world.command(self._turtle, ahead, sideways, turn) is not None:
                 self._rotations.abort_for_command()
@@ -92,11 +92,11 @@ class TurtleEndpoints:
         return response
 
     def _on_teleport_relative(self, request: Any, response: Any) -> Any:
-        if not self._refuses("a teleport", request.linear, request.angular):
+        if not self._rejects("a teleport", request.linear, request.angular):
             self._turtle.teleport_relative(request.linear, request.angular)
         return response
 
     def _on_teleport_absolute(self, request: Any, response: Any) -> Any:
-        if not self._refuses("a teleport", request.x, request.y, request.theta):
+        if not self._rejects("a teleport", request.x, request.y, request.theta):
             self._turtle.teleport(request.x, request.y, request.theta)
         return response

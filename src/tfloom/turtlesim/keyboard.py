@@ -1,4 +1,4 @@
-"""Single key presses from a terminal, which is left as it was found whatever ends the program."""
+"""Single key presses from a terminal, whose mode is restored however the program ends."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ ESCAPE_WAIT_S = 0.05
 
 
 class NoTerminalError(Exception):
-    """Standard input is no terminal, so no single key can be read from it."""
+    """Standard input is not a terminal, so single keys can't be read from it."""
 
 
 def decode_keys(text: str) -> list[str]:
     """Return the keys in what a terminal sent: `up`, `down`, `left`, `right` or a letter.
 
-    A key that follows itself counts once: while one is held down the terminal repeats it, and what has piled up
-    is to be forgotten, not to be played back. Sequences of other keys are left out.
+    A repeated key counts once, because a terminal repeats a key that is held down, and repetitions that have piled
+    up are to be dropped. Sequences of other keys are ignored.
     """
     keys: list[str] = []
     for match in _KEY.finditer(text):
@@ -48,7 +48,7 @@ if sys.platform != "win32":
     class Keyboard:
         """Key presses on standard input, which has to be a terminal; a context that sets and restores its mode.
 
-        Ctrl-C goes on being a signal. Hang-up and quit end the program by SystemExit; a stop (Ctrl-Z) gives the
+        Ctrl-C stays a signal. Hang-up and quit end the program by SystemExit; a stop (Ctrl-Z) gives the
         terminal back until the program goes on. To be entered in the main thread.
         """
 
@@ -77,10 +77,10 @@ if sys.platform != "win32":
                 signal.signal(number, handler)
 
         def read(self, timeout_s: float) -> list[str]:
-            """Wait for keys and return all that were pressed; none when the time is over.
+            """Wait for keys and return all that were pressed; empty when the time is over.
 
             Raises:
-                EOFError: the terminal has gone.
+                EOFError: the terminal is closed.
             """
             if not select.select([self._fd], [], [], timeout_s)[0]:
                 return []
@@ -105,12 +105,12 @@ if sys.platform != "win32":
             termios.tcsetattr(self._fd, termios.TCSADRAIN, mode)
 
         def _restore_mode(self) -> None:
-            # From the background this would stop the process, and the terminal never be restored.
+            # In the background this would stop the process before the terminal is restored.
             old = signal.signal(signal.SIGTTOU, signal.SIG_IGN)
             try:
                 termios.tcsetattr(self._fd, termios.TCSANOW, self._found)
             except termios.error:
-                pass  # the terminal has gone, and its mode with it
+                pass  # the terminal is closed, and needs no mode
             finally:
                 signal.signal(signal.SIGTTOU, old)
 
@@ -145,7 +145,7 @@ else:
             pass
 
         def read(self, timeout_s: float) -> list[str]:
-            """Wait for keys and return all that were pressed; none when the time is over."""
+            """Wait for keys and return all that were pressed; empty when the time is over."""
             end = time.monotonic() + timeout_s
             while not msvcrt.kbhit() and time.monotonic() < end:
                 time.sleep(POLL_S)

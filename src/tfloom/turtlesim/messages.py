@@ -8,7 +8,7 @@ from __future__ import annotations
 import os
 
 FIRST_WITH_OWN_PACKAGE = "kilted"
-"""Distributions' names are in the order of the alphabet; `rolling` is later than all of those so far."""
+"""Distributions' names are in alphabetical order; `rolling` is later than all so far."""
 
 if os.environ.get("ROS_DISTRO", "") < FIRST_WITH_OWN_PACKAGE:
     from tfloom.interfaces.turtlesim.action import RotateAbsolute

@@ -1,4 +1,4 @@
-"""mimic: let one turtle do what another does."""
+"""mimic: one turtle copies another's motion."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from tfloom.turtlesim.messages import Pose
 
 
 class Mimic(Node):
-    """Hears input/pose, and commands the same velocities on output/cmd_vel."""
+    """Subscribes to input/pose, and publishes the same velocities on output/cmd_vel."""
 
     def __init__(self) -> None:
         super().__init__("turtle_mimic")

@@ -1,4 +1,4 @@
-"""The node `turtlesim`: turtles that obey velocity commands and tell their poses."""
+"""The node `turtlesim`: turtles that follow velocity commands and publish their poses."""
 
 from __future__ import annotations
 
@@ -52,11 +52,11 @@ class TurtlesimNode(Node):
         self.create_service(Empty, "reset", self._on_reset)
         self.create_service(Spawn, "spawn", self._on_spawn)
         self.create_service(Kill, "kill", self._on_kill)
-        # Simulated time may be made by what these turtles do: so they themselves go by real time.
+        # Real time, because simulated time may be derived from these turtles.
         self._timer = self.create_timer(STEP_S, self._step, clock=Clock(clock_type=ClockType.STEADY_TIME))
 
     def set_parameters_atomically(self, parameter_list: list[Parameter]) -> SetParametersResult:
-        """Set all parameters, or none of them if one is refused, for which the reference's turtlesim has its words."""
+        """Set all parameters, or none of them if one is refused, with the reference's reason."""
         for parameter in parameter_list:
             if reason := parameters.refusal(self, parameter):
                 return SetParametersResult(successful=False, reason=reason)
@@ -78,7 +78,7 @@ class TurtlesimNode(Node):
         self.create_timer(FRAME_S, refresh, clock=Clock(clock_type=ClockType.STEADY_TIME))
 
     def record_to(self, recorder: Recorder) -> None:
-        """Give `recorder` a picture now and as often as it wants one."""
+        """Add a picture to `recorder` now and every FRAME_MS."""
 
         def add() -> None:
             recorder.add(self.render(SIDE_PX))
@@ -140,13 +140,13 @@ class TurtlesimNode(Node):
         if isinstance(event, Moved):
             self._endpoints[event.turtle.name].publish()
         elif isinstance(event, RotationStep):
-            self._endpoints[event.turtle].tell_rotation(event.rotation)
+            self._endpoints[event.turtle].report_rotation(event.rotation)
         elif isinstance(event, WallHit):
             self.get_logger().warning(str(event))
 
 
 def open_window(node: Node) -> Window | None:
-    """Open the window; where that can't be, say why, once, and return None."""
+    """Open the window; where that is impossible, log the reason and return None."""
     try:
         from tfloom.turtlesim.window import NoDisplayError, Window
     except ImportError as error:
@@ -160,7 +160,7 @@ def open_window(node: Node) -> Window | None:
 
 
 def parse_arguments(words: list[str]) -> argparse.Namespace:
-    """Read a command line without its ROS arguments; exits with a usage text if it makes no sense."""
+    """Read a command line without its ROS arguments; exit with a usage text if it is invalid."""
     parser = argparse.ArgumentParser(
         prog="turtlesim_node",
         description="Simulate turtles. Each listens to NAME/cmd_vel (geometry_msgs/msg/Twist) and tells where "

@@ -15,7 +15,7 @@ HOLONOMIC = "holonomic"
 EVENT_OVERRIDING = QoSOverridingOptions(
     [QoSPolicyKind.DEPTH, QoSPolicyKind.DURABILITY, QoSPolicyKind.HISTORY, QoSPolicyKind.RELIABILITY]
 )
-"""What rclcpp lets parameters override of the publisher of parameter events."""
+"""The policies of the parameter event publisher that parameters may override, as in rclcpp."""
 TYPE_NAMES = {
     ParameterType.NOT_SET: "not set",
     ParameterType.BOOL: "bool",
@@ -28,7 +28,7 @@ TYPE_NAMES = {
     ParameterType.DOUBLE_ARRAY: "double_array",
     ParameterType.STRING_ARRAY: "string_array",
 }
-"""What the reference's turtlesim, a C++ program, calls the types."""
+"""The names of the types in the reference's turtlesim, a C++ program."""
 
 
 def declare(node: Node) -> None:
@@ -44,9 +44,9 @@ def declare(node: Node) -> None:
 
 
 def listen(node: Node) -> None:
-    """Be seen on /parameter_events, where the reference's turtlesim, a C++ node, hears of its own parameters.
+    """Subscribe to /parameter_events, because the reference's turtlesim, a C++ node, shows that subscription.
 
-    Nothing is to be done with what comes: who needs a parameter asks the node.
+    Events are ignored, because parameters are read from the node when they are needed.
     """
     node.create_subscription(
         ParameterEvent, "/parameter_events", lambda _: None, qos_profile_parameter_events, raw=True
@@ -65,7 +65,7 @@ def is_holonomic(node: Node) -> bool:
 
 
 def refusal(node: Node, parameter: Parameter) -> str | None:
-    """Return why a declared parameter can't be set to this, in the reference's words; None if it can, or for ours."""
+    """Return the reference's reason why a declared parameter can't be set to this, or None if it has none."""
     if not node.has_parameter(parameter.name):
         return None
     descriptor = node.describe_parameter(parameter.name)

@@ -25,7 +25,7 @@ def plain(side_px: int, color: Color) -> Picture:
 
 
 def from_rgb(pixels: bytes, side_px: int) -> Picture:
-    """Return a square RGB picture of the pixels that `Picture.tobytes` gave."""
+    """Return a square RGB picture from pixels as `Picture.tobytes` returns them."""
     return Image.frombytes("RGB", (side_px, side_px), pixels)
 
 

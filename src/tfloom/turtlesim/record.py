@@ -18,14 +18,14 @@ SIDE_PX = 500
 
 
 class RecordingError(Exception):
-    """The recording can't be made; its text says why and what can."""
+    """The recording can't be made; the text has the reason and the alternatives."""
 
 
 class Recorder(Protocol):
-    """Takes a picture every FRAME_MS and makes a file of them."""
+    """Collects a picture every FRAME_MS and writes a file of them."""
 
     def add(self, picture: Picture) -> None:
-        """Take the next picture: RGB, SIDE_PX by SIDE_PX."""
+        """Add the next picture: RGB, SIDE_PX by SIDE_PX."""
 
     def finish(self) -> None:
         """Write the file.
@@ -61,7 +61,7 @@ class Still:
         self._last: Picture | None = None
 
     def add(self, picture: Picture) -> None:
-        """Take the next picture."""
+        """Add the next picture."""
         self._last = picture
 
     def finish(self) -> None:
@@ -80,7 +80,7 @@ class Animation:
         self._last = b""
 
     def add(self, picture: Picture) -> None:
-        """Take the next picture."""
+        """Add the next picture."""
         pixels = picture.tobytes()
         if pixels == self._last:
             self._lasting_ms[-1] += FRAME_MS
@@ -121,19 +121,19 @@ class Film:
             str(1000 // FRAME_MS),
         ]
         command = [ffmpeg, "-y", "-loglevel", "error", *source, "-i", "-", "-pix_fmt", "yuv420p", str(path)]
-        # Of its own session: a Ctrl-C ends the recording, and only then, at the end of its input, ffmpeg.
+        # In a session of its own, because Ctrl-C ends the recording first, and ffmpeg at the end of its input.
         self._ffmpeg = subprocess.Popen(
             command, stdin=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True
         )
 
     def add(self, picture: Picture) -> None:
-        """Take the next picture."""
+        """Add the next picture."""
         if self._ffmpeg.stdin is not None:
-            with suppress(BrokenPipeError):  # it has ended; `finish` tells why
+            with suppress(BrokenPipeError):  # it has ended; `finish` raises with the reason
                 self._ffmpeg.stdin.write(picture.tobytes())
 
     def finish(self) -> None:
-        """Let ffmpeg write the film's end."""
+        """Close ffmpeg's input and wait until the film is complete."""
         _, errors = self._ffmpeg.communicate()
         if self._ffmpeg.returncode:
             raise RecordingError(

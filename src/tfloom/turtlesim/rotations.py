@@ -1,4 +1,4 @@
-"""The action rotate_absolute of one turtle: turn to a heading, one goal at a time."""
+"""The action rotate_absolute of one turtle: turning to a heading, one goal at a time."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from tfloom.turtlesim.messages import RotateAbsolute
 from tfloom.turtlesim.world import Rotation, Turtle, is_usable
 
 FAREWELL_S = 1.0
-"""How long goals of a turtle that is gone can still be asked for their results [s]."""
+"""How long the results of a removed turtle's goals can still be requested [s]."""
 
 
 class _Running(NamedTuple):
@@ -27,7 +27,7 @@ class _Running(NamedTuple):
 class RotationServer:
     """Accepts every goal and every cancel; a new goal aborts the one before it.
 
-    It belongs to a turtle's name: a turtle that comes while the one before it takes its leave is served on.
+    It belongs to a turtle's name: a new turtle of that name, spawned while the old one's goals end, is served on.
 
     Args:
         node: The node that serves.
@@ -39,7 +39,7 @@ class RotationServer:
         self._turtle: Turtle | None = None
         self._running: _Running | None = None
         self._unfinished = 0
-        # Whom the accepted goals that have not begun are for, in their order.
+        # The turtles of the accepted goals that have not begun, in their order.
         self._meant_for: deque[Turtle] = deque()
         self._farewell: Timer | None = None
         self.is_destroyed = False
@@ -53,12 +53,12 @@ class RotationServer:
         )
 
     def serve(self, turtle: Turtle) -> None:
-        """Turn this turtle from now on."""
+        """Serve this turtle from now on."""
         self._turtle = turtle
         self._stop_farewell()
 
     def release(self) -> None:
-        """Turn the turtle no more. Goals on their way are aborted, and then there is time to ask for their results."""
+        """Stop serving the turtle. Its goals are aborted, and their results can be requested for a while."""
         self._turtle = None
         if self._running is not None:
             self._running.rotation.state = "aborted"
@@ -79,8 +79,8 @@ class RotationServer:
         self._server.destroy()
         self.is_destroyed = True
 
-    def tell(self, rotation: Rotation) -> None:
-        """Tell how the turtle's turn stands after a step."""
+    def report(self, rotation: Rotation) -> None:
+        """Report the state of the turtle's turn after a step."""
         running = self._running
         if running is None or running.rotation is not rotation:
             return
@@ -93,7 +93,7 @@ class RotationServer:
         self._settle()
 
     def abort_for_command(self) -> None:
-        """Abort the goal: the turtle was commanded otherwise."""
+        """Abort the goal, because the turtle got a velocity command."""
         self._node.get_logger().warning("Velocity command received during rotation goal. Aborting goal")
         self._settle()
 

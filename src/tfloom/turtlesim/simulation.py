@@ -18,7 +18,7 @@ from tfloom.turtlesim.world import STEP_S, WINDOW_PX, Event, Stroke, Turtle, Wor
 
 
 class TurtleSim:
-    """Turtles that live and draw.
+    """A world and its picture.
 
     Args:
         clock_ns: As for `World`.
@@ -29,7 +29,7 @@ class TurtleSim:
         self.canvas = Canvas()
 
     def step(self, on_event: Callable[[Event], object] | None = None, dt_s: float = STEP_S) -> None:
-        """Let `dt_s` pass. `on_event` hears what happens in order, each time with the picture as it is then."""
+        """Advance by `dt_s`. `on_event` is called with each event in order, while the picture is that of its time."""
         for event in self.world.step(dt_s):
             if on_event is not None:
                 on_event(event)
@@ -37,11 +37,11 @@ class TurtleSim:
                 self.canvas.paint(event)
 
     def clear(self) -> None:
-        """Wipe off all strokes."""
+        """Remove all strokes."""
         self.canvas.clear()
 
     def reset(self) -> Turtle:
-        """Begin anew with turtle1 alone on a clean picture; return it."""
+        """Reset to turtle1 alone on an empty picture; return it."""
         self.clear()
         return self.world.reset()
 

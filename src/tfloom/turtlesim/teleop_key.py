@@ -29,7 +29,7 @@ NO_TERMINAL = (
     "run it in a terminal of its own"
 )
 DIRECTIONS = {"up": (1.0, 0.0), "down": (-1.0, 0.0), "left": (0.0, 1.0), "right": (0.0, -1.0)}
-"""What each arrow key commands: parts of the linear and of the angular scale."""
+"""The command of each arrow key: parts of the linear and of the angular scale."""
 HEADINGS = {
     "g": 0.0,
     "t": 0.7854,
@@ -40,11 +40,11 @@ HEADINGS = {
     "v": -1.5708,
     "b": -0.7854,
 }
-"""Where each key turns the turtle to [rad]: around G on the keyboard as around the turtle."""
+"""The heading of each key [rad]: around G on the keyboard as around the turtle."""
 CANCEL = "f"
 QUIT = "q"
 POLL_S = 0.1
-"""How long a wait for keys may last before it looks whether the program is to end."""
+"""How long a wait for keys may last before it checks for shutdown."""
 
 
 class TeleopTurtle(Node):
@@ -62,7 +62,7 @@ class TeleopTurtle(Node):
         self._sent: Any = None
 
     def press(self, key: str) -> bool:
-        """Do what a key asks for; return whether to go on."""
+        """Execute a key's command; return False for Q."""
         if key in DIRECTIONS:
             self._drive(*DIRECTIONS[key])
         elif key.lower() in HEADINGS:
@@ -90,7 +90,7 @@ class TeleopTurtle(Node):
             )
 
     def run(self, keyboard: Keyboard) -> None:
-        """Obey the keyboard until Q, shutdown, or the terminal's end."""
+        """Execute keys until Q, shutdown, or the terminal's end."""
         print(BANNER, flush=True)
         while ok():
             try:
@@ -122,7 +122,7 @@ def main(args: list[str] | None = None) -> int:
     def drive() -> None:
         with Keyboard() as keyboard:
             node = TeleopTurtle()
-            # Keys keep this thread; answers to goals and parameters come on another.
+            # Keys are read on this thread; goal responses and parameters are handled on another.
             threading.Thread(target=spin_quietly, args=(node,), daemon=True).start()
             node.run(keyboard)
 

@@ -1,4 +1,4 @@
-"""The window that shows the turtles' picture. The only file that knows the window toolkit."""
+"""The window that shows the turtles' picture. The only file that imports the window toolkit."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ SIDE = 500
 
 
 class NoDisplayError(Exception):
-    """There is no screen to open a window on; its text says why."""
+    """There is no screen to open a window on; the text has the reason."""
 
 
 class Window:
-    """Shows square pictures, as large as the window lets them be and as sharp as its screen. For the main thread.
+    """Shows square pictures, as large as the window and as sharp as its screen. For the main thread.
 
     Raises:
         NoDisplayError: there is no display.
@@ -55,13 +55,13 @@ class Window:
         return True
 
     def close(self) -> None:
-        """Take the window off the screen."""
+        """Close the window."""
         self._window.destroy()
         pygame.display.quit()
 
 
 def has_display() -> bool:
-    """Return whether a window could be seen: on Linux, X or Wayland or a driver that the user chose."""
+    """Return whether there is a display: on Linux, X or Wayland or a driver that the user selected."""
     if sys.platform in {"win32", "darwin"}:
         return True
     return any(os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"))

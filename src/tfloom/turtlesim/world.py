@@ -1,4 +1,4 @@
-"""The turtles' world: positions, velocities and pens, in steps of 16 ms. It knows no ROS and no picture.
+"""The turtles' world: positions, velocities and pens, in steps of 16 ms, without ROS and without a picture.
 
 Lengths are metres, x to the right and y up, (0, 0) in the lower left corner; angles are radians, from x
 towards y. Where the reference rounds to float32 (the world's size, what is left of a rotation), so do these.
@@ -13,7 +13,7 @@ from itertools import count
 from typing import Literal, NamedTuple
 
 STEP_S = 0.016
-"""Simulated time of one step [s], whatever time has really passed: 62.5 steps a second."""
+"""Simulated time of one step [s], independent of real time: 62.5 steps a second."""
 WINDOW_PX = 500
 """Width and height of the world's picture [px]."""
 PX_PER_M = 45
@@ -27,7 +27,7 @@ ROTATION_TOLERANCE_RAD = 0.02
 Color = tuple[int, int, int]
 """Red, green, blue: 0 to 255."""
 
-# The reference's π, which shows in where a heading wraps around.
+# The reference's π, which determines where a heading wraps around.
 PI = 3.14159265
 TWO_PI = 2 * PI
 
@@ -49,12 +49,12 @@ def normalize_angle(angle_rad: float) -> float:
 
 
 def is_usable(*numbers: float) -> bool:
-    """Return whether all of these are finite numbers within float32's range: what a turtle can act on."""
+    """Return whether all of these are finite numbers within float32's range, which a turtle can use."""
     return all(math.isfinite(to_float32(number)) for number in numbers)
 
 
 class Pen(NamedTuple):
-    """What a turtle draws with."""
+    """The pen of a turtle."""
 
     color: Color = (179, 184, 255)
     width_px: int = 3
@@ -71,7 +71,7 @@ class Stroke(NamedTuple):
 
 
 class WallHit(NamedTuple):
-    """A turtle ran out of the world and was put back on its edge."""
+    """A turtle left the world and was put back on its edge."""
 
     turtle: str
     x: float
@@ -83,14 +83,14 @@ class WallHit(NamedTuple):
 
 
 class RotationStep(NamedTuple):
-    """How a turtle's turn towards a goal stands after one step."""
+    """The state of a turtle's turn towards a goal after one step."""
 
     turtle: str
     rotation: Rotation
 
 
 class Moved(NamedTuple):
-    """A turtle is where this step takes it: its pose can be told, its sensor read; its stroke comes next."""
+    """A turtle has moved in this step: its pose and sensor can be published; its stroke follows."""
 
     turtle: Turtle
 
@@ -126,14 +126,14 @@ class _RelativeTeleport(NamedTuple):
 
 
 class Turtle:
-    """One turtle. What it is told waits until the next step; what it is and has is read at any time."""
+    """One turtle. Commands take effect at the next step; attributes can be read at any time."""
 
     def __init__(
         self, name: str, x: float, y: float, theta: float, commanded_ns: int = 0, kind: int = 0
     ) -> None:
         self.name = name
         self.kind = kind
-        """Which of the turtles' looks it has, from 0 on."""
+        """Index of its look, from 0."""
         self.pen = Pen()
         self.x = x
         self.y_down = WORLD_SIZE_M - y
@@ -165,7 +165,7 @@ class Turtle:
 
         Args:
             linear_x: Velocity ahead.
-            linear_y: Velocity to the left; None leaves what was there, as for a turtle that isn't holonomic.
+            linear_y: Velocity to the left; None leaves it unchanged, as for a turtle that isn't holonomic.
             angular_z: Turning rate.
             stamp_ns: Now, by the world's clock.
 
@@ -198,7 +198,7 @@ class Turtle:
         self.pen = self.pen._replace(is_on=False) if off else Pen(color, width_px or 1)
 
     def step(self, dt_s: float, now_ns: int) -> Iterator[Event]:
-        """Live through one step, in the reference's order; yield what happened."""
+        """Advance by one step, in the reference's order; yield the events."""
         yield from self._jump()
         if self.rotation is not None:
             yield self._steer(self.rotation, now_ns)
@@ -252,7 +252,7 @@ class Turtle:
         self.velocity_x = self.velocity_y = self.angular_velocity = 0.0
 
     def _move(self, dt_s: float) -> Iterator[WallHit]:
-        """Turn, then go along the new heading, and stay in the world."""
+        """Turn, then move along the new heading, within the world."""
         self.theta = normalize_angle(self.theta + self.angular_velocity * dt_s)
         cos, sin = math.cos(self.theta), math.sin(self.theta)
         self.x += (cos * self.velocity_x - sin * self.velocity_y) * dt_s
@@ -269,10 +269,10 @@ class Turtle:
 
 
 class World:
-    """All turtles, by name. It starts with turtle1 in its middle.
+    """All turtles, by name. Initially, turtle1 is in its middle.
 
     Args:
-        clock_ns: Tells the time that commands age by [ns]; None lets time pass with the steps alone.
+        clock_ns: Returns the time by which commands age [ns]; None: time advances by the steps alone.
     """
 
     def __init__(self, clock_ns: Callable[[], int] | None = None) -> None:
@@ -284,12 +284,12 @@ class World:
         self.reset()
 
     def reset(self) -> Turtle:
-        """Remove all turtles and put a fresh turtle1 into the middle, heading to the right."""
+        """Remove all turtles and put a new turtle1 into the middle, heading to the right."""
         self.turtles.clear()
         self._count = 0
         turtle = self.spawn(WORLD_SIZE_M / 2, WORLD_SIZE_M / 2, 0.0)
         if turtle is None:
-            raise AssertionError  # an empty world has no name taken
+            raise AssertionError  # in an empty world every name is free
         return turtle
 
     def spawn(self, x: float, y: float, theta: float, name: str = "") -> Turtle | None:
@@ -320,17 +320,17 @@ class World:
                 return name
 
     def kill(self, name: str) -> Turtle | None:
-        """Take a turtle out of the world and return it; None if there is none of this name."""
+        """Remove a turtle from the world and return it; None if there is none of this name."""
         return self.turtles.pop(name, None)
 
     def command(
         self, turtle: Turtle, linear_x: float, linear_y: float | None, angular_z: float
     ) -> Rotation | None:
-        """Give `turtle` a velocity command as of now: see `Turtle.command`."""
+        """Command a velocity to `turtle`, stamped now; see `Turtle.command`."""
         return turtle.command(linear_x, linear_y, angular_z, self.now_ns())
 
     def step(self, dt_s: float = STEP_S) -> list[Event]:
-        """Let `dt_s` pass for all turtles, in order of name; return what happened, in order."""
+        """Advance all turtles by `dt_s`, in order of name; return the events in order."""
         now_ns = self.now_ns()
         events = [event for name in sorted(self.turtles) for event in self.turtles[name].step(dt_s, now_ns)]
         self._simulated_ns += round(dt_s * 1e9)

@@ -1,7 +1,7 @@
-"""What programs import as `ament_index_python`: where packages and their files are.
+"""The functions of `ament_index_python`: paths of packages and their files.
 
-Where a workspace is sourced its packages come first; ours follow, so that code which asks for `turtlesim` or
-`geometry_msgs` has an answer without a ROS. No AMENT_PREFIX_PATH means no workspace and is no error.
+Packages of a sourced workspace precede tfloom's own, which let code look up `turtlesim` or `geometry_msgs` without a
+ROS. Without AMENT_PREFIX_PATH there is no workspace, which is no error.
 """
 
 from __future__ import annotations
@@ -18,23 +18,23 @@ RESOURCE_INDEX_SUBFOLDER = index.RESOURCE_INDEX
 
 
 class InvalidResourceNameError(ValueError):
-    """A resource's name holds a path separator."""
+    """A resource's name contains a path separator."""
 
 
 class InvalidResourceTypeNameError(ValueError):
-    """A resource type's name holds a path separator."""
+    """A resource type's name contains a path separator."""
 
 
 class PackageNotFoundError(KeyError):
-    """No prefix has the package, and it is none of ours."""
+    """The package is neither in a prefix nor tfloom's own."""
 
     def __str__(self) -> str:
-        """Return the text as it is; a KeyError would quote it."""
+        """Return the text unchanged, because a KeyError would quote it."""
         return str(self.args[0])
 
 
 def get_search_paths() -> list[str]:
-    """Return the folders on AMENT_PREFIX_PATH that exist, the strongest first."""
+    """Return the folders on AMENT_PREFIX_PATH that exist, in order of precedence."""
     return index.search_paths()
 
 
@@ -54,7 +54,7 @@ def get_package_prefix(package_name: str) -> str:
 
 
 def get_package_share_path(package_name: str, print_warning: bool = True) -> Path:
-    """Return the folder of a package's files; where it doesn't exist, say so on stderr.
+    """Return the folder of a package's files; print a warning on stderr where it doesn't exist.
 
     Raises:
         PackageNotFoundError: there is no such package.
@@ -77,7 +77,7 @@ def get_resource(resource_type: str, resource_name: str) -> tuple[str, str]:
     Raises:
         LookupError: no prefix has it.
         OSError: its file can't be read.
-        ValueError: the type or the name holds a path separator.
+        ValueError: the type or the name contains a path separator.
     """
     prefix = has_resource(resource_type, resource_name)
     if not prefix:
@@ -94,7 +94,7 @@ def get_resources(resource_type: str) -> dict[str, str]:
 
 
 def get_resource_types() -> set[str]:
-    """Return the types that any prefix has resources of."""
+    """Return the types of all resources in any prefix."""
     folders = [Path(prefix, RESOURCE_INDEX_SUBFOLDER) for prefix in index.search_paths()]
     return {path.name for folder in folders if folder.is_dir() for path in folder.iterdir() if path.is_dir()}
 
@@ -103,7 +103,7 @@ def has_resource(resource_type: str, resource_name: str) -> str | Literal[False]
     """Return the first prefix that has the resource, or False.
 
     Raises:
-        ValueError: the type or the name holds a path separator.
+        ValueError: the type or the name contains a path separator.
     """
     _check_type(resource_type)
     if not resource_name or set(resource_name) & set("/\\"):
@@ -117,7 +117,7 @@ def _check_type(resource_type: str) -> None:
 
 
 def _find(package: str) -> str | None:
-    """Return a package's prefix, or None for one of ours."""
+    """Return a package's prefix, or None for one of tfloom's own."""
     if not re.fullmatch(r"[a-zA-Z0-9][a-zA-Z0-9_-]+", package):
         raise ValueError(f"'{package}' is not a valid package name")
     prefix = index.find_package(package)

@@ -96,7 +96,7 @@ if __name__ == "__main__":
 
 
 class Package(NamedTuple):
-    """What a new package is to say of itself."""
+    """The description of a new package."""
 
     name: str
     description: str = "TODO: Package description"
@@ -105,14 +105,14 @@ class Package(NamedTuple):
     email: str = "todo@example.com"
     dependencies: tuple[str, ...] = ()
     node: str | None = None
-    """Name of a node to begin with; its program has the same name."""
+    """Name of a first node; its program has the same name."""
 
 
 def create_package(package: Package, folder: Path) -> list[Path]:
     """Write a package into `folder/<name>` and return its files.
 
     Raises:
-        FileExistsError: that folder is there already.
+        FileExistsError: that folder exists already.
         ValueError: a name can't be one of a package, of a node or of a dependency.
     """
     check_name(package.name, "package")
@@ -135,11 +135,11 @@ def create_package(package: Package, folder: Path) -> list[Path]:
 
 
 def check_name(name: str, what: str) -> None:
-    """Refuse what can be no Python module's name.
+    """Check that a name can be that of a Python module.
 
     Raises:
-        ValueError: it doesn't begin with a small letter, holds more than those, digits and underscores, or is a
-            word of Python's.
+        ValueError: it doesn't begin with a small letter, has other characters than those, digits and
+            underscores, or is a keyword.
     """
     if not re.fullmatch(r"[a-z][a-z0-9_]*", name) or keyword.iskeyword(name):
         raise ValueError(

@@ -1,4 +1,4 @@
-"""Packages and their programs: the ament index over AMENT_PREFIX_PATH, then the programs that tfloom brings.
+"""Packages and their programs: the ament index over AMENT_PREFIX_PATH, then tfloom's own programs.
 
 A prefix is a folder that colcon installed into. Under it, `share/ament_index/resource_index/<type>/<name>` is a
 marker file (type `packages`: the package is there), `share/<name>` holds the package's files and `lib/<name>` its
@@ -11,7 +11,7 @@ import os
 from pathlib import Path
 
 OWN_PREFIX = Path(__file__).parents[1]
-"""Where our own packages say they are installed."""
+"""The prefix of tfloom's own packages."""
 PREFIX_PATH_VARIABLE = "AMENT_PREFIX_PATH"
 RESOURCE_INDEX = "share/ament_index/resource_index"
 
@@ -58,11 +58,11 @@ PROGRAMS: dict[str, dict[str, str]] = {
         "turtlesim_node": "tfloom.turtlesim.node:main",
     },
 }
-"""Our own programs: `module:function` for each, by package and name. The function takes the arguments."""
+"""tfloom's own programs: `module:function` for each, by package and name. The function takes the arguments."""
 
 
 def search_paths() -> list[str]:
-    """Return the folders named by AMENT_PREFIX_PATH that exist, the first the strongest."""
+    """Return the folders named by AMENT_PREFIX_PATH that exist, in order of precedence."""
     return [
         path
         for path in os.environ.get(PREFIX_PATH_VARIABLE, "").split(os.pathsep)
@@ -103,15 +103,15 @@ def find_package(package: str) -> str | None:
 
 
 def own_packages() -> list[str]:
-    """Return the packages that tfloom brings, in order: programs, interfaces and Python packages."""
+    """Return tfloom's own packages in order of name: programs, interfaces and Python packages."""
     names = {path.name for path in (OWN_PREFIX / "ros_names").glob("[a-z]*") if path.is_dir()}
     return sorted(names | PROGRAMS.keys())
 
 
 def share_folder(package: str, prefix: str | None) -> Path:
-    """Return where a package's files are: under its prefix, or, with None, of one of ours.
+    """Return the folder of a package's files: under its prefix, or, with None, of one of tfloom's own.
 
-    The folder of one of our interface packages holds `msg/*.msg` as an installed one would; others have none.
+    The folder of an interface package of tfloom's own holds `msg/*.msg` as an installed one would; others have none.
     """
     if prefix is not None:
         return Path(prefix, "share", package)
@@ -130,7 +130,7 @@ def package_programs(package: str, prefix: str) -> list[Path]:
 
 
 def program_name(path: Path) -> str:
-    """Return what a user types for a program's file: on Windows without its extension."""
+    """Return the command for a program's file: its name, on Windows without the extension."""
     return path.stem if os.name == "nt" else path.name
 
 

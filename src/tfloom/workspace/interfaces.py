@@ -1,4 +1,4 @@
-"""Definitions of messages, services and actions: of the workspaces, and those that tfloom brings."""
+"""Definitions of messages, services and actions: of sourced workspaces, and tfloom's own."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def read_definition(name: str) -> str:
     """Return the text of an interface's definition.
 
     Raises:
-        LookupError: there is no such package, or no such interface in it; it names the nearest.
+        LookupError: there is no such package, or no such interface in it; the text has the nearest name.
     """
     package, kind, base = split_name(name)
     folders = interface_packages()
