@@ -69,7 +69,7 @@ def test_cycles_are_collected() -> None:
         made.header = read  # type: ignore[assignment]
         read.header = made  # type: ignore[assignment]
     del made, read
-    assert count() == before
+    assert count() <= before  # what others held may have gone, too
 
 
 def test_all_that_can_be_in_a_cycle_is_known_to_the_collector() -> None:

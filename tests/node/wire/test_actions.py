@@ -192,11 +192,20 @@ def test_a_server_killed_in_mid_goal(
 
 
 def test_a_server_may_be_destroyed_under_a_goal_and_made_anew(
-    client: ActionClient, server: Program, finish: Finish
+    client: ActionClient, server: Program, finish: Finish, executor: SingleThreadedExecutor
 ) -> None:
     finish(send(client, 70))
     server.wait_for("destroyed False 0")
-    assert client.wait_for_server(timeout_sec=20)
-    response = finish(finish(send(client, 4)).get_result_async())
+
+    def is_answered() -> bool:
+        """Send a goal; one that the old server had not yet left for is answered by nobody."""
+        assert client.wait_for_server(timeout_sec=20)
+        sent.append(send(client, 4))
+        executor.spin_until_future_complete(sent[-1], timeout_sec=1.0)
+        return sent[-1].done()
+
+    sent: list[Future[Any]] = []
+    wait_until(is_answered)
+    response = finish(sent[-1].result().get_result_async())
     assert response.status == GoalStatus.STATUS_SUCCEEDED
     assert "Traceback" not in server.output

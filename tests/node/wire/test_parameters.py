@@ -56,52 +56,6 @@ def test_every_type_goes_there_and_back(client: AsyncParameterClient, finish: Fi
     ] == [value for value, _ in TYPES.values()]
 
 
-@pytest.mark.parametrize(
-    ("name", "value", "reason"),
-    [
-        ("limited", 12, "Parameter limited out of range. Min: 0, Max: 10, value: 12"),
-        (
-            "limited",
-            3,
-            "The parameter value for limited is not a valid step. Min: 0, max: 10, value: 3, step: 2",
-        ),
-        ("part", 1.5, "Parameter part out of range. Min: 0.0, Max: 1.0, value: 1.5"),
-        ("fixed", 2, "Trying to set a read-only parameter: fixed."),
-        ("integer", "x", "Wrong parameter type, expected 'Type.INTEGER' got 'Type.STRING'"),
-        ("integer", 13, "thirteen is unlucky"),
-        ("unknown", 1, "Invalid access to undeclared parameter(s): ['unknown']"),
-    ],
-)
-def test_a_refusal_has_its_reason(
-    client: AsyncParameterClient, finish: Finish, name: str, value: object, reason: str
-) -> None:
-    (before,) = finish(client.get_parameters(["integer"])).values
-    good = Parameter("integer", value=6)
-    refused, done = finish(client.set_parameters([Parameter(name, value=value), good])).results
-    assert (refused.successful, refused.reason) == (False, reason)
-    assert done.successful
-    assert (
-        finish(client.set_parameters([Parameter("integer", value=before.integer_value)]))
-        .results[0]
-        .successful
-    )
-    result = finish(client.set_parameters_atomically([good, Parameter(name, value=value)])).result
-    assert (result.successful, result.reason) == (False, reason)
-    assert finish(client.get_parameters(["integer"])).values == [before]
-
-
-def test_lists_descriptions_and_what_isnt_there(client: AsyncParameterClient, finish: Finish) -> None:
-    result = finish(client.list_parameters(["group"])).result
-    assert (result.names, result.prefixes) == (["group.inner.deep"], ["group.inner"])
-    assert finish(client.list_parameters(["group"], depth=1)).result.names == []
-    limited, fixed, free = finish(client.describe_parameters(["limited", "fixed", "free"])).descriptors
-    assert (limited.name, limited.description, limited.integer_range[0].step) == ("limited", "a number", 2)
-    assert (fixed.read_only, free.dynamic_typing) == (True, True)
-    assert not finish(client.get_parameters(["integer", "unknown"])).values
-    assert not finish(client.get_parameters(["unset"])).values
-    assert not finish(client.describe_parameters(["unknown"])).descriptors
-
-
 def test_changes_are_told_to_everybody(
     client: AsyncParameterClient, finish: Finish, spin_until: SpinUntil
 ) -> None:
