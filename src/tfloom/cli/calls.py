@@ -1,4 +1,4 @@
-"""Calling services without a node's machinery."""
+"""Service calls on `rmw`, without a node."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ from tfloom.rosidl import cdr
 T = TypeVar("T")
 
 HINT_S = 2.0
-"""How long to wait for a server until the nearest names are told [s]: discovery is quicker on a busy machine, too."""
+"""How long to wait for a server before printing the nearest names [s]: longer than discovery on a busy machine."""
 PROGRESS_S = 1.0
-"""How long a response may take until the user is told what is waited for [s]."""
+"""How long a response may take before the user gets a message about the wait [s]."""
 CHECK_S = 0.005
-"""How often a server that is waited for is checked [s]: a command lasts about as long as its discovery."""
+"""How often the match with a server is checked [s]; short, because discovery takes most of a command's time."""
 LOOK_AGAIN_S = 0.05
-"""How often a waiting client looks whether there is still a server [s]."""
+"""How often a waiting client checks that its server is still matched [s]."""
 
 
 class Client:
@@ -47,10 +47,10 @@ class Client:
     ) -> None:
         """Wait until a server is there; `while_waiting` is called once if none is there at the start.
 
-        After `HINT_S` the user is told on stderr what is waited for, with the services of nearly the same name.
+        After `HINT_S`, a line on stderr names the service, with those of similar names.
 
         Raises:
-            CommandError: there is none within `timeout_s`, or only one that can't be called, and why.
+            CommandError: there is none within `timeout_s`, or only an incompatible one; the text has the reason.
         """
         hint_s = time.monotonic() + HINT_S
 
@@ -73,7 +73,7 @@ class Client:
             raise CommandError(f"nobody serves {self.name}: waited {timeout_s:g} s for it")
 
     def _nearest(self) -> str:
-        """Return the name of the service or its action, and a line with the nearest that are served."""
+        """Return the name of the service or its action, and a line with the nearest existing names."""
         is_action = self.name.endswith(SEND_GOAL)
         served = {end.name for end in self._graph.service_ends() if end.is_server}
         names = {name.removesuffix(SEND_GOAL) for name in served if name.endswith(SEND_GOAL) == is_action}
@@ -87,7 +87,7 @@ class Client:
     def receive(
         self, number: int, timeout_s: float = math.inf, meanwhile: Callable[[], None] = lambda: None
     ) -> Any:
-        """Wait for the response to a request; `meanwhile` is called again and again until it is there.
+        """Wait for the response to a request; `meanwhile` is called repeatedly until it arrives.
 
         Raises:
             CommandError: there is none within `timeout_s`, or the server has gone, or its response is damaged.
@@ -107,17 +107,17 @@ class Client:
     def call(self, request: Any, timeout_s: float = math.inf) -> Any:
         """Send a request and wait for its response; see `receive`.
 
-        After `PROGRESS_S` a user at a terminal is told what is waited for.
+        After `PROGRESS_S`, a user at a terminal gets a message about the wait.
         """
-        told_s = time.monotonic() + PROGRESS_S if sys.stderr.isatty() else math.inf
+        report_s = time.monotonic() + PROGRESS_S if sys.stderr.isatty() else math.inf
 
-        def tell_once() -> None:
-            nonlocal told_s
-            if time.monotonic() > told_s:
-                told_s = math.inf
+        def report_once() -> None:
+            nonlocal report_s
+            if time.monotonic() > report_s:
+                report_s = math.inf
                 print(f"waiting for {self.name} to answer", file=sys.stderr)
 
-        return self.receive(self.send(request), timeout_s, tell_once)
+        return self.receive(self.send(request), timeout_s, report_once)
 
     def _decoded(self, data: bytes) -> Any:
         try:
@@ -134,7 +134,7 @@ class Client:
 def service_client(
     participant: Participant, node: NodeName, name: str, service_class: type[Any]
 ) -> Iterator[Client]:
-    """Be a client of a service until the end."""
+    """Open a client of a service for the block."""
     client = Client(participant, node, name, service_class)
     try:
         yield client
@@ -143,10 +143,10 @@ def service_client(
 
 
 def ask_each(asked: Mapping[str, Callable[[], T]]) -> dict[str, T]:
-    """Return what each of several answers, by its name; the user is told on stderr of those that don't answer.
+    """Return the answers of several calls, by name; errors of some are printed on stderr.
 
     Raises:
-        CommandError: none answers.
+        CommandError: all calls failed.
     """
     answers = {name: _answer(ask) for name, ask in asked.items()}
     errors = [answer for answer in answers.values() if isinstance(answer, CommandError)]
@@ -165,6 +165,6 @@ def _answer(ask: Callable[[], T]) -> T | CommandError:
         return error
 
 
-def tell(text: str) -> Callable[[], None]:
-    """Return what prints a line on stderr."""
+def printer(text: str) -> Callable[[], None]:
+    """Return a function that prints a line on stderr."""
     return lambda: print(text, file=sys.stderr)

@@ -1,4 +1,4 @@
-"""A child process whose life is tied to ours: signals reach it, and it never outlives us."""
+"""A child process that ends with this one: signals are passed on to it."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from collections.abc import Callable, Mapping, Sequence
 from types import FrameType
 
 GRACE_S = 1.0
-"""How long a child that may have got the signal by itself, as one of our process group, has to end before it is
-passed on [s]: longer than a node takes to leave the graph."""
+"""How long to wait before a signal is passed on to a child that may have received it by itself, as a member of the
+process group [s]: longer than a node takes to leave the graph."""
 PR_SET_PDEATHSIG = 1
 
 
 def run_child(command: Sequence[str]) -> int:
     """Run a command to its end and return its exit code; -N where signal N ended it.
 
-    A Ctrl-C at the terminal reaches the child by itself. Any other SIGINT, SIGTERM or SIGHUP that we get is passed
-    on. If we are killed, so is the child (Linux).
+    A Ctrl-C at the terminal reaches the child by itself. Any other SIGINT, SIGTERM or SIGHUP is passed on. If
+    this process is killed, so is the child (Linux).
 
     Raises:
         CommandError: the command can't be started.
@@ -57,7 +57,7 @@ def _send(child: subprocess.Popen[bytes], number: int) -> None:
 
 
 def _terminal_signals_us() -> bool:
-    """Whether a Ctrl-C at the terminal is ours and our child's: we are its foreground process group."""
+    """Return whether this is the terminal's foreground process group, so that a Ctrl-C reaches the child, too."""
     if os.name != "posix":
         return True
     try:
@@ -73,7 +73,7 @@ def _terminal_signals_us() -> bool:
 
 
 def _child_setup(handlers: Mapping[int, object]) -> Callable[[], None] | None:
-    """Return what the child does before it becomes the program, or None where there is nothing to do."""
+    """Return the function that the child runs before it executes the program, or None without one."""
     if os.name != "posix":
         return None
     prctl = None
@@ -84,13 +84,13 @@ def _child_setup(handlers: Mapping[int, object]) -> Callable[[], None] | None:
     parent = os.getpid()
 
     def setup() -> None:
-        # A handler of ours becomes the default on exec; a signal that was ignored is to stay so (nohup).
+        # A handler becomes the default on exec; an ignored signal has to stay ignored (nohup).
         for number, handler in handlers.items():
             if handler == signal.SIG_IGN:
                 signal.signal(number, signal.SIG_IGN)
         if prctl is not None:
             prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
-            if os.getppid() != parent:  # We were killed before it was set.
+            if os.getppid() != parent:  # The parent was killed before it was set.
                 os._exit(1)
 
     return setup

@@ -1,4 +1,4 @@
-"""What the Tab key offers for an argument: live topics and nodes, types, packages and programs."""
+"""Completion of arguments: live topics and nodes, types, packages and programs."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from tfloom.workspace import index
 from tfloom.workspace.interfaces import interface_packages, known_interfaces
 
 MOST_S = 1.0
-"""How long a Tab may look for others [s]."""
+"""How long a completion may wait for discovery [s]."""
 
 
 def fill_typed_verb(parser: VerbParser, line: str) -> None:
-    """Let the verb of a command line add its arguments now: argcomplete looks at them before it parses."""
+    """Add the arguments of the command line's verb now, because argcomplete reads them before it parses."""
     for word in line.split()[1:]:
         parser = parser.words.get(word, parser)
     parser.fill()
@@ -23,7 +23,7 @@ def fill_typed_verb(parser: VerbParser, line: str) -> None:
 def complete_argument(
     prefix: str, action: argparse.Action, parser: argparse.ArgumentParser, parsed_args: argparse.Namespace
 ) -> list[str]:
-    """Return the values that begin with what was typed of an argument; nothing where it is free text."""
+    """Return the values that begin with the typed part of an argument; empty for free text."""
     if action.choices is not None:
         values: Iterable[str] = [str(choice) for choice in action.choices]
     else:
@@ -34,7 +34,7 @@ def complete_argument(
 
 
 def find_offer(verb: list[str], argument: str) -> Callable[[argparse.Namespace], Iterable[str]] | None:
-    """Return what offers values for an argument of a verb, or None where it is free text."""
+    """Return the function that lists values for an argument of a verb, or None for free text."""
     keys = [(*verb[-1:], argument), (*verb[:1], argument), (argument,)]
     return next((_OFFERS[key] for key in keys if key in _OFFERS), None)
 
@@ -45,12 +45,12 @@ def _topics(_: argparse.Namespace) -> list[str]:
     with graph.joined_participant() as participant:
         graph.wait_until_quiet(participant.graph, MOST_S)
         names = graph.topic_types(participant.graph.endpoints())
-    # Without its slash a name is as good, so what is typed without one is completed, too.
+    # Names are valid without their first slash, so they are completed without it, too.
     return [*names, *(name[1:] for name in names)]
 
 
 def _types_of_topic(args: argparse.Namespace) -> list[str]:
-    """Return the type that the topic has; all messages where nobody has it."""
+    """Return the type of the topic; all messages where there is no such topic."""
     from tfloom.cli import graph
 
     with graph.joined_participant() as participant:
@@ -78,7 +78,7 @@ def _services(_: argparse.Namespace) -> list[str]:
 
 
 def _type_of_service(args: argparse.Namespace) -> list[str]:
-    """Return the type that the service has; all services where nobody has it."""
+    """Return the type of the service; all services where there is no such service."""
     from tfloom.cli import graph
 
     with graph.joined_participant() as participant:
@@ -94,7 +94,7 @@ def _actions(_: argparse.Namespace) -> list[str]:
 
 
 def _type_of_action(args: argparse.Namespace) -> list[str]:
-    """Return the type that the action has; all actions where nobody has it."""
+    """Return the type of the action; all actions where there is no such action."""
     from tfloom.cli.action.common import settled_ends
 
     types = {end.type_name for end in settled_ends() if end.name == args.action_name}
@@ -118,7 +118,7 @@ def _lifecycle_nodes(_: argparse.Namespace) -> list[str]:
 
 
 def _transitions(args: argparse.Namespace) -> list[str]:
-    """Return the transitions that the node can be asked for now."""
+    """Return the transitions that are available on the node now."""
     from tfloom.cli.lifecycle.common import lifecycles
 
     asked = argparse.Namespace(spin_time=MOST_S, include_hidden_nodes=True)
@@ -165,4 +165,4 @@ _OFFERS: dict[tuple[str, ...], Callable[[argparse.Namespace], Iterable[str]]] = 
     ("interface", "package_name"): lambda _: list(interface_packages()),
     ("interface", "type"): lambda _: known_interfaces(),
 }
-"""What to offer, by the last or first word of the verb and the argument's name, or by the name alone."""
+"""The values to list, by the last or first word of the verb and the argument's name, or by the name alone."""

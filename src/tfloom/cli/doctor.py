@@ -1,4 +1,4 @@
-"""Look at what programs need to run and to find one another, and say what to do where something is amiss."""
+"""Check what programs need to run and to discover one another, and print remedies for what is amiss."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(args: argparse.Namespace) -> int:
-    """Print a line for each check; 1 if one failed."""
+    """Print a line for each check; return 1 if one failed."""
     checks = {
         name: check
         for name, check in CHECKS.items()

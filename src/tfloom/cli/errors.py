@@ -1,4 +1,4 @@
-"""What ends a command with a sentence instead of a traceback."""
+"""Errors that end a command with a sentence instead of a traceback."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TextIO
 
 
 class CommandError(Exception):
-    """The command can't do what was asked; its text, for the user, says why."""
+    """The command can't be executed; the text, for the user, has the reason."""
 
     def __init__(self, text: str, exit_code: int = 1) -> None:
         super().__init__(text)
@@ -28,7 +28,7 @@ def standard_input() -> TextIO:
 
 
 def refuse_bytes(words: Sequence[str]) -> None:
-    """Raise CommandError if a word isn't text; Python puts lone surrogates for what it can't decode."""
+    """Raise CommandError if a word isn't text: Python decodes invalid bytes to lone surrogates."""
     for word in words:
         if any("\ud800" <= letter <= "\udfff" for letter in word):
             raise CommandError(f"the argument {os.fsencode(word)!r} isn't text in this terminal's encoding")

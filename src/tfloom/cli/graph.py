@@ -1,4 +1,4 @@
-"""The graph as a command sees it: a participant with no node, and a wait until everybody has been heard."""
+"""The graph for a command: a participant without a node, and the wait until discovery is complete."""
 
 from __future__ import annotations
 
@@ -13,25 +13,25 @@ from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import EndpointInfo, Graph, Participant
 
 QUIET_S = 0.15
-"""Discovery is over when nothing new has come for so long [s]."""
+"""Discovery is complete when nothing new has arrived for this long [s]."""
 LEAST_S = 0.2
-"""…and not before [s]."""
+"""The least time to wait [s]."""
 PATIENCE_S = 1.0
-"""How much longer to wait at most for what is missing [s]."""
+"""How much longer to wait at most for missing entities [s]."""
 LATE_MOST_S = 3.0
 """How much longer to wait at most on a busy machine [s]."""
 LOOK_S = 0.05
 """How long to sleep at a time [s]."""
 PUNCTUAL_S = 0.005
-"""How late a sleep may end [s]; what is later tells of a busy machine."""
+"""How late a sleep may end [s]; a later end indicates a busy machine."""
 LATE_WEIGHT = 4.0
 """How much longer to wait for each second that sleeps ended late."""
 MOST_S = 5.0
-"""How long to listen at most when no --spin-time says so [s]."""
+"""How long to wait at most without --spin-time [s]."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the flags that every question to the graph takes."""
+    """Add the common flags of all verbs that use the graph."""
     parser.add_argument(
         "--spin-time",
         type=seconds,
@@ -58,7 +58,7 @@ def joined_participant() -> Iterator[Participant]:
 
 @contextmanager
 def settled_graph(args: argparse.Namespace) -> Iterator[Graph]:
-    """Join the domain, wait until everybody has been heard, and leave it at the end."""
+    """Join the domain, wait until discovery is complete, and leave it at the end."""
     with joined_participant() as participant:
         wait_until_quiet(participant.graph, args.spin_time)
         yield participant.graph
@@ -67,8 +67,8 @@ def settled_graph(args: argparse.Namespace) -> Iterator[Graph]:
 def wait_until_quiet(graph: Graph, most_s: float) -> None:
     """Wait until the graph has not changed for `QUIET_S`: at least `LEAST_S`, at most `most_s` [s].
 
-    It waits longer while something is known to be missing, up to `PATIENCE_S`, and where this process didn't get
-    the processor in time, up to `LATE_MOST_S`: then the others may not have got it either.
+    It waits longer while announced entities are missing, up to `PATIENCE_S`, and if this process was scheduled late,
+    up to `LATE_MOST_S`, because the others may be late, too.
     """
     queue = ReadyQueue()
     start = time.monotonic()
@@ -94,7 +94,7 @@ def wait_until_quiet(graph: Graph, most_s: float) -> None:
 
 
 def is_hidden(name: str) -> bool:
-    """Whether a part of the name begins with an underscore."""
+    """Return whether a part of the name begins with an underscore."""
     return any(part.startswith("_") for part in name.split("/"))
 
 

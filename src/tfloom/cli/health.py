@@ -1,4 +1,4 @@
-"""The checks of `doctor`. Each looks at one thing and tells what it found; none raises."""
+"""The checks of `doctor`. Each returns its finding on one subject; none raises."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from tfloom.workspace import index
 
 TRIP_TIMEOUT_S = 5.0
 LARGE_BUFFER = 4 << 20
-"""The receive buffer [octets] at which messages of megabytes come through at best effort."""
+"""The receive buffer [octets] that is sufficient for messages of megabytes at best effort."""
 
 DISTRIBUTIONS = (
     "tfloom-ros2",
@@ -35,7 +35,7 @@ DISTRIBUTIONS = (
 
 
 class Verdict(Enum):
-    """How a check ended."""
+    """The outcome of a check."""
 
     OK = "ok"
     WARNING = "warning"
@@ -43,21 +43,21 @@ class Verdict(Enum):
 
 
 class Finding(NamedTuple):
-    """What a check found."""
+    """The finding of a check."""
 
     verdict: Verdict
     summary: str
     advice: str = ""
-    """What to do; empty if nothing."""
+    """The remedy; empty without one."""
     details: dict[str, Any] = {}  # noqa: RUF012  # never changed
 
     def as_dict(self) -> dict[str, Any]:
-        """Return it as JSON takes it."""
+        """Return it as JSON values."""
         return {**self._asdict(), "verdict": self.verdict.value.lower()}
 
 
 def check_wire() -> Finding:
-    """Look for the wire that RMW_IMPLEMENTATION names, and its library."""
+    """Check the wire of RMW_IMPLEMENTATION, and its library."""
     from tfloom.rmw.backends import DEFAULT, implementation_identifier
 
     asked = os.environ.get("RMW_IMPLEMENTATION")
@@ -77,7 +77,7 @@ def check_wire() -> Finding:
 
 
 def check_domain() -> Finding:
-    """Look at ROS_DOMAIN_ID and the discovery range."""
+    """Check ROS_DOMAIN_ID and the discovery range."""
     from tfloom.rmw.backends import domain_id_from_environment
     from tfloom.rmw.cyclone_config import configuration, discovery_range, look_up_peers
 
@@ -112,7 +112,7 @@ def check_domain() -> Finding:
 
 
 def check_network() -> Finding:
-    """Look at the network interfaces, whether multicast finds others there, and how much a socket may hold."""
+    """Check the network interfaces, multicast on them, and the receive buffer of sockets."""
     interfaces = list(_interfaces())
     details: dict[str, Any] = {each.name: each.state for each in interfaces}
     up = [f"{each.name} ({each.multicast})" for each in interfaces if each.is_up]
@@ -133,7 +133,7 @@ def check_network() -> Finding:
 
 
 def _asked_range() -> str:
-    """Return the discovery range; nothing where another check tells that it is none, or it doesn't rule."""
+    """Return the discovery range; empty where it is invalid, which another check reports, or has no effect."""
     from tfloom.rmw.backends import DEFAULT, implementation_identifier
     from tfloom.rmw.cyclone_config import discovery_range
 
@@ -149,7 +149,7 @@ def _needs_multicast() -> bool:
 
 
 def _used(interfaces: list[Interface]) -> str:
-    """Return which interface the wire uses, as far as that's known."""
+    """Return the interface that the wire uses, as far as it is known."""
     if _asked_range() in {"LOCALHOST", "OFF"}:
         loopback = next((each.name for each in interfaces if each.is_loopback), "the loopback interface")
         beside = " and what leads to ROS_STATIC_PEERS" if os.environ.get("ROS_STATIC_PEERS") else ""
@@ -176,22 +176,22 @@ class Interface(NamedTuple):
 
     @property
     def multicast(self) -> str:
-        """Whether multicast goes there, in words."""
+        """The state of multicast there, in words."""
         return "multicast" if self.flags & 0x1000 else "no multicast"
 
     @property
     def state(self) -> str:
-        """What `--report` says of it."""
+        """Its description for `--report`."""
         return f"{'up' if self.is_up else 'down'}, {self.multicast}"
 
     @property
     def may_find_others(self) -> bool:
-        """Whether others on the network can be found by multicast there."""
+        """Whether multicast discovers other machines there."""
         return self.is_up and not self.is_loopback and self.multicast == "multicast"
 
 
 def _interfaces() -> Iterator[Interface]:
-    """Yield each interface, where Linux tells."""
+    """Yield each interface, on Linux."""
     for folder in sorted(Path("/sys/class/net").glob("*")):
         try:
             flags = int((folder / "flags").read_text(), 16)
@@ -201,7 +201,7 @@ def _interfaces() -> Iterator[Interface]:
 
 
 def check_round_trip() -> Finding:
-    """Let two participants of this process find each other on the domain, and pass a message."""
+    """Check that two participants of this process discover each other on the domain and exchange a message."""
     from tfloom.rmw.backends import open_participant
     from tfloom.rmw.base import NodeName, Topic
     from tfloom.rmw.qos import QoS
@@ -238,7 +238,7 @@ def check_round_trip() -> Finding:
 
 
 def check_names() -> Finding:
-    """Look who serves each of ROS's names to a Python program."""
+    """Check which distribution serves each of ROS's names to a Python program."""
     ours, others = {}, {}
     for folder in sorted((index.OWN_PREFIX / "ros_names").glob("[a-z]*")):
         spec = PathFinder.find_spec(folder.name)
@@ -290,7 +290,7 @@ def check_commands() -> Finding:
 
 
 def check_versions() -> Finding:
-    """Tell the versions of Python, tfloom and what it uses."""
+    """Report the versions of Python, tfloom and its dependencies."""
     details = {
         "Python": platform.python_version(),
         "system": platform.platform(),

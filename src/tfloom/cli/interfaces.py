@@ -1,4 +1,4 @@
-"""Message classes and values from what a user typed."""
+"""Message classes and values from a user's words."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ def message_class(name: str, *, ask_graph: bool = False) -> type[Message]:
     """Return the class of a message type's name.
 
     Raises:
-        CommandError: there is none, and which are the nearest, or its definition can't be read. With `ask_graph`,
-            what is on the graph now is the nearest.
+        CommandError: there is none, or its definition can't be parsed; the text has the nearest names, with
+            `ask_graph` those on the graph first.
     """
     return _class(registry.get_message_class, name, "msg", ask_graph=ask_graph)
 
@@ -73,7 +73,7 @@ def parse_yaml(text: str) -> dict[str, Any]:
     """Return the fields that a YAML text gives.
 
     Raises:
-        CommandError: it isn't YAML, or not a mapping of fields; a mistake is shown at its place.
+        CommandError: it isn't YAML, or not a mapping of fields; the text has the position of the mistake.
     """
     import yaml
 
@@ -105,7 +105,7 @@ def fill_message(message: Message, values: dict[str, Any]) -> list[StampSetter]:
         A function for each such word, to be called with the time of publishing.
 
     Raises:
-        CommandError: a field doesn't exist, and which do, or a value doesn't fit, and which field.
+        CommandError: a field doesn't exist, or a value doesn't fit; the text has the existing fields, or the field.
     """
     filler = Filler(auto=True, now=True)
     try:
@@ -120,7 +120,7 @@ def fill_message(message: Message, values: dict[str, Any]) -> list[StampSetter]:
 
 
 def set_stamps(setters: list[StampSetter], now_ns: int) -> None:
-    """Set to a time [ns] what `fill_message` found to be set at publishing."""
+    """Set the times that `fill_message` returned setters for to a time [ns]."""
     if setters:
         from tfloom.interfaces.builtin_interfaces.msg import Time
 

@@ -1,4 +1,4 @@
-"""Values as JSON that every reader of JSON takes."""
+"""Values as strict JSON."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Listening to a topic without a node's machinery: its type, its publishers, its samples as they come."""
+"""Topics on `rmw`, without a node: type, publishers, and samples as they arrive."""
 
 from __future__ import annotations
 
@@ -24,17 +24,17 @@ from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
 
 PATIENCE_S = 1.0
-"""How long a wait may last before the user is told what for [s]."""
+"""How long a wait may last before the user gets a message about it [s]."""
 
 HINT_S = 2.0
-"""How long a publisher waits for subscriptions until the user is told why there may be none [s]."""
+"""How long a publisher waits for subscriptions before the user gets a possible reason [s]."""
 
 
 def find_type(graph: Graph, name: str) -> str:
     """Return the type of a topic that is on the graph.
 
     Raises:
-        CommandError: nobody has the topic, or it has several types.
+        CommandError: there is no such topic, or it has several types.
     """
     topics = topic_types(graph.endpoints())
     types = topics.get(name, [])
@@ -56,27 +56,27 @@ def publishers_of(graph: Graph, name: str) -> list[EndpointInfo]:
 
 
 def wait_for_publishers(graph: Graph, name: str, end_s: float) -> list[EndpointInfo]:
-    """Wait until somebody writes the topic and return who; nobody at `end_s` on the monotonic clock."""
+    """Wait for writers of the topic and return them; return none at `end_s` on the monotonic clock."""
     queue = ReadyQueue()
     graph.notify(queue)
     try:
-        told_s = time.monotonic() + PATIENCE_S
+        report_s = time.monotonic() + PATIENCE_S
         while not (publishers := publishers_of(graph, name)):
             now_s = time.monotonic()
             if now_s >= end_s:
                 return []
-            if now_s >= told_s:
+            if now_s >= report_s:
                 near = did_you_mean(name, {end.topic.name for end in graph.endpoints() if end.is_writer})
                 print(f"waiting for a publisher of {name}{near}", file=sys.stderr)
-                told_s = math.inf
-            wait_for_token(queue, min(end_s, told_s))
+                report_s = math.inf
+            wait_for_token(queue, min(end_s, report_s))
         return publishers
     finally:
         graph.notify(None)
 
 
 def unmet(graph: Graph, topic: Topic, *, is_publisher: bool) -> str:
-    """Return why a topic's publisher, or subscription, meets nobody, as far as names and types tell; else nothing."""
+    """Return why a topic's publisher, or subscription, matches no peer, by names and types; empty if it may match."""
     others = [end.topic for end in graph.endpoints() if end.is_writer is not is_publisher]
     types = sorted({other.type_name for other in others if other.name == topic.name})
     if not types:
@@ -89,13 +89,13 @@ def unmet(graph: Graph, topic: Topic, *, is_publisher: bool) -> str:
 
 
 def cli_node() -> NodeName:
-    """Return the name that a command goes by on the graph; the underscore hides it from `node list`."""
+    """Return the name of a command's node on the graph; the underscore hides it from `node list`."""
     return NodeName("/", f"_ros2cli_{os.getpid()}")
 
 
 @contextmanager
 def shown_node(participant: Participant, node: NodeName) -> Iterator[NodeName]:
-    """Show a node on the graph until the end."""
+    """Show a node on the graph for the block."""
     participant.add_node(node)
     try:
         yield node
@@ -104,7 +104,7 @@ def shown_node(participant: Participant, node: NodeName) -> Iterator[NodeName]:
 
 
 def decoded(cls: type[Message], sample: Sample) -> Any:
-    """Return a sample's message, or None, and say so on stderr, where the bytes are none of its type."""
+    """Return a sample's message; where the bytes are not of its type, print a line on stderr and return None."""
     try:
         return cdr.decode(cls, sample.data)
     except cdr.DecodeError as error:
@@ -122,7 +122,7 @@ def samples(
 ) -> Iterator[Sample]:
     """Yield the samples of a topic as they come, until `end_s` on the monotonic clock.
 
-    `on_lost` is told of samples that will never come, where the wire counts them.
+    `on_lost` is called with the count of lost samples, where the wire counts them.
     """
     for sample in samples_and_ticks(participant, name, message_class, qos, end_s=end_s, on_lost=on_lost):
         if sample is not None:
@@ -153,14 +153,14 @@ def samples_and_ticks(
             while time.monotonic() < end_s:
                 while sample := reader.take():
                     if on_lost is not None:
-                        _tell_of_losses(reader, on_lost)
+                        _report_losses(reader, on_lost)
                     yield sample
                     if time.monotonic() >= min(next_tick_s, end_s):
                         break
                 else:
                     wait_for_token(queue, min(end_s, next_tick_s))
                     if on_lost is not None:
-                        _tell_of_losses(reader, on_lost)
+                        _report_losses(reader, on_lost)
                     warn_of_mismatch(reader, participant.graph, name, is_publisher=False)
                 if time.monotonic() >= next_tick_s:
                     next_tick_s += tick_s
@@ -172,7 +172,7 @@ def samples_and_ticks(
 def _if_counted(
     reader: Reader, queue: ReadyQueue, on_lost: Callable[[Count], None]
 ) -> Callable[[Count], None] | None:
-    """Watch for losses and return who is told of them: nobody where the wire doesn't count them."""
+    """Watch for lost samples and return `on_lost`; None where the wire doesn't count them."""
     try:
         reader.notify_event(Event.MESSAGE_LOST, queue)
     except UnsupportedEventError:
@@ -180,14 +180,14 @@ def _if_counted(
     return on_lost
 
 
-def _tell_of_losses(reader: Reader, on_lost: Callable[[Count], None]) -> None:
+def _report_losses(reader: Reader, on_lost: Callable[[Count], None]) -> None:
     status = reader.take_event(Event.MESSAGE_LOST)
     if isinstance(status, Count):
         on_lost(status)
 
 
 def warn_of_mismatch(end: Reader | Writer, graph: Graph, name: str, *, is_publisher: bool) -> None:
-    """Say on stderr that somebody has the topic with whom `end` can't connect, if that's news."""
+    """Print a warning on stderr if a new peer is incompatible with `end`."""
     status = end.take_event(Event.INCOMPATIBLE_QOS)
     if isinstance(status, IncompatibleQoS):
         from tfloom.rmw.qos_mismatch import mismatch_text

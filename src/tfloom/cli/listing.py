@@ -1,4 +1,4 @@
-"""Lists as people read them, and as programs do."""
+"""Lists as text and as JSON."""
 
 from __future__ import annotations
 

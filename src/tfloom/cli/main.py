@@ -1,5 +1,5 @@
 # PYTHON_ARGCOMPLETE_OK
-"""The table of verbs, and the one way in: `main`.
+"""The table of verbs, and the entry point `main`.
 
 Each verb is a file with `add_arguments(parser)` and `main(args) -> int`, imported when it is called.
 """
@@ -18,11 +18,11 @@ from tfloom.cli.parser import Group, build_parser
 
 COMMANDS: dict[str, str | Group] = {
     "action": Group(
-        "Ask about actions, and send goals",
+        "Inspect actions, and send goals",
         {
-            "info": "Tell who serves and who calls an action",
+            "info": "Print the servers and clients of an action",
             "list": "List the actions",
-            "send_goal": "Send a goal to an action server and print what comes of it",
+            "send_goal": "Send a goal to an action server and print its result",
             "type": "Print an action's type",
         },
     ),
@@ -36,7 +36,7 @@ COMMANDS: dict[str, str | Group] = {
         },
     ),
     "demo": "Show a turtle, its frames and tf2 at work",
-    "doctor": "Look at what programs need to run and to find one another",
+    "doctor": "Check what programs need to run and to discover one another",
     "interface": Group(
         "Look up definitions of messages, services and actions",
         {
@@ -48,25 +48,25 @@ COMMANDS: dict[str, str | Group] = {
         },
     ),
     "lifecycle": Group(
-        "Look at nodes that are configured and activated from outside, and change their state",
+        "Inspect nodes that are configured and activated from outside, and change their state",
         {
             "get": "Print the state of a lifecycle node, or of all",
-            "list": "List the transitions that a lifecycle node can be asked for",
+            "list": "List the transitions that are available on a lifecycle node",
             "nodes": "List the nodes that have a lifecycle",
-            "set": "Ask a lifecycle node for a transition",
+            "set": "Request a transition of a lifecycle node",
         },
     ),
     "multicast": Group(
-        "Try whether multicast comes through",
+        "Test multicast",
         {
             "receive": "Wait for one UDP multicast datagram",
             "send": "Send one UDP multicast datagram",
         },
     ),
     "node": Group(
-        "Ask about nodes",
+        "Inspect nodes",
         {
-            "info": "Tell what a node publishes, subscribes to, serves and calls",
+            "info": "Print what a node publishes, subscribes to, serves and calls",
             "list": "List the nodes that are running",
         },
     ),
@@ -74,7 +74,7 @@ COMMANDS: dict[str, str | Group] = {
         "Read and change the parameters of nodes",
         {
             "delete": "Delete a parameter",
-            "describe": "Tell what parameters are for and what they may hold",
+            "describe": "Print the descriptions and constraints of parameters",
             "dump": "Print all parameters of a node as YAML",
             "get": "Print a parameter's value",
             "list": "List the parameters of a node, or of all nodes",
@@ -83,7 +83,7 @@ COMMANDS: dict[str, str | Group] = {
         },
     ),
     "pkg": Group(
-        "Ask about packages",
+        "Inspect packages",
         {
             "create": "Make a new package for a workspace",
             "executables": "List the programs that `run` finds",
@@ -94,26 +94,26 @@ COMMANDS: dict[str, str | Group] = {
     ),
     "run": "Run a program of a package",
     "service": Group(
-        "Ask about services, and call them",
+        "Inspect services, and call them",
         {
-            "call": "Call a service and print what it answers",
+            "call": "Call a service and print its response",
             "echo": "Print the requests and responses of a service that publishes its events",
             "find": "List the services of a type",
-            "info": "Tell a service's type, and how many serve and call it",
+            "info": "Print a service's type, and its numbers of servers and clients",
             "list": "List the services",
             "type": "Print a service's type",
         },
         hidden="services",
     ),
     "topic": Group(
-        "Ask about topics, listen and publish",
+        "Inspect topics, subscribe and publish",
         {
-            "bw": "Tell how many bytes a second come on a topic",
-            "delay": "Tell how old messages are when they come",
+            "bw": "Print the bandwidth of a topic",
+            "delay": "Print the delay of a topic's messages",
             "echo": "Print the messages of a topic",
             "find": "List the topics of a type",
-            "hz": "Tell how often messages come on a topic",
-            "info": "Tell a topic's type, and who writes and reads it",
+            "hz": "Print the rate of a topic's messages",
+            "info": "Print a topic's type, publishers and subscriptions",
             "list": "List the topics",
             "pub": "Publish messages on a topic",
             "type": "Print a topic's type",
@@ -125,14 +125,14 @@ COMMANDS: dict[str, str | Group] = {
 INTERRUPTED = 2
 """Exit code after Ctrl-C, as ros2's."""
 PIPE_CLOSED = 141
-"""Exit code when nobody reads the output any more: a shell's 128 + SIGPIPE."""
+"""Exit code when the output pipe is closed: a shell's 128 + SIGPIPE."""
 
 
 def main(argv: Sequence[str] | None = None, prog: str = "tfloom") -> int:
     """Run one command line and return its exit code.
 
     Args:
-        argv: The words after the program's name; None takes sys.argv's.
+        argv: The words after the program's name; None: those of sys.argv.
         prog: The program's name in help and errors.
     """
     is_process_ours = argv is None
@@ -149,11 +149,11 @@ def main(argv: Sequence[str] | None = None, prog: str = "tfloom") -> int:
 def _exit_code(argv: Sequence[str] | None, prog: str) -> int:
     """Run one command line; print the error that ended it, if it is the user's."""
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
-        # A script's background jobs start so; ROS programs end on SIGINT there, too.
+        # A script's background jobs start with it ignored; ROS programs end on SIGINT there, too.
         signal.signal(signal.SIGINT, signal.default_int_handler)
     signal.signal(signal.SIGTERM, _terminated)
-    if argv is None:  # The process is ours.
-        sys.unraisablehook = _told_in_vain
+    if argv is None:  # This is the main program of the process.
+        sys.unraisablehook = _interrupt_again
     try:
         code = _run(argv, prog)
         if sys.stdout is not None:
@@ -186,7 +186,7 @@ def _ignore_signals() -> None:
 
 
 def _sentence(error: Exception, prog: str) -> str | None:
-    """Return what the user is told of an error; None of one that is a mistake of ours."""
+    """Return the text of an error for the user; None for a bug of tfloom's."""
     from tfloom.rmw.errors import WireError
 
     if isinstance(error, (CommandError, WireError)):
@@ -213,14 +213,14 @@ def _run(argv: Sequence[str] | None, prog: str) -> int:
         argcomplete.autocomplete(
             parser,
             always_complete_options=False,
-            default_completer=complete_argument,  # type: ignore[arg-type]  # any callable will do
+            default_completer=complete_argument,  # type: ignore[arg-type]  # any callable works
         )
     args = parser.parse_args(argv)
     args.prog = prog
     if args.run_verb.__module__ != "tfloom.cli.run":
         refuse_bytes(sys.argv[1:] if argv is None else argv)
     if sys.stdout is not None:  # It may have been closed: `>&-`.
-        # A letter that the terminal's encoding lacks is spelled out.
+        # A letter that the terminal's encoding lacks is escaped.
         sys.stdout.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]
         if not args.use_python_default_buffering:
             sys.stdout.reconfigure(line_buffering=True)  # type: ignore[union-attr]
@@ -228,12 +228,12 @@ def _run(argv: Sequence[str] | None, prog: str) -> int:
 
 
 def _drop_output() -> None:
-    """Write what is left in the buffer nowhere; the interpreter's flush at its end would raise again."""
+    """Discard the rest of the buffer, because the interpreter's flush at its end would raise again."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
-def _told_in_vain(error: sys.UnraisableHookArgs) -> None:
-    """Take a Ctrl-C that fell into a callback, which can't raise it, and let it fall again a moment later."""
+def _interrupt_again(error: sys.UnraisableHookArgs) -> None:
+    """Interrupt the main thread again after a Ctrl-C inside a callback, because a callback can't raise it."""
     if error.exc_type is not KeyboardInterrupt:
         sys.__unraisablehook__(error)
     elif hasattr(signal, "setitimer"):
@@ -242,5 +242,5 @@ def _told_in_vain(error: sys.UnraisableHookArgs) -> None:
 
 
 def _terminated(number: int, _: FrameType | None) -> None:
-    """End on a signal as on an error, so that what is open is closed and the others on the domain are told."""
+    """End on a signal as on an error, so that all is closed and the other participants are notified."""
     raise SystemExit(128 + number)

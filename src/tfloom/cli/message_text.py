@@ -1,4 +1,4 @@
-"""How a message becomes the text that is printed."""
+"""Conversion of messages to printed text."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from tfloom.cli.numbers import count
 from tfloom.rosidl.message import Message
 
 TRUNCATE_LENGTH = 128
-"""How many elements of arrays, bytes and strings are printed when no flag says so."""
+"""How many elements of arrays, bytes and strings are printed by default."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the flags that say how a message becomes text."""
+    """Add the flags that control how a message becomes text."""
     parser.add_argument("--full-length", "-f", action="store_true", help="print arrays and strings whole")
     parser.add_argument(
         "--truncate-length",
@@ -29,7 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def message_text(args: argparse.Namespace) -> Callable[[Any], str]:
-    """Return what turns a message, a field of one, or several fields by their paths into the text to print."""
+    """Return the function that converts a message, a field of one, or several fields by their paths to text."""
     options = text_options(args)
     of_csv = {name: options[name] for name in ("truncate_length", "no_arr", "no_str")}
 
@@ -69,7 +69,7 @@ def _titled(path: str, value: Any, options: dict[str, Any]) -> str:
 
 
 def text_options(args: argparse.Namespace) -> dict[str, Any]:
-    """Return the keywords of `yaml_text.message_to_yaml` that the flags ask for."""
+    """Return the keywords of `yaml_text.message_to_yaml` for the flags."""
     return {
         "truncate_length": None if args.full_length else args.truncate_length,
         "no_arr": args.no_arr,

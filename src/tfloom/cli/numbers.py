@@ -1,4 +1,4 @@
-"""Numbers as arguments: what is out of range is refused with a sentence, as argparse refuses what is no number."""
+"""Numbers as arguments: out of range, they are errors of argparse, as other words are."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import argparse
 import math
 
 FOREVER_S = 1e9
-"""What is longer counts as this long [s]: 31 years."""
+"""The longest duration, to which longer ones are cut [s]: 31 years."""
 MOST = 2**31 - 1
 
 
@@ -14,7 +14,7 @@ def seconds(text: str) -> float:
     """Return a duration that isn't negative [s].
 
     Raises:
-        argparse.ArgumentTypeError: it is no number, or negative.
+        argparse.ArgumentTypeError: it is not a number, or negative.
     """
     value = _number(text)
     if not value >= 0.0:
@@ -23,10 +23,10 @@ def seconds(text: str) -> float:
 
 
 def rate(text: str) -> float:
-    """Return how often a second; what isn't above zero is for the verb to refuse, in the reference's words.
+    """Return a rate [Hz]; the verb itself rejects one that isn't above zero, in the reference's words.
 
     Raises:
-        argparse.ArgumentTypeError: it is no number.
+        argparse.ArgumentTypeError: it is not a number.
     """
     value = _number(text)
     if math.isnan(value):
@@ -38,7 +38,7 @@ def count(text: str) -> int:
     """Return a whole number, 0 or more.
 
     Raises:
-        argparse.ArgumentTypeError: it is none, negative, or beyond what 32 bits hold.
+        argparse.ArgumentTypeError: it is not a number, negative, or beyond 32 bits.
     """
     return _whole(text, 0)
 

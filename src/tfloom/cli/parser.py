@@ -1,4 +1,4 @@
-"""Parsers that know their verb's arguments only once they parse: what isn't typed is never imported."""
+"""Parsers that import their verb when they parse, so that no other verb is imported."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ class Group(NamedTuple):
     verbs: Mapping[str, str]
     """One line for each verb; the verb's code is `tfloom.cli.<group>.<verb>`."""
     hidden: str = ""
-    """What its flag `--include-hidden-<hidden>` shows; empty: it has no such flag."""
+    """The `<hidden>` of its flag `--include-hidden-<hidden>`; empty: it has no such flag."""
 
 
 class VerbParser(argparse.ArgumentParser):
-    """A parser for one word of the command line, which learns what may follow when there is something to parse.
+    """A parser for one word of the command line, which adds what may follow when it parses.
 
-    A verb's `module` says what it takes, and is imported then. A `group` gets a parser for each of its verbs then:
-    with a parser for each verb of each group, a start would take half as long again.
+    A verb's `module` adds the arguments, and is imported then. A `group` gets a parser for each of its verbs then,
+    because parsers for all verbs of all groups would make a start half as long again.
     """
 
     def __init__(self, *args: Any, module: str = "", group: Group | None = None, **options: Any) -> None:
@@ -53,7 +53,7 @@ class VerbParser(argparse.ArgumentParser):
         return words
 
     def fill(self) -> None:
-        """Let the verb, or the group, add its arguments: once, and importing the verb."""
+        """Add the arguments of the verb, which is imported, or of the group; once."""
         if self._group is not None:
             group, self._group = self._group, None
             _fill_group(self, group)
@@ -67,7 +67,7 @@ class VerbParser(argparse.ArgumentParser):
     def parse_args(  # type: ignore[override]
         self, args: Sequence[str] | None = None, namespace: argparse.Namespace | None = None
     ) -> argparse.Namespace:
-        """Parse as argparse does; a flag that the verb doesn't have names the nearest that it has."""
+        """Parse as argparse does; the error about an unknown flag has the nearest one."""
         parsed, unknown = self.parse_known_args(args, namespace)
         if unknown:
             verb = getattr(parsed, "verb_parser", self)
@@ -90,16 +90,16 @@ class VerbParser(argparse.ArgumentParser):
     def parse_known_args(  # type: ignore[override]
         self, args: Sequence[str] | None = None, namespace: argparse.Namespace | None = None
     ) -> tuple[argparse.Namespace, list[str]]:
-        """Parse as argparse does, once the verb has said what it takes."""
+        """Parse as argparse does, after adding the verb's arguments."""
         self.fill()
         return super().parse_known_args(args, namespace)
 
 
 def build_parser(prog: str, commands: Mapping[str, str | Group]) -> VerbParser:
-    """Return the parser of the whole command line; none of the verbs' modules is imported for it.
+    """Return the parser of the whole command line, without importing the verbs' modules.
 
     Args:
-        prog: What the user typed: `tfloom` or `ros2`.
+        prog: Name of the command: `tfloom` or `ros2`.
         commands: A summary or a group for each first word.
     """
     top = VerbParser(

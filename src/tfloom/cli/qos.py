@@ -24,7 +24,7 @@ from tfloom.rmw.qos import (
 
 
 def add_arguments(parser: argparse.ArgumentParser, default: str) -> None:
-    """Add the QoS flags; `default` says in the help what happens without them."""
+    """Add the QoS flags; `default` describes in the help what applies without them."""
     parser.add_argument(
         "--qos-profile", choices=list(PROFILES), help=f"start from this profile (default: {default})"
     )
@@ -39,10 +39,10 @@ def add_arguments(parser: argparse.ArgumentParser, default: str) -> None:
 
 
 def asked_qos(args: argparse.Namespace, base: QoS) -> QoS | None:
-    """Return the quality that the flags ask for, over that of --qos-profile or else `base`; None without a flag.
+    """Return the quality of the flags, on top of that of --qos-profile or else `base`; None without a flag.
 
     Raises:
-        CommandError: what they ask for can't be had.
+        CommandError: they request an UNKNOWN policy.
     """
     qos = base if args.qos_profile is None else _profile(args.qos_profile)
     asked = {policy: getattr(args, f"qos_{policy}") for policy in POLICIES if getattr(args, f"qos_{policy}")}
@@ -69,7 +69,7 @@ def _profile(name: str) -> QoS:
 
 def suiting_qos(publishers: Sequence[EndpointInfo]) -> QoS:
     """Return the strictest quality that connects to all of these publishers; without any, the least strict."""
-    # KEEP_ALL, because what many publishers kept for late comers arrives at once.
+    # KEEP_ALL, because the samples that many publishers kept for late readers arrive at once.
     if not publishers:
         return QoS(ReliabilityPolicy.BEST_EFFORT, DurabilityPolicy.VOLATILE, history=HistoryPolicy.KEEP_ALL)
     best = QoS(

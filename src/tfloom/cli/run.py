@@ -1,4 +1,4 @@
-"""Run a program of a package: one that a workspace has built, or one of ours."""
+"""Run a program of a package: of a workspace, or one of tfloom's own."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def main(args: argparse.Namespace) -> int:
 
 
 def find_command(package: str, program: str) -> list[str] | str:
-    """Return the command of a workspace's program, or `module:function` for one of ours.
+    """Return the command of a workspace's program, or `module:function` for one of tfloom's own.
 
     Raises:
         CommandError: no such package, no such program in it, or more than one.
@@ -77,7 +77,7 @@ def _command_of(path: Path) -> list[str]:
 
 
 def run_here(target: str, name: str, argv: list[str]) -> int:
-    """Run one of our own programs in this process and return its exit code.
+    """Run one of tfloom's own programs in this process and return its exit code.
 
     Raises:
         CommandError: its arguments can't be used.
@@ -85,7 +85,7 @@ def run_here(target: str, name: str, argv: list[str]) -> int:
     refuse_bytes(argv)
     module, _, function = target.partition(":")
     sys.argv = [name, *argv]
-    # How a signal ends it is the program's own affair, as in a process of its own.
+    # Signals are handled by the program, as in a process of its own.
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     try:
         return int(getattr(import_module(module), function)(argv) or 0)

@@ -1,4 +1,4 @@
-"""Which messages, and what of them: Python expressions and field paths that a user typed."""
+"""Selection of messages and of their fields, by a user's Python expressions and field paths."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from tfloom.rosidl.message import Message
 
 
 def message_filter(expression: str | None) -> Callable[[Message], bool]:
-    """Return the test of a Python expression over the message `m`; None lets every message through.
+    """Return the test of a Python expression over the message `m`; None passes every message.
 
     Raises:
         CommandError: it isn't a Python expression; the test raises it where the expression fails.
@@ -34,9 +34,9 @@ def message_filter(expression: str | None) -> Callable[[Message], bool]:
 
 
 def field_picker(paths: Sequence[str]) -> Callable[[Message], Any]:
-    """Return what gives a message's field, `header.stamp` or `transforms[0].header`.
+    """Return the function that returns a message's field, `header.stamp` or `transforms[0].header`.
 
-    With no path it gives the whole message, with several a mapping of each path to its field.
+    Without a path it returns the whole message, with several a mapping of each path to its field.
 
     Raises:
         CommandError: one isn't a path; the picker raises it where a message has no such field.
@@ -67,7 +67,7 @@ def _one_field_picker(path: str) -> Callable[[Message], Any]:
 
 
 def _field(value: Any, name: str) -> Any:
-    """Return a message's field; what else Python finds by that name is none."""
+    """Return a message's field; other attributes are not fields."""
     if isinstance(value, Message) and name not in type(value).get_fields_and_field_types():
         raise AttributeError(f"'{type(value).__name__}' object has no attribute '{name}'")
     return getattr(value, name)

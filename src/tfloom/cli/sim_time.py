@@ -1,4 +1,4 @@
-"""The time that `--use-sim-time` asks for: what /clock said last."""
+"""The time for `--use-sim-time`: the last one on /clock."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ NowNs = Callable[[], int]
 """Returns the time [ns]; 0 before it is known."""
 
 PATIENCE_S = 1.0
-"""How long to wait for the time before the user is told [s]."""
+"""How long to wait for the time before the user gets a message about it [s]."""
 
 
 @contextmanager
 def clock(participant: Participant, node: NodeName, *, simulated: bool) -> Iterator[NowNs]:
-    """Give the function that tells the time: this machine's, or the one on /clock."""
+    """Yield the function that returns the time: this machine's, or the one on /clock."""
     if not simulated:
         yield time.time_ns
         return
@@ -36,13 +36,13 @@ def clock(participant: Participant, node: NodeName, *, simulated: bool) -> Itera
 
 
 def wait_until_known(now_ns: NowNs) -> None:
-    """Wait until /clock has told the time; say so if that takes long."""
-    told_s = time.monotonic() + PATIENCE_S
+    """Wait for the first time on /clock; print a line if that takes long."""
+    report_s = time.monotonic() + PATIENCE_S
     queue = ReadyQueue()
     while now_ns() == 0:
-        if time.monotonic() >= told_s:
+        if time.monotonic() >= report_s:
             print("waiting for the time on /clock", file=sys.stderr)
-            told_s = float("inf")
+            report_s = float("inf")
         queue.wait(10_000_000)
 
 

@@ -1,4 +1,4 @@
-"""The types that a user may have meant by a name that is none."""
+"""The types that a user may have meant by an unknown name."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from tfloom.rmw.errors import WireError
 from tfloom.workspace.interfaces import known_interfaces
 
 FAMILIAR = ("std_msgs", "geometry_msgs", "sensor_msgs", "nav_msgs", "tf2_msgs", "std_srvs", "turtlesim")
-"""Packages that are meant more often than others that have an interface of the same name."""
+"""Packages that are preferred to others with an interface of the same name."""
 NEAR = 0.7
-"""Likeness, from 0 to 1, from which on a name counts as near."""
+"""The least likeness, from 0 to 1, of a near name."""
 SPREAD = 0.03
-"""What is this much less near than the nearest isn't named."""
+"""The largest difference in likeness from the nearest name."""
 SAME_BASE = 0.95
 """Likeness of names that differ only before the last slash, or in upper and lower case."""
 LIVE_S = 0.5
-"""How long to look at most for what is on the graph [s]."""
+"""How long to wait at most for discovery [s]."""
 
 
 def did_you_mean_type(name: str, kind: str, live: Collection[str] = ()) -> str:
-    """Return a line that names the types of a kind (msg, srv, action) nearest to a name, or nothing.
+    """Return a line with the types of a kind (msg, srv, action) nearest to a name, or an empty text.
 
     Of types that are equally near, those in `live` come first, then those of familiar packages.
     """
@@ -34,7 +34,7 @@ def did_you_mean_type(name: str, kind: str, live: Collection[str] = ()) -> str:
 
 
 def warn_if_unknown(name: str, kind: str, live: Collection[str]) -> None:
-    """Say on stderr that a type is neither among the interfaces here nor in `live`, with the nearest that are."""
+    """Print on stderr if a type is neither among the interfaces here nor in `live`, with the nearest that are."""
     if name not in live and name not in known_interfaces(kind):
         what = {"msg": "message", "srv": "service"}.get(kind, kind)
         print(f"there is no {what} type '{name}'{did_you_mean_type(name, kind, live)}", file=sys.stderr)
@@ -49,7 +49,7 @@ def nearest_types(name: str, known: Iterable[str], live: Collection[str] = ()) -
 
 
 def types_on_graph(kind: str) -> set[str]:
-    """Return the types of a kind that somebody writes, reads, serves or calls now; none where there is no wire."""
+    """Return the types of a kind that are on the graph now; empty without a wire."""
     try:
         with graph.settled_graph(argparse.Namespace(spin_time=LIVE_S)) as found:
             if kind == "msg":

@@ -1,1 +1,1 @@
-"""`action`: ask about actions, and send goals."""
+"""`action`: inspect actions, and send goals."""

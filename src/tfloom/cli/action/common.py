@@ -1,4 +1,4 @@
-"""Actions on the graph: whoever serves or calls `<action>/_action/send_goal` has the action."""
+"""Actions on the graph, by the servers and clients of `<action>/_action/send_goal`."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def action_ends(found: Graph) -> list[ActionEnd]:
 
 
 def settled_ends() -> list[ActionEnd]:
-    """Join the domain, wait until everybody has been heard, and return the actions' ends."""
+    """Join the domain, wait until discovery is complete, and return the actions' servers and clients."""
     with graph.settled_graph(argparse.Namespace(spin_time=graph.MOST_S)) as found:
         return action_ends(found)
 
@@ -46,7 +46,7 @@ def ends_of_action(name: str) -> tuple[str, list[ActionEnd]]:
     """Return an action's full name, its servers and its clients.
 
     Raises:
-        CommandError: nobody has it; it names the nearest.
+        CommandError: there is no such action; the text has the nearest names.
     """
     full = full_topic_name(name, "action")
     everything = settled_ends()

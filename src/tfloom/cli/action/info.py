@@ -1,4 +1,4 @@
-"""Tell who serves and who calls an action."""
+"""Print the servers and clients of an action."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""List the actions that somebody serves or calls."""
+"""List the actions that have a server or a client."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Send a goal to an action server and print what comes of it."""
+"""Send a goal to an action server and print its result."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl.yaml_text import message_to_yaml
 
 STATUS = ("UNKNOWN", "ACCEPTED", "EXECUTING", "CANCELING", "SUCCEEDED", "CANCELED", "ABORTED")
-"""What each number of `action_msgs/msg/GoalStatus` is called."""
+"""The names of the numbers of `action_msgs/msg/GoalStatus`."""
 CANCEL_REFUSALS = {1: "it was rejected", 2: "it knows no such goal", 3: "the goal has ended already"}
-"""What the codes of `action_msgs/srv/CancelGoal` mean."""
+"""The meanings of the codes of `action_msgs/srv/CancelGoal`."""
 CANCEL_TIMEOUT_S = 5.0
 FEEDBACK_TIMEOUT_S = 2.0
 
@@ -37,7 +37,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(args: argparse.Namespace) -> int:
-    """Send the goal and wait for its end; Ctrl-C cancels it. 1 where it didn't succeed."""
+    """Send the goal and wait for its end; Ctrl-C cancels it. Return 1 where it didn't succeed."""
     name = full_topic_name(args.action_name, "action")
     cls = action_class(args.action_type, ask_graph=True)
     goal = cls.Goal()
@@ -68,7 +68,7 @@ def main(args: argparse.Namespace) -> int:
 
 
 def _indented(message: Any) -> str:
-    """Return a message's YAML, all lines but the first a step deeper."""
+    """Return a message's YAML, all lines but the first indented."""
     return message_to_yaml(message).replace("\n", "\n    ").rstrip(" ")
 
 
@@ -96,7 +96,7 @@ class _ActionClient:
             client.wait_for_server()
 
     def listen_to_feedback(self, participant: Participant, node: NodeName, ends: ExitStack) -> None:
-        """Print feedback from now on, and wait until the server knows that we listen."""
+        """Print feedback from now on, and wait until its publisher is matched."""
         cls = self._class.Impl.FeedbackMessage
         topic = topic_of(cls, self._name + FEEDBACK)
         self._feedback = participant.create_reader(node, topic, QoS())
@@ -116,7 +116,7 @@ class _ActionClient:
         return self._receive(self._get_result, self._get_result.send(request))
 
     def cancel(self) -> str:
-        """Ask the server to cancel the goal, and return what it says, as a sentence."""
+        """Request the goal's cancellation, and return the server's response as a sentence."""
         from tfloom.interfaces.action_msgs.msg import GoalInfo
 
         request = self._class.Impl.CancelGoalService.Request(goal_info=GoalInfo(goal_id=self.goal_id))

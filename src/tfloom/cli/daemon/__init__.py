@@ -1,1 +1,1 @@
-"""`daemon`: there is none, and the verbs say so."""
+"""`daemon`: the verbs print that there is none."""

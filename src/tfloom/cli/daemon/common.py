@@ -1,4 +1,4 @@
-"""What all verbs about the daemon answer."""
+"""The common output of all verbs about the daemon."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the verbs about interfaces share."""
+"""The common part of the verbs about interfaces."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ TITLES = {"msg": "Messages", "srv": "Services", "action": "Actions"}
 
 
 def add_kind_flags(parser: argparse.ArgumentParser) -> None:
-    """Add the flags that ask for messages, services or actions only."""
+    """Add the flags that select messages, services or actions only."""
     parser.add_argument("-m", "--only-msgs", action="store_true", help="messages only")
     parser.add_argument("-s", "--only-srvs", action="store_true", help="services only")
     parser.add_argument("-a", "--only-actions", action="store_true", help="actions only")
@@ -18,6 +18,6 @@ def add_kind_flags(parser: argparse.ArgumentParser) -> None:
 
 
 def asked_kinds(args: argparse.Namespace) -> list[str]:
-    """Return the kinds that the flags ask for; all without a flag."""
+    """Return the kinds that the flags select; all without a flag."""
     asked = dict(zip(KINDS, (args.only_msgs, args.only_srvs, args.only_actions), strict=True))
     return [kind for kind in KINDS if asked[kind]] or list(KINDS)

@@ -23,7 +23,7 @@ def main(args: argparse.Namespace) -> int:
 
 
 def _class_to_send(name: str) -> type[Message]:
-    """Return the class of what a user sends: the message, the request or the goal."""
+    """Return the class that a user sends: the message, the request or the goal."""
     kind = name.split("/")[1:-1]
     if kind == ["srv"]:
         request: type[Message] = service_class(name).Request

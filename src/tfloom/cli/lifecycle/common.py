@@ -1,4 +1,4 @@
-"""What the verbs about lifecycle nodes share: who has a lifecycle, and its services."""
+"""The common part of the verbs about lifecycle nodes: the nodes with a lifecycle, and their services."""
 
 from __future__ import annotations
 
@@ -42,13 +42,13 @@ class Lifecycle:
         return self._call("get_state", srv.GetState, srv.GetState.Request()).current_state
 
     def transitions(self, *, of_all_states: bool = False) -> list[Any]:
-        """Return the transitions that can be asked for now, or all that the node has."""
+        """Return the transitions that are available now, or all that the node has."""
         service = "get_transition_graph" if of_all_states else "get_available_transitions"
         request = srv.GetAvailableTransitions.Request()
         return list(self._call(service, srv.GetAvailableTransitions, request).available_transitions)
 
     def change(self, transition: Any) -> bool:
-        """Ask for a transition and return whether it succeeded."""
+        """Request a transition and return whether it succeeded."""
         request = srv.ChangeState.Request(transition=transition)
         return bool(self._call("change_state", srv.ChangeState, request).success)
 
@@ -70,10 +70,10 @@ def lifecycle_nodes(found: Graph, *, hidden: bool) -> list[str]:
 
 @contextmanager
 def lifecycles(args: argparse.Namespace, asked: str | None) -> Iterator[list[Lifecycle]]:
-    """Give the lifecycle of the node that was asked for, or, with None, of each that has one.
+    """Yield the lifecycle of the named node, or, with None, of each that has one.
 
     Raises:
-        CommandError: the node that was asked for has none; it names the nearest that has.
+        CommandError: the named node has none; the text has the nearest that has one.
     """
     with graph.joined_participant() as participant:
         graph.wait_until_quiet(participant.graph, args.spin_time)

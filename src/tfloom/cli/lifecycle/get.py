@@ -18,7 +18,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(args: argparse.Namespace) -> int:
-    """Print label and number of the state, after the node's name where all are asked."""
+    """Print label and number of the state, after the node's name where all are listed."""
     with lifecycles(args, args.node_name) as nodes:
         states = ask_each({node.node: node.state for node in nodes})
     if args.json:

@@ -1,4 +1,4 @@
-"""List the transitions that a lifecycle node can be asked for."""
+"""List the transitions that are available on a lifecycle node."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Ask a lifecycle node for a transition."""
+"""Request a transition of a lifecycle node."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(args: argparse.Namespace) -> int:
-    """Ask for it and print how it went."""
+    """Request it and print the outcome."""
     with lifecycles(args, args.node_name) as nodes:
         transitions = [each.transition for each in nodes[0].transitions()]
         wanted = [each for each in transitions if args.transition in {each.label, str(each.id)}]

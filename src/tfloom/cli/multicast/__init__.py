@@ -1,1 +1,1 @@
-"""`multicast`: try whether multicast comes through."""
+"""`multicast`: test multicast."""

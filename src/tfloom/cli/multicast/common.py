@@ -1,4 +1,4 @@
-"""What both ends share: the group and port, and how far a datagram goes."""
+"""The common part of both verbs: the group and port, and the range of a datagram."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tfloom.rmw.cyclone_config import DEFAULT_RANGE
 GROUP = "225.0.0.1"
 PORT = 49150
 MOST_OCTETS = 4096
-"""As much of a datagram is read [octets]."""
+"""The largest datagram that is read [octets]."""
 LOOPBACK = "127.0.0.1"
 ANY = "0.0.0.0"  # noqa: S104  # the interface that the system chooses
 
@@ -27,7 +27,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def interface() -> str:
-    """Return the address of the interface to use: the loopback's, unless the discovery range asks for more."""
+    """Return the address of the interface to use: the loopback's, unless the discovery range is wider."""
     asked = os.environ.get("ROS_AUTOMATIC_DISCOVERY_RANGE") or DEFAULT_RANGE
     if os.environ.get("ROS_LOCALHOST_ONLY") == "1" or asked not in {"SUBNET", "SYSTEM_DEFAULT"}:
         return LOOPBACK
@@ -38,7 +38,7 @@ def udp_socket() -> socket.socket:
     """Return a UDP socket.
 
     Raises:
-        CommandError: the system has none to give.
+        CommandError: the system refuses it.
     """
     try:
         return socket.socket(socket.AF_INET, socket.SOCK_DGRAM, socket.IPPROTO_UDP)

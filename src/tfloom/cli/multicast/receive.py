@@ -1,4 +1,4 @@
-"""Receive one UDP multicast datagram: this machine's, or the subnet's where the discovery range asks for it."""
+"""Receive one UDP multicast datagram: this machine's, or the subnet's where the discovery range includes it."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tfloom.cli.multicast.common import add_arguments as add_common_arguments
 from tfloom.cli.numbers import seconds
 
 IP_MULTICAST_ALL = 49
-"""Linux: 0 leaves out what other sockets have asked for on other interfaces."""
+"""Linux: 0 excludes the memberships of other sockets on other interfaces."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -25,11 +25,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(args: argparse.Namespace) -> int:
-    """Wait for it and print whence it came and what it says."""
+    """Wait for it and print its sender and its text."""
     with udp_socket() as receiver:
         try:
             receiver.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-            # Bound to the group it takes nothing that was sent to this machine alone; Windows can't.
+            # Bound to the group, it receives nothing that was sent to this machine alone; Windows can't.
             receiver.bind((args.group if os.name == "posix" else "", args.port))
             if sys.platform == "linux":
                 receiver.setsockopt(socket.IPPROTO_IP, IP_MULTICAST_ALL, 0)

@@ -1,4 +1,4 @@
-"""Send one UDP multicast datagram: on this machine, or on the subnet where the discovery range asks for it."""
+"""Send one UDP multicast datagram: on this machine, or on the subnet where the discovery range includes it."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""`node`: ask about nodes."""
+"""`node`: inspect nodes."""

@@ -1,4 +1,4 @@
-"""Tell what a node publishes, subscribes to, serves and calls."""
+"""Print what a node publishes, subscribes to, serves and calls."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def find_node(found: Graph, name: str) -> NodeName:
     """Return the node of a full name; its first slash may be left out.
 
     Raises:
-        CommandError: there is none; it names the nearest.
+        CommandError: there is none; the text has the nearest names.
     """
     full = name if name.startswith("/") else f"/{name}"
     nodes = {node.full: node for node in found.nodes()}

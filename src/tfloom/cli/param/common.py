@@ -1,4 +1,4 @@
-"""What the verbs about parameters share: the flags, and the services of a node."""
+"""The common part of the verbs about parameters: the flags, and the services of a node."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from tfloom.interfaces.rcl_interfaces.msg import Parameter, ParameterDescriptor,
 from tfloom.rmw.base import Graph, NodeName, Participant
 
 TIMEOUT_S = 5.0
-"""How long to wait for a node's answer when no --timeout says so [s]."""
+"""How long to wait for a node's response without --timeout [s]."""
 
 TYPES = (
     "not set",
@@ -32,7 +32,7 @@ TYPES = (
     "double array",
     "string array",
 )
-"""What each number of `rcl_interfaces/msg/ParameterType` is called."""
+"""The names of the numbers of `rcl_interfaces/msg/ParameterType`."""
 
 
 def add_arguments(parser: argparse.ArgumentParser, *, timeout: bool = True) -> None:
@@ -72,7 +72,7 @@ class ParameterServices:
     def value(self, name: str) -> ParameterValue:
         """Return the value of a parameter; its type is 0 where there is none."""
         request = srv.GetParameters.Request(names=[name])
-        # Nodes tell of a name that they don't know by a value of no type, or by no value.
+        # Nodes respond to an unknown name with a value of no type, or with no value.
         values = self._call("get_parameters", srv.GetParameters, request).values
         return values[0] if values else ParameterValue()
 
@@ -80,7 +80,7 @@ class ParameterServices:
         """Return the values of parameters, in the order of the names; the type of one that has none is 0."""
         request = srv.GetParameters.Request(names=list(names))
         values = list(self._call("get_parameters", srv.GetParameters, request).values)
-        # Where one was declared with a type and no value, nodes answer with no values at all.
+        # If one was declared with a type and no value, nodes respond with no values at all.
         return values if len(values) == len(names) else [self.value(name) for name in names]
 
     def types(self, names: Sequence[str]) -> list[int]:
@@ -89,7 +89,7 @@ class ParameterServices:
         return self._one_each(names, self._call("get_parameter_types", srv.GetParameterTypes, request).types)
 
     def descriptors(self, names: Sequence[str]) -> list[ParameterDescriptor]:
-        """Return what the node tells about parameters, in the order of the names."""
+        """Return the descriptors of parameters, in the order of the names."""
         request = srv.DescribeParameters.Request(names=list(names))
         return self._one_each(
             names, self._call("describe_parameters", srv.DescribeParameters, request).descriptors
@@ -116,10 +116,10 @@ class ParameterServices:
 def nodes_with_parameters(
     args: argparse.Namespace, node_name: str | None
 ) -> Iterator[list[tuple[str, ParameterServices]]]:
-    """Give the full name and the services of the node that was asked for, or, with None, of each that has some.
+    """Yield the full name and the services of the named node, or, with None, of each that has some.
 
     Raises:
-        CommandError: there is no such node; it names the nearest.
+        CommandError: there is no such node; the text has the nearest names.
     """
     with graph.joined_participant() as participant:
         graph.wait_until_quiet(participant.graph, args.spin_time)
@@ -145,7 +145,7 @@ def _node_names(found: Graph, args: argparse.Namespace, asked: str | None) -> li
 
 @contextmanager
 def asked_node(args: argparse.Namespace) -> Iterator[ParameterServices]:
-    """Give the parameter services of the node that was asked for; see `nodes_with_parameters`."""
+    """Yield the parameter services of the named node; see `nodes_with_parameters`."""
     with nodes_with_parameters(args, args.node_name) as nodes:
         yield nodes[0][1]
 

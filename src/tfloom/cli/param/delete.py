@@ -18,7 +18,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(args: argparse.Namespace) -> int:
-    """Delete it, which is to set it to no type, and print how that went."""
+    """Delete it by setting it to no type, and print the outcome."""
     with asked_node(args) as services:
         result = services.set([Parameter(name=args.parameter_name)])[0]
     reason = f": {result.reason}" if result.reason else ""

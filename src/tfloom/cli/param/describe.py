@@ -1,4 +1,4 @@
-"""Tell what parameters are for and what they may hold."""
+"""Print the descriptions and constraints of parameters."""
 
 from __future__ import annotations
 

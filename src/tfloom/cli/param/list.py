@@ -26,7 +26,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(args: argparse.Namespace) -> int:
-    """Print the names in order, under their node's name where all nodes are asked."""
+    """Print the names in order, under their node's name where all nodes are listed."""
     try:
         pattern = re.compile(args.filter or "")
     except re.error as error:
@@ -47,7 +47,7 @@ def main(args: argparse.Namespace) -> int:
 def _names(
     services: ParameterServices, pattern: re.Pattern[str], args: argparse.Namespace
 ) -> dict[str, str | None]:
-    """Return the types of the wanted parameters by name; None where they weren't asked for."""
+    """Return the types of the selected parameters by name; None where they weren't requested."""
     names = [name for name in services.names(args.param_prefixes) if pattern.search(name)]
     if not args.param_type:
         return dict.fromkeys(names)

@@ -20,7 +20,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(args: argparse.Namespace) -> int:
-    """Set them one by one and print how each went."""
+    """Set them one by one and print each outcome."""
     with nodes_with_parameters(args, args.node_name) as nodes:
         node, services = nodes[0]
         parameters = [_parameter(name, value) for name, value in _values(args, node).items()]

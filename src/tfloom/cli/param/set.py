@@ -19,7 +19,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(args: argparse.Namespace) -> int:
-    """Set it and print how that went."""
+    """Set it and print the outcome."""
     from tfloom.node.parameters.parameter import get_parameter_value
 
     parameter = Parameter(name=args.parameter_name, value=get_parameter_value(args.value))

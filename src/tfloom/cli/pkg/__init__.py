@@ -1,1 +1,1 @@
-"""`pkg`: packages of the workspaces and our own."""
+"""`pkg`: packages of sourced workspaces, and tfloom's own."""

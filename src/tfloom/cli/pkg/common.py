@@ -1,4 +1,4 @@
-"""What the verbs about packages share."""
+"""The common part of the verbs about packages."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from tfloom.workspace import index
 
 
 def package_prefix(package: str) -> str | None:
-    """Return the prefix of a workspace's package, or None for one of ours.
+    """Return the prefix of a workspace's package, or None for one of tfloom's own.
 
     Raises:
-        CommandError: there is no such package; it names the nearest.
+        CommandError: there is no such package; the text has the nearest names.
     """
     prefix = index.find_package(package)
     own = index.own_packages()

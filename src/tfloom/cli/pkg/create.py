@@ -32,7 +32,7 @@ def _user() -> str:
 
 
 def main(args: argparse.Namespace) -> int:
-    """Write the package, and say what to type next."""
+    """Write the package, and print the next commands."""
     if args.build_type != "ament_python":
         raise CommandError(
             f"a package of build type {args.build_type} needs CMake and C++; ament_python doesn't"

@@ -1,1 +1,1 @@
-"""`service`: ask about services, and call them."""
+"""`service`: inspect services, and call them."""

@@ -1,4 +1,4 @@
-"""Call a service and print what it answers."""
+"""Call a service and print its response."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from itertools import repeat
 from typing import Any
 
 from tfloom.cli import graph
-from tfloom.cli.calls import service_client, tell
+from tfloom.cli.calls import printer, service_client
 from tfloom.cli.errors import CommandError, standard_input
 from tfloom.cli.interfaces import fill_message, parse_yaml, service_class, yaml_documents
 from tfloom.cli.listen import cli_node, shown_node
@@ -49,7 +49,7 @@ def main(args: argparse.Namespace) -> int:
     ):
         for request in _requests(cls, args):
             start = time.monotonic()
-            client.wait_for_server(args.timeout, tell("waiting for service to become available..."))
+            client.wait_for_server(args.timeout, printer("waiting for service to become available..."))
             print(f"requester: making request: {request!r}\n")
             print(f"response:\n{client.call(request, args.timeout)!r}\n")
             time.sleep(max(0.0, start + period_s - time.monotonic()))

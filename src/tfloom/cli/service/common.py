@@ -1,4 +1,4 @@
-"""What the verbs about services share."""
+"""The common part of the verbs about services."""
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ def service_types(ends: Iterable[ServiceEndInfo]) -> dict[str, list[str]]:
 
 
 def ends_of_service(args: argparse.Namespace) -> tuple[str, list[ServiceEndInfo]]:
-    """Return the full name of the service that was asked for, and its servers and clients.
+    """Return the full name of the service in the arguments, and its servers and clients.
 
     Raises:
-        CommandError: nobody has it; it names the nearest.
+        CommandError: there is no such service; the text has the nearest names.
     """
     name = full_topic_name(args.service_name, "service")
     with graph.settled_graph(args) as found:

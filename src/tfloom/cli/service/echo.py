@@ -50,7 +50,7 @@ def main(args: argparse.Namespace) -> int:
 
 
 def _with_names(text: str) -> str:
-    """Give the kind of event, a number in the first field of the text, its name."""
+    """Replace the kind of event, a number in the first field of the text, by its name."""
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
 
     names = {getattr(ServiceEventInfo, name): name for name in KINDS}

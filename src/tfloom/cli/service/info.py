@@ -1,4 +1,4 @@
-"""Tell a service's type, and how many serve and call it."""
+"""Print a service's type, and its numbers of servers and clients."""
 
 from __future__ import annotations
 

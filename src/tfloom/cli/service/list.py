@@ -1,4 +1,4 @@
-"""List the services that somebody serves or calls."""
+"""List the services that have a server or a client."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""`topic`: ask about topics, listen and publish."""
+"""`topic`: inspect topics, subscribe and publish."""

@@ -1,4 +1,4 @@
-"""Tell how many bytes a second come on a topic."""
+"""Print the bandwidth of a topic."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tell how old messages are when they come: now minus the stamp in their header."""
+"""Print the delay of a topic's messages: the time of arrival minus the stamp in the header."""
 
 from __future__ import annotations
 

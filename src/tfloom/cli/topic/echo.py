@@ -1,4 +1,4 @@
-"""Print the messages of a topic as they come."""
+"""Print the messages of a topic as they arrive."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def main(args: argparse.Namespace) -> int:
     name = full_topic_name(args.topic_name)
     end_s = float("inf") if args.timeout is None else time.monotonic() + args.timeout
     show = _printer(args)
-    on_lost = None if args.no_lost_messages else _tell_of_losses
+    on_lost = None if args.no_lost_messages else _report_losses
     with graph.joined_participant() as participant:
         asked_class = message_class(args.message_type, ask_graph=True) if args.message_type else None
         graph.wait_until_quiet(participant.graph, args.spin_time)
@@ -87,8 +87,8 @@ def _suiting_qos(participant: Participant, name: str, end_s: float) -> QoS:
     return qos.suiting_qos(wait_for_publishers(participant.graph, name, end_s))
 
 
-def _tell_of_losses(lost: Count) -> None:
-    """Tell on stderr: a program that reads the messages isn't to read this as one."""
+def _report_losses(lost: Count) -> None:
+    """Print on stderr, because programs read the messages from stdout."""
     print(
         f"A message was lost!!!\n\ttotal count change:{lost.total_count_change}\n"
         f"\ttotal count: {lost.total_count}---",
@@ -97,7 +97,7 @@ def _tell_of_losses(lost: Count) -> None:
 
 
 def _printer(args: argparse.Namespace) -> Callable[[Sample, type[Message]], bool]:
-    """Return what prints a sample and tells whether the filter let it through."""
+    """Return the function that prints a sample and returns whether it passed the filter."""
     if args.raw and args.field:
         raise CommandError("--raw prints the bytes of whole messages, and --field a part of them")
     wanted = message_filter(args.filter_expr)

@@ -1,4 +1,4 @@
-"""Tell how often messages come on a topic."""
+"""Print the rate of a topic's messages."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tell a topic's type, and who writes and reads it."""
+"""Print a topic's type, publishers and subscriptions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""List the topics that somebody writes or reads."""
+"""List the topics that have a publisher or a subscription."""
 
 from __future__ import annotations
 

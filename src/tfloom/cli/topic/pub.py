@@ -65,13 +65,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(args: argparse.Namespace) -> int:
-    """Publish until Ctrl-C, or as often as --once and --times say."""
+    """Publish until Ctrl-C, or as often as --once and --times request."""
     name = full_topic_name(args.topic_name)
     if not args.rate > 0:
         raise CommandError("rate must be greater than zero")
     cls = message_class(args.message_type, ask_graph=True)
     quality = qos.asked_qos(args, QoS()) or QoS()
-    # The mistakes in values are told before anything is on the wire.
+    # Mistakes in values are reported before anything is on the wire.
     drafts = (
         (_Draft(cls, text) for text in yaml_documents(standard_input()))
         if args.stdin
@@ -98,7 +98,7 @@ def main(args: argparse.Namespace) -> int:
 
 
 class _Draft:
-    """A message to publish, and the times in it that are of each publishing anew."""
+    """A message to publish, and the times in it that are set at each publishing."""
 
     def __init__(self, cls: type[Message], values: str) -> None:
         self.message = cls()
@@ -127,11 +127,11 @@ def _wait_for_subscriptions(
     look_for_mismatch: Callable[[], None],
     why_unmet: Callable[[], str],
 ) -> None:
-    """Wait for as many as were asked for; after `HINT_S` with none, tell on stderr why there may be none."""
+    """Wait for the requested number; after `HINT_S` with none, print a possible reason on stderr."""
     wanted = args.wait_matching_subscriptions
     if wanted is None:
         wanted = 1 if args.once or args.times else 0
-    start = told = time.monotonic()
+    start = reported = time.monotonic()
     hint_s = start + HINT_S
     while (found := writer.matched_count()) < wanted:
         look_for_mismatch()
@@ -140,9 +140,9 @@ def _wait_for_subscriptions(
             raise CommandError(
                 f"waited {args.max_wait_time_secs:g} s for {wanted} matching subscription(s), there are {found}"
             )
-        if now - told >= 1.0:
+        if now - reported >= 1.0:
             print(f"Waiting for at least {wanted} matching subscription(s)...", file=sys.stderr)
-            told = now
+            reported = now
         if now >= hint_s:
             hint_s = math.inf
             if not found and (reason := why_unmet()):
@@ -168,5 +168,5 @@ def _publish(
         look_for_mismatch()
         if number == last:
             return
-        # From the start, so that the time that a message takes does not slow the rate.
+        # Relative to the start, so that the time for a message does not lower the rate.
         time.sleep(max(0.0, start + number / args.rate - time.monotonic()))

@@ -1,4 +1,4 @@
-"""What hz, bw and delay share: listen to a topic, and report each second over a window of the newest messages."""
+"""The common part of hz, bw and delay: a report each second over a window of a topic's newest messages."""
 
 from __future__ import annotations
 
@@ -46,12 +46,12 @@ class Window:
         self.is_new = False
 
     def add(self, value: float) -> None:
-        """Take a value in; the oldest goes when the window is full."""
+        """Add a value; the oldest is dropped when the window is full."""
         self.values.append(value)
         self.is_new = True
 
     def is_beyond(self, time_s: float) -> bool:
-        """Return whether the newest value, a time [s], is later than another: a simulation has begun anew."""
+        """Return whether the newest value, a time [s], is later than another, after a simulation has restarted."""
         return bool(self.values) and self.values[-1] > time_s
 
 
@@ -75,10 +75,10 @@ def watch(
     report: Callable[[float], None],
     check: Callable[[type[Message]], None] = lambda _: None,
 ) -> None:
-    """Give each sample of a topic, with when it came [s], to `on_sample`, and call `report`, until Ctrl-C.
+    """Call `on_sample` with each sample of a topic and its time of arrival [s], and `report`, until Ctrl-C.
 
-    A topic that nobody has yet is waited for; `check` may refuse its type. `report` is called each second, with the
-    time [s]. Both are times of /clock with --use-sim-time; what comes before that is known is not counted.
+    Wait for a topic without publishers; `check` may reject its type. `report` is called each second, with the time
+    [s]. Both are times of /clock with --use-sim-time; samples before the first one are not counted.
     """
     name = full_topic_name(topic_name)
     with graph.joined_participant() as participant:
