@@ -117,8 +117,8 @@ def _signal_handlers() -> Iterator[None]:
     """
     before = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)}
     yield
-    if (node := sys.modules.get("tfloom.node")) is not None:
-        node.uninstall_signal_handlers()
+    if (signals := sys.modules.get("tfloom.node.executing.signals")) is not None:
+        signals.uninstall_signal_handlers()
     for number, handler in before.items():
         signal.signal(number, handler)
 

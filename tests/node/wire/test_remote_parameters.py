@@ -8,10 +8,10 @@ from typing import Any
 import pytest
 from tests.conftest import Program
 from tests.node.wire.conftest import PROGRAMS
+from tfloom.node.parameter_client import AsyncParameterClient
 
 from tfloom.node.node import Node
-from tfloom.node.parameter import Parameter
-from tfloom.node.parameter_client import AsyncParameterClient
+from tfloom.node.parameters.parameter import Parameter
 
 Finish = Callable[..., Any]
 
