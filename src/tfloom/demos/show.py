@@ -1,6 +1,6 @@
-"""The demonstration: a turtle that draws, one that follows it, a sensor, and what tf2 makes of them.
+"""The demonstration: a turtle that draws, one that follows it, a sensor, and their frames in tf2.
 
-Each is a process of its own and they talk over DDS, as a user's would; all of them end with this one.
+Each is a separate process and they communicate over DDS, as a user's would; all of them end with this one.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ PROGRAMS: dict[str, list[str]] = {
     ],
     "driver": [f"{DEMOS}.curve_driver:main"],
 }
-"""What runs all the time: `module:function` and arguments."""
+"""The programs that run all the time: `module:function` and arguments."""
 ECHO = ["tfloom.tf2_tools.echo:main", "world", "laser"]
 VIEW_FRAMES = ["tfloom.tf2_tools.view_frames:main", "-o", "frames", "-t", "3"]
 PATIENCE_S = 40.0
@@ -54,16 +54,16 @@ PATIENCE_S = 40.0
 END_GRACE_S = 3.0
 LOG_LINES = 40
 DOMAINS = range(1, 101)
-"""Domains whose ports, by DDS's formula, stay clear of those that the system gives out."""
+"""Domains whose ports, by DDS's formula, are outside of the system's ephemeral range."""
 
 
 class ShowError(Exception):
-    """The demonstration can't go on; its text says why."""
+    """The demonstration can't continue; the text has the reason."""
 
 
 @contextlib.contextmanager
 def own_domain() -> Iterator[int]:
-    """Give a DDS domain that no other demonstration on this machine uses: a TCP port is the lock."""
+    """Yield a DDS domain that no other demonstration on this machine uses, by a TCP port as a lock."""
     for domain in random.sample(DOMAINS, len(DOMAINS)):
         lock = socket.socket()
         try:
@@ -78,13 +78,13 @@ def own_domain() -> Iterator[int]:
 
 
 class Program:
-    """A process under our care.
+    """A child process with captured output.
 
     Args:
         command: `module:function` and arguments.
         environment: Its environment variables.
-        folder: Where it runs.
-        on_line: Takes each line that it prints, on a thread of its own; `log` keeps the last of them, too.
+        folder: Its working directory.
+        on_line: Called with each line that it prints, on a separate thread; `log` keeps the last of them, too.
     """
 
     def __init__(
@@ -103,7 +103,7 @@ class Program:
             text=True,
             cwd=folder,
             env=environment,
-            start_new_session=True,  # a Ctrl-C is for us, who then end the others
+            start_new_session=True,  # because a Ctrl-C is for this process, which then ends the others
         )
         self._reader = threading.Thread(target=self._read, args=(on_line,), daemon=True)
         self._reader.start()
@@ -122,12 +122,12 @@ class Program:
         return code
 
     def ask_to_end(self) -> None:
-        """Send it what Ctrl-C would."""
+        """Send it SIGINT, as Ctrl-C does."""
         if self._process.poll() is None:
             self._process.send_signal(signal.SIGINT if os.name == "posix" else signal.SIGTERM)
 
     def end(self, grace_s: float) -> None:
-        """Wait for its end, and kill it when that takes too long."""
+        """Wait for its end, and kill it if that takes too long."""
         try:
             self._process.wait(grace_s)
         except subprocess.TimeoutExpired:
@@ -140,11 +140,11 @@ class Program:
 
 
 class Show:
-    """Runs the programs and prints what tf2_echo sees; a context that leaves no process behind.
+    """Runs the programs and prints tf2_echo's output; a context that leaves no process behind.
 
     Args:
         domain_id: DDS domain of all programs; they use the loopback interface alone.
-        folder: Where the drawing goes.
+        folder: The folder of the drawing.
     """
 
     def __init__(self, domain_id: int, folder: Path) -> None:
@@ -185,13 +185,13 @@ class Show:
             print(f"What the turtles drew is in {self._folder / PICTURE}")
 
     def run(self, seconds: float | None) -> None:
-        """Print what tf2_echo sees, and draw the tree as soon as it is complete.
+        """Print tf2_echo's output, and draw the tree as soon as it is complete.
 
         Args:
-            seconds: How long, but until the tree is drawn at least; None goes on until interrupted.
+            seconds: How long, but at least until the tree is drawn; None: until interrupted.
 
         Raises:
-            ShowError: a program ended by itself, or there was nothing to draw for too long.
+            ShowError: a program ended by itself, or there was no tree to draw for too long.
         """
         started = time.monotonic()
         end = math.inf if seconds is None else started + seconds
@@ -206,11 +206,11 @@ class Show:
                 raise ShowError(f"the turtle's frames could not be drawn in {PATIENCE_S:.0f} s")
 
     def _is_complete(self) -> bool:
-        """Whether the second turtle is there, too."""
+        """Return whether the second turtle is there, too."""
         return any("Successfully spawned" in line for line in list(self._programs["listener"].log))
 
     def _check(self) -> None:
-        """Tell of the drawing once it is there; raise for a program that failed or shouldn't have ended."""
+        """Print the drawing's path once it exists; raise for a program that failed or ended too early."""
         for name, program in self._programs.items():
             code = program.exit_code()
             if code is None or (name == "view_frames" and self._has_drawn):
