@@ -1,7 +1,7 @@
 """TF2, turtlesim and the ROS 2 workflow around them, with no ROS install.
 
-`import tfloom` loads next to nothing. The rooms are `tfloom.tf2` (frames over time), `tfloom.rosidl` and
-`tfloom.interfaces` (messages), `tfloom.node` (what rclpy exposes), `tfloom.tf2_ros`, `tfloom.turtlesim` and the
+`import tfloom` loads almost nothing. The rooms are `tfloom.tf2` (frames over time), `tfloom.rosidl` and
+`tfloom.interfaces` (messages), `tfloom.node` (rclpy's classes), `tfloom.tf2_ros`, `tfloom.turtlesim` and the
 commands. Programs import ROS's own names (`rclpy`, `tf2_ros`, `geometry_msgs`): a `tfloom.pth` in site-packages
 puts them last on `sys.path`, so that a real ROS always comes first.
 """

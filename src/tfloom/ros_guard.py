@@ -1,4 +1,4 @@
-"""The guard of the façades: no ROS name of ours is served beside a real ROS 2."""
+"""The guard of the façades: tfloom's ROS names are not mixed with a real ROS 2's."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from importlib.machinery import PathFinder
 
 __all__ = ["claim"]
 
-_ROS_NAMES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ros_names") + os.sep  # noqa: PTH100, PTH118, PTH120  # pathlib takes longer to load than all that is here
+_ROS_NAMES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ros_names") + os.sep  # noqa: PTH100, PTH118, PTH120  # pathlib takes longer to import than all the rest here
 
 
 def claim(name: str) -> None:
@@ -20,8 +20,8 @@ def claim(name: str) -> None:
         name: The façade's own name, for the error's text.
 
     Raises:
-        ImportError: `rclpy` would come, or has come, from elsewhere: of a real ROS and tfloom in one program, each
-            has nodes and messages that the other doesn't know.
+        ImportError: `rclpy` is, or would be, imported from elsewhere, because a real ROS and tfloom in one program have
+            incompatible nodes and messages.
     """
     where = _origin("rclpy")
     if where is not None and os.path.abspath(where).startswith(_ROS_NAMES):  # noqa: PTH100

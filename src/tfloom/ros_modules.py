@@ -1,6 +1,6 @@
 """Modules of a façade that load when they are named, as after `import rclpy` alone in `rclpy.time.Time()`.
 
-With the original they are there because one of its modules imports the other; ours import the house instead.
+The original has them because its modules import one another; these façades import tfloom's rooms instead.
 """
 
 from __future__ import annotations

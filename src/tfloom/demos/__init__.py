@@ -1,1 +1,1 @@
-"""Programs to learn from, and the demonstration."""
+"""Example programs of the tutorials, and the demonstration."""

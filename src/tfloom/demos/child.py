@@ -1,4 +1,4 @@
-"""Run a program that ends when whoever started it does: `python -m tfloom.demos.child MODULE:FUNCTION [ARGS]`.
+"""Run a program that ends when its starter does: `python -m tfloom.demos.child MODULE:FUNCTION [ARGS]`.
 
 Its standard input is a pipe that the starter holds and never writes to. However the starter ends, killed included,
 the pipe ends with it, on every system.

@@ -1,6 +1,6 @@
 """multisim: two turtlesims side by side, in the namespaces turtlesim1 and turtlesim2.
 
-Each is a program of its own with its window; one may be closed before the other.
+Each is a separate program with its window; one may be closed before the other.
 """
 
 from __future__ import annotations
@@ -16,17 +16,17 @@ from tfloom.node.context.utilities import remove_ros_args
 
 NAMESPACES = ("turtlesim1", "turtlesim2")
 GRACE_S = 5.0
-"""How long they have to end by themselves [s]."""
+"""How long to wait for them to end by themselves [s]."""
 
 Process = subprocess.Popen[bytes]
 
 
 class Stopped(Exception):  # noqa: N818  # no error
-    """The program is asked to end."""
+    """The program got a signal to end."""
 
 
 def command_line(namespace: str, args: Sequence[str]) -> list[str]:
-    """Return what runs one turtlesim: in `namespace`, whatever `args` say of one, and with them."""
+    """Return the command for one turtlesim: with `args`, but in `namespace`."""
     program = [sys.executable, "-m", "tfloom.demos.child", "tfloom.turtlesim.node:main"]
     return [*program, "--ros-args", "-r", f"__ns:=/{namespace}", "--", *args]
 
@@ -37,7 +37,7 @@ def run(args: Sequence[str]) -> int:
     try:
         for namespace in NAMESPACES:
             process = subprocess.Popen(command_line(namespace, args), stdin=subprocess.PIPE)
-            # One by one: if the second can't start, the first is there to be ended.
+            # One by one, so that the first is ended if the second can't start.
             processes.append(process)
         for process in processes:
             process.wait()
@@ -49,7 +49,7 @@ def run(args: Sequence[str]) -> int:
 
 
 def end(processes: Sequence[Process]) -> list[int]:
-    """Ask those that still run to end, make them if they don't in time, and return all exit codes."""
+    """Interrupt those that still run, kill them if they don't end in time, and return all exit codes."""
     for process in processes:
         if process.stdin is not None:
             process.stdin.close()
@@ -66,7 +66,10 @@ def _wait(process: Process, until: float) -> int:
 
 
 def _stop(*_: object) -> None:
-    for number in (signal.SIGINT, signal.SIGTERM):  # a second one would strike the clean-up after the first
+    for number in (
+        signal.SIGINT,
+        signal.SIGTERM,
+    ):  # because a second one would interrupt the clean-up after the first
         signal.signal(number, signal.SIG_IGN)
     raise Stopped
 

@@ -1,1 +1,1 @@
-"""The programs of demo_nodes_py: the smallest nodes that talk, listen, serve and ask."""
+"""The programs of demo_nodes_py: minimal publishers, subscriptions, servers and clients."""

@@ -1,4 +1,4 @@
-"""add_two_ints_client: ask what 2 and 3 are, and wait for the answer."""
+"""add_two_ints_client: request the sum of 2 and 3, and wait for the response."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ __all__ = ["main", "wait_for_server"]
 
 
 def wait_for_server(client: Client) -> bool:
-    """Wait until the server is there, and say so each second; False if the program was stopped before."""
+    """Wait until the server is there, with a log line each second; return False if the program was stopped before."""
     while ok():
         if client.wait_for_service(timeout_sec=1.0):
             return True
@@ -22,7 +22,7 @@ def wait_for_server(client: Client) -> bool:
 
 
 def ask() -> None:
-    """Send a request, spin until it is answered, and log the answer."""
+    """Send a request, spin until the response arrives, and log it."""
     node = Node("add_two_ints_client")
     client = node.create_client(AddTwoInts, "add_two_ints")
     if not wait_for_server(client):
@@ -35,6 +35,6 @@ def ask() -> None:
 
 
 def main(args: list[str] | None = None) -> int:
-    """Ask, and end with the answer; return the exit code."""
+    """Call once, and end with the response; return the exit code."""
     expect_no_arguments("add_two_ints_client", "Ask the service add_two_ints what 2 and 3 are.", args)
     return run_program(args, ask)

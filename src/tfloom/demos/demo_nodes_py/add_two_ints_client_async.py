@@ -1,4 +1,4 @@
-"""add_two_ints_client_async: ask what 2 and 3 are, and look between callbacks whether the answer is there."""
+"""add_two_ints_client_async: request the sum of 2 and 3, and check between callbacks for the response."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ __all__ = ["main"]
 
 
 def ask() -> None:
-    """Send a request, and log the answer once a look finds it there."""
+    """Send a request, and log the response once a check finds it."""
     node = Node("add_two_ints_client")
     client = node.create_client(AddTwoInts, "add_two_ints")
     if not wait_for_server(client):
@@ -26,6 +26,6 @@ def ask() -> None:
 
 
 def main(args: list[str] | None = None) -> int:
-    """Ask, and end with the answer; return the exit code."""
+    """Call once, and end with the response; return the exit code."""
     expect_no_arguments("add_two_ints_client_async", "Ask the service add_two_ints what 2 and 3 are.", args)
     return run_program(args, ask)

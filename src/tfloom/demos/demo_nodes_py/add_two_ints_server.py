@@ -1,4 +1,4 @@
-"""add_two_ints_server: add two numbers for whoever asks."""
+"""add_two_ints_server: add two numbers on request."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class AddTwoIntsServer(Node):
     def add_two_ints_callback(
         self, request: AddTwoInts_Request, response: AddTwoInts_Response
     ) -> AddTwoInts_Response:
-        """Answer a request; a sum that 64 bits have no place for goes round, as in C++."""
+        """Answer a request; a sum beyond 64 bits wraps around, as in C++."""
         response.sum = (request.a + request.b + 2**63) % 2**64 - 2**63
         self.get_logger().info(f"Incoming request\na: {request.a} b: {request.b}")
         return response

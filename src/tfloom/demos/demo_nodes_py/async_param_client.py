@@ -32,8 +32,8 @@ class Tour:
     """The demonstration, step by step.
 
     Args:
-        node: The node that asks.
-        client: Reaches the other node's parameters.
+        node: The node of the client.
+        client: Client of the other node's parameters.
     """
 
     def __init__(self, node: Node, client: AsyncParameterClient) -> None:
@@ -41,7 +41,7 @@ class Tour:
         self._client = client
 
     def run(self) -> None:
-        """Do all steps, and log what comes of each."""
+        """Do all steps, and log each outcome."""
         parameters = [
             Parameter("int_parameter", Parameter.Type.INTEGER, 10),
             Parameter("bool_parameter", Parameter.Type.BOOL, False),
@@ -90,7 +90,7 @@ class Tour:
 
 
 def ask() -> int:
-    """Do all steps; return the exit code, 1 if there is nobody to ask."""
+    """Do all steps; return the exit code, 1 without the other node."""
     node = Node("async_param_client")
     client = AsyncParameterClient(node, BLACKBOARD)
     if not client.wait_for_services(PATIENCE_S):
@@ -102,7 +102,7 @@ def ask() -> int:
 
 
 def main(args: list[str] | None = None) -> int:
-    """Show what can be done with another node's parameters; return the exit code."""
+    """Run the demonstration; return the exit code."""
     expect_no_arguments(
         "async_param_client",
         "Set, list, get, load and delete parameters of the node parameter_blackboard.",

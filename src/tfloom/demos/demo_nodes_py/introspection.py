@@ -1,6 +1,6 @@
-"""introspection: a client and a server of add_two_ints whose traffic can be listened to.
+"""introspection: a client and a server of add_two_ints that publish their traffic.
 
-What they tell on add_two_ints/_service_event is set by a parameter each: `client_configure_introspection` of the node
+The content of add_two_ints/_service_event is set by a parameter of each: `client_configure_introspection` of the node
 introspection_client, and `service_configure_introspection` of introspection_service: disabled, metadata or contents.
 """
 
@@ -30,7 +30,7 @@ PERIOD_S = 0.5
 
 
 def check_parameter(parameter_list: list[Parameter], parameter_name: str) -> SetParametersResult:
-    """Return whether the parameter of that name, if it is among those to be set, may be set so."""
+    """Return whether the parameter of that name, if it is among those to be set, has a valid value."""
     for parameter in parameter_list:
         if parameter.name != parameter_name:
             continue
@@ -44,7 +44,7 @@ def check_parameter(parameter_list: list[Parameter], parameter_name: str) -> Set
 
 
 class _IntrospectedNode(Node):
-    """A node whose client or service obeys a parameter."""
+    """A node whose client or service is configured by a parameter."""
 
     def obey(self, parameter_name: str, end: Client | Service) -> None:
         """Declare the parameter, and configure `end` by it whenever it is set."""
@@ -61,7 +61,7 @@ class _IntrospectedNode(Node):
 
 
 class IntrospectionClientNode(_IntrospectedNode):
-    """Asks what 2 and 3 are, half a second after the last answer."""
+    """Requests the sum of 2 and 3, half a second after the last response."""
 
     def __init__(self) -> None:
         super().__init__("introspection_client")
@@ -71,7 +71,7 @@ class IntrospectionClientNode(_IntrospectedNode):
         self.timer = self.create_timer(PERIOD_S, self.timer_callback)
 
     def timer_callback(self) -> None:
-        """Ask, or log the answer."""
+        """Send a request, or log the response."""
         if self.future is None:
             if self.cli.service_is_ready():
                 self.future = self.cli.call_async(AddTwoInts.Request(a=2, b=3))
@@ -105,7 +105,7 @@ def run() -> None:
 
 
 def main(args: list[str] | None = None) -> int:
-    """Ask and answer until stopped; return the exit code."""
+    """Call and serve until stopped; return the exit code."""
     expect_no_arguments(
         "introspection",
         "Ask and serve add_two_ints, and tell of it on add_two_ints/_service_event where the parameters "

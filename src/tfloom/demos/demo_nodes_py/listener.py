@@ -1,4 +1,4 @@
-"""listener: log what the talker says."""
+"""listener: log the talker's messages."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ __all__ = ["Listener", "main"]
 
 
 class Listener(Node):
-    """Listens to chatter."""
+    """Subscribes to chatter."""
 
     def __init__(self) -> None:
         super().__init__("listener")

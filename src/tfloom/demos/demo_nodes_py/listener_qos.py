@@ -1,4 +1,4 @@
-"""listener_qos: a listener that asks for reliability or not, and ends after so many messages."""
+"""listener_qos: a listener that requests reliability or not, and ends after a number of messages."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ __all__ = ["ListenerQos", "main"]
 
 
 class ListenerQos(Node):
-    """Listens to chatter.
+    """Subscribes to chatter.
 
     Args:
-        qos_profile: What it asks for.
+        qos_profile: The requested quality of service.
     """
 
     def __init__(self, qos_profile: QoSProfile) -> None:
@@ -33,7 +33,7 @@ class ListenerQos(Node):
 
 
 def main(args: list[str] | None = None) -> int:
-    """Listen to as many messages as asked to, or until stopped; return the exit code."""
+    """Listen to the requested number of messages, or until stopped; return the exit code."""
     profile, cycles = parse_qos_arguments(
         "listener_qos", "Log what comes on the topic chatter.", "messages", args
     )

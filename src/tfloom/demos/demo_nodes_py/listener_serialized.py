@@ -1,4 +1,4 @@
-"""listener_serialized: log the very bytes of what the talker says."""
+"""listener_serialized: log the serialized bytes of the talker's messages."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ __all__ = ["SerializedSubscriber", "main"]
 
 
 class SerializedSubscriber(Node):
-    """Listens to chatter, and takes messages as they come over the wire."""
+    """Subscribes to chatter, and takes messages in serialized form."""
 
     def __init__(self) -> None:
         super().__init__("serialized_subscriber")

@@ -1,4 +1,4 @@
-"""matched_event_detect: log how a publisher and a subscription get company, and lose it again."""
+"""matched_event_detect: log the matched events of a publisher and a subscription."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ PATIENCE_S = 10.0
 
 
 class MatchedEventDetectNode(Node):
-    """Logs who comes and goes at its publisher and at its subscription.
+    """Logs the peers that match and leave its publisher and its subscription.
 
     Args:
         pub_topic_name: Topic of the publisher.
@@ -70,25 +70,25 @@ class MatchedEventDetectNode(Node):
 
 
 class MultiSubNode(Node):
-    """Subscribes to a topic as often as it is told to."""
+    """Has any number of subscriptions to a topic."""
 
     def __init__(self, topic_name: str) -> None:
         super().__init__("multi_sub_node")
         self._topic_name = topic_name
 
     def create_one_sub(self) -> Subscription[String]:
-        """Subscribe once more."""
+        """Add a subscription."""
         self.get_logger().info("Create a new subscription.")
         return self.create_subscription(String, self._topic_name, _ignore, DEPTH)
 
     def destroy_one_sub(self, sub: Subscription[String]) -> None:
-        """Give up a subscription."""
+        """Remove a subscription."""
         self.get_logger().info("Destroy a subscription.")
         self.destroy_subscription(sub)
 
 
 class MultiPubNode(Node):
-    """Has as many publishers on a topic as it is told to."""
+    """Has any number of publishers on a topic."""
 
     def __init__(self, topic_name: str) -> None:
         super().__init__("multi_pub_node")
@@ -100,17 +100,17 @@ class MultiPubNode(Node):
         return self.create_publisher(String, self._topic_name, DEPTH)
 
     def destroy_one_pub(self, pub: Publisher[String]) -> None:
-        """Give up a publisher."""
+        """Remove a publisher."""
         self.get_logger().info("Destroy a publisher.")
         self.destroy_publisher(pub)
 
 
 def _ignore(_: String) -> None:
-    """What is said doesn't matter here."""
+    """Ignore the message, because its content is irrelevant here."""
 
 
 def run() -> None:
-    """Let two subscriptions, then two publishers, come and go; each step waits for its event."""
+    """Add and remove two subscriptions, then two publishers; each step waits for its event."""
     topics = "pub_topic_matched_event_detect", "sub_topic_matched_event_detect"
     with SingleThreadedExecutor() as executor:
         detector = MatchedEventDetectNode(*topics)

@@ -1,4 +1,4 @@
-"""parameter_blackboard: a node that keeps whatever parameters others set; async_param_client writes on it."""
+"""parameter_blackboard: a node that keeps all parameters that others set; async_param_client sets some."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ __all__ = ["ParameterBlackboard", "main"]
 
 
 class ParameterBlackboard(Node):
-    """Allows every parameter, and declares those that it is given at its start."""
+    """Allows every parameter, and declares those of its command line."""
 
     def __init__(self) -> None:
         super().__init__(

@@ -1,4 +1,4 @@
-"""What talker_qos and listener_qos take from the command line."""
+"""The command line of talker_qos and listener_qos."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ CYCLES = 20
 def parse_qos_arguments(
     program: str, description: str, what: str, args: list[str] | None
 ) -> tuple[QoSProfile, int]:
-    """Read a command line; exits with a usage text if it makes no sense.
+    """Read a command line; exit with a usage text if it is invalid.
 
     Args:
         program: The program's name.
         description: What it does.
-        what: What is counted, in the plural.
+        what: The name of what is counted, in the plural.
         args: Its command line, ROS arguments too; None: `sys.argv`.
 
     Returns:
-        The quality of service, reliable or best effort, and how many to end after.
+        The quality of service, reliable or best effort, and the number to end after.
     """
     parser = argparse.ArgumentParser(prog=program, description=description)
     parser.add_argument("--reliable", action="store_true", help="be reliable (default: best effort)")

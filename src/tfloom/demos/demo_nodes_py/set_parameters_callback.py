@@ -29,12 +29,12 @@ class SetParametersCallback(Node):
         self.add_post_set_parameters_callback(self.track)
 
     def add_second(self, parameter_list: list[Parameter]) -> list[Parameter]:
-        """Before: return what is to be set in the place of `parameter_list`."""
+        """Return the parameters to set instead of `parameter_list`."""
         second = Parameter(SECOND, Parameter.Type.DOUBLE, SECOND_VALUE)
         return parameter_list + [second for parameter in parameter_list if parameter.name == FIRST]
 
     def judge(self, parameter_list: list[Parameter]) -> SetParametersResult:
-        """Return whether all of it may be set."""
+        """Return whether all of them may be set."""
         result = SetParametersResult(successful=True)
         for parameter in parameter_list:
             if parameter.name in {FIRST, SECOND}:
@@ -42,7 +42,7 @@ class SetParametersCallback(Node):
         return result
 
     def track(self, parameter_list: list[Parameter]) -> None:
-        """Afterwards: keep what has been set."""
+        """Keep the values that have been set."""
         for parameter in parameter_list:
             if parameter.name == FIRST:
                 self.internal_tracked_param_1 = parameter.value

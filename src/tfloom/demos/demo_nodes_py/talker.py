@@ -1,4 +1,4 @@
-"""talker: say hello to the world, once a second."""
+"""talker: publish a greeting once a second."""
 
 from __future__ import annotations
 

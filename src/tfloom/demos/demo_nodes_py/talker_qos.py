@@ -1,4 +1,4 @@
-"""talker_qos: a talker that is reliable or not, and has only so much to say."""
+"""talker_qos: a talker that is reliable or not, and ends after a number of messages."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class TalkerQos(Node):
     """Publishes on chatter, once a second.
 
     Args:
-        qos_profile: How.
+        qos_profile: The offered quality of service.
     """
 
     def __init__(self, qos_profile: QoSProfile) -> None:
@@ -38,7 +38,7 @@ class TalkerQos(Node):
 
 
 def main(args: list[str] | None = None) -> int:
-    """Talk as often as asked to, or until stopped; return the exit code."""
+    """Publish the requested number of messages, or until stopped; return the exit code."""
     profile, cycles = parse_qos_arguments(
         "talker_qos", "Publish greetings on the topic chatter, once a second.", "messages", args
     )

@@ -1,4 +1,4 @@
-"""use_logger_service: set another node's logger level by its services, and see what it logs then."""
+"""use_logger_service: set another node's logger level by its services, and show its log at each level."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ PATIENCE_S = 5.0
 
 
 class LoggerServiceNode(Node):
-    """Logs what comes on output at four levels; its services set which of them are seen."""
+    """Logs the messages on output at four levels; its services set the least severe one that is shown."""
 
     def __init__(self) -> None:
         super().__init__(REMOTE, enable_logger_service=True)
@@ -42,14 +42,14 @@ class LoggerServiceNode(Node):
 
 
 class TestNode(Node):
-    """Sets and gets another node's level, and gives it something to log.
+    """Sets and gets another node's level, and publishes messages for it to log.
 
     Args:
         remote_node_name: The other node; its logger has its name.
     """
 
     __test__ = False
-    """Test runners look for such names."""
+    """Excludes the class from test runners, which collect classes by such names."""
 
     def __init__(self, remote_node_name: str) -> None:
         super().__init__("TestNode")
@@ -70,7 +70,7 @@ class TestNode(Node):
         return bool(result.successful)
 
     def get_logger_level_on_remote_node(self) -> int | None:
-        """Return the level, 0 where none was set; None if there is no answer."""
+        """Return the level, 0 where none was set; None without a response."""
         response = self._call(self._getter, GetLoggerLevels.Request(names=[self._remote]))
         return None if response is None else int(response.levels[0].level)
 
@@ -99,7 +99,7 @@ def show(remote: LoggerServiceNode, node: TestNode) -> None:
 
 
 def run() -> None:
-    """Spin the remote node on a thread, and show what its services do."""
+    """Spin the remote node on a thread, and demonstrate its services."""
     remote, node = LoggerServiceNode(), TestNode(REMOTE)
     executor = SingleThreadedExecutor()
     executor.add_node(remote)
@@ -118,6 +118,6 @@ def run() -> None:
 
 
 def main(args: list[str] | None = None) -> int:
-    """Show what a node logs at each level; return the exit code."""
+    """Run the demonstration; return the exit code."""
     expect_no_arguments("use_logger_service", "Set a node's logger level by its services.", args)
     return run_program(args, run)

@@ -1,1 +1,1 @@
-"""The turtles of the tf2 tutorials: who broadcasts where they are, and who follows whom."""
+"""The turtles of the tf2 tutorials: broadcasters of their poses, and followers."""

@@ -1,4 +1,4 @@
-"""curve_driver: let a turtle draw a Lissajous figure, three waves across and two up."""
+"""curve_driver: a turtle draws a Lissajous figure, three waves across and two up."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def steer(x: float, y: float, theta: float, aim: tuple[float, float]) -> tuple[f
 
 
 class CurveDriver(Node):
-    """Answers each pose of turtle1 with the velocity that keeps it on the figure."""
+    """Publishes for each pose of turtle1 the velocity that keeps it on the figure."""
 
     def __init__(self) -> None:
         super().__init__("curve_driver")
@@ -45,7 +45,7 @@ class CurveDriver(Node):
         self.create_subscription(Pose, "turtle1/pose", self.on_pose, 1)
 
     def on_pose(self, pose: Pose) -> None:
-        """Steer towards where the figure will be."""
+        """Steer towards the figure's next point."""
         time_s = (self.get_clock().now().nanoseconds - self.started_ns) / 1e9
         twist = Twist()
         twist.linear.x, twist.angular.z = steer(pose.x, pose.y, pose.theta, figure(time_s + LEAD_S))

@@ -23,7 +23,7 @@ class DynamicFrameBroadcaster(Node):
         self.timer = self.create_timer(PERIOD_S, self.on_timer)
 
     def on_timer(self) -> None:
-        """Broadcast the carrot's place, with the time of now."""
+        """Broadcast the carrot's position, stamped now."""
         now = self.get_clock().now()
         seconds, _ = now.seconds_nanoseconds()
         angle = seconds * math.pi

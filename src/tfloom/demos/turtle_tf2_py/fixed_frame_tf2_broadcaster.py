@@ -20,7 +20,7 @@ class FixedFrameBroadcaster(Node):
         self.timer = self.create_timer(PERIOD_S, self.on_timer)
 
     def on_timer(self) -> None:
-        """Broadcast the carrot's place, with the time of now."""
+        """Broadcast the carrot's position, stamped now."""
         turtle_from_carrot = TransformStamped(child_frame_id="carrot1")
         turtle_from_carrot.header.stamp = self.get_clock().now().to_msg()
         turtle_from_carrot.header.frame_id = "turtle1"

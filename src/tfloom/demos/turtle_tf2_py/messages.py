@@ -1,6 +1,6 @@
 """turtlesim's interfaces that the demos use, under the name that the distribution in ROS_DISTRO gives them.
 
-From Kilted on they are `turtlesim_msgs/…`; our turtlesim goes by the same rule.
+From Kilted on they are `turtlesim_msgs/…`; tfloom's turtlesim follows the same rule.
 """
 
 from __future__ import annotations

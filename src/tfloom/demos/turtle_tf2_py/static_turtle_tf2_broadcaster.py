@@ -31,7 +31,7 @@ def quaternion_from_euler(roll: float, pitch: float, yaw: float) -> tuple[float,
 
 
 class StaticFramePublisher(Node):
-    """Broadcasts world_from_frame once, for whoever comes.
+    """Broadcasts world_from_frame once, to present and later subscriptions.
 
     Args:
         frame: The frame's name.

@@ -1,4 +1,4 @@
-"""turtle_tf2_broadcaster: tell tf where a turtle is, each time that it tells its pose."""
+"""turtle_tf2_broadcaster: broadcast a turtle's pose on tf, at each message of its pose."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
 
 
 class FramePublisher(Node):
-    """Broadcasts world_from_turtle for the turtle that the parameter `turtlename` names."""
+    """Broadcasts world_from_turtle for the turtle of the parameter `turtlename`."""
 
     def __init__(self) -> None:
         super().__init__("turtle_tf2_frame_publisher")
@@ -22,7 +22,7 @@ class FramePublisher(Node):
         self.create_subscription(Pose, f"/{self.turtlename}/pose", self.on_pose, 1)
 
     def on_pose(self, pose: Pose) -> None:
-        """Broadcast the pose [m, rad] with the time of now."""
+        """Broadcast the pose [m, rad], stamped now."""
         world_from_turtle = TransformStamped(child_frame_id=self.turtlename)
         world_from_turtle.header.stamp = self.get_clock().now().to_msg()
         world_from_turtle.header.frame_id = "world"

@@ -1,4 +1,4 @@
-"""turtle_tf2_listener: spawn turtle2 and let it follow another frame."""
+"""turtle_tf2_listener: spawn turtle2, which follows another frame."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ SPEED_GAIN = 0.5
 
 
 class FrameListener(Node):
-    """Once a second, sends turtle2 towards the frame that the parameter `target_frame` names."""
+    """Once a second, commands turtle2 towards the frame of the parameter `target_frame`."""
 
     def __init__(self) -> None:
         super().__init__("turtle_tf2_frame_listener")
@@ -50,18 +50,18 @@ class FrameListener(Node):
             self.get_logger().info("Spawn is not finished")
 
     def spawn(self) -> None:
-        """Ask for the follower, if there is anybody to ask."""
+        """Request the follower, if the service is available."""
         if self.spawner.service_is_ready():
             self.answer = self.spawner.call_async(Spawn.Request(x=4.0, y=2.0, theta=0.0, name=FOLLOWER))
         else:
             self.get_logger().info("Service is not ready")
 
     def look_up(self) -> TransformStamped:
-        """Return where the target is, as the follower sees it."""
+        """Return the target's pose in the follower's frame."""
         return self.buffer.lookup_transform(FOLLOWER, self.target_frame, Time())
 
     def follow(self) -> None:
-        """Send the follower towards the target."""
+        """Command the follower towards the target."""
         try:
             follower_from_target = self.look_up()
         except TransformException as error:

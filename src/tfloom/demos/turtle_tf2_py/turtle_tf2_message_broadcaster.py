@@ -1,4 +1,4 @@
-"""turtle_tf2_message_broadcaster: tell where turtle3 is as points in the world, for a filter to wait for tf with."""
+"""turtle_tf2_message_broadcaster: publish turtle3's position as points in the world, for a tf2 message filter."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from tfloom.node.program import expect_no_arguments, run_program
 
 
 class PointPublisher(Node):
-    """Publishes turtle3's place on turtle3/turtle_point_stamped, each time that it tells its pose."""
+    """Publishes turtle3's position on turtle3/turtle_point_stamped, at each message of its pose."""
 
     def __init__(self) -> None:
         super().__init__("turtle_tf2_message_broadcaster")
@@ -18,7 +18,7 @@ class PointPublisher(Node):
         self.create_subscription(Pose, "turtle3/pose", self.on_pose, 10)
 
     def on_pose(self, pose: Pose) -> None:
-        """Publish the point [m] with the time of now."""
+        """Publish the point [m], stamped now."""
         point = PointStamped()
         point.header.stamp = self.get_clock().now().to_msg()
         point.header.frame_id = "world"

@@ -1,4 +1,4 @@
-"""turtle_tf2_time_travel: let turtle2 go where another frame was five seconds ago."""
+"""turtle_tf2_time_travel: turtle2 moves to where another frame was five seconds ago."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ LONGEST_S = 1e9
 
 
 class TimeTraveller(FrameListener):
-    """As the listener, but aims at the target's past.
+    """Like the listener, but follows the target's past.
 
-    The world is the frame that does not change: it takes where the target was then to where the follower is now.
+    The world is the fixed frame between the target's past time and the follower's present.
     """
 
     def __init__(self) -> None:
@@ -29,7 +29,7 @@ class TimeTraveller(FrameListener):
         self.delay = Duration(seconds=delay_s)
 
     def look_up(self) -> TransformStamped:
-        """Return where the target was, as the follower sees that place now."""
+        """Return the target's past pose in the follower's present frame."""
         then = self.get_clock().now() - self.delay
         return self.buffer.lookup_transform_full(FOLLOWER, Time(), self.target_frame, then, "world")
 
