@@ -168,15 +168,8 @@ def one_door_for_each_library(house: Path) -> list[str]:
 
 
 def no_ring(house: Path) -> list[str]:
-    """No modules import each other in a ring: nowhere at run time, and in node/ for annotations neither."""
-    at_run_time = [set(ring) for ring in rings(imports(house), Kind.RUN_TIME)]
-    of_node = [
-        set(ring)
-        for ring in rings(imports(house), Kind.ANNOTATION)
-        if any(_room(module) == "node" for module in ring)
-    ]
-    found = at_run_time + [ring for ring in of_node if ring not in at_run_time]
-    return [f"a ring: {', '.join(sorted(ring))}" for ring in found]
+    """No modules import each other in a ring: neither when they are loaded or called, nor for annotations."""
+    return [f"a ring: {', '.join(ring)}" for ring in rings(imports(house), Kind.ANNOTATION)]
 
 
 def a_top_holds_its_docstring_alone(house: Path) -> list[str]:

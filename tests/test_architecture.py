@@ -143,6 +143,7 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
         },
         [
             "a ring: tfloom.node.log.x, tfloom.node.log.y",
+            "a ring: tfloom.turtlesim.x, tfloom.turtlesim.y",
             "a ring: tfloom.workspace.a, tfloom.workspace.b, tfloom.workspace.c",
         ],
     ),

@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 from tests.conftest import Program
 from tests.node.wire.conftest import PROGRAMS
-from tfloom.node.parameter_client import AsyncParameterClient
 
+from tfloom.node.builtin.parameter_client import AsyncParameterClient
 from tfloom.node.node import Node
 from tfloom.node.parameters.parameter import Parameter
 
