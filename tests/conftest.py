@@ -243,6 +243,12 @@ class Program:
     def signal(self, number: int) -> None:
         self.process.send_signal(number)
 
+    def pause(self) -> None:
+        """Stop the process with SIGSTOP, and wait until each of its threads stands still."""
+        self.signal(signal.SIGSTOP)
+        _, status = os.waitpid(self.process.pid, os.WUNTRACED)
+        assert os.WIFSTOPPED(status), self.output
+
     def end(self) -> None:
         """End the process and whatever it started."""
         if hasattr(os, "killpg"):

@@ -205,7 +205,7 @@ def test_waiting_for_acks(participant, start_peer, node, topic, wait_until) -> N
         writer.write(DATA)
     assert writer.wait_for_acks(5_000 * MS)
     assert len(peer("take", end)) == 100
-    os.kill(peer.pid, signal.SIGSTOP)
+    peer.program.pause()
     writer.write(DATA)
     assert not writer.wait_for_acks(0)
     assert not writer.wait_for_acks(150 * MS)

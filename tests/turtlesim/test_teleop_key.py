@@ -150,7 +150,7 @@ def test_keys_held_down_do_not_queue_up(
     teleop.wait_for("'Q' to quit.")
     press_until(listener, ours, b"\x1b[A", lambda: listener.twists, wait_until)
     assert listener.twists[0].linear.x == 0.5
-    teleop.signal(signal.SIGSTOP)
+    teleop.pause()
     os.write(ours, b"\x1b[D" * 200)
     listener.twists.clear()
     teleop.signal(signal.SIGCONT)
