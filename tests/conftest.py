@@ -28,6 +28,9 @@ TIMEOUT_S = 30.0
 DOMAIN_TIMEOUT_S = 300.0
 DOMAIN_FIXTURES = {"domain_id", "module_domain_id"}
 
+COLCON_PYTHON = {"COLCON_PYTHON_EXECUTABLE": sys._base_executable}
+"""For a shell that sources what colcon wrote: colcon's own choice breaks where its path has a space."""
+
 _lock_descriptors: set[int] = set()
 """Of the locks of the domains that this process's tests are on."""
 

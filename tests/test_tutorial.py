@@ -12,6 +12,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from tests.conftest import COLCON_PYTHON
 
 pytestmark = [
     pytest.mark.skipif(os.name != "posix", reason="needs bash and a pseudo-terminal"),
@@ -47,8 +48,8 @@ def in_workspace(workspace: Path, start_program: Callable[..., object]) -> Calla
     """Start a command as a user does who has sourced the workspace."""
 
     def start(command: str) -> object:
-        line = f"source {workspace}/install/setup.bash && exec {BIN / 'tfloom'} {command}"
-        return start_program("bash", "-c", line)
+        line = f"source '{workspace}/install/setup.bash' && exec '{BIN / 'tfloom'}' {command}"
+        return start_program("bash", "-c", line, env=os.environ | COLCON_PYTHON)
 
     return start
 

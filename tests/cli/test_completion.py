@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 import shutil
 import subprocess
 import sys
@@ -151,7 +152,7 @@ def test_in_a_real_shell(
     start_program("tfloom", "topic", "pub", "/my_topic", "std_msgs/msg/Empty").wait_for("#1")
     ros2 = tmp_path / "ros2"  # As the distribution tfloom-ros2 installs it.
     ros2.write_text(
-        f"#!{sys.executable}\n# PYTHON_ARGCOMPLETE_OK\nfrom tfloom.cli.main import main\nmain(prog='ros2')\n"
+        f"#!/bin/sh\nexec '{sys.executable}' -c 'from tfloom.cli.main import main; main(prog=\"ros2\")' \"$@\"\n"
     )
     ros2.chmod(0o755)
     command, setting_up = INTERACTIVE[name]
@@ -163,7 +164,7 @@ def test_in_a_real_shell(
         shell.process.stdin.flush()
 
     type_keys(
-        f"PATH={tmp_path}:{folder}:$PATH; {setting_up}; "
+        f"PATH={shlex.quote(str(tmp_path))}:{shlex.quote(str(folder))}:$PATH; {setting_up}; "
         'eval "$(register-python-argcomplete tfloom ros2)"; echo is re""ady\n'
     )
     shell.wait_for("is ready")
@@ -190,7 +191,7 @@ def test_in_a_real_shell(
 def test_in_a_real_fish() -> None:
     folder = transcript.PROGRAM.parent
     code = (
-        f"set -x PATH {folder} $PATH; register-python-argcomplete --shell fish tfloom ros2 | source; "
+        f"set -x PATH '{folder}' $PATH; register-python-argcomplete --shell fish tfloom ros2 | source; "
         "complete -C 'tfloom run turtlesim turtlesim_n'"
     )
     done = subprocess.run(

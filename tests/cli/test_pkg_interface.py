@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
 from collections.abc import Callable
@@ -10,6 +11,7 @@ from pathlib import Path
 
 import pytest
 import transcript
+from tests.conftest import COLCON_PYTHON
 
 from tfloom.workspace import index
 
@@ -127,8 +129,8 @@ def test_a_new_package_builds_and_runs(
         [binaries / "colcon", "build"], cwd=tmp_path, capture_output=True, text=True, timeout=120, check=False
     )
     assert built.returncode == 0, built.stderr
-    line = f"source {tmp_path}/install/setup.bash && exec {transcript.PROGRAM} run my_pkg my_node"
-    node = start_program("bash", "-c", line)
+    line = f"source '{tmp_path}/install/setup.bash' && exec '{transcript.PROGRAM}' run my_pkg my_node"
+    node = start_program("bash", "-c", line, env=os.environ | COLCON_PYTHON)
     node.wait_for("[my_node]: Hi from my_pkg.")
     node.wait_for("[my_node]: 1 s")
     node.signal(2)

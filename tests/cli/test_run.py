@@ -57,6 +57,19 @@ def test_a_misspelt_package_or_program_names_the_nearest(add_program: Callable[.
         assert answer.text.startswith(said)
 
 
+@pytest.mark.parametrize("quote", ["", '"'])
+def test_an_interpreter_with_a_space_in_its_path(
+    quote: str, add_program: Callable[..., Path], tmp_path: Path
+) -> None:
+    python = tmp_path / "a folder" / "python"
+    python.parent.mkdir()
+    python.symlink_to(Path(sys.executable).resolve())
+    program = add_program("show", "")
+    program.write_text(f"#!{quote}{python}{quote}\nprint('runs')\n")
+    answer = transcript.run("run", "my_pkg", "show")
+    assert (answer.text, answer.exit_code) == ("runs", 0)
+
+
 def test_arguments_reach_the_program_untouched(add_program: Callable[..., Path]) -> None:
     add_program("show", "import sys; print(sys.argv[1:])")
     words = ["-h", "--prefix", "--ros-args", "-p", "a:=1", "two words", "--", "x"]

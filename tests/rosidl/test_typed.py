@@ -8,7 +8,11 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 HERE = Path(__file__).parent / "typed"
+
+pytestmark = pytest.mark.slow  # mypy is installed for the checks
 
 
 def test_user_code_under_strict_mypy(tmp_path: Path) -> None:

@@ -205,7 +205,7 @@ def test_a_missing_header_of_python_is_named(tmp_path: Path, monkeypatch: pytest
 @pytest.mark.skipif(not shutil.which("make"), reason="make is not installed")
 def test_a_python_below_3_10_is_refused_in_one_line(tmp_path: Path) -> None:
     python = write_program(
-        tmp_path / "python3", f'exec {sys.executable} -c "import sys; sys.version_info = (3, 9, 18); $2"'
+        tmp_path / "python3", f'exec "{sys.executable}" -c "import sys; sys.version_info = (3, 9, 18); $2"'
     )
     for target in ("demo", "test"):
         done = subprocess.run(

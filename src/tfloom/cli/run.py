@@ -73,7 +73,23 @@ def find_command(package: str, program: str) -> list[str] | str:
 def _command_of(path: Path) -> list[str]:
     if os.name == "nt" and path.suffix.lower() == ".py":
         return [sys.executable, str(path)]
-    return [str(path)]
+    interpreter = _interpreter_with_space(path)
+    return [str(path)] if interpreter is None else [interpreter, str(path)]
+
+
+def _interpreter_with_space(path: Path) -> str | None:
+    """Return the interpreter that a script's first line names, if there is a space in its path; else None.
+
+    The kernel cuts the line at the space. Setuptools writes such lines, in quotes, for an environment whose path has
+    one.
+    """
+    try:
+        with path.open("rb") as script:
+            line = os.fsdecode(script.readline(4096))
+    except OSError:
+        return None
+    named = line.removeprefix("#!").strip().strip('"')
+    return named if line.startswith("#!") and " " in named and Path(named).is_file() else None
 
 
 def run_here(target: str, name: str, argv: list[str]) -> int:
