@@ -49,12 +49,6 @@ ROWS: list[tuple[str, str]] = [
     ("ASCII text", "decode JointState of 30"),
     ("size hint", "encode TFMessage x 1"),
     ("wake-up if waiting", "post to a busy executor"),
-    ("kept list", "/tf of 1 frame"),
-    ("UTF-8 by eight", "/tf of 100 frames, a transform"),
-    ("runs of doubles", "decode TFMessage x 100"),
-    ("kept texts", "decode TFMessage x 100"),
-    ("insert at the end", "/tf of 100 frames, a transform"),
-    ("insert at the end", "set_many, a transform"),
 ]
 
 

@@ -143,20 +143,6 @@ def tf_bytes(edges: list[tuple[str, str]], count: int, *, is_cold: bool = False)
     return Case(lambda: push(Buffer()), answer, len(edges) * count)
 
 
-def one_by_one() -> Case:
-    edges = humanoid(100).edges[:1]
-    messages = [cdr.encode(tf_message(edges, START_NS + index * 1_000_000)) for index in range(500)]
-
-    def call() -> Buffer:
-        buffer = Buffer()
-        sink = buffer.tf_sink("bench", static=False)
-        for message in messages:
-            sink.push(message, 0, 0, GID)
-        return buffer
-
-    return Case(call, lambda: [edge.sample_count for edge in call().edges()], len(messages))
-
-
 def set_many() -> Case:
     tree = chain(1, 2000)
     columns = tree.stamps_ns, tree.positions[0], tree.rotations_xyzw[0]
@@ -240,7 +226,6 @@ CASES: dict[str, Callable[[], Case]] = {
     "deskew, a point": deskew,
     "/tf of 100 frames, a transform": lambda: tf_bytes(ROBOT, 50),
     "/tf of 100 frames, a transform, cold caches": lambda: tf_bytes(ROBOT, 50, is_cold=True),
-    "/tf of 1 frame": one_by_one,
     "set_many, a transform": set_many,
     "set": set_one,
     "decode TFMessage x 100": lambda: decode(tf_message(ROBOT), 2),

@@ -126,25 +126,6 @@ EDITS: dict[str, dict[str, Edits | str]] = {
         "core/ready_queue.cpp": [("    if (!std::exchange(is_waiting_, false)) return;\n", "")]
     },
     "fair mutex": {"tf2/fair_mutex.hpp": [("#ifdef __GLIBC__\n\nclass", "#ifdef _WIN32\n\nclass")]},
-    "kept list": {"cdr/tf_message.cpp": [("thread_local std::vector", "std::vector")]},
-    "UTF-8 by eight": {"core/utf8.hpp": [("if (end - at >= 8) {", "if (end < at) {")]},
-    "runs of doubles": {"cdr/plan.hpp": [("longest_run = 8", "longest_run = 1")]},
-    "kept texts": {
-        "bindings/objects.cpp": [
-            (
-                "if (text.empty() || text.size() > longest_kept)",
-                "if (text.data() != nullptr || text.size() > longest_kept)",
-            )
-        ]
-    },
-    "insert at the end": {
-        "tf2/time_cache.cpp": [
-            (
-                "if (!empty() && sample.stamp > newest && blocks_.back().stamps.size() < block_size) {",
-                "if (sample.stamp == INT64_MIN && newest == INT64_MAX) {",
-            )
-        ]
-    },
 }
 """By cleverness: the files, each with its edits or with the name of what stands in its place."""
 
