@@ -3,7 +3,6 @@
 
 #include <nanobind/nanobind.h>
 
-#include <array>
 #include <atomic>
 #include <bit>
 #include <span>
@@ -104,10 +103,6 @@ class ObjectSink {
     if (!known.is_leaf || Py_TYPE(message.ptr()) != known.type) MessagePool::finish(message.ptr());
   }
   void finish_list(Value& list) noexcept { MessagePool::finish(list.ptr()); }
-  void reals(Value& message, const cdr::Plan& plan, std::size_t index, std::span<const double> run) {
-    const Py_ssize_t* offset = &static_cast<const ObjectPlan&>(plan).offsets[index];
-    for (const double value : run) slot(message.ptr(), *offset++) = number(value).release().ptr();
-  }
   void set(Value& message, const cdr::Plan& plan, std::size_t index, Value value) noexcept {
     slot(message.ptr(), static_cast<const ObjectPlan&>(plan).offsets[index]) = value.release().ptr();
   }
@@ -162,10 +157,7 @@ class ObjectSink {
     return PyFloat_FromDouble(value);
   }
 
-  static Value new_string(std::string_view text, std::size_t offset);
-
-  std::array<nb::object, 8> strings_;  // short ones just read: frame names come again and again
-  PyTypeObject* outermost_;            // the class asked for: the plan's own or one derived from it
+  PyTypeObject* outermost_;  // the class asked for: the plan's own or one derived from it
 };
 
 // Reads Python messages; the source of cdr::Emitter. What it holds is kept alive while it is walked: a number's
