@@ -1,7 +1,7 @@
 // Lets go of the interpreter for a scope, also in threads that outlive it.
 //
 // When Python ends, it ends each daemon thread that asks for the interpreter by unwinding its stack, and C++ answers
-// that with std::terminate: the frames below a binding are noexcept. So from the end on, nobody asks.
+// that with std::terminate: the frames below a binding are noexcept. So from the end on, no thread asks.
 #pragma once
 
 #include <Python.h>
@@ -19,8 +19,8 @@ class ReleasedGil {
   PyThreadState* state_;
 };
 
-// To be called with the interpreter held, on the thread that ends it: every other thread that would come back from
-// a ReleasedGil sleeps for ever instead.
-void keep_other_threads_out();
+// Block every other thread at the end of its ReleasedGil, for ever. Call it with the interpreter held, on the thread
+// that ends it.
+void block_gil_reacquire_at_exit();
 
 }  // namespace tfloom::bindings

@@ -31,9 +31,13 @@ struct ObjectPlan : cdr::Plan {
   PyTypeObject* type = nullptr;     // borrowed: the class keeps the plan
   std::vector<Py_ssize_t> offsets;  // of each field's slot in the object
   std::vector<Slot> slots;
-  bool is_leaf = false;  // numbers and strings alone: none of its own fields can be in a cycle
+  // Numbers and strings alone: none of its own fields can be in a cycle. If the collector tracks them, decoding
+  // TFMessage x 100 takes 12 % longer: benchmarks/native, "untracked leaves".
+  bool is_leaf = false;
   mutable MessagePool pool;
-  std::atomic<std::size_t> last_size = 64;  // of the last message encoded: the next one is likely of that size
+  // Of the last message encoded: the next one is likely of that size. Without it, encoding TFMessage x 1 takes 14 %
+  // longer: benchmarks/native, "size hint".
+  std::atomic<std::size_t> last_size = 64;
   std::vector<nb::object> nested;  // keeps the plans of nested messages, and their classes, alive
 };
 
@@ -147,7 +151,8 @@ class ObjectSink {
   }
   static Value sequence(const ObjectPlan::Slot& slot, std::span<const std::byte> octets, bool swap);
 
-  // Most numbers of most transforms are 0 or 1; these need no object of their own.
+  // Most numbers of most transforms are 0 or 1; these need no object of their own. With one,
+  // decoding a PoseStamped takes 16 % longer: benchmarks/native, "shared 0 and 1".
   static PyObject* real(double value) noexcept {
     static PyObject* const zero = PyFloat_FromDouble(0.0);
     static PyObject* const one = PyFloat_FromDouble(1.0);

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from types import MethodType, TracebackType
 from typing import TYPE_CHECKING, Any
 
-from tfloom._native import keep_other_threads_out
+from tfloom._native import block_gil_reacquire_at_exit
 from tfloom.node import log_output
 from tfloom.node.arguments import Arguments, parse_arguments
 from tfloom.node.exceptions import NotInitializedException, RCLError, ROSInterruptException
@@ -345,6 +345,6 @@ def _destroy_all() -> None:
     if threading.current_thread() is threading.main_thread():
         signal.signal(signal.SIGINT, signal.SIG_IGN)
     # A daemon thread that spins is to end with the program, not with an exception.
-    keep_other_threads_out()
+    block_gil_reacquire_at_exit()
     for context in list(_contexts):
         context.destroy()

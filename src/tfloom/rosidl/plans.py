@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 
-from tfloom._native import Plan, adopt
+from tfloom._native import Plan, complete_plan
 from tfloom.rosidl.message import ARRAY_CODES, Message
 from tfloom.rosidl.registry import get_message_class
 from tfloom.rosidl.type_text import split_type
@@ -52,7 +52,7 @@ def _compile(owner: type[Message]) -> Plan:
         _add_fields(plan, owner)
     finally:
         _compiling.remove(owner)
-    adopt(plan)
+    complete_plan(plan)
     owner._PLAN = plan
     return plan
 
