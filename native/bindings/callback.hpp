@@ -1,4 +1,5 @@
-// A Python callable that C++ may copy, call and drop on any thread: on one that must not wait, both are put off.
+// A Python callable that C++ may copy, call and drop on any thread. On a thread that must not wait, calls and drops are
+// deferred.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -8,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/later.hpp"
+#include "core/deferred_queue.hpp"
 
 namespace tfloom::bindings {
 
@@ -24,8 +25,8 @@ class Callback {
  public:
   explicit Callback(nanobind::callable callable)
       : callable_(callable.release().ptr(), [](PyObject* object) {
-          if (Later* later = Later::of_this_thread()) {
-            later->put_off([object] { drop(object); });
+          if (DeferredQueue* queue = DeferredQueue::current()) {
+            queue->defer([object] { drop(object); });
           } else {
             drop(object);
           }
@@ -34,8 +35,8 @@ class Callback {
   // What the callable raises is reported as unraisable: there's no caller who could take it.
   template <class... Args>
   void operator()(Args&&... args) const {
-    if (Later* later = Later::of_this_thread()) {
-      later->put_off([self = *this, kept = std::tuple<std::decay_t<Args>...>(std::forward<Args>(args)...)] {
+    if (DeferredQueue* queue = DeferredQueue::current()) {
+      queue->defer([self = *this, kept = std::tuple<std::decay_t<Args>...>(std::forward<Args>(args)...)] {
         std::apply(self, kept);
       });
       return;

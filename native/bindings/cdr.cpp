@@ -66,9 +66,9 @@ void init_plan(ObjectPlan* self, const nb::type_object& message_class, const std
   self->finish();
 }
 
-// After the last field: nothing before needs the pool.
-void adopt(ObjectPlan& plan) {
-  plan.pool.adopt(plan.type, plan.fields.size());
+// After the last field: until then nothing needs the pool.
+void complete_plan(ObjectPlan& plan) {
+  plan.pool.manage(plan.type, plan.fields.size());
 #ifndef Py_GIL_DISABLED  // two threads may assign at once
   plan.is_leaf = !plan.fields.empty() && std::ranges::all_of(plan.fields, [](const cdr::Field& field) {
     return field.shape == Shape::single && field.kind != Kind::message;
@@ -189,7 +189,8 @@ void bind_cdr(nb::module_& m) {
            "`kind` is a primitive's name or 'message', `shape` '', 'array', 'bounded' or 'unbounded'. `initial` is "
            "its default, which `copies` says to copy for each message. `empty` is a numeric array as it is before "
            "anything is read into it.");
-  m.def("adopt", &adopt, "plan"_a, "Say that a plan is complete: its class's objects are made and freed by it now.");
+  m.def("complete_plan", &complete_plan, "plan"_a,
+        "Complete a plan after its last field: its class's objects are made and freed by it from now on.");
   m.def("encode", &encode, "message"_a, "Give a message as encapsulation header and CDR, little-endian, not padded.");
   m.def("decode", &decode, "message_class"_a, "data"_a,
         nb::sig("def decode(message_class: type, data: object) -> typing.Any"),

@@ -52,9 +52,9 @@ nb::list take_samples(SampleQueue& queue) {
 
 void bind_core(nb::module_& m) {
   m.def("block_gil_reacquire_at_exit", &block_gil_reacquire_at_exit,
-        "Keep every other thread from returning to Python from a call that released the GIL.\n\n"
-        "For the end of the program, where Python would end such threads, and with them the process. It is called "
-        "at exit by itself; calling it again does nothing.");
+        "Block every other thread that reacquires the GIL after a native call, from now on.\n\n"
+        "For the end of the program, because Python would end such threads, and the process with them. Registered "
+        "with `atexit`; calling it again does nothing.");
   nb::module_::import_("atexit").attr("register")(m.attr("block_gil_reacquire_at_exit"));
 
   nb::class_<Sink>(m, "Sink", "Takes serialized samples without Python; see `Reader.feed`.")

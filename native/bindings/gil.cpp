@@ -8,10 +8,10 @@ namespace tfloom::bindings {
 namespace {
 
 std::atomic<bool> ending{false};
-std::thread::id ending_thread;  // written before `ending`
-std::atomic<int> coming_back{0};
+std::thread::id ending_thread;  // written once, before `ending`, and read after it
+std::atomic<int> reacquiring{0};
 
-[[noreturn]] void sleep_for_ever() {
+[[noreturn]] void block_forever() {
   for (;;) std::this_thread::sleep_for(std::chrono::hours(24));
 }
 
@@ -20,13 +20,13 @@ std::atomic<int> coming_back{0};
 ReleasedGil::ReleasedGil() : state_(PyEval_SaveThread()) {}
 
 ReleasedGil::~ReleasedGil() {
-  ++coming_back;
+  ++reacquiring;
   if (ending && std::this_thread::get_id() != ending_thread) {
-    --coming_back;
-    sleep_for_ever();
+    --reacquiring;
+    block_forever();
   }
   PyEval_RestoreThread(state_);
-  --coming_back;
+  --reacquiring;
 }
 
 void block_gil_reacquire_at_exit() {
@@ -34,7 +34,7 @@ void block_gil_reacquire_at_exit() {
   ending = true;
   // Those that asked before they could see it still get in, and must be in before the interpreter refuses them.
   PyThreadState* state = PyEval_SaveThread();
-  while (coming_back != 0) std::this_thread::sleep_for(std::chrono::microseconds(100));
+  while (reacquiring != 0) std::this_thread::sleep_for(std::chrono::microseconds(100));
   PyEval_RestoreThread(state);
 }
 

@@ -19,8 +19,8 @@ class ReleasedGil {
   PyThreadState* state_;
 };
 
-// Makes every other thread that leaves a ReleasedGil sleep for ever. Called with the GIL held, on the thread that ends
-// the interpreter.
+// Block every other thread at the end of its ReleasedGil, for ever. Call it with the interpreter held, on the thread
+// that ends it.
 void block_gil_reacquire_at_exit();
 
 }  // namespace tfloom::bindings

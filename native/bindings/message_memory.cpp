@@ -27,7 +27,7 @@ std::size_t slot_count(const PyTypeObject* type) noexcept {
 void free_message(PyObject* self);
 
 // The class in whose memory we know our way: the object's own, or the one that its class derives from.
-PyTypeObject* adopted_type(PyObject* self) noexcept {
+PyTypeObject* managed_type(PyObject* self) noexcept {
   PyTypeObject* type = Py_TYPE(self);
   while (type->tp_dealloc != &free_message) type = type->tp_base;
   return type;
@@ -35,7 +35,7 @@ PyTypeObject* adopted_type(PyObject* self) noexcept {
 
 void release(PyObject* self) {
   PyTypeObject* type = Py_TYPE(self);
-  PyTypeObject* owner = adopted_type(self);
+  PyTypeObject* owner = managed_type(self);
   PyObject** slot = slots_of(self);
   for (std::size_t left = slot_count(owner); left > 0; --left, ++slot) Py_CLEAR(*slot);
   MessagePool* pool = type == owner ? pools()[reinterpret_cast<MessageObject*>(self)->pool] : nullptr;
@@ -66,10 +66,10 @@ void free_message(PyObject* self) {
 
 MessagePool::~MessagePool() {
   if (number_ != 0) pools()[number_] = nullptr;
-  while (dead_ != nullptr) PyObject_GC_Del(take_dead());
+  while (freed_ != nullptr) PyObject_GC_Del(take_freed());
 }
 
-void MessagePool::adopt(PyTypeObject* type, std::size_t field_count) {
+void MessagePool::manage(PyTypeObject* type, std::size_t field_count) {
 #if !defined(Py_GIL_DISABLED) && !defined(PYPY_VERSION)
   const bool plain = static_cast<std::size_t>(type->tp_basicsize) == sizeof(MessageObject) + field_count * sizeof(void*) &&
                      type->tp_dictoffset == 0 && type->tp_weaklistoffset == 0 && type->tp_finalize == nullptr &&
@@ -87,8 +87,8 @@ void MessagePool::adopt(PyTypeObject* type, std::size_t field_count) {
 
 PyObject* MessagePool::make(PyTypeObject* type) {
   PyObject* message;
-  if (type == type_ && dead_ != nullptr) {
-    message = take_dead();
+  if (type == type_ && freed_ != nullptr) {
+    message = take_freed();
     PyObject_Init(message, type);
   } else {
     message = type->tp_alloc(type, 0);
@@ -106,15 +106,15 @@ void MessagePool::claim(PyObject* message) const noexcept {
   if (Py_TYPE(message) == type_) reinterpret_cast<MessageObject*>(message)->pool = number_;
 }
 
-bool MessagePool::keep(PyObject* dead) noexcept {
+bool MessagePool::keep(PyObject* freed) noexcept {
   if (kept_ == most_kept) return false;
-  *slots_of(dead) = std::exchange(dead_, dead);  // the first slot of each holds the next
+  *slots_of(freed) = std::exchange(freed_, freed);  // the first slot of each holds the next
   ++kept_;
   return true;
 }
 
-PyObject* MessagePool::take_dead() noexcept {
-  PyObject* first = std::exchange(dead_, *slots_of(dead_));
+PyObject* MessagePool::take_freed() noexcept {
+  PyObject* first = std::exchange(freed_, *slots_of(freed_));
   *slots_of(first) = nullptr;
   --kept_;
   return first;

@@ -1,7 +1,8 @@
 // The memory of message objects: freed ones wait in their class's pool for the next message of that class.
 //
 // Messages come in hundreds (a TFMessage of 100 transforms is 601 of them), are small, and die together. Python's
-// general way to free an object of a class with __slots__ takes as long as reading the message did.
+// general way to free an object of a class with __slots__ takes as long as reading the message did. Without the pool,
+// decoding takes 30 % longer, or more: benchmarks/native, "message pool".
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -27,7 +28,7 @@ class MessagePool {
 
   // Takes over freeing the objects of a class that has slots for fields and nothing else: no __dict__, no weak
   // references, no __del__. Another class is left alone, and its objects never come here.
-  void adopt(PyTypeObject* type, std::size_t field_count);
+  void manage(PyTypeObject* type, std::size_t field_count);
 
   // A message whose slots are empty; the collector does not know it yet. Throws when there is no memory.
   PyObject* make(PyTypeObject* type);
@@ -37,14 +38,14 @@ class MessagePool {
   void claim(PyObject* message) const noexcept;
 
   // Keeps the memory of a dead message, unless there is enough already.
-  bool keep(PyObject* dead) noexcept;
+  bool keep(PyObject* freed) noexcept;
 
  private:
-  PyObject* take_dead() noexcept;
+  PyObject* take_freed() noexcept;
 
   PyTypeObject* type_ = nullptr;  // null: adopted none
   std::uint32_t number_ = 0;
-  PyObject* dead_ = nullptr;
+  PyObject* freed_ = nullptr;
   std::size_t kept_ = 0;
 };
 

@@ -143,7 +143,7 @@ bool set_message(BufferHandle& self, nb::handle message, const NameArgument& aut
 template <std::size_t N>
 nb::object build(ObjectSink& sink, const ObjectPlan& plan, const std::array<double, N>& values) {
   nb::object message = sink.message(plan);
-  sink.reals(message, plan, 0, values);
+  for (std::size_t i = 0; i < N; ++i) sink.set(message, plan, i, sink.number(values[i]));
   sink.finish(message, plan);
   return message;
 }

@@ -83,13 +83,6 @@ class Cursor {
     return swap_ ? detail::swap_bytes(value) : value;
   }
 
-  // Whether `count` numbers can still come.
-  template <Number T>
-  [[nodiscard]] bool holds(std::size_t count) const noexcept {
-    const std::size_t start = aligned(sizeof(T));
-    return start <= size_ && count <= (size_ - start) / sizeof(T);
-  }
-
   // Fills `out`. Nothing is read, nor aligned, for no elements.
   template <Number T>
   void read_into(std::span<T> out) {

@@ -45,7 +45,6 @@ struct Field {
   std::uint32_t count = 0;         // length of an array, bound of a bounded sequence
   std::uint32_t string_bound = 0;  // [characters]; 0: not bounded
   const Plan* message = nullptr;   // of Kind::message
-  std::uint8_t reals = 0;          // single float64 fields from this one on; set by `Plan::finish`
 
   [[nodiscard]] std::size_t least_element_size() const noexcept;  // [octets], without alignment
   [[nodiscard]] std::size_t least_size() const noexcept;
@@ -54,8 +53,6 @@ struct Field {
 struct Plan {
   std::string name;  // "geometry_msgs/msg/Twist"
   std::vector<Field> fields;
-  static constexpr std::uint8_t longest_run = 8;  // of float64 fields that are read in one go
-
   std::size_t least_size = 0;  // [octets], without alignment; set by `finish`
 
   // A message without fields has one octet on the wire.
@@ -64,7 +61,6 @@ struct Plan {
   void finish() {
     least_size = 0;
     for (const Field& field : fields) least_size = std::min(least_size + field.least_size(), size_limit);
-    count_reals();
     least_size = std::max<std::size_t>(least_size, 1);  // or a few bytes could claim any number of elements
   }
 
@@ -72,15 +68,6 @@ struct Plan {
   [[nodiscard]] std::string_view base_name() const noexcept {
     const std::string_view whole = name;
     return whole.substr(whole.rfind('/') + 1);
-  }
-
- private:
-  void count_reals() noexcept {
-    std::uint8_t run = 0;
-    for (auto field = fields.rbegin(); field != fields.rend(); ++field) {
-      const bool real = field->kind == Kind::float64 && field->shape == Shape::single;
-      field->reals = run = real ? std::min<std::uint8_t>(run + 1, longest_run) : 0;
-    }
   }
 };
 

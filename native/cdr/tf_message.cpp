@@ -64,8 +64,7 @@ void TfSink::push(std::span<const std::byte> data, const SampleInfo&) noexcept {
 }
 
 void TfSink::insert(std::span<const std::byte> data) {
-  thread_local std::vector<tf2::Entry> entries;  // keeps its memory from message to message
-  entries.clear();
+  std::vector<tf2::Entry> entries;
   try {
     read_tf_message(data, entries);
   } catch (const DecodeError& error) {

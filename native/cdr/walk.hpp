@@ -6,7 +6,6 @@
 //   Value boolean(bool)   Value octet(std::uint8_t)   Value number(T)
 //   Value string(std::string_view, std::size_t offset)               may be no UTF-8: throws DecodeError then
 //   Value wide(std::u32string_view)
-//   void reals(Value& message, const Plan&, std::size_t index, span of double)   as many fields, from `index` on
 //   Value numbers<T>(const Plan&, std::size_t index, Cursor&, std::uint32_t length)
 //                                                                    a numeric array: takes it off the cursor
 //   Value list(std::uint32_t length)   void set_item(Value& list, std::uint32_t index, Value)
@@ -24,7 +23,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -74,10 +72,6 @@ class Reader {
   Value message(const Plan& plan) {
     Value message = sink_.message(plan);
     for (std::size_t i = 0; i < plan.fields.size(); ++i) {
-      if (const std::size_t run = plan.fields[i].reals; run > 1 && reals(message, plan, i)) {
-        i += run - 1;
-        continue;
-      }
       try {
         sink_.set(message, plan, i, value(plan, i));
       } catch (PathError& error) {
@@ -91,16 +85,6 @@ class Reader {
   }
 
  private:
-  // Reads float64 fields that follow each other in one go; false, and nothing read, where the bytes end too soon.
-  bool reals(Value& message, const Plan& plan, std::size_t index) {
-    std::array<double, Plan::longest_run> numbers;
-    const std::span<double> run(numbers.data(), plan.fields[index].reals);
-    if (!in_.holds<double>(run.size())) return false;
-    in_.read_into(run);
-    sink_.reals(message, plan, index, run);
-    return true;
-  }
-
   Value value(const Plan& plan, std::size_t index) {
     const Field& field = plan.fields[index];
     if (field.shape == Shape::single) return single(field);

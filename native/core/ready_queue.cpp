@@ -9,7 +9,8 @@ void ReadyQueue::post(Token token) {
     const std::lock_guard lock(mutex_);
     if (!pending_.insert(token).second) return;
     order_.push_back(token);
-    // Who isn't waiting looks before it waits; to wake it would cost two calls of the system for nothing.
+    // A busy executor looks before it waits. With a wake-up each, a post takes 3.5 times as long: benchmarks/native,
+    // "wake-up if waiting".
     if (!std::exchange(is_waiting_, false)) return;
   }
   waker_.wake();

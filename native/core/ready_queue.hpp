@@ -27,10 +27,10 @@ class ReadyQueue {
   bool take(std::vector<Token>& tokens);
 
   std::mutex mutex_;
-  std::vector<Token> order_;
+  std::vector<Token> order_;  // guarded by mutex_, as are the next two
   std::unordered_set<Token> pending_;
   bool is_waiting_ = false;  // the thread that waits found nothing, and hasn't been woken since
-  Waker waker_;
+  Waker waker_;              // for any thread by itself
 };
 
 }  // namespace tfloom

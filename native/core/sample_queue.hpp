@@ -27,8 +27,8 @@ class SampleQueue : public Sink {
 
  private:
   mutable std::mutex mutex_;
-  std::size_t depth_;
-  std::deque<Sample> samples_;
+  const std::size_t depth_;
+  std::deque<Sample> samples_;  // guarded by mutex_, as is the next
   std::uint64_t pushed_ = 0;
 };
 

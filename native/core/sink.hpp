@@ -25,7 +25,8 @@ class Sink {
 
   // Takes one sample: the four octets of encapsulation header, then CDR. `data` is hostile and lives only
   // during the call. Never throws: a sample that can't be read is counted and dropped. Takes microseconds, as the
-  // thread may be the one that receives for all of the process; what calls into Python is put off (core/later.hpp).
+  // thread may be the one that receives for all of the process; calls into Python are
+  // deferred (core/deferred_queue.hpp).
   virtual void push(std::span<const std::byte> data, const SampleInfo& info) noexcept = 0;
 };
 

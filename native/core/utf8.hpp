@@ -1,8 +1,7 @@
 // Whether bytes are UTF-8.
 #pragma once
 
-#include <cstdint>
-#include <cstring>
+#include <cstddef>
 #include <string_view>
 
 namespace tfloom {
@@ -13,17 +12,13 @@ inline bool is_utf8(std::string_view text) {
   const auto* const end = at + text.size();
   const auto continues = [&](std::ptrdiff_t index) { return (at[index] & 0xC0U) == 0x80U; };
   while (at < end) {
-    if (end - at >= 8) {
-      std::uint64_t octets;
-      std::memcpy(&octets, at, sizeof octets);
-      if ((octets & 0x8080808080808080U) == 0) {
-        at += sizeof octets;
-        continue;
-      }
-    }
     const unsigned first = *at;
-    const std::ptrdiff_t length = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
-    if (first >= 0x80 && (first < 0xC2 || first > 0xF4)) return false;
+    if (first < 0x80) {
+      ++at;
+      continue;
+    }
+    if (first < 0xC2 || first > 0xF4) return false;
+    const std::ptrdiff_t length = first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
     if (length > end - at) return false;
     for (std::ptrdiff_t i = 1; i < length; ++i) {
       if (!continues(i)) return false;

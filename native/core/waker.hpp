@@ -36,9 +36,9 @@ class Waker {
 #ifdef _WIN32
   std::mutex mutex_;
   std::condition_variable condition_;
-  bool woken_ = false;
+  bool woken_ = false;  // guarded by mutex_
 #else
-  int read_fd_ = -1;
+  int read_fd_ = -1;  // both constant once constructed: the kernel orders reads and writes
   int write_fd_ = -1;
 #endif
 };

@@ -1,4 +1,4 @@
-// What happens to an endpoint besides data: the statuses of DDS, told through a queue and taken as counts.
+// What happens to an endpoint besides data: the statuses of DDS, posted to a queue and taken as counts.
 #pragma once
 
 #include <array>
@@ -54,10 +54,10 @@ class Events {
   const Library& library_;
   bool of_writer_;
   std::function<void()> on_match_;
-  std::mutex mutex_;  // the listener takes it, so nobody holds it while asking the library
-  std::array<Watcher, event_count> watchers_;
-  std::mutex taken_mutex_;
-  std::array<Status, event_count> taken_{};
+  std::mutex mutex_;  // taken by the listener, so it is not held while the library is called
+  std::array<Watcher, event_count> watchers_;  // guarded by mutex_
+  std::mutex taken_mutex_;                     // held while the library is called
+  std::array<Status, event_count> taken_{};    // guarded by taken_mutex_
 };
 
 }  // namespace tfloom::dds

@@ -26,10 +26,10 @@ void Feeder::schedule(Source& source) {
   scheduled_.notify_one();  // with the lock given up, else the thread would wake to wait for it
 }
 
-void Feeder::put_off(Act act) {
+void Feeder::defer(Work work) {
   {
     const std::lock_guard lock(mutex_);
-    acts_.push_back(std::move(act));
+    deferred_.push_back(std::move(work));
   }
   scheduled_.notify_one();
 }
@@ -48,13 +48,13 @@ void Feeder::enqueue(Source& source) {
 void Feeder::run() {
   std::unique_lock lock(mutex_);
   for (;;) {
-    scheduled_.wait(lock, [&] { return stopping_ || !waiting_.empty() || !acts_.empty(); });
-    if (!acts_.empty()) {
-      Act act = std::move(acts_.front());
-      acts_.pop_front();
+    scheduled_.wait(lock, [&] { return stopping_ || !waiting_.empty() || !deferred_.empty(); });
+    if (!deferred_.empty()) {
+      Work work = std::move(deferred_.front());
+      deferred_.pop_front();
       lock.unlock();
-      act();
-      act = nullptr;  // what it holds is let go of without the lock
+      work();
+      work = nullptr;  // what it holds is released without the lock
       lock.lock();
       continue;
     }

@@ -6,11 +6,11 @@
 #include <mutex>
 #include <thread>
 
-#include "core/later.hpp"
+#include "core/deferred_queue.hpp"
 
 namespace tfloom::dds {
 
-class Feeder : public Later {
+class Feeder : public DeferredQueue {
  public:
   class Source {
    public:
@@ -32,10 +32,10 @@ class Feeder : public Later {
   // When this returns, `source` isn't being drained and won't be until it is scheduled again.
   void forget(Source& source);
 
-  // Runs `act` soon. Callers may be in a listener, or hold a lock.
-  void put_off(Act act) override;
+  // Runs `work` soon. Callers may be in a listener, or hold a lock.
+  void defer(Work work) override;
 
-  // Runs the acts that were put off, and ends the thread; sources that are scheduled are left. Not from the feeder's
+  // Runs the deferred work, and ends the thread; sources that are scheduled are left. Not from the feeder's
   // own thread.
   void stop();
 
@@ -44,13 +44,13 @@ class Feeder : public Later {
   void enqueue(Source& source);
 
   std::mutex mutex_;
-  std::condition_variable scheduled_;
+  std::condition_variable scheduled_;  // waits with mutex_, as does the next
   std::condition_variable drained_;
-  std::deque<Source*> waiting_;
-  std::deque<Act> acts_;
+  std::deque<Source*> waiting_;  // guarded by mutex_, as are the next three
+  std::deque<Work> deferred_;
   Source* draining_ = nullptr;
   bool stopping_ = false;
-  std::thread thread_;
+  std::thread thread_;  // started by the constructor, joined by `stop`
 };
 
 }  // namespace tfloom::dds

@@ -65,15 +65,15 @@ class Graph : private Feeder::Source {
 
   Participant& participant_;
   const Library& library_;
-  std::mutex mutex_;
-  std::map<Gid, ParticipantInfo> participants_;
+  std::mutex mutex_;                              // held while the library is called; its listener does not take it
+  std::map<Gid, ParticipantInfo> participants_;  // guarded by mutex_, as are the next six
   std::map<Gid, std::vector<std::byte>> early_node_lists_;  // of participants that aren't discovered yet
   std::map<Gid, EndpointInfo> endpoints_;
   std::uint64_t changes_ = 0;
   ReadyQueue* queue_ = nullptr;
   ReadyQueue::Token token_ = 0;
   bool closed_ = false;
-  Entity node_list_topic_ = 0;
+  Entity node_list_topic_ = 0;  // constant once constructed, as are the next four
   Entity participant_reader_ = 0;
   Entity writer_reader_ = 0;
   Entity reader_reader_ = 0;

@@ -137,7 +137,7 @@ void resolve_qos(Library& l, const Resolver& resolve) {
 
 const Library& Library::open(const std::string& path) {
   static std::mutex mutex;
-  static std::map<std::string, std::unique_ptr<const Library>> libraries;
+  static std::map<std::string, std::unique_ptr<const Library>> libraries;  // guarded by mutex
   const std::lock_guard lock(mutex);
   auto& library = libraries[path];
   if (!library) {

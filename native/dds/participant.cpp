@@ -16,12 +16,12 @@ namespace tfloom::dds {
 namespace {
 
 struct OpenDomain {
-  Entity entity = 0;  // 0: opened by somebody else
+  Entity entity = 0;  // 0: opened by other code of the process
   int users = 0;
 };
 
-std::mutex domains_mutex;
-std::map<std::uint32_t, OpenDomain> domains;
+std::mutex domains_mutex;  // held while the library is called
+std::map<std::uint32_t, OpenDomain> domains;  // guarded by domains_mutex
 
 std::int64_t process_id() {
 #ifdef _WIN32

@@ -50,6 +50,7 @@ class Participant {
   [[nodiscard]] bool is_forked() const;
 
  private:
+  // All are constant once constructed. `close` is called by one thread, when no endpoint is left.
   const Library& library_;
   std::int64_t process_;
   std::unique_ptr<Domain> domain_;

@@ -1,4 +1,4 @@
-// Whom an endpoint is connected to.
+// The peers that an endpoint is connected to.
 #pragma once
 
 #include <mutex>
@@ -24,7 +24,7 @@ class Peers {
   [[nodiscard]] std::vector<Peer> matched(Entity entity);
   [[nodiscard]] std::size_t matched_count(Entity entity) const;
 
-  // The peer with this handle; zeros if it has left before anybody asked for it.
+  // The peer with this handle; zeros if it left before the first look-up.
   [[nodiscard]] Gid gid(Entity entity, InstanceHandle handle);
 
  private:
@@ -32,8 +32,8 @@ class Peers {
 
   const Library& library_;
   bool of_writer_;
-  std::mutex mutex_;
-  std::unordered_map<InstanceHandle, Peer> known_;
+  std::mutex mutex_;  // held while the library is called
+  std::unordered_map<InstanceHandle, Peer> known_;  // guarded by mutex_
 };
 
 }  // namespace tfloom::dds

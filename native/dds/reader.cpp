@@ -105,7 +105,7 @@ bool Reader::drain() {
 }
 
 bool Reader::push_some() {
-  const Later::Scope scope(participant_.feeder());
+  const DeferredQueue::Scope scope(participant_.feeder());
   Sink* sink = sink_;
   if (sink == nullptr) return false;
   Serdata_* serdata[samples_a_turn]{};

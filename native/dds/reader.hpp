@@ -55,19 +55,19 @@ class Reader : private Feeder::Source {
 
   Participant& participant_;
   const Library& library_;
-  Entity topic_;
+  Entity topic_;  // constant once constructed, as are the next two
   Entity entity_ = 0;
   Gid gid_{};
-  Events events_;
+  Events events_;  // locks itself, as does the next
   Peers peers_;
   std::atomic<bool> closed_ = false;
   std::atomic<bool> is_match_new_ = false;
   std::atomic<bool> is_data_new_ = false;  // false: nothing waits to be taken
-  std::atomic<Sink*> sink_ = nullptr;
-  std::mutex feed_mutex_;  // for one thread at a time that feeds; no listener waits for it
-  std::mutex lifecycle_mutex_;  // for one feed or close at a time
-  std::mutex listener_mutex_;  // guards the two below; the listener takes it, so it's held for moments only
-  ReadyQueue* queue_ = nullptr;
+  std::atomic<Sink*> sink_ = nullptr;  // written with feed_mutex_ held
+  std::mutex feed_mutex_;              // for one thread at a time that feeds; a listener only tries it
+  std::mutex lifecycle_mutex_;         // for one feed or close at a time
+  std::mutex listener_mutex_;          // taken by the listener, so it is held for moments only
+  ReadyQueue* queue_ = nullptr;        // guarded by listener_mutex_, as is the next
   ReadyQueue::Token token_ = 0;
 };
 

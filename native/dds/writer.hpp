@@ -45,14 +45,14 @@ class Writer {
  private:
   Participant& participant_;
   const Library& library_;
-  Entity topic_;
+  Entity topic_;  // constant once constructed, as are the next three
   Entity entity_ = 0;
-  const Sertype_* type_ = nullptr;
+  const Sertype_* type_ = nullptr;  // valid until topic_ is deleted, with in_use_ held alone
   Gid gid_{};
-  Events events_;
+  Events events_;  // locks itself, as does the next
   Peers peers_;
   std::atomic<bool> closed_ = false;
-  std::shared_mutex in_use_;  // shared by writes, which need the type
+  std::shared_mutex in_use_;  // shared by writes, which use type_; alone for the deletion of topic_
 };
 
 }  // namespace tfloom::dds

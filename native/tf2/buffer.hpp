@@ -151,7 +151,7 @@ class Buffer {
     FrameId target = no_parent, source = no_parent, fixed = no_parent;
   };
 
-  // These want frames_mutex_ held:
+  // These require frames_mutex_ to be held:
   [[nodiscard]] std::optional<FrameId> find_frame(std::string_view name) const;
   [[nodiscard]] bool resolve(const Query& query, Ids& ids) const;
   [[nodiscard]] Error name_error(const Query& query, Phrase phrase) const;
@@ -161,33 +161,33 @@ class Buffer {
   [[nodiscard]] Error error_of(const Failure& failure, FrameId target, FrameId source) const;
   [[nodiscard]] Error find_error(const Query& query, const Ids& ids) const;
   [[nodiscard]] bool can_answer(const Query& query) const;
-  [[nodiscard]] bool never_can(const Query& query) const;
+  [[nodiscard]] bool can_never_answer(const Query& query) const;
   [[nodiscard]] bool is_too_old(FrameId target, FrameId source, Stamp stamp) const;
   [[nodiscard]] std::string frames_as_string() const;
-  [[nodiscard]] bool is_straggler(Stamp stamp);
+  [[nodiscard]] bool is_ignored(Stamp stamp);
   void prefetch_frames(std::span<const Entry> entries) const;
   bool insert(Entry entry, std::string_view authority, bool is_static, Known& known,
               std::vector<Rejection>& rejections);
 
   void report(const Rejection& rejection, std::string_view authority);
-  void announce();
-  [[nodiscard]] Requests::State judge(const Requests::Request& request) const;
+  void notify_waiters();
+  [[nodiscard]] Requests::State state_of(const Requests::Request& request) const;
 
-  std::atomic<Stamp> cache_time_;  // changes in `map` only
-  mutable FairMutex frames_mutex_;
-  std::shared_ptr<const void> mapped_;  // before the frames, which may hold views of it
+  std::atomic<Stamp> cache_time_;  // written in `map` only, with frames_mutex_ held
+  mutable FairMutex frames_mutex_;  // shared by queries, exclusive for changes
+  std::shared_ptr<const void> mapped_;  // guarded by frames_mutex_, as are the next three; frames_ may hold views of it
   FrameTable frames_;
-  Stamp ignored_from_ = INT64_MAX;  // with frames_mutex_ held, as is the next
+  Stamp ignored_from_ = INT64_MAX;
   std::chrono::steady_clock::time_point ignored_until_;
 
   // A waiter counts itself before it looks at the generation, and an insert grows the generation before it looks
   // for waiters (both sequentially consistent): one of the two sees the other.
   mutable std::atomic<std::uint64_t> generation_{0};
   mutable std::atomic<int> waiters_{0};
-  mutable std::mutex waiting_mutex_;
-  mutable std::condition_variable changed_;
+  mutable std::mutex waiting_mutex_;  // guards no member: it orders a waiter's look before the insert's notification
+  mutable std::condition_variable changed_;  // waits with waiting_mutex_
 
-  Requests requests_;
+  Requests requests_;  // locks itself, as does the next
   Log log_;
 };
 

@@ -17,7 +17,7 @@ class Counted {
   std::atomic<int>& count_;
 };
 
-bool is_askable(std::string_view name) { return !name.empty() && !name.starts_with('/'); }
+bool is_valid_name(std::string_view name) { return !name.empty() && !name.starts_with('/'); }
 
 Query query_of(const Requests::Request& request) {
   Query query{request.target, request.source, request.target_stamp, request.source_stamp, std::nullopt};
@@ -27,13 +27,13 @@ Query query_of(const Requests::Request& request) {
 
 }  // namespace
 
-void Buffer::announce() {
+void Buffer::notify_waiters() {
   generation_.fetch_add(1);
   if (waiters_.load() > 0) {
     { const std::lock_guard lock(waiting_mutex_); }  // a waiter is now either asleep or has seen the new number
     changed_.notify_all();
   }
-  requests_.settle([this](const Requests::Request& request) { return judge(request); });
+  requests_.settle([this](const Requests::Request& request) { return state_of(request); });
 }
 
 Buffer::Waited Buffer::wait(const Query& query, std::chrono::steady_clock::time_point deadline,
@@ -46,7 +46,7 @@ Buffer::Waited Buffer::wait(const Query& query, std::chrono::steady_clock::time_
     {
       const Reading lock(frames_mutex_);
       if (can_answer(query)) return Waited::yes;
-      if (never_can(query)) return Waited::no;
+      if (can_never_answer(query)) return Waited::no;
     }
     std::unique_lock waiting(waiting_mutex_);
     if (!changed_.wait_until(waiting, slice_end, [&] { return generation_.load() != seen; })) {
@@ -61,8 +61,10 @@ bool Buffer::is_too_old(FrameId target, FrameId source, Stamp stamp) const {
   return !common.failure && common.stamp != 0 && is_older_than(stamp, cache_time_, common.stamp);
 }
 
-bool Buffer::never_can(const Query& query) const {
-  if (!is_askable(query.target) || !is_askable(query.source) || !is_askable(query.fixed.value_or("-"))) return true;
+bool Buffer::can_never_answer(const Query& query) const {
+  for (const std::string_view name : {query.target, query.source, query.fixed.value_or("-")}) {
+    if (!is_valid_name(name)) return true;
+  }
   Ids ids;
   if (!resolve(query, ids)) return false;
   if (!query.fixed) return is_too_old(ids.target, ids.source, query.target_stamp);
@@ -70,10 +72,10 @@ bool Buffer::never_can(const Query& query) const {
          is_too_old(ids.target, ids.fixed, query.target_stamp);
 }
 
-Requests::State Buffer::judge(const Requests::Request& request) const {
+Requests::State Buffer::state_of(const Requests::Request& request) const {
   const Query query = query_of(request);
   const Reading lock(frames_mutex_);
-  if (never_can(query)) return Requests::State::failed;
+  if (can_never_answer(query)) return Requests::State::failed;
   return can_answer(query) ? Requests::State::available : Requests::State::pending;
 }
 
@@ -91,7 +93,7 @@ Requests::Handle Buffer::add_request(const Query& query, Requests::Callback call
   {
     const Reading lock(frames_mutex_);
     can = can_answer(query);
-    never = !can && never_can(query);
+    never = !can && can_never_answer(query);
   }
   if (!can && !never) return handle;
   if (!requests_.cancel(handle)) return handle;

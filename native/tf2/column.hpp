@@ -25,12 +25,6 @@ class Column {
   [[nodiscard]] const T* begin() const { return data_; }
   [[nodiscard]] const T* end() const { return data_ + size_; }
 
-  void append(const T& value) {
-    own();
-    owned_.push_back(value);
-    refresh();
-  }
-
   void insert(std::size_t index, const T& value) {
     own();
     owned_.insert(owned_.begin() + static_cast<std::ptrdiff_t>(index), value);

@@ -226,7 +226,7 @@ void Buffer::map(std::span<const std::byte> frozen, std::shared_ptr<const void> 
     cache_time_ = thawed.cache_time;
   }
   thawed = {};
-  announce();
+  notify_waiters();
 }
 
 }  // namespace tfloom::tf2

@@ -38,7 +38,7 @@ class Log {
   Recent& recent(std::string_view topic, std::string_view frame, Clock::time_point now);
 
   std::mutex mutex_;
-  std::shared_ptr<const LogCallback> callback_;
+  std::shared_ptr<const LogCallback> callback_;  // guarded by mutex_, as is the next
   std::map<std::pair<std::string, std::string>, Recent> recent_;
 };
 

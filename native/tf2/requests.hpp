@@ -35,15 +35,15 @@ class Requests {
   Handle add(Request request);
   bool cancel(Handle handle);
 
-  // Asks `judge(request) -> State` of each, removes the settled ones and calls them back in order of arrival.
-  template <class Judge>
-  void settle(Judge&& judge) {
+  // Removes each request whose `state_of(request)` is not pending, and calls it back in order of arrival.
+  template <class StateOf>
+  void settle(StateOf&& state_of) {
     if (count_.load() == 0) return;
     std::vector<std::pair<std::shared_ptr<const Request>, Outcome>> settled;
     {
       const std::lock_guard lock(mutex_);
       std::erase_if(requests_, [&](const std::shared_ptr<const Request>& request) {
-        const State state = judge(*request);
+        const State state = state_of(*request);
         if (state == State::pending) return false;
         settled.emplace_back(request, state == State::available ? Outcome::available : Outcome::failed);
         return true;
@@ -54,9 +54,9 @@ class Requests {
   }
 
  private:
-  std::mutex mutex_;
-  std::atomic<std::size_t> count_{0};
-  Handle last_ = 0;
+  std::mutex mutex_;  // taken before Buffer::frames_mutex_, which `state_of` takes
+  std::atomic<std::size_t> count_{0};  // of requests_; written with mutex_ held
+  Handle last_ = 0;                    // guarded by mutex_, as is the next
   std::vector<std::shared_ptr<const Request>> requests_;
 };
 

@@ -6,12 +6,6 @@
 
 namespace tfloom::tf2 {
 
-void TimeCache::Block::append(const Sample& sample) {
-  stamps.append(sample.stamp);
-  parents.append(sample.parent);
-  values.append(sample.value);
-}
-
 void TimeCache::Block::insert(std::size_t index, const Sample& sample) {
   stamps.insert(index, sample.stamp);
   parents.insert(index, sample.parent);
@@ -40,12 +34,6 @@ TimeCache::Block TimeCache::Block::split() {
 bool TimeCache::insert(const Sample& sample) {
   const Stamp newest = newest_stamp();
   prune();
-  if (!empty() && sample.stamp > newest && blocks_.back().stamps.size() < block_size) {  // as most do
-    blocks_.back().append(sample);
-    ++size_;
-    note_newest();
-    return true;
-  }
   if (!empty() && is_older_than(sample.stamp, max_age_, newest)) return false;
   Position position = after(sample.stamp);
   if (holds(sample, position)) return true;
@@ -131,10 +119,6 @@ void TimeCache::view(std::span<const Stamp> stamps, std::span<const FrameId> par
 
 void TimeCache::note_ends() {
   oldest_stamp_ = blocks_.front().first_stamp();
-  note_newest();
-}
-
-void TimeCache::note_newest() {
   newest_stamp_ = blocks_.back().stamps.back();
   newest_parent_ = blocks_.back().parents.back();
   newest_value_ = &blocks_.back().values.back();

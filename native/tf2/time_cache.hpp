@@ -118,7 +118,6 @@ class TimeCache {
 
     [[nodiscard]] Stamp first_stamp() const { return stamps[begin]; }
     [[nodiscard]] std::size_t live() const { return stamps.size() - begin; }
-    void append(const Sample& sample);
     void insert(std::size_t index, const Sample& sample);
     void reserve();
     void drop_pruned();
@@ -144,7 +143,6 @@ class TimeCache {
     return found;
   }
   void prune();
-  void note_newest();
   void note_ends();
 
   Stamp max_age_;

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 def block_gil_reacquire_at_exit() -> None:
     """
-    Keep every other thread from returning to Python from a call that released the GIL.
+    Block every other thread that reacquires the GIL after a native call, from now on.
 
-    For the end of the program, where Python would end such threads, and with them the process. It is called at exit by itself; calling it again does nothing.
+    For the end of the program, because Python would end such threads, and the process with them. Registered with `atexit`; calling it again does nothing.
     """
 
 class Sink:
@@ -210,9 +210,9 @@ class Plan:
         `kind` is a primitive's name or 'message', `shape` '', 'array', 'bounded' or 'unbounded'. `initial` is its default, which `copies` says to copy for each message. `empty` is a numeric array as it is before anything is read into it.
         """
 
-def adopt(plan: Plan) -> None:
+def complete_plan(plan: Plan) -> None:
     """
-    Say that a plan is complete: its class's objects are made and freed by it now.
+    Complete a plan after its last field: its class's objects are made and freed by it from now on.
     """
 
 def encode(message: object) -> bytes:

@@ -1,5 +1,5 @@
 // Threads that post, wait, feed and leave at once, as a wire's listeners, executors and readers do. Ends with 0 if no
-// sample was lost, none came after its source had been forgotten, and all that was put off was run; the sanitizer
+// sample was lost, none came after its source had been forgotten, and all that was deferred was run; the sanitizer
 // watches the rest.
 #include <atomic>
 #include <cstdio>
@@ -11,7 +11,7 @@
 #include "core/sample_queue.hpp"
 #include "dds/feeder.hpp"
 
-using tfloom::Later;
+using tfloom::DeferredQueue;
 using tfloom::ReadyQueue;
 using tfloom::SampleQueue;
 using tfloom::dds::Feeder;
@@ -87,12 +87,12 @@ int main() {
   std::atomic<int> acts_run{0};
   for (int t = 0; t < 2; ++t) {
     threads.emplace_back([&] {
-      const Later::Scope scope(feeder);
+      const DeferredQueue::Scope scope(feeder);
       const auto before = std::make_shared<std::atomic<int>>(0);
       for (int i = 0; i < acts; ++i) {
-        Later::of_this_thread()->put_off([&acts_run, before, i] {
-          check(Later::of_this_thread() == nullptr, "what was put off was to be put off again");
-          check(before->exchange(i + 1) == i, "what was put off came out of order");
+        DeferredQueue::current()->defer([&acts_run, before, i] {
+          check(DeferredQueue::current() == nullptr, "deferred work was to be deferred again");
+          check(before->exchange(i + 1) == i, "deferred work ran out of order");
           ++acts_run;
         });
       }
@@ -109,6 +109,6 @@ int main() {
   for (auto& thread : threads) thread.join();
   check(sink.pushed() == 2 * samples, "samples were lost or came twice");
   feeder.stop();
-  check(acts_run == 2 * acts, "something that was put off was never run");
+  check(acts_run == 2 * acts, "some deferred work was never run");
   return faults == 0 ? 0 : 1;
 }

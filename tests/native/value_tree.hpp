@@ -29,9 +29,6 @@ class TreeSink {
   }
   void finish(Value&, const Plan&) {}
   void finish_list(Value&) {}
-  void reals(Value& message, const Plan& plan, std::size_t index, std::span<const double> run) {
-    for (const double value : run) set(message, plan, index++, number(value));
-  }
   Value boolean(bool value) { return {value}; }
   Value octet(std::uint8_t value) { return {std::uint64_t{value}}; }
   template <class T>

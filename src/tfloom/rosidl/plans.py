@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 
-from tfloom._native import MessageBase, Plan, adopt
+from tfloom._native import MessageBase, Plan, complete_plan
 from tfloom.rosidl.array_codes import ARRAY_CODES
 from tfloom.rosidl.class_search import find_field_class
 from tfloom.rosidl.type_text import split_type
@@ -59,7 +59,7 @@ def _compile(owner: type[MessageClass]) -> Plan:
         _add_fields(plan, owner)
     finally:
         _compiling.remove(owner)
-    adopt(plan)
+    complete_plan(plan)
     owner._PLAN = plan
     return plan
 

@@ -1,0 +1,146 @@
+"""Builds the extension as it ships, and again without each cleverness: only what an edit touches is compiled anew."""
+
+from __future__ import annotations
+
+import json
+import os
+import shlex
+import shutil
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from functools import cached_property
+from pathlib import Path
+
+import nanobind
+
+from benchmarks.native.plain import HERE, NATIVE, write_plain
+
+ROOT = NATIVE.parent
+FOLDER = ROOT / "build" / "benchmarks"
+MODULE = "_native"
+PROGRAM = "beside_writers"
+CORES = os.cpu_count() or 1
+
+
+class Build:
+    """The build of the extension as it ships, which the others borrow unchanged objects from."""
+
+    def __init__(self) -> None:
+        self.folder = FOLDER / "shipped"
+        options = {
+            "SKBUILD": "2",  # as scikit-build-core says, so that the extension is built
+            "nanobind_DIR": nanobind.cmake_dir(),
+            "Python_EXECUTABLE": sys.executable,
+            "CMAKE_BUILD_TYPE": "Release",
+            "CMAKE_EXPORT_COMPILE_COMMANDS": "ON",
+        }
+        definitions = [f"-D{key}={value}" for key, value in options.items()]
+        run(tool("cmake"), "-S", str(ROOT), "-B", str(self.folder), "-G", "Ninja", *definitions)
+        run(tool("ninja"), "-C", str(self.folder))
+        self.module = next(self.folder.glob(f"{MODULE}.*"))
+
+    def ninja(self, *arguments: str) -> str:
+        return run(tool("ninja"), "-C", str(self.folder), "-t", *arguments)
+
+    @cached_property
+    def commands(self) -> dict[str, tuple[Path, list[str]]]:
+        """Each object's source and how it is compiled."""
+        entries = json.loads((self.folder / "compile_commands.json").read_text("utf-8"))
+        found = {}
+        for entry in entries:
+            source, words = Path(entry["file"]), shlex.split(entry["command"])
+            if source.is_relative_to(NATIVE):
+                found[words[words.index("-o") + 1]] = (source, words)
+        return found
+
+    @cached_property
+    def headers(self) -> dict[str, set[str]]:
+        """Each object's files of `native/`, by their paths in it."""
+        found: dict[str, set[str]] = {}
+        target = ""
+        for line in self.ninja("deps").splitlines():
+            if line.startswith(" "):
+                path = Path(os.path.normpath(self.folder / line.strip()))
+                if path.is_relative_to(NATIVE):
+                    found[target].add(path.relative_to(NATIVE).as_posix())
+            elif ": #deps" in line:
+                target = line.split(":")[0]
+                found[target] = set()
+        return found
+
+    def without(self, name: str) -> Plain:
+        """Return the extension without `name`, built where it is not up to date."""
+        folder = FOLDER / name.replace(" ", "_")
+        changed = write_plain(name, folder / "native")
+        objects = {}
+        jobs = []
+        for made, (source, words) in self.commands.items():
+            if not self.headers[made] & changed:
+                continue
+            path = source.relative_to(NATIVE).as_posix()
+            target = folder / (path.replace("/", "_") + ".o")
+            objects[made] = str(target)
+            edited = folder / "native" / path
+            sources = [self.folder / made, *(folder / "native" / one for one in changed)]
+            if target.exists() and target.stat().st_mtime >= max(one.stat().st_mtime for one in sources):
+                continue
+            command = [words[0], f"-I{folder / 'native'}", *words[1:]]
+            command[command.index("-o") + 1] = str(target)
+            command[command.index("-c") + 1] = str(edited if edited.exists() else source)
+            jobs.append(command)
+        with ThreadPoolExecutor(CORES) as pool:
+            for done in pool.map(lambda command: run(*command, folder=self.folder), jobs):
+                print(done, end="")
+        return Plain(self, folder, objects)
+
+
+class Plain:
+    """The objects without one cleverness."""
+
+    def __init__(self, build: Build, folder: Path, objects: dict[str, str]) -> None:
+        self._build, self._folder, self._objects = build, folder, objects
+
+    @property
+    def module(self) -> Path:
+        """The extension, linked as the one that ships is, with the objects of its own first."""
+        build = self._build
+        module = self._folder / build.module.name
+        command = build.ninja("commands", build.module.name).strip().splitlines()[-1]
+        words = [self._objects.get(word, word) for word in shlex.split(command) if word not in {":", "&&"}]
+        words[words.index("-o") + 1] = str(module)
+        archive = words.index("libtfloom_core.a")
+        words[archive:archive] = [one for made, one in self._objects.items() if "tfloom_core.dir" in made]
+        run(*words, folder=build.folder)
+        return module
+
+
+def program(build: Build, plain: Plain | None = None) -> Path:
+    """Return `beside_writers`, linked with the core as it ships or with that of `plain`."""
+    folder = plain._folder if plain else build.folder  # noqa: SLF001  # one module's classes
+    objects = list(plain._objects.values()) if plain else []  # noqa: SLF001
+    core = [one for one in objects if "/bindings_" not in one]
+    words = next(words for made, (_, words) in build.commands.items() if "tfloom_core.dir" in made)
+    flags = words[1 : words.index("-o")]
+    target = folder / PROGRAM
+    includes = [f"-I{folder / 'native'}"] if plain else []
+    run(
+        words[0], *includes, *flags, str(HERE / f"{PROGRAM}.cpp"), *core, "libtfloom_core.a", "-ldl", "-pthread",
+        "-o", str(target), folder=build.folder,
+    )  # fmt: skip
+    return target
+
+
+def tool(name: str) -> str:
+    path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+    found = shutil.which(name, path=path)
+    if found is None:
+        raise SystemExit(f"{name} is not installed: install the dependency group 'build'")
+    return found
+
+
+def run(*command: str, folder: Path | None = None) -> str:
+    done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=folder)
+    if done.returncode != 0:
+        raise SystemExit(f"{shlex.join(command)}\n{done.stdout}{done.stderr}")
+    return done.stdout if command[0].endswith("ninja") and "-t" in command else ""

@@ -1,0 +1,238 @@
+"""Operations that users call, in the situations that the clevernesses are for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from time import thread_time_ns
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from benchmarks.tf2.peers import fill
+from benchmarks.tf2.trees import START_NS, Tree, chain, humanoid
+from tfloom._native import ReadyQueue
+from tfloom.interfaces.geometry_msgs.msg import PoseStamped, TransformStamped
+from tfloom.interfaces.sensor_msgs.msg import JointState
+from tfloom.interfaces.tf2_msgs.msg import TFMessage
+from tfloom.rosidl import cdr
+from tfloom.tf2.buffer import Buffer
+
+GID = bytes(16)
+
+
+class Case(NamedTuple):
+    call: Callable[[], object]
+    """Does it `count` times; returns the seconds it took if it measures itself."""
+    answer: Callable[[], list[float]]
+    """What comes out, for both forms to be compared."""
+    count: int
+
+
+def lookup(tree: Tree, stamp_ns: int, buffer: Buffer | None = None) -> Case:
+    look_up = (buffer or fill(tree)).lookup
+    asked = tree.target_frame, tree.source_frame, stamp_ns
+    count = 500
+
+    def call() -> None:
+        for _ in range(count):
+            look_up(*asked)
+
+    def answer() -> list[float]:
+        found = look_up(*asked)
+        return [found.stamp_ns, *found.transform.translation, *found.transform.rotation_xyzw]
+
+    return Case(call, answer, count)
+
+
+def middle(depth: int) -> Case:
+    tree = chain(depth, 1000)
+    return lookup(tree, tree.middle_ns)
+
+
+def latest_of_many_rates() -> Case:
+    """Look up the latest time that all links know: for most of them, between their last two samples."""
+    tree = chain(10, 1000)
+    buffer = Buffer()
+    for link, (frame_id, child_frame_id) in enumerate(tree.edges):
+        step = 1 + link % 3
+        stamps = tree.stamps_ns[::step] + 100_000 * link
+        rows = tree.positions[link][::step], tree.rotations_xyzw[link][::step]
+        buffer.set_many(frame_id, child_frame_id, stamps, *rows)
+    return lookup(tree, 0, buffer)
+
+
+def ascending(tree: Tree, count: int = 20_000) -> NDArray[np.int64]:
+    return np.sort(np.random.default_rng(1).integers(tree.stamps_ns[0], tree.stamps_ns[-1], count))
+
+
+def shuffled(tree: Tree) -> NDArray[np.int64]:
+    return np.random.default_rng(4).permutation(ascending(tree))
+
+
+def lookup_many(tree: Tree, stamps_ns: NDArray[np.int64]) -> Case:
+    buffer = fill(tree)
+
+    def call() -> Any:
+        return buffer.lookup_many(tree.target_frame, tree.source_frame, stamps_ns)
+
+    def answer() -> list[float]:
+        found = call()
+        return list(np.concatenate((found.positions, found.rotations_xyzw), axis=1)[::100].ravel())
+
+    return Case(call, answer, len(stamps_ns))
+
+
+def deskew() -> Case:
+    """Move points of 0.1 s, with the transforms at 100 Hz."""
+    tree = chain(2, 100)
+    buffer = fill(tree)
+    cloud = np.random.default_rng(3).normal(size=(20_000, 3)).astype(np.float32)
+    stamps = np.linspace(tree.stamps_ns[100], tree.stamps_ns[110], len(cloud)).astype(np.int64)
+
+    def call() -> Any:
+        return buffer.deskew(cloud, stamps, "f0", "f2", "f0", int(stamps[-1]))
+
+    return Case(call, lambda: list(call()[::100].ravel().astype(float)), len(cloud))
+
+
+def tf_message(
+    edges: list[tuple[str, str]], stamp_ns: int = START_NS, *, is_planar: bool = False
+) -> TFMessage:
+    random = np.random.default_rng(7)
+    message = TFMessage()
+    for frame_id, child_frame_id in edges:
+        stamped = TransformStamped(child_frame_id=child_frame_id)
+        stamped.header.frame_id = frame_id
+        stamped.header.stamp.sec, stamped.header.stamp.nanosec = divmod(stamp_ns, 1_000_000_000)
+        position, rotation = stamped.transform.translation, stamped.transform.rotation
+        angle = random.uniform(0, 3)
+        position.x, position.y = random.normal(size=2).tolist()
+        rotation.z, rotation.w = float(np.sin(angle)), float(np.cos(angle))
+        if not is_planar:
+            position.z = random.normal()
+            rotation.x, rotation.y, rotation.z = rotation.z * 0.6, rotation.z * 0.48, rotation.z * 0.64
+        message.transforms.append(stamped)
+    return message
+
+
+def tf_bytes(edges: list[tuple[str, str]], count: int, *, is_cold: bool = False) -> Case:
+    """Push messages of /tf; `is_cold`: the program uses its processor's caches for other work between them."""
+    messages = [cdr.encode(tf_message(edges, START_NS + index * 10_000_000)) for index in range(count)]
+    other_work = np.zeros(4_000_000 if is_cold else 0)  # 32 MB
+
+    def push(buffer: Buffer) -> float:
+        sink = buffer.tf_sink("bench", static=False)
+        took_ns = 0
+        for message in messages:
+            other_work.sum()
+            begin_ns = thread_time_ns()
+            sink.push(message, 0, 0, GID)
+            took_ns += thread_time_ns() - begin_ns
+        return took_ns / 1e9
+
+    def answer() -> list[float]:
+        buffer = Buffer()
+        push(buffer)
+        numbers: list[float] = []
+        for edge in buffer.edges():
+            found = buffer.lookup(edge.frame_id, edge.child_frame_id, 0).transform
+            numbers += [edge.newest_ns, edge.sample_count, *found.translation, *found.rotation_xyzw]
+        return numbers
+
+    return Case(lambda: push(Buffer()), answer, len(edges) * count)
+
+
+def set_many() -> Case:
+    tree = chain(1, 2000)
+    columns = tree.stamps_ns, tree.positions[0], tree.rotations_xyzw[0]
+
+    def call() -> Buffer:
+        buffer = Buffer(None)
+        buffer.set_many("f0", "f1", *columns)
+        return buffer
+
+    def answer() -> list[float]:
+        return list(np.concatenate(call().to_arrays("f0", "f1")[1:], axis=1)[::100].ravel())
+
+    return Case(call, answer, len(tree.stamps_ns))
+
+
+def set_one() -> Case:
+    stamps = (START_NS + np.arange(2000) * 1_000_000).tolist()
+
+    def call() -> Buffer:
+        buffer = Buffer(None)
+        for stamp in stamps:
+            buffer.set("a", "b", stamp, (1.0, 2.0, 3.0), (0.0, 0.6, 0.0, 0.8))
+        return buffer
+
+    return Case(call, lambda: list(call().to_arrays("a", "b")[2].ravel()), len(stamps))
+
+
+def decode(message: Any, count: int) -> Case:
+    kind, data = type(message), cdr.encode(message)
+
+    def call() -> None:
+        for _ in range(count):
+            cdr.decode(kind, data)
+
+    return Case(call, lambda: list(cdr.encode(cdr.decode(kind, data))), count)
+
+
+def encode(message: Any, count: int) -> Case:
+    def call() -> None:
+        for _ in range(count):
+            cdr.encode(message)
+
+    return Case(call, lambda: list(cdr.encode(message)), count)
+
+
+def posts() -> Case:
+    """Post tokens to an executor that has others to work on."""
+    queue = ReadyQueue()
+    tokens = range(10)
+
+    def call() -> list[int]:
+        for token in tokens:
+            queue.post(token)
+        return queue.wait(0)
+
+    def many() -> None:
+        for _ in range(50):
+            call()
+
+    return Case(many, lambda: [float(token) for token in call()], 50 * len(tokens))
+
+
+ROBOT = humanoid(100).edges
+JOINTS = JointState(name=[f"joint_{index}" for index in range(30)], position=[0.5] * 30)
+
+CASES: dict[str, Callable[[], Case]] = {
+    "lookup, latest, depth 1": lambda: lookup(chain(1, 1000), 0),
+    "lookup, latest, depth 10": lambda: lookup(chain(10, 1000), 0),
+    "lookup, latest, depth 50": lambda: lookup(chain(50, 1000), 0),
+    "lookup, latest, humanoid": lambda: lookup(humanoid(100), 0),
+    "lookup, latest, depth 10, links of three rates": latest_of_many_rates,
+    "lookup, middle, depth 10": lambda: middle(10),
+    "lookup_many, ascending, depth 10, 20 a sample": lambda: lookup_many(
+        chain(10, 100), ascending(chain(10, 100))
+    ),
+    "lookup_many, ascending, depth 10, 2 a sample": lambda: lookup_many(
+        chain(10, 1000), ascending(chain(10, 1000))
+    ),
+    "lookup_many, shuffled, depth 1": lambda: lookup_many(chain(1, 1000), shuffled(chain(1, 1000))),
+    "lookup_many, shuffled, depth 10": lambda: lookup_many(chain(10, 1000), shuffled(chain(10, 1000))),
+    "deskew, a point": deskew,
+    "/tf of 100 frames, a transform": lambda: tf_bytes(ROBOT, 50),
+    "/tf of 100 frames, a transform, cold caches": lambda: tf_bytes(ROBOT, 50, is_cold=True),
+    "set_many, a transform": set_many,
+    "set": set_one,
+    "decode TFMessage x 100": lambda: decode(tf_message(ROBOT), 2),
+    "decode TFMessage x 100, in a plane": lambda: decode(tf_message(ROBOT, is_planar=True), 2),
+    "decode TFMessage x 1": lambda: decode(tf_message(ROBOT[:1]), 300),
+    "decode PoseStamped": lambda: decode(PoseStamped(), 300),
+    "decode JointState of 30": lambda: decode(JOINTS, 100),
+    "encode TFMessage x 1": lambda: encode(tf_message(ROBOT[:1]), 500),
+    "post to a busy executor": posts,
+}

@@ -1,0 +1,152 @@
+"""The native code without each of its clevernesses: what is written instead, file by file.
+
+An edit replaces a text that occurs once in the file; a whole file is replaced by one in `plain/`. So the code that
+ships has no switches, and `tests/native/test_plain.py` fails as soon as an edit no longer fits it.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+HERE = Path(__file__).parent
+NATIVE = HERE.parent.parent / "native"
+
+Edits = list[tuple[str, str]]
+EDITS: dict[str, dict[str, Edits | str]] = {
+    "name index": {"tf2/name_index.hpp": "name_index.hpp"},
+    "prefetch": {"tf2/buffer.cpp": [("      prefetch_frames(some);\n", "")]},
+    "chain product": {"tf2/chain.hpp": "chain.hpp", "tf2/chain.cpp": []},
+    "newest links": {
+        "tf2/frames.hpp": [
+            (
+                "const Newest& newest(FrameId id) const { return newest_[id]; }",
+                (
+                    "Newest newest(FrameId id) const {\n"
+                    "    const Frame& frame = *frames_[id];\n"
+                    "    return {frame.newest_stamp(), frame.newest_parent(), frame.kind == Frame::Kind::moving};\n"
+                    "  }"
+                ),
+            ),
+            ("return newest_values_[id];", "return *frames_[id]->newest_value();"),
+            (
+                (
+                    "    const Frame& frame = *frames_[id];\n"
+                    "    newest_[id] = {frame.newest_stamp(), frame.newest_parent(), "
+                    "frame.kind == Frame::Kind::moving};\n"
+                    "    if (const Transform* value = frame.newest_value()) newest_values_[id] = *value;\n"
+                ),
+                "    static_cast<void>(id);\n",
+            ),
+        ],
+        "tf2/walk.cpp": [
+            ("is_uniform_ &= newest.stamp == first;", "is_uniform_ = false;"),
+            ("is_uniform_ = true;", "is_uniform_ = false;"),
+        ],
+    },
+    "last two samples": {
+        "tf2/time_cache.cpp": [
+            (
+                "if (end > last.begin && last.stamps[end - 1] <= stamp) return",
+                "if (end == SIZE_MAX) return",
+            )
+        ]
+    },
+    "slerp series": {
+        "tf2/transform.hpp": [
+            (
+                (
+                    "  if (one_minus_cos < 1e-4) return slerp_by_series<4>(r, one_minus_cos);  // θ < 0.8°\n"
+                    "  if (one_minus_cos < 0.02) return slerp_by_series<8>(r, one_minus_cos);  // θ < 11.5°\n"
+                ),
+                "  if (one_minus_cos < 1e-12) return {1.0 - r, r};\n",
+            )
+        ]
+    },
+    "near slerp": {
+        "tf2/transform.hpp": [
+            ("bool is_near() const { return is_near_; }", "static constexpr bool is_near() { return false; }")
+        ]
+    },
+    "near slerp, two terms": {
+        "tf2/batch.cpp": [
+            (
+                (
+                    "          std::size_t end = climb_between<2>(bracket, i, stamps, out, known, is_first);\n"
+                    "          if (end == i) end"
+                ),
+                "          std::size_t end",
+            )
+        ]
+    },
+    "search hint": {
+        "tf2/batch.cpp": [
+            (
+                "return frame->kind == Frame::Kind::moving ? frame->history->find(stamp, hint) : frame->find(stamp);",
+                "return frame->find(stamp);",
+            )
+        ]
+    },
+    "radix order": {"tf2/stamp_order.cpp": [("fewest = 512", "fewest = SIZE_MAX")]},
+    "any order": {"tf2/batch.cpp": [("is_sorted = std::ranges::is_sorted(part)", "is_sorted = true")]},
+    "canonical": {"tf2/transform.hpp": [("if (std::abs(n - 1.0) < 5e-9) {", "if (n == -1.0) {")]},
+    "names before": {
+        "tf2/buffer.cpp": [
+            (
+                "  if (entry.child_frame_id != known.child_frame_id || entry.frame_id != known.frame_id) {",
+                "  {",
+            )
+        ]
+    },
+    "message pool": {
+        "bindings/message_memory.cpp": [
+            ("#if !defined(Py_GIL_DISABLED) && !defined(PYPY_VERSION)", "#if defined(PYPY_VERSION)")
+        ]
+    },
+    "untracked leaves": {
+        "bindings/cdr.cpp": [("#ifndef Py_GIL_DISABLED  // two", "#ifdef PYPY_VERSION  // two")]
+    },
+    "shared 0 and 1": {
+        "bindings/objects.hpp": [
+            (
+                (
+                    "    if (bits == 0) return Py_NewRef(zero);\n"
+                    "    if (bits == std::bit_cast<std::uint64_t>(1.0)) return Py_NewRef(one);\n"
+                ),
+                "    static_cast<void>(bits), static_cast<void>(zero), static_cast<void>(one);\n",
+            )
+        ]
+    },
+    "ASCII text": {
+        "bindings/objects.cpp": [
+            ("  if (is_ascii(text)) {", "  if (text.data() == nullptr && is_ascii(text)) {")
+        ]
+    },
+    "size hint": {"bindings/cdr.cpp": [("out(storage, plan.last_size)", "out(storage, 64)")]},
+    "wake-up if waiting": {
+        "core/ready_queue.cpp": [("    if (!std::exchange(is_waiting_, false)) return;\n", "")]
+    },
+    "fair mutex": {"tf2/fair_mutex.hpp": [("#ifdef __GLIBC__\n\nclass", "#ifdef _WIN32\n\nclass")]},
+}
+"""By cleverness: the files, each with its edits or with the name of what stands in its place."""
+
+
+def write_plain(name: str, folder: Path) -> set[str]:
+    """Write the files that `name` changes into `folder`, laid out as `native/`, and return their paths in it."""
+    for path, change in EDITS[name].items():
+        text = (NATIVE / path).read_text("utf-8")
+        if isinstance(change, str):
+            text = (HERE / "plain" / change).read_text("utf-8")
+        elif not change:  # its header is all there is
+            text = f'#include "{path.replace(".cpp", ".hpp")}"\n'
+        else:
+            for old, new in change:
+                if text.count(old) != 1:
+                    raise ValueError(
+                        f"'{name}': native/{path} has this {text.count(old)} times, not once: {old}"
+                    )
+                text = text.replace(old, new)
+        target = folder / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        if not target.exists() or target.read_text("utf-8") != text:
+            target.write_text(text, "utf-8")
+    return set(EDITS[name])

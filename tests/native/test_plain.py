@@ -1,0 +1,21 @@
+"""The benchmark of each cleverness fits the code: every edit still finds its place, and every row has its parts."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from benchmarks.native import plain
+from benchmarks.native.plain import EDITS, NATIVE, write_plain
+
+
+@pytest.mark.parametrize("name", EDITS)
+def test_the_edits_fit_the_code(name: str, tmp_path: Path) -> None:
+    for path in write_plain(name, tmp_path):
+        assert (tmp_path / path).read_text("utf-8") != (NATIVE / path).read_text("utf-8")
+
+
+def test_an_edit_that_no_longer_fits_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(plain.EDITS, "planted", {"core/utf8.hpp": [("no such text", "")]})
+    with pytest.raises(ValueError, match=r"'planted': native/core/utf8.hpp has this 0 times"):
+        write_plain("planted", tmp_path)
