@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import transcript
 from test_json import ASKED, AT_A_TIME, POSE, ROTATE
 from test_usage import VERBS
 
@@ -80,7 +81,7 @@ def test_a_closed_pipe(tmp_path: Path) -> None:
         )
         process.stdout.close()
         _, errors = process.communicate(b"x", timeout=60)
-        return process.returncode, errors.decode()
+        return process.returncode, transcript.without_waiting(errors.decode())
 
     with ThreadPoolExecutor(AT_A_TIME) as pool:  # most of a verb's time it waits for the graph
         ends = dict(zip(PRINTING, pool.map(end_of, PRINTING), strict=True))

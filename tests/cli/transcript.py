@@ -64,6 +64,11 @@ def run(
     return Transcript(list(words), result.stdout.rstrip("\n"), result.returncode)
 
 
+def without_waiting(text: str) -> str:
+    """Leave out what a call says when it waits longer than a second, as it may on a busy machine."""
+    return text.removeprefix("waiting for service to become available...\n")
+
+
 def mask(text: str) -> str:
     """Put `#` for each number."""
     return re.sub(r"-?\d+(\.\d+)?(e[-+]?\d+)?", "#", text)
