@@ -29,8 +29,8 @@ class Case(NamedTuple):
     count: int
 
 
-def lookup(tree: Tree, stamp_ns: int, buffer: Buffer | None = None) -> Case:
-    look_up = (buffer or fill(tree)).lookup
+def lookup(tree: Tree, stamp_ns: int) -> Case:
+    look_up = fill(tree).lookup
     asked = tree.target_frame, tree.source_frame, stamp_ns
     count = 500
 
@@ -48,18 +48,6 @@ def lookup(tree: Tree, stamp_ns: int, buffer: Buffer | None = None) -> Case:
 def middle(depth: int) -> Case:
     tree = chain(depth, 1000)
     return lookup(tree, tree.middle_ns)
-
-
-def latest_of_many_rates() -> Case:
-    """Look up the latest time that all links know: for most of them, between their last two samples."""
-    tree = chain(10, 1000)
-    buffer = Buffer()
-    for link, (frame_id, child_frame_id) in enumerate(tree.edges):
-        step = 1 + link % 3
-        stamps = tree.stamps_ns[::step] + 100_000 * link
-        rows = tree.positions[link][::step], tree.rotations_xyzw[link][::step]
-        buffer.set_many(frame_id, child_frame_id, stamps, *rows)
-    return lookup(tree, 0, buffer)
 
 
 def ascending(tree: Tree, count: int = 20_000) -> NDArray[np.int64]:
@@ -213,7 +201,6 @@ CASES: dict[str, Callable[[], Case]] = {
     "lookup, latest, depth 10": lambda: lookup(chain(10, 1000), 0),
     "lookup, latest, depth 50": lambda: lookup(chain(50, 1000), 0),
     "lookup, latest, humanoid": lambda: lookup(humanoid(100), 0),
-    "lookup, latest, depth 10, links of three rates": latest_of_many_rates,
     "lookup, middle, depth 10": lambda: middle(10),
     "lookup_many, ascending, depth 10, 20 a sample": lambda: lookup_many(
         chain(10, 100), ascending(chain(10, 100))

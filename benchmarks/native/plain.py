@@ -43,14 +43,6 @@ EDITS: dict[str, dict[str, Edits | str]] = {
             ("is_uniform_ = true;", "is_uniform_ = false;"),
         ],
     },
-    "last two samples": {
-        "tf2/time_cache.cpp": [
-            (
-                "if (end > last.begin && last.stamps[end - 1] <= stamp) return",
-                "if (end == SIZE_MAX) return",
-            )
-        ]
-    },
     "slerp series": {
         "tf2/transform.hpp": [
             (

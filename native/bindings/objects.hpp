@@ -32,7 +32,7 @@ struct ObjectPlan : cdr::Plan {
   std::vector<Py_ssize_t> offsets;  // of each field's slot in the object
   std::vector<Slot> slots;
   // Numbers and strings alone: none of its own fields can be in a cycle. If the collector tracks them, decoding
-  // TFMessage x 100 takes 12 % longer: benchmarks/native, "untracked leaves".
+  // TFMessage x 100 takes 11 % longer: benchmarks/native, "untracked leaves".
   bool is_leaf = false;
   mutable MessagePool pool;
   // Of the last message encoded: the next one is likely of that size. Without it, encoding TFMessage x 1 takes 14 %
@@ -152,7 +152,7 @@ class ObjectSink {
   static Value sequence(const ObjectPlan::Slot& slot, std::span<const std::byte> octets, bool swap);
 
   // Most numbers of most transforms are 0 or 1; these need no object of their own. With one,
-  // decoding a PoseStamped takes 16 % longer: benchmarks/native, "shared 0 and 1".
+  // decoding a PoseStamped takes 18 % longer: benchmarks/native, "shared 0 and 1".
   static PyObject* real(double value) noexcept {
     static PyObject* const zero = PyFloat_FromDouble(0.0);
     static PyObject* const one = PyFloat_FromDouble(1.0);

@@ -185,7 +185,8 @@ struct Chunk {
   [[nodiscard]] std::size_t position(std::size_t i) const { return start + (order.empty() ? i : order[i]); }
 };
 
-// Calls use(chunk) for all stamps, until it returns false.
+// Calls use(chunk) for all stamps, until it returns false. In the order given, a lookup of shuffled stamps of depth 10
+// takes 8 times as long: benchmarks/native, "any order".
 template <class Use>
 void for_each_chunk(std::span<const Stamp> stamps, Use&& use) {
   constexpr std::size_t most_sorted = std::size_t{1} << 22;

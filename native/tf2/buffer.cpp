@@ -93,7 +93,7 @@ std::size_t Buffer::set(std::span<const Entry> entries, std::string_view authori
 
 // A robot's many frames have left the processor's caches since their last transforms came, each in ten places that
 // lead to one another. Step by step for all of them, they come at the same time, not one after the other. (A
-// history of one frame needs none of it.) Without it, a transform takes 18 to 33 % longer: benchmarks/native, "prefetch".
+// history of one frame needs none of it.) Without it, a transform takes 19 % longer: benchmarks/native, "prefetch".
 void Buffer::prefetch_frames(std::span<const Entry> entries) const {
   if (entries.size() < least_ahead || entries.front().child_frame_id == entries.back().child_frame_id) return;
   std::array<const Frame*, most_ahead> frames;
@@ -133,7 +133,7 @@ bool Buffer::insert(Entry entry, std::string_view authority, bool is_static, Kno
   if (rejections.size() > before) return false;
   if (!is_static && is_ignored(entry.stamp)) return false;
 
-  // Without the look at the names before, set_many takes 36 % longer: benchmarks/native, "names before".
+  // Without the look at the names before, set_many takes 23 % longer: benchmarks/native, "names before".
   if (entry.child_frame_id != known.child_frame_id || entry.frame_id != known.frame_id) {
     const FrameId child = frames_.intern(entry.child_frame_id);  // first: names are listed in this order
     known = {entry.frame_id, entry.child_frame_id, frames_.intern(entry.frame_id), child};

@@ -1,5 +1,6 @@
 // The product of a chain's transforms. One after the other, each would wait for the one before; so the lower half of
-// the chain and the upper one go side by side.
+// the chain and the upper one go side by side. One after the other, a humanoid's lookup takes 24 % longer, of depth 50
+// 39 %: benchmarks/native, "chain product".
 #pragma once
 
 #include <array>

@@ -47,6 +47,7 @@ struct Frame {
 };
 
 // A frame's newest link to its parent, again: queries of the latest time read these alone, which lie side by side.
+// From the histories, a lookup of depth 10 takes 21 % longer, of a humanoid 57 %: benchmarks/native, "newest links".
 struct Newest {
   Stamp stamp = 0;  // 0: static, or no data
   FrameId parent = no_parent;

@@ -9,6 +9,9 @@
 //               x y z, then x y z w), parents' ids (uint32 each); padded
 //
 // Padding is zeros. Nothing follows.
+//
+// Storing the same arrays anew takes 20 times as long, and 70 MB where mapping takes 1: benchmarks/native,
+// "frozen file".
 #pragma once
 
 #include <array>

@@ -11,7 +11,8 @@
 
 namespace tfloom::tf2 {
 
-// The names themselves are somebody else's: name_of(id) gives them back.
+// The names themselves are stored elsewhere: name_of(id) returns them. With std::unordered_map, a transform of a whole
+// robot's /tf takes 15 % longer: benchmarks/native, "name index".
 class NameIndex {
  public:
   static constexpr std::uint32_t none = UINT32_MAX;

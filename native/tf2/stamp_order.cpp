@@ -26,6 +26,7 @@ void sort_by_digit(std::span<const Keyed> from, std::span<Keyed> to, unsigned sh
 
 }  // namespace
 
+// By comparing, a lookup of shuffled stamps takes 2.4 times as long: benchmarks/native, "radix order".
 std::vector<std::uint32_t> nearly_ascending(std::span<const Stamp> stamps) {
   std::vector<std::uint32_t> order(stamps.size());
   if (stamps.size() < fewest) {

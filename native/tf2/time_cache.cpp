@@ -87,9 +87,6 @@ Bracket TimeCache::find(Stamp stamp) const {
   if (stamp == first.first_stamp()) {
     return {Found::yes, first.parents[first.begin], &first.values[first.begin], nullptr, 0.0};
   }
-  const Block& last = blocks_.back();
-  const std::size_t end = last.stamps.size() - 1;
-  if (end > last.begin && last.stamps[end - 1] <= stamp) return bracket(stamp, last, end - 1, last, end);
   return before(stamp, after(stamp));
 }
 

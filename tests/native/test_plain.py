@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -19,3 +20,10 @@ def test_an_edit_that_no_longer_fits_is_named(tmp_path: Path, monkeypatch: pytes
     monkeypatch.setitem(plain.EDITS, "planted", {"core/utf8.hpp": [("no such text", "")]})
     with pytest.raises(ValueError, match=r"'planted': native/core/utf8.hpp has this 0 times"):
         write_plain("planted", tmp_path)
+
+
+@pytest.mark.parametrize("name", [*EDITS, "frozen file"])
+def test_the_code_names_its_row(name: str) -> None:
+    texts = [path.read_text("utf-8") for path in NATIVE.rglob("*.?pp")]
+    comments = [" ".join(re.findall(r"//\s*(.*)", text)) for text in texts]
+    assert any("benchmarks/native" in text and f'"{name}"' in text for text in comments)
