@@ -91,6 +91,7 @@ def test_the_signal_that_ended_it_is_named(add_program: Callable[..., Path]) -> 
 
 def test_a_prefix_goes_before_the_program(add_program: Callable[..., Path]) -> None:
     path = add_program("show", "")
+    path.write_text("#!/bin/sh\n")
     answer = transcript.run("run", "--prefix", "echo 'a b'", "my_pkg", "show", "c")
     assert answer.text == f"a b {path} c"
 
