@@ -50,13 +50,14 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
     Their files come first: a whole file goes to one worker, and a long one that started last would run on alone.
 
-    In the CI such a test has a second try, which the summary names: there a machine that stalls for seconds is a
-    fact of life. On a desk the first failure counts.
+    In the CI such a test, and one that starts programs, has a second try, which the summary names: there a machine
+    that stalls for seconds is a fact of life. On a desk the first failure counts.
     """
     for item in items:
         if DOMAIN_FIXTURES & set(getattr(item, "fixturenames", ())):
             item.add_marker(pytest.mark.wire)
     wire = [item for item in items if item.get_closest_marker("wire")]
+    wire_items = set(wire)
     wire_files = {item.path for item in wire}
     items.sort(key=lambda item: item.path not in wire_files)
     try:
@@ -65,8 +66,9 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         for item in wire:
             item.add_marker(pytest.mark.skip(reason=f"needs DDS: {error}"))
     if os.environ.get("CI"):
-        for item in wire:
-            item.add_marker(pytest.mark.flaky(reruns=1))
+        for item in items:
+            if item in wire_items or "start_program" in getattr(item, "fixturenames", ()):
+                item.add_marker(pytest.mark.flaky(reruns=1))
 
 
 def wait_until(condition: Callable[[], object], timeout_s: float = TIMEOUT_S, what: str = "") -> None:
