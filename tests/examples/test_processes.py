@@ -126,6 +126,8 @@ def test_programs_that_spin(
 def test_programs_that_end(scene: str, domain_id: int, start_program: Start) -> None:
     others, (path, *words), lines = ENDING[scene]
     servers = [start_program("python", EXAMPLES / other) for other in others]
+    for node in filter(None, map(UNASKED.get, others)):
+        start_program("python", "-u", "-c", WATCH, node).wait_for("it is there")
     program = start_program("python", EXAMPLES / path, *words)
     assert program.wait() == 0, program.output
     assert has(program, *lines), program.output
@@ -150,12 +152,14 @@ def test_a_program_that_waits_in_vain_ends_well(
 ) -> None:
     program = start_program("python", EXAMPLES / path)
     watcher = start_program("python", "-u", "-c", WATCH, NODES.get(path, Path(path).stem))
-    watcher.wait_for("there")
+    watcher.wait_for("it is there")
     program.signal(number)
     assert program.wait() == 0, program.output
     assert "Traceback" not in program.output
 
 
+UNASKED = {"parameters/watch.py": "watch"}
+"""The nodes of programs that the others don't wait for."""
 NODES = {
     "topics/wait_once.py": "waiter",
     "parameters/tune.py": "tuner",
@@ -166,5 +170,5 @@ WATCH = """
 import sys, rclpy
 rclpy.init()
 node = rclpy.create_node("watcher")
-print("there" if node.wait_for_node("/" + sys.argv[1], 20.0) else "not there")
+print("it is there" if node.wait_for_node("/" + sys.argv[1], 20.0) else "never came")
 """
