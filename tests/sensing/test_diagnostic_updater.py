@@ -10,6 +10,7 @@ import diagnostic_updater._diagnostic_updater as updater_module
 import diagnostic_updater._publisher as publisher_module
 import diagnostic_updater._update_functions as functions_module
 import pytest
+from tests.sensing.spinning import spin_until
 
 from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMessage
 from tfloom.interfaces.diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
@@ -47,8 +48,7 @@ class Watch:
 
     def next(self) -> list[DiagnosticStatus]:
         """Return the statuses of the next message."""
-        while not self.arrays:
-            self._executor.spin_once(timeout_sec=10)
+        spin_until(self._executor, lambda: self.arrays)
         return self.arrays.pop(0).status
 
     def close(self) -> None:
@@ -415,8 +415,7 @@ def test_a_diagnosed_publisher(updater: Updater, watch: Watch, node: Node) -> No
     publisher.publish(message)
     executor = SingleThreadedExecutor(context=node.context)
     executor.add_node(node)
-    while not got:
-        executor.spin_once(timeout_sec=10)
+    spin_until(executor, lambda: got)
     executor.shutdown()
     watch.next()
     updater.update()
