@@ -129,7 +129,10 @@ def _encode_by_pillow(image: Array, ending: str) -> bytes:
     if options is None:
         return _sun_raster(pixels)
     file = io.BytesIO()
-    Image.fromarray(pixels).save(file, **options)
+    try:
+        Image.fromarray(pixels).save(file, **options)
+    except OSError as error:  # as where Pillow was built without the format's library
+        raise ImageError(f"Pillow can't write {image.dtype} {image.shape} as '{ending}': {error}") from None
     return file.getvalue()
 
 
@@ -148,6 +151,8 @@ def _pixels_for(image: Array, ending: str) -> Array:
         image = saturate(image, _OCTETS)
     if ending == "pbm":
         return image > 0
+    if ending == "pgm" and is_deeper:
+        return image.astype(np.int32)  # which is how Pillow before 10.1 takes 16 bits here
     if channels == 1:
         return image
     return np.ascontiguousarray(image[..., [2, 1, 0, 3][: channels if ending in _WITH_ALPHA else 3]])

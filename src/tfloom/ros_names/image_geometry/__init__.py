@@ -6,3 +6,5 @@ claim("image_geometry")
 
 from tfloom.sensing.pinhole_camera_model import PinholeCameraModel
 from tfloom.sensing.stereo_camera_model import StereoCameraModel
+
+__all__ = ["PinholeCameraModel", "StereoCameraModel"]
