@@ -83,6 +83,7 @@ DISTORTIONS: dict[str, list[float]] = {
     "thin_prism": [-0.3, 0.1, 0.001, -0.002, 0.01, 0.1, 0.02, 0.003, 0.001, 0.002, -0.001, 0.0005],
     "tilted": [-0.3, 0.1, 0.001, -0.002, 0.01, 0.1, 0.02, 0.003, 0.001, 0.002, -0.001, 0.0005, 0.02, -0.03],
 }
+FISHEYE = [-0.02, 0.01, -0.003, 0.001]
 REMAPPED = ("plumb_bob", "rational_polynomial")
 RAW_TYPES = {"u1": (np.uint8, ()), "u1x3": (np.uint8, (3,)), "u2": (np.uint16, ()), "f4": (np.float32, ())}
 FILES = ("jpg", "png", "bmp", "tif", "ppm")
@@ -125,6 +126,11 @@ def record(cv2: Any) -> Recorded:
         found[f"{model} points"] = points[:, 0]
         for name in RAW_TYPES if model in REMAPPED else ():
             found[f"{model} {name}"] = cv2.remap(found[f"raw {name}"], *maps, cv2.INTER_CUBIC)
+    fisheye = np.array(FISHEYE)
+    maps = cv2.fisheye.initUndistortRectifyMap(CAMERA, fisheye, rotation, PROJECTION, SIZE, cv2.CV_32FC1)
+    found["equidistant columns"], found["equidistant rows"] = maps
+    points = cv2.fisheye.undistortPoints(found["points"][:, None], CAMERA, fisheye, R=rotation, P=PROJECTION)
+    found["equidistant points"] = points[:, 0]
     rows, columns = np.mgrid[:24, :32]
     smooth = np.stack([columns * 7, rows * 9, columns + rows * 3], -1).clip(0, 255).astype(np.uint8)
     for name, picture in (("color", smooth), ("gray", np.ascontiguousarray(smooth[..., 0]))):

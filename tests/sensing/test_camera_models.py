@@ -10,12 +10,21 @@ import image_geometry
 import image_geometry.cameramodels
 import numpy as np
 import pytest
-from tests.sensing.opencv_golden import CAMERA, DISTORTIONS, PROJECTION, RAW_TYPES, REMAPPED, SIZE, Recorded
+from tests.sensing.opencv_golden import (
+    CAMERA,
+    DISTORTIONS,
+    FISHEYE,
+    PROJECTION,
+    RAW_TYPES,
+    REMAPPED,
+    SIZE,
+    Recorded,
+)
 
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.sensor_msgs.msg import CameraInfo, RegionOfInterest
 from tfloom.interfaces.std_msgs.msg import Header
-from tfloom.sensing.lens import Distortion, rectification_maps, undistort_points
+from tfloom.sensing.lens import Distortion, Equidistant, rectification_maps, undistort_points
 from tfloom.sensing.pinhole_camera_model import PinholeCameraModel, mkmat
 from tfloom.sensing.resampling import remap_cubic
 from tfloom.sensing.stereo_camera_model import StereoCameraModel
@@ -79,6 +88,34 @@ def test_lenses_as_opencv_has_them(model: str, recorded: Recorded) -> None:
     np.testing.assert_allclose(rows, recorded[f"{model} rows"], rtol=0, atol=1e-5)
     points = undistort_points(recorded["points"], CAMERA, Distortion(d), rotation, PROJECTION)
     np.testing.assert_allclose(points, recorded[f"{model} points"], rtol=0, atol=1e-9)
+
+
+def test_a_fisheye_lens_as_opencv_has_it(recorded: Recorded) -> None:
+    lens, rotation = Equidistant(np.array(FISHEYE)), recorded["rotation"]
+    columns, rows = rectification_maps(CAMERA, lens, rotation, PROJECTION, SIZE)
+    np.testing.assert_allclose(columns, recorded["equidistant columns"], rtol=0, atol=1e-5)
+    np.testing.assert_allclose(rows, recorded["equidistant rows"], rtol=0, atol=1e-5)
+    points = undistort_points(recorded["points"], CAMERA, lens, rotation, PROJECTION)
+    np.testing.assert_allclose(points, recorded["equidistant points"], rtol=0, atol=1e-6)
+
+
+def test_a_fisheye_lens_there_and_back() -> None:
+    lens = Equidistant(np.array(FISHEYE))
+    x, y = np.meshgrid(np.linspace(-3, 3, 7), np.linspace(-2, 2, 5))
+    back = lens.remove(*lens.apply(x, y))
+    np.testing.assert_allclose(back, (x, y), atol=1e-6)
+    assert np.isnan(lens.remove(np.array([3.0]), np.array([0.0]))[0])
+    plain = Equidistant(None)
+    assert plain.apply(np.array([1.0]), np.array([0.0]))[0] == pytest.approx(math.pi / 4)
+    with pytest.raises(ValueError, match="4 coefficients, not 5"):
+        Equidistant(np.zeros(5))
+
+
+def test_the_message_says_which_lens_it_is() -> None:
+    d = [*FISHEYE]
+    assert pinhole(d=d, distortion_model="equidistant").rectify_point((500, 300)) != pytest.approx(
+        pinhole(d=d, distortion_model="plumb_bob").rectify_point((500, 300)), abs=1
+    )
 
 
 @pytest.mark.parametrize("model", REMAPPED)

@@ -9,23 +9,33 @@ point (x, y) of the plane at depth 1, with r^2 = x^2 + y^2:
 
 and then a sensor that is tilted by the angles tau_x and tau_y. Source: OpenCV's documentation, module calib3d, "Camera
 Calibration and 3D Reconstruction"; undistortion by fixed-point iteration, as in `undistortPoints`.
+
+The model `equidistant`, of fisheye lenses, bends rays by their angle from the axis, theta = atan(r):
+
+    theta' = theta (1 + k1 theta^2 + k2 theta^4 + k3 theta^6 + k4 theta^8),    (x', y') = (x, y) theta' / r
+
+Source: the same, "Fisheye camera model"; J. Kannala and S. Brandt, "A generic camera model and calibration method for
+conventional, wide-angle, and fish-eye lenses", 2006.
 """
 
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Distortion", "rectification_maps", "undistort_points"]
+__all__ = ["Distortion", "Equidistant", "Lens", "rectification_maps", "undistort_points"]
 
 Floats = NDArray[Any]
 
 _LENGTHS = (0, 4, 5, 8, 12, 14)
 _ITERATIONS = 5
 """What `undistortPoints` does by default."""
+_NEWTON_STEPS = 20
+_TOLERANCE = 1e-8
+"""Largest error of an angle [rad]."""
 
 
 class Distortion:
@@ -79,6 +89,54 @@ class Distortion:
         return dx, dy
 
 
+class Equidistant:
+    """A fisheye lens.
+
+    Args:
+        coefficients: k1, k2, k3, k4.
+
+    Raises:
+        ValueError: there is another number of them.
+    """
+
+    def __init__(self, coefficients: Floats | None) -> None:
+        given = np.zeros(4) if coefficients is None else np.asarray(coefficients, np.float64).reshape(-1)
+        if given.size != 4:
+            raise ValueError(f"an equidistant lens has 4 coefficients, not {given.size}")
+        self._powers = np.array([1.0, *given])
+        """Coefficients of theta, theta^3, theta^5, theta^7 and theta^9."""
+
+    def apply(self, x: Floats, y: Floats) -> tuple[Floats, Floats]:
+        """Return where points of the plane at depth 1 appear on it through the lens; of any shape."""
+        r = np.hypot(x, y)
+        theta = np.arctan(r)
+        scale = np.divide(self._bend(theta), r, out=np.ones_like(r), where=r > 0)
+        return x * scale, y * scale
+
+    def remove(self, x: Floats, y: Floats) -> tuple[Floats, Floats]:
+        """Return what `apply` turned into x and y, by Newton's method; of any shape. NaNs where nothing was."""
+        bent = np.hypot(x, y)
+        theta = bent.copy()
+        odd = np.arange(1, 10, 2)
+        for _ in range(_NEWTON_STEPS):
+            slope = ((odd * self._powers) * theta[..., None] ** (odd - 1)).sum(-1)
+            theta = theta - np.divide(
+                self._bend(theta) - bent, slope, out=np.zeros_like(theta), where=slope != 0
+            )
+        found = (np.abs(self._bend(theta) - bent) < _TOLERANCE) & (theta >= 0) & (theta < math.pi / 2)
+        scale = np.divide(np.tan(theta), bent, out=np.ones_like(bent), where=bent > 0)
+        scale = np.where(found, scale, np.nan)
+        return x * scale, y * scale
+
+    def _bend(self, theta: Floats) -> Floats:
+        square = theta * theta
+        bent: Floats = theta * np.polynomial.polynomial.polyval(square, self._powers)
+        return bent
+
+
+Lens: TypeAlias = Distortion | Equidistant
+
+
 def _polynomial(r2: Floats, coefficients: tuple[float, float, float]) -> Floats:
     first, second, third = coefficients
     value: Floats = 1 + ((third * r2 + second) * r2 + first) * r2
@@ -110,29 +168,29 @@ def _project(homography: Floats, x: Floats, y: Floats) -> tuple[Floats, Floats]:
         return u / w, v / w
 
 
-def undistort_points(uv: Floats, k: Floats, distortion: Distortion, r: Floats, p: Floats) -> Floats:
+def undistort_points(uv: Floats, k: Floats, lens: Lens, r: Floats, p: Floats) -> Floats:
     """Return pixels (N, 2) of the raw image as pixels (N, 2) of the rectified image.
 
     Args:
         uv: Pixels (N, 2): column and row.
         k: Camera matrix (3, 3) of the raw image.
-        distortion: The lens.
+        lens: The lens.
         r: Rotation (3, 3) from the raw camera to the rectified one.
         p: Projection matrix (3, 4) of the rectified image.
     """
     x = (uv[:, 0] - k[0, 2]) / k[0, 0]
     y = (uv[:, 1] - k[1, 2]) / k[1, 1]
-    return np.column_stack(_project(p[:, :3] @ r, *distortion.remove(x, y)))
+    return np.column_stack(_project(p[:, :3] @ r, *lens.remove(x, y)))
 
 
 def rectification_maps(
-    k: Floats, distortion: Distortion, r: Floats, p: Floats, size: tuple[int, int]
+    k: Floats, lens: Lens, r: Floats, p: Floats, size: tuple[int, int]
 ) -> tuple[NDArray[Any], NDArray[Any]]:
     """Return for each pixel of the rectified image where it lies in the raw one.
 
     Args:
         k: Camera matrix (3, 3) of the raw image.
-        distortion: The lens.
+        lens: The lens.
         r: Rotation (3, 3) from the raw camera to the rectified one.
         p: Projection matrix (3, 4) of the rectified image.
         size: Width and height of the rectified image [px].
@@ -142,5 +200,5 @@ def rectification_maps(
     """
     width, height = size
     rows, columns = np.mgrid[:height, :width].astype(np.float64)
-    x, y = distortion.apply(*_project(np.linalg.inv(p[:, :3] @ r), columns, rows))
+    x, y = lens.apply(*_project(np.linalg.inv(p[:, :3] @ r), columns, rows))
     return (x * k[0, 0] + k[0, 2]).astype(np.float32), (y * k[1, 1] + k[1, 2]).astype(np.float32)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.sensor_msgs.msg import CameraInfo, RegionOfInterest
-from tfloom.sensing.lens import Distortion, rectification_maps, undistort_points
+from tfloom.sensing.lens import Distortion, Equidistant, Lens, rectification_maps, undistort_points
 from tfloom.sensing.old_names import old_matrix, old_name, old_property, old_value
 from tfloom.sensing.opencv import find_opencv
 from tfloom.sensing.resampling import remap_cubic
@@ -21,6 +21,9 @@ __all__ = ["PinholeCameraModel", "mkmat"]
 
 Array = NDArray[Any]
 _Value = TypeVar("_Value")
+
+_EQUIDISTANT = "equidistant"
+"""The one model whose formula is another; source: sensor_msgs, distortion_models.hpp."""
 
 
 def mkmat(rows: int, cols: int, L: Any) -> Array:  # noqa: N803  # image_geometry's name
@@ -46,6 +49,7 @@ class PinholeCameraModel:
     def __init__(self) -> None:
         self._k: Array | None = None
         self._d: Array | None = None
+        self._distortion_model = ""
         self._r: Array | None = None
         self._p: Array | None = None
         self._full_k: Array | None = None
@@ -65,6 +69,7 @@ class PinholeCameraModel:
         """Take the camera's parameters from a message."""
         self._full_k, self._full_p = mkmat(3, 3, msg.k), mkmat(3, 4, msg.p)
         self._d = mkmat(len(msg.d), 1, msg.d) if len(msg.d) else None
+        self._distortion_model = msg.distortion_model
         self._r = mkmat(3, 3, msg.r)
         self._width, self._height = self._resolution = (msg.width, msg.height)
         self._binning_x, self._binning_y = max(1, msg.binning_x), max(1, msg.binning_y)
@@ -213,9 +218,11 @@ class PinholeCameraModel:
         """Return the camera's optical frame."""
         return self._tf_frame
 
-    def _optics(self) -> tuple[Array, Distortion, Array, Array]:
-        """Return K, the distortion, R and P."""
-        return _given(self._k), Distortion(self._d), _given(self._r), _given(self._p)
+    def _optics(self) -> tuple[Array, Lens, Array, Array]:
+        """Return K, the lens, R and P."""
+        p = _given(self._p)
+        lens = Equidistant(self._d) if self._distortion_model == _EQUIDISTANT else Distortion(self._d)
+        return _given(self._k), lens, _given(self._r), p
 
     binning_x = old_value("binning_x", "_binning_x")
     binning_y = old_value("binning_y", "_binning_y")
