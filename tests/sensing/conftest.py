@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import sys
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -44,7 +45,7 @@ def node(make_node: Callable[..., Node]) -> Node:
 @pytest.fixture
 def without_opencv(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """Have the code under test find no OpenCV, wherever it is installed."""
-    monkeypatch.setattr(opencv, "find_spec", lambda _name: None)
+    monkeypatch.setitem(sys.modules, "cv2", None)
     cached = (opencv.find_opencv, cv_types.channels_shift)
     for function in cached:
         function.cache_clear()

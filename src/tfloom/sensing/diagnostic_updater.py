@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import Any, overload
 
 from tfloom.interfaces.diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from tfloom.node.node import Node
@@ -54,6 +54,10 @@ class DiagnosticTaskVector:
     def addedTaskCallback(self, task: DiagnosticTaskInternal) -> None:  # noqa: N802  # diagnostic_updater's name
         """Do what is to be done once a task has been added: nothing here."""
 
+    @overload
+    def add(self, task: DiagnosticTask, /) -> None: ...
+    @overload
+    def add(self, name: str, fn: _Fill, /) -> None: ...
     def add(self, *args: Any) -> None:
         """Add a task: a DiagnosticTask, or a name and a function that fills a status and returns it.
 

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from functools import lru_cache
 from importlib import import_module
-from importlib.util import find_spec
 from typing import Any
 
 __all__ = ["find_opencv"]
@@ -15,5 +14,8 @@ __all__ = ["find_opencv"]
 
 @lru_cache(maxsize=1)
 def find_opencv() -> Any:
-    """Return the module `cv2`, or None where it isn't installed."""
-    return None if find_spec("cv2") is None else import_module("cv2")
+    """Return the module `cv2`, or None where it isn't installed, or can't be loaded for want of a library."""
+    try:
+        return import_module("cv2")
+    except ImportError:
+        return None
