@@ -27,6 +27,8 @@ FIRST_LOCK_PORT = 7400
 TIMEOUT_S = 30.0
 DOMAIN_TIMEOUT_S = 300.0
 DOMAIN_FIXTURES = {"domain_id", "module_domain_id"}
+CLOCK_FIXTURES = {"start_program", "executor", "spin_until"}
+"""A test with one of these waits for a process or for timers."""
 
 COLCON_PYTHON = {"COLCON_PYTHON_EXECUTABLE": sys._base_executable}
 """For a shell that sources what colcon wrote: colcon's own choice breaks where its path has a space."""
@@ -50,8 +52,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
     Their files come first: a whole file goes to one worker, and a long one that started last would run on alone.
 
-    In the CI such a test, and one that starts programs, has a second try, which the summary names: there a machine
-    that stalls for seconds is a fact of life. On a desk the first failure counts.
+    In the CI such a test, and any other that depends on the clock, has a second try, which the summary names, because
+    a shared machine may stall for seconds. On a desk the first failure counts.
     """
     for item in items:
         if DOMAIN_FIXTURES & set(getattr(item, "fixturenames", ())):
@@ -67,7 +69,11 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
             item.add_marker(pytest.mark.skip(reason=f"needs DDS: {error}"))
     if os.environ.get("CI"):
         for item in items:
-            if item in wire_items or "start_program" in getattr(item, "fixturenames", ()):
+            if (
+                item in wire_items
+                or item.get_closest_marker("timing")
+                or CLOCK_FIXTURES & set(getattr(item, "fixturenames", ()))
+            ):
                 item.add_marker(pytest.mark.flaky(reruns=1))
 
 
