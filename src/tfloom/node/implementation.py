@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tfloom.node.context.arguments import RCLInvalidROSArgsError, UnknownROSArgsError
-from tfloom.node.endpoints.endpoint import Endpoint, TakingEndpoint
+from tfloom.node.endpoints.endpoint import ReceivingEndpoint, TakingEndpoint
 from tfloom.node.executing import guard_condition, timer
 from tfloom.node.executing.event_handler import UnsupportedEventTypeError
 from tfloom.node.executing.signals import SignalHandlerOptions
@@ -29,7 +29,6 @@ from tfloom.rmw.typed_names import service_of, topic_of
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:
-    from tfloom._native import ReadyQueue
     from tfloom.node.base.node_base import NodeBase
     from tfloom.node.clock.clock import Clock
     from tfloom.node.context.context import Context
@@ -119,7 +118,7 @@ class Timer(timer.Timer):
         self.destroy()
 
 
-class _WaitedEndpoint(Endpoint[TakingEndpoint]):
+class _WaitedEndpoint(ReceivingEndpoint[TakingEndpoint]):
     """An endpoint on the wire that a wait set waits for, and the program takes from; destroyed with its node."""
 
     def __init__(self, endpoint: TakingEndpoint, name: str, node: NodeBase) -> None:
@@ -131,16 +130,6 @@ class _WaitedEndpoint(Endpoint[TakingEndpoint]):
     def endpoint(self) -> TakingEndpoint:
         """The endpoint on the wire."""
         return self._endpoint
-
-    def attach(self, queue: ReadyQueue, token: int) -> None:
-        """Post `token` when data has arrived."""
-        if not self._destroyed:
-            self._endpoint.notify(queue, token)
-
-    def detach(self) -> None:
-        """Stop posting."""
-        if not self._destroyed:
-            self._endpoint.notify(None)
 
     def deadline_ns(self) -> int | None:
         """Return None, because arriving data posts."""

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from tfloom.node.log.rcutils_logger import RcutilsLogger
     from tfloom.rosidl.message import Message
 
-__all__ = ["UNREADABLE", "Endpoint", "Receiver", "TakingEndpoint"]
+__all__ = ["UNREADABLE", "Endpoint", "Receiver", "ReceivingEndpoint", "TakingEndpoint"]
 
 UNREADABLE = object()
 """Returned by `take` for data that can't be decoded: there is nothing to run, but more data may wait."""
@@ -101,7 +101,21 @@ class Endpoint(Generic[WireEndpoint]):
         self.destroy()
 
 
-class Receiver(Endpoint[TakingEndpoint], Entity):
+class ReceivingEndpoint(Endpoint[TakingEndpoint]):
+    """An endpoint that receives, and posts to a queue when data has arrived."""
+
+    def attach(self, queue: ReadyQueue, token: int) -> None:
+        """Post `token` when data has arrived."""
+        if not self._destroyed:
+            self._endpoint.notify(queue, token)
+
+    def detach(self) -> None:
+        """Stop posting."""
+        if not self._destroyed:
+            self._endpoint.notify(None)
+
+
+class Receiver(ReceivingEndpoint[TakingEndpoint], Entity):
     """An endpoint that receives, and whose callback an executor runs.
 
     Args:
@@ -120,16 +134,6 @@ class Receiver(Endpoint[TakingEndpoint], Entity):
         super().__init__(endpoint, name)
         self._incoming_type = incoming_type
         self._warning = ThrottledWarning(logger)
-
-    def attach(self, queue: ReadyQueue, token: int) -> None:
-        """Post `token` when data has arrived."""
-        if not self._destroyed:
-            self._endpoint.notify(queue, token)
-
-    def detach(self) -> None:
-        """Stop posting."""
-        if not self._destroyed:
-            self._endpoint.notify(None)
 
     def take(self) -> Any:
         """Return what `run` needs of the oldest item that has arrived, `UNREADABLE`, or None."""
