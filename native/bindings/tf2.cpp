@@ -194,7 +194,7 @@ void bind_queries(nb::class_<BufferHandle>& type) {
       .def(
           "find_obstacle",
           [](const BufferHandle& self, const NameArgument& target, const NameArgument& source, StampArgument stamp) {
-            return reason(self.buffer->why_not(simple(target, source, stamp)));
+            return reason(self.buffer->check(simple(target, source, stamp)));
           },
           "target_frame"_a, "source_frame"_a, "stamp_ns"_a = 0,
           "Return why `can` is false, in tf2's words, or None.")
@@ -202,7 +202,7 @@ void bind_queries(nb::class_<BufferHandle>& type) {
           "find_obstacle_full",
           [](const BufferHandle& self, const NameArgument& target, StampArgument target_stamp,
              const NameArgument& source, StampArgument source_stamp, const NameArgument& fixed) {
-            return reason(self.buffer->why_not(full(target, target_stamp, source, source_stamp, fixed)));
+            return reason(self.buffer->check(full(target, target_stamp, source, source_stamp, fixed)));
           },
           "target_frame"_a, "target_stamp_ns"_a, "source_frame"_a, "source_stamp_ns"_a, "fixed_frame"_a,
           "Return why `can_full` is false, in tf2's words, or None.")

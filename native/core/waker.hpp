@@ -1,4 +1,5 @@
-// Wake one waiting thread from another thread. A signal (Ctrl-C) ends the wait too, unlike that of a condition variable.
+// Wake one waiting thread from another thread. A signal (Ctrl-C) ends the wait too, unlike that of a condition
+// variable.
 #pragma once
 
 #include <chrono>

@@ -13,8 +13,8 @@ struct TopicName {
   std::string type_name;
 };
 
-// Create a topic whose samples pass unchanged. Its type descriptor declares one octet, so the library checks only that a
-// sample has at least one. It carries no type information, so other vendors compare type names alone.
+// Create a topic whose samples pass unchanged. Its type descriptor declares one octet, so the library checks only that
+// a sample has at least one. It carries no type information, so other vendors compare type names alone.
 Entity create_topic(Participant& participant, const TopicName& topic);
 
 }  // namespace tfloom::dds

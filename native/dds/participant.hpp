@@ -11,8 +11,8 @@
 
 namespace tfloom::dds {
 
-// A domain opened with a configuration, until the last participant has left it. If other code in this process has opened
-// the domain before, that one is used.
+// A domain opened with a configuration, until the last participant has left it. If other code in this process has
+// opened the domain before, that one is used.
 class Domain {
  public:
   Domain(const Library& library, std::uint32_t domain_id, const std::string& config);
@@ -45,8 +45,8 @@ class Participant {
   [[nodiscard]] Entity publisher() const { return publisher_; }
   [[nodiscard]] Entity subscriber() const { return subscriber_; }
 
-  // Return whether this is a fork of the process that joined. libddsc's threads do not exist in a fork, so its functions
-  // must not be called.
+  // Return whether this is a fork of the process that joined. libddsc's threads do not exist in a fork, so its
+  // functions must not be called.
   [[nodiscard]] bool is_forked() const;
 
  private:

@@ -91,8 +91,8 @@ bool Reader::take(const Receive& receive) {
   return false;
 }
 
-// Push on the library's thread, while the data is in the processor's cache. Waking another thread would take longer than
-// most sinks do.
+// Push on the library's thread, while the data is in the processor's cache. Waking another thread would take longer
+// than most sinks do.
 void Reader::feed_from_listener() {
   const std::unique_lock lock(feed_mutex_, std::try_to_lock);
   if (!lock || push_batch()) participant_.feeder().schedule(*this);
