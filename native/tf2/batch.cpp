@@ -35,8 +35,8 @@ struct Chain {
   void clear_source() { source_links.clear(); }
 };
 
-// Compose the link for all stamps from `start` on that lie between the two samples of `bracket`. Return the index of the
-// first other stamp, or `start` if the rotations of the two samples are too far apart for NearSlerp.
+// Compose the link for all stamps from `start` on that lie between the two samples of `bracket`. Return the index of
+// the first other stamp, or `start` if the rotations of the two samples are too far apart for NearSlerp.
 template <std::size_t Terms>
 std::size_t compose_between_samples(const Bracket& bracket, std::size_t start, std::span<const Stamp> stamps,
                           std::span<Transform> out, std::span<const std::uint8_t> known, bool is_first) {
@@ -143,8 +143,8 @@ struct Part {
   }
 };
 
-// Call work(part) for parts of whole chunks: one on this thread, each other on a new thread. An exception in one of them
-// is rethrown here after all have ended.
+// Call work(part) for parts of whole chunks: one on this thread, each other on a new thread. An exception in one of
+// them is rethrown here after all have ended.
 template <class Work>
 void run_in_parallel(std::size_t size, unsigned workers, Work&& work) {
   const std::size_t chunks = (size + chunk_size - 1) / chunk_size;

@@ -92,10 +92,10 @@ std::size_t Buffer::set(std::span<const Entry> entries, std::string_view authori
   return stored;
 }
 
-// The data of a robot's many frames is no longer in the processor's caches when new transforms arrive. For each frame it
-// lies in ten places linked by pointers. Loading one level of pointers for all frames, then the next level, lets the
-// cache misses of different frames overlap. (A history of one frame does not need it.) Without it, a transform takes
-// 19 % longer: benchmarks/native, "prefetch".
+// The data of a robot's many frames is no longer in the processor's caches when new transforms arrive. For each frame
+// it lies in ten places linked by pointers. Loading one level of pointers for all frames, then the next level, lets the
+// cache misses of different frames overlap. (A history of one frame does not need it.) Without it, a transform takes 19
+// % longer: benchmarks/native, "prefetch".
 void Buffer::prefetch_frames(std::span<const Entry> entries) const {
   if (entries.size() < least_prefetched || entries.front().child_frame_id == entries.back().child_frame_id) return;
   std::array<const Frame*, most_prefetched> frames;

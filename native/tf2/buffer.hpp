@@ -70,9 +70,9 @@ struct Edge {
   std::size_t sample_count = 0;
 };
 
-// Thread-safe. Queries share one lock, and inserts hold it exclusively. Both hold it for about a microsecond, so one lock
-// for each frame would cost more than it gains. No callback runs while it is held: the log, the waiting threads and the
-// requests are notified afterwards.
+// Thread-safe. Queries share one lock, and inserts hold it exclusively. Both hold it for about a microsecond, so one
+// lock for each frame would cost more than it gains. No callback runs while it is held: the log, the waiting threads
+// and the requests are notified afterwards.
 class Buffer {
  public:
   static constexpr Stamp default_cache_time = 10'000'000'000;

@@ -86,8 +86,8 @@ class TimeCache {
     return search(stamp, hint);
   }
 
-  // View samples in place. They must ascend and outlive the cache; an insert copies the block that it changes. The cache
-  // must be empty.
+  // View samples in place. They must ascend and outlive the cache; an insert copies the block that it changes. The
+  // cache must be empty.
   void view(std::span<const Stamp> stamps, std::span<const FrameId> parents, std::span<const Transform> values);
 
   void clear();

@@ -74,7 +74,7 @@ void NewestChain::compute_stamp(const FrameTable& frames) {
     for (const FrameId id : links) {
       const Newest& newest = frames.newest(id);
       if (!newest.moves) continue;
-      if (newest.stamp != 0) common = std::min(common, newest.stamp);  // a stamp of zero is ignored, like a static frame
+      if (newest.stamp != 0) common = std::min(common, newest.stamp);  // zero is ignored, like a static frame
       if (!has_moving) first = newest.stamp;
       has_moving = true;
       is_uniform_ &= newest.stamp == first;
