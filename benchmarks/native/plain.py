@@ -63,7 +63,7 @@ EDITS: dict[str, dict[str, Edits | str]] = {
         "tf2/batch.cpp": [
             (
                 (
-                    "          std::size_t end = climb_between<2>(bracket, i, stamps, out, known, is_first);\n"
+                    "          std::size_t end = compose_between_samples<2>(bracket, i, stamps, out, known, is_first);\n"
                     "          if (end == i) end"
                 ),
                 "          std::size_t end",
@@ -84,7 +84,7 @@ EDITS: dict[str, dict[str, Edits | str]] = {
     "names before": {
         "tf2/buffer.cpp": [
             (
-                "  if (entry.child_frame_id != known.child_frame_id || entry.frame_id != known.frame_id) {",
+                "  if (entry.child_frame_id != last.child_frame_id || entry.frame_id != last.frame_id) {",
                 "  {",
             )
         ]
