@@ -61,7 +61,7 @@ def test_no_types(text: str, reason: str) -> None:
 @pytest.mark.parametrize(
     ("text", "where"),
     [
-        ("int32 a\nint32", "2:6: 'int32' is followed by no name"),
+        ("int32 a\nint32", "2:6: 'int32' is not followed by a name"),
         ("\n  foo bar", "2:3: 'foo' is neither a primitive type nor a message's name"),
         ("int32 A", "1:7: 'A' is no field name: lower case letters, digits and single underscores"),
         ("int32 a__b", "1:7: 'a__b' is no field name: lower case letters, digits and single underscores"),
@@ -73,7 +73,7 @@ def test_no_types(text: str, reason: str) -> None:
         ("int8 a x", "1:8: expected an integer, got x"),
         ("float32 a x", "1:11: expected a number, got x"),
         ("bool a maybe", "1:8: expected true or false, got maybe"),
-        ("int32 a\nint32 a", "2:7: 'a' is there twice"),
+        ("int32 a\nint32 a", "2:7: 'a' is defined twice"),
         ("int32[2] a [1]", "1:12: int32[2] takes 2 values, got 1"),
         ("int32[<=2] a [1,2,3]", "1:14: int32[<=2] takes at most 2 values, got 3"),
         ("int32[] a 5", "1:11: expected a list in brackets, got 5"),

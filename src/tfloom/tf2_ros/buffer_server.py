@@ -69,7 +69,7 @@ class BufferServer:
             self._execute,
             cancel_callback=lambda _handle: CancelResponse.ACCEPT,
             result_timeout=RESULT_TIMEOUT_S,
-            forget_told_results=True,  # because the list of goals, published at every change, would grow without end
+            forget_sent_results=True,  # because the list of goals, published at every change, would grow without end
         )
 
     async def _execute(self, handle: ServerGoalHandle) -> LookupTransform_Result:

@@ -21,7 +21,7 @@ class NodeNames:
     Args:
         node_name: Name that the program gives the node.
         namespace: Its namespace, with or without the first slash.
-        arguments: ROS arguments that hold for the node.
+        arguments: ROS arguments that apply to the node.
 
     Raises:
         InvalidNodeNameException: the name isn't valid.
@@ -42,7 +42,7 @@ class NodeNames:
         """Return the full name of a topic or service: expanded, checked, and remapped unless `only_expand`.
 
         Raises:
-            NameValidationException: the name isn't valid, before or after.
+            NameValidationException: the name isn't valid, before or after expansion.
         """
         node = self.node
         validate_topic_name(name, is_service=is_service)
