@@ -26,7 +26,6 @@ LEAST = 1.10
 ROWS: list[tuple[str, str]] = [
     ("name index", "/tf of 100 frames, a transform"),
     ("prefetch", "/tf of 100 frames, a transform, cold caches"),
-    ("canonical", "lookup, latest, depth 1"),
     ("canonical", "set"),
     ("names before", "set_many, a transform"),
     ("newest links", "lookup, latest, depth 10"),
@@ -42,7 +41,6 @@ ROWS: list[tuple[str, str]] = [
     ("radix order", "lookup_many, shuffled, depth 1"),
     ("message pool", "decode TFMessage x 100"),
     ("message pool", "decode PoseStamped"),
-    ("untracked leaves", "decode TFMessage x 100"),
     ("shared 0 and 1", "decode TFMessage x 100, in a plane"),
     ("shared 0 and 1", "decode PoseStamped"),
     ("ASCII text", "decode JointState of 30"),

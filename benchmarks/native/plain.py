@@ -94,9 +94,6 @@ EDITS: dict[str, dict[str, Edits | str]] = {
             ("#if !defined(Py_GIL_DISABLED) && !defined(PYPY_VERSION)", "#if defined(PYPY_VERSION)")
         ]
     },
-    "untracked leaves": {
-        "bindings/cdr.cpp": [("#ifndef Py_GIL_DISABLED  // two", "#ifdef PYPY_VERSION  // two")]
-    },
     "shared 0 and 1": {
         "bindings/objects.hpp": [
             (

@@ -69,11 +69,6 @@ void init_plan(ObjectPlan* self, const nb::type_object& message_class, const std
 // Must be called after the last field is added.
 void complete_plan(ObjectPlan& plan) {
   plan.pool.manage(plan.type, plan.fields.size());
-#ifndef Py_GIL_DISABLED  // two threads may assign to one message at the same time
-  plan.is_leaf = !plan.fields.empty() && std::ranges::all_of(plan.fields, [](const cdr::Field& field) {
-    return field.shape == Shape::single && field.kind != Kind::message;
-  });
-#endif
 }
 
 void add_field(ObjectPlan& plan, const std::string& name, const std::string& kind, const std::string& shape,

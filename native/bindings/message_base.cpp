@@ -117,11 +117,6 @@ int message_setattro(PyObject* self, PyObject* name, PyObject* value) noexcept {
       return fail();
     }
   }
-  // A decoded message of numbers and strings is untracked. Track it, because the new value may be of any type.
-  if (PyType_IS_GC(Py_TYPE(self)) && PyObject_GC_IsTracked(self) == 0) {
-    const nb::ft_object_guard guard{nb::handle(self)};
-    if (PyObject_GC_IsTracked(self) == 0) PyObject_GC_Track(self);
-  }
   return PyObject_GenericSetAttr(self, name, value);
 }
 

@@ -52,10 +52,6 @@ void free_message(PyObject* self) {
     return;
   }
   if (type->tp_finalize != nullptr && PyObject_CallFinalizerFromDealloc(self) < 0) return;  // resurrected
-  if (PyObject_GC_IsTracked(self) == 0) {  // only numbers and strings: freeing does not recurse
-    release(self);
-    return;
-  }
   PyObject_GC_UnTrack(self);
   Py_TRASHCAN_BEGIN(self, free_message)
   release(self);

@@ -31,9 +31,6 @@ struct ObjectPlan : cdr::Plan {
   PyTypeObject* type = nullptr;     // borrowed, because the class owns the plan
   std::vector<Py_ssize_t> offsets;  // of each field's slot in the object
   std::vector<Slot> slots;
-  // Whether all fields are numbers and strings, so that no reference cycle can pass through a message. If the garbage
-  // collector tracks such messages, decoding TFMessage x 100 takes 11 % longer: benchmarks/native, "untracked leaves".
-  bool is_leaf = false;
   mutable MessagePool pool;
   // The size of the last message encoded, as a first guess for the next one. Without it, encoding TFMessage x 1 takes
   // 14 % longer: benchmarks/native, "size hint".
@@ -101,11 +98,7 @@ class ObjectSink {
     outermost_ = nullptr;
     return nb::steal(static_cast<const ObjectPlan&>(plan).pool.make(type));
   }
-  void finish(Value& message, const cdr::Plan& plan) noexcept {
-    // A message of numbers and strings is in no reference cycle. It is tracked when a field is assigned.
-    const auto& object_plan = static_cast<const ObjectPlan&>(plan);
-    if (!object_plan.is_leaf || Py_TYPE(message.ptr()) != object_plan.type) MessagePool::track(message.ptr());
-  }
+  void finish(Value& message, const cdr::Plan&) noexcept { MessagePool::track(message.ptr()); }
   void finish_list(Value& list) noexcept { MessagePool::track(list.ptr()); }
   void set(Value& message, const cdr::Plan& plan, std::size_t index, Value value) noexcept {
     slot(message.ptr(), static_cast<const ObjectPlan&>(plan).offsets[index]) = value.release().ptr();
