@@ -38,7 +38,7 @@ struct Chain {
 // Compose the link for all stamps from `start` on that lie between the two samples of `bracket`. Return the index of
 // the first other stamp, or `start` if the rotations of the two samples are too far apart for NearSlerp.
 template <std::size_t Terms>
-std::size_t compose_between_samples(const Bracket& bracket, std::size_t start, std::span<const Stamp> stamps,
+std::size_t compose_between(const Bracket& bracket, std::size_t start, std::span<const Stamp> stamps,
                           std::span<Transform> out, std::span<const std::uint8_t> known, bool is_first) {
   const NearSlerp<Terms> rotation(bracket.older->rotation, bracket.newer->rotation);
   if (!rotation.is_near()) return start;
@@ -75,8 +75,8 @@ void compose_branch(std::vector<Link>& links, std::span<const Stamp> stamps, std
         const bool next_is_between = bracket.newer && i + 1 < stamps.size() && stamps[i + 1] > bracket.older_stamp &&
                                  stamps[i + 1] < bracket.newer_stamp;
         if (next_is_between && bracket.parent == link.parent) {
-          std::size_t end = compose_between_samples<2>(bracket, i, stamps, out, known, is_first);
-          if (end == i) end = compose_between_samples<4>(bracket, i, stamps, out, known, is_first);
+          std::size_t end = compose_between<2>(bracket, i, stamps, out, known, is_first);
+          if (end == i) end = compose_between<4>(bracket, i, stamps, out, known, is_first);
           if (end > i) {
             i = end - 1;
             continue;
