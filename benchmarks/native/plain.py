@@ -14,7 +14,7 @@ NATIVE = HERE.parent.parent / "native"
 Edits = list[tuple[str, str]]
 EDITS: dict[str, dict[str, Edits | str]] = {
     "name index": {"tf2/name_index.hpp": "name_index.hpp"},
-    "prefetch": {"tf2/buffer.cpp": [("      prefetch_frames(some);\n", "")]},
+    "prefetch": {"tf2/buffer.cpp": [("      prefetch_frames(group);\n", "")]},
     "chain product": {"tf2/chain.hpp": "chain.hpp", "tf2/chain.cpp": []},
     "newest links": {
         "tf2/frames.hpp": [
@@ -63,7 +63,7 @@ EDITS: dict[str, dict[str, Edits | str]] = {
         "tf2/batch.cpp": [
             (
                 (
-                    "          std::size_t end = compose_between_samples<2>(bracket, i, stamps, out, known, is_first);\n"
+                    "          std::size_t end = compose_between<2>(bracket, i, stamps, out, known, is_first);\n"
                     "          if (end == i) end"
                 ),
                 "          std::size_t end",

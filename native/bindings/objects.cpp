@@ -208,7 +208,7 @@ std::int64_t ObjectSource::integer(Value value, std::int64_t least, std::int64_t
   if (number == -1 && PyErr_Occurred() != nullptr) throw nb::python_error();
   if (overflow != 0 || number < least || number > greatest) {
     throw_mismatch("an int in [" + std::to_string(least) + ", " + std::to_string(greatest) + "]",
-           exact.is_valid() ? exact.ptr() : value);
+                   exact.is_valid() ? exact.ptr() : value);
   }
   return number;
 }

@@ -75,7 +75,7 @@ Answer answer_or_raise(const tf2::Result<tf2::StampedTransform>& result, const N
 }
 
 Query full_query(const NameArgument& target, StampArgument target_stamp, const NameArgument& source,
-           StampArgument source_stamp, const NameArgument& fixed) {
+                 StampArgument source_stamp, const NameArgument& fixed) {
   return {target.text, source.text, target_stamp.value, source_stamp.value, fixed.text};
 }
 

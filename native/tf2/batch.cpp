@@ -38,8 +38,8 @@ struct Chain {
 // Compose the link for all stamps from `start` on that lie between the two samples of `bracket`. Return the index of
 // the first other stamp, or `start` if the rotations of the two samples are too far apart for NearSlerp.
 template <std::size_t Terms>
-std::size_t compose_between_samples(const Bracket& bracket, std::size_t start, std::span<const Stamp> stamps,
-                          std::span<Transform> out, std::span<const std::uint8_t> known, bool is_first) {
+std::size_t compose_between(const Bracket& bracket, std::size_t start, std::span<const Stamp> stamps,
+                            std::span<Transform> out, std::span<const std::uint8_t> known, bool is_first) {
   const NearSlerp<Terms> rotation(bracket.older->rotation, bracket.newer->rotation);
   if (!rotation.is_near()) return start;
   const Vector3 from = bracket.older->translation, difference = bracket.newer->translation - from;
@@ -63,7 +63,7 @@ std::size_t compose_between_samples(const Bracket& bracket, std::size_t start, s
 // Compose one branch for all stamps, link by link, so that each history is read once and in order. Clear known[i] where
 // a link has no data at stamps[i], or has another parent than the chain.
 void compose_branch(std::vector<Link>& links, std::span<const Stamp> stamps, std::span<Transform> out,
-           std::span<std::uint8_t> known) {
+                    std::span<std::uint8_t> known) {
   bool is_first = true;
   for (Link& link : links) {
     if (link.frame->kind == Frame::Kind::fixed) {
@@ -73,10 +73,10 @@ void compose_branch(std::vector<Link>& links, std::span<const Stamp> stamps, std
       for (std::size_t i = 0; i < stamps.size(); ++i) {
         const Bracket bracket = link.find(stamps[i]);
         const bool next_is_between = bracket.newer && i + 1 < stamps.size() && stamps[i + 1] > bracket.older_stamp &&
-                                 stamps[i + 1] < bracket.newer_stamp;
+                                     stamps[i + 1] < bracket.newer_stamp;
         if (next_is_between && bracket.parent == link.parent) {
-          std::size_t end = compose_between_samples<2>(bracket, i, stamps, out, known, is_first);
-          if (end == i) end = compose_between_samples<4>(bracket, i, stamps, out, known, is_first);
+          std::size_t end = compose_between<2>(bracket, i, stamps, out, known, is_first);
+          if (end == i) end = compose_between<4>(bracket, i, stamps, out, known, is_first);
           if (end > i) {
             i = end - 1;
             continue;
