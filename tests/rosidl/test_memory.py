@@ -79,19 +79,16 @@ def test_all_that_can_be_in_a_cycle_is_known_to_the_collector() -> None:
     assert all(map(gc.is_tracked, parts))
 
 
-def test_a_decoded_message_of_numbers_is_known_once_it_may_hold_more() -> None:
+def test_a_decoded_message_that_refers_to_itself_is_collected() -> None:
     def count() -> int:
         gc.collect()
         return sum(type(each) is Vector3 for each in gc.get_objects())
 
     before = count()
     data = cdr.encode(Vector3())
-    untouched = cdr.decode(Vector3, data)
-    assert not gc.is_tracked(untouched)
     for _ in range(100):
         vector = cdr.decode(Vector3, data)
         vector.x = [vector]  # type: ignore[assignment]
-        assert gc.is_tracked(vector)
     del vector
     assert count() == before
 
