@@ -67,9 +67,9 @@ def test_differences_are_seen() -> None:
     assert seen("(node, *, queue=1)") == ["it has no parameter queue"]
     assert seen("(node, depth=10)")[0] == "its parameter depth is keyword, not positional"
     assert seen("(node, *, depth=5)") == ["the default of depth is 10, not 5"]
-    assert seen("(*, depth=10)") == ["it wants a parameter node that the recorded one has not"]
+    assert seen("(*, depth=10)") == ["it requires a parameter node that the recorded one lacks"]
     assert seen("(node='x')") == ["the default of node is None, not 'x'"]
     missing = rclpy_api.Name("rclpy.node", "Node.fly", "method", "(self)")
-    assert list(rclpy_api.differences(missing)) == ["it isn't there"]
+    assert list(rclpy_api.differences(missing)) == ["it does not exist"]
     elsewhere = rclpy_api.Name("rclpy.nowhere", "Node", "class", "")
-    assert list(rclpy_api.differences(elsewhere)) == ["there is no such module"]
+    assert list(rclpy_api.differences(elsewhere)) == ["the module does not exist"]

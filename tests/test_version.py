@@ -65,15 +65,15 @@ def test_it_is_written_in_one_place_and_in_step_beside_it() -> None:
     assert beside == [tfloom.__version__]
 
 
-def test_classifiers_claim_what_the_readme_says_was_run() -> None:
+def test_classifiers_claim_what_the_readme_says_is_tested() -> None:
     text = (ROOT / "README.md").read_text("utf-8")
-    was_run = re.search(r"What has been run: (.*?)\. Not yet run: (.*?)\.\n", text, re.DOTALL)
-    assert was_run
-    run = set(re.findall(r"\b3\.\d+\b", was_run[1]))
+    tested = re.search(r"Tested: (.*?)\. Not yet tested: (.*?)\.\n", text, re.DOTALL)
+    assert tested
+    run = set(re.findall(r"\b3\.\d+\b", tested[1]))
     prefix = "Programming Language :: Python :: "
     named = {each.removeprefix(prefix) for each in classifiers() if each.startswith(f"{prefix}3.")}
     assert named == run
     systems = {each.split(" :: ")[-1] for each in classifiers() if each.startswith("Operating System")}
-    assert systems == {name for name in ("Linux", "MacOS", "Windows") if name.lower() in was_run[1].lower()}
+    assert systems == {name for name in ("Linux", "MacOS", "Windows") if name.lower() in tested[1].lower()}
     assert not any("Free Threading" in each for each in classifiers())
     assert metadata("tfloom").get_all("Project-URL") is None
