@@ -48,12 +48,15 @@ def _check_references(interface: spec.Interface) -> None:
         ParseError: one is unknown, or contains itself.
     """
     known = {message.name: message for message in spec.messages_of(interface)}
+    checked: set[str] = set()
 
     def visit(message: spec.Message, above: tuple[str, ...]) -> None:
         for field in message.fields:
             if field.type.is_primitive:
                 continue
             chain = (*above, message.name, field.type.base)
+            if field.type.base in checked:
+                continue
             if field.type.base in chain[:-1]:
                 raise _at(message, field, f"a message contains itself: {' -> '.join(chain)}")
             try:
@@ -61,6 +64,7 @@ def _check_references(interface: spec.Interface) -> None:
             except LookupError as error:
                 raise _at(message, field, str(error)) from None
             visit(nested, chain[:-1])
+        checked.add(message.name)
 
     for message in known.values():
         visit(message, ())
