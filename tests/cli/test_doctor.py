@@ -24,7 +24,7 @@ def test_all_is_well(domain_id: int) -> None:
     answer = transcript.run("doctor")
     assert answer.exit_code == 0, answer.text
     assert "domain: domain %d, discovery range LOCALHOST" % domain_id in answer.text  # noqa: UP031
-    assert "a message came through" in answer.text
+    assert "and exchanged a message" in answer.text
     assert answer.text.endswith("\nAll 7 checks passed")
 
 
@@ -143,4 +143,4 @@ def test_ranges_that_are_told_as_they_rule() -> None:
     found, _ = findings(
         RMW_IMPLEMENTATION="tfloom_local", ROS_AUTOMATIC_DISCOVERY_RANGE="OFF", CYCLONEDDS_URI=""
     )
-    assert "nobody is met" in str(found["domain"]["advice"])
+    assert "no program is discovered" in str(found["domain"]["advice"])

@@ -32,7 +32,7 @@ def test_a_datagram_comes_through(port: str, start_program: Callable[..., Any]) 
 
 def test_what_never_comes_is_told(port: str) -> None:
     answer = transcript.run("multicast", "receive", "--port", port, "--timeout", "0.2")
-    assert (answer.text.splitlines()[1:], answer.exit_code) == (["no datagram came within 0.2 s"], 1)
+    assert (answer.text.splitlines()[1:], answer.exit_code) == (["no datagram arrived within 0.2 s"], 1)
 
 
 def test_what_is_not_for_the_group_is_not_heard(port: str, start_program: Callable[..., Any]) -> None:

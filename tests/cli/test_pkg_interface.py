@@ -123,7 +123,7 @@ def test_a_new_package_builds_and_runs(
     created = transcript.run(*words)
     assert created.exit_code == 0, created.text
     again = transcript.run(*words)
-    assert (again.exit_code, again.text.endswith("is there already; nothing was written")) == (1, True)
+    assert (again.exit_code, again.text.endswith("exists; nothing was written")) == (1, True)
     binaries = Path(sys.executable).parent
     built = subprocess.run(
         [binaries / "colcon", "build"], cwd=tmp_path, capture_output=True, text=True, timeout=120, check=False

@@ -95,7 +95,7 @@ LONG = {
     "topic delay": (("/nobodys",), "WARNING"),
     "topic pub": (("/x", "std_msgs/msg/Empty"), "publishing #1"),
     "service call": (("/nobodys", "std_srvs/srv/Empty"), "waiting for service"),
-    "service echo": (("/clear",), "nobody publishes"),
+    "service echo": (("/clear",), "no publisher of"),
     "action send_goal": (("/nobodys", "turtlesim/action/RotateAbsolute"), "Waiting for an action server"),
     "run": (("turtlesim", "turtlesim_node", "--ros-args", "-r", "__node:=other"), "Spawning"),
 }

@@ -90,7 +90,7 @@ def test_mistakes_are_told() -> None:
     nobody = transcript.run("service", "call", "--timeout", "0.5", "/reset", "std_srvs/srv/Empty")
     assert nobody.exit_code == 1
     assert (
-        nobody.text == "waiting for service to become available...\nnobody serves /reset: waited 0.5 s for it"
+        nobody.text == "waiting for service to become available...\nno server of /reset: waited 0.5 s for it"
     )
 
 
@@ -138,7 +138,7 @@ def test_events_of_a_service_that_nobody_has() -> None:
     answer = transcript.run("service", "echo", "/nope")
     assert (answer.exit_code, answer.text) == (
         1,
-        "Could not determine the type of service '/nope': nobody has it; name its type",
+        "Could not determine the type of service '/nope': it isn't on the graph; pass its type",
     )
 
 
@@ -149,4 +149,4 @@ def test_a_misspelt_service_names_the_nearest_while_it_is_waited_for(
     quick = {"tfloom.cli.calls.HINT_S": 1.0}
     call = start_program("python", *transcript.python_words(*words, constants=quick))
     call.wait_for("did you mean /spawn?")
-    assert call.lines[:2] == ["waiting for service to become available...", "nobody serves /spwn yet"]
+    assert call.lines[:2] == ["waiting for service to become available...", "no server of /spwn yet"]

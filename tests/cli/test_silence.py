@@ -34,13 +34,13 @@ def test_lists_hold_those_that_answer(start_program: Callable[..., Program]) -> 
     start_program("python", HERE / "a_lifecycle_node.py").wait_for("ready")
     parameters = transcript.run("param", "list", "--filter", "use_sim_time", constants=QUICK)
     assert parameters.text.splitlines() == [
-        "/a_silent_node/list_parameters didn't answer within 2 s",
+        "no response from /a_silent_node/list_parameters within 2 s",
         "/a_node:",
         "  use_sim_time",
     ]
     states = transcript.run("lifecycle", "get", constants=QUICK)
     assert states.text.splitlines() == [
-        "/a_silent_node/get_state didn't answer within 2.5 s",
+        "no response from /a_silent_node/get_state within 2.5 s",
         "/a_node: unconfigured [1]",
     ]
     assert parameters.exit_code == states.exit_code == 0
@@ -49,7 +49,7 @@ def test_lists_hold_those_that_answer(start_program: Callable[..., Program]) -> 
 @pytest.mark.usefixtures("silent_node")
 def test_nobody_answers() -> None:
     answer = transcript.run("param", "list", constants=QUICK)
-    assert (answer.text, answer.exit_code) == ("/a_silent_node/list_parameters didn't answer within 2 s", 1)
+    assert (answer.text, answer.exit_code) == ("no response from /a_silent_node/list_parameters within 2 s", 1)
 
 
 @pytest.mark.usefixtures("silent_node")
@@ -60,5 +60,5 @@ def test_a_terminal_sees_what_is_waited_for(start_program: Callable[..., Program
     assert "to answer" not in piped
     command = [str(transcript.PROGRAM), *words]
     shown = start_program("python", "-c", f"import pty; pty.spawn({command})")
-    shown.wait_for("waiting for /silence to answer")
-    shown.wait_for("/silence didn't answer within 1.2 s")
+    shown.wait_for("waiting for a response from /silence")
+    shown.wait_for("no response from /silence within 1.2 s")

@@ -170,7 +170,7 @@ def test_a_node_name_that_is_none_is_refused(name: str) -> None:
         (
             "/turtle1/cmdvel",
             "geometry_msgs/msg/Twist",
-            ["nobody subscribes to /turtle1/cmdvel yet", "did you mean /turtle1/cmd_vel?"],
+            ["no subscription of /turtle1/cmdvel yet", "did you mean /turtle1/cmd_vel?"],
         ),
         (
             "/turtle1/cmd_vel",

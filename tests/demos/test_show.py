@@ -79,5 +79,5 @@ def test_a_program_that_ends_is_told(start_program: Callable[..., Any], tmp_path
     (driver,) = (process for process, command in alive(mark).items() if "curve_driver" in command)
     os.kill(driver, signal.SIGKILL)
     assert demo.wait() == 1
-    assert "driver ended by itself with exit code -9" in demo.output
+    assert "driver ended unexpectedly with exit code -9" in demo.output
     assert alive(mark) == {}

@@ -24,7 +24,7 @@ CHOSEN = (
     "and other terminals can't join in."
 )
 MISSING = re.compile(
-    r"The library cyclonedds \(version 11\), which speaks DDS, is missing for Python 3\.\d+ on \S+ \S+, "
+    r"The library cyclonedds \(version 11\), which implements DDS, is missing for Python 3\.\d+ on \S+ \S+, "
     r"so all programs run within this process, and other terminals can't join in\."
 )
 Start = Callable[..., Any]
@@ -51,7 +51,7 @@ def test_it_shows_draws_and_ends(start_program: Start, tmp_path: Path, without_l
     assert MISSING.fullmatch(demo.lines[2])
     assert "ROS_DOMAIN_ID" not in demo.output
     assert f"The tree of frames is drawn in {tmp_path / 'frames.pdf'}" in demo.lines
-    assert demo.lines[-1] == f"What the turtles drew is in {tmp_path / 'turtles.png'}"
+    assert demo.lines[-1] == f"The picture of the turtles is in {tmp_path / 'turtles.png'}"
     first = next(i for i, line in enumerate(demo.lines) if line.startswith("At time"))
     echoed = "\n".join(demo.lines[first : first + 9])
     number = r" ?-?\d+\.\d{3}"
@@ -84,7 +84,7 @@ def test_a_signal_ends_its_one_process(
     demo.signal(number)
     assert demo.wait() == 0
     assert demo.lines[-2:] == [
-        f"What the turtles drew is in {tmp_path / 'turtles.png'}",
+        f"The picture of the turtles is in {tmp_path / 'turtles.png'}",
         "The demonstration has ended.",
     ]
     assert "Traceback" not in demo.output
@@ -94,7 +94,7 @@ def test_a_program_that_fails_is_named(start_program: Start, tmp_path: Path, loc
     (tmp_path / "frames.pdf").mkdir()
     demo = start_program("tfloom", "demo", cwd=tmp_path)
     assert demo.wait(60.0) == 1
-    assert "view_frames ended by itself with exit code 1" in demo.lines
+    assert "view_frames ended unexpectedly with exit code 1" in demo.lines
     assert re.search(r"\[view_frames\]: can't write .*frames.pdf: Is a directory", demo.output)
     assert "Traceback" not in demo.output
 
@@ -114,7 +114,7 @@ def test_an_exception_in_a_program_is_told_with_its_name(
     ):
         show.run(None)
     first, second, *_, last = str(caught.value).splitlines()
-    assert first == "driver ended by itself with exit code 1"
+    assert first == "driver ended unexpectedly with exit code 1"
     assert second == "Traceback (most recent call last):"
     assert last == "ValueError: no fuel"
     assert capsys.readouterr().err == ""

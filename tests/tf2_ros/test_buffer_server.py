@@ -266,7 +266,7 @@ def test_a_time_that_no_stamp_can_tell_is_an_error(goals: ActionClient) -> None:
     for goal.advanced in (False, True):
         result = goals.send_goal(goal).result
         assert result.error.error == TF2Error.TRANSFORM_ERROR
-        assert result.error.error_string == "the time asked for is later than a stamp can tell"
+        assert result.error.error_string == "the requested time is later than a stamp can hold"
 
 
 def test_what_waits_can_be_cancelled(

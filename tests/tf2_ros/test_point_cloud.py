@@ -204,7 +204,7 @@ def test_what_does_not_fit(make: object, text: str) -> None:
 def test_a_cloud_with_too_few_bytes() -> None:
     cloud = create_cloud_xyz32(HEADER, [(1, 2, 3), (4, 5, 6)])
     cloud.width = 3
-    with pytest.raises(ValueError, match="has 24 bytes, its sizes ask for 36"):
+    with pytest.raises(ValueError, match="has 24 bytes, its sizes require 36"):
         read_points(cloud)
     cloud.point_step = 4
     with pytest.raises(ValueError, match="the fields take 12 bytes, more than the 4 from point to point"):

@@ -43,7 +43,7 @@ def test_a_package_with_none(tmp_path: Path) -> None:
 @pytest.mark.parametrize("name", ["", "My", "1a", "a-b", "a b", "../a", "import", "_a"])
 def test_a_name_that_python_cannot_import_is_refused(name: str, tmp_path: Path) -> None:
     for package in (Package(name), Package("good", node=name or " ")):
-        with pytest.raises(ValueError, match="name: it takes small letters"):
+        with pytest.raises(ValueError, match="name: use lower-case letters"):
             create_package(package, tmp_path)
     assert list(tmp_path.iterdir()) == []
 

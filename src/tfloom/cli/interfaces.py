@@ -1,4 +1,4 @@
-"""Message classes and values from a user's words."""
+"""Message classes and values from command-line arguments."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def yaml_documents(lines: Iterable[str]) -> Iterator[str]:
 
 
 def parse_yaml(text: str) -> dict[str, Any]:
-    """Return the fields that a YAML text gives.
+    """Return the fields in a YAML text.
 
     Raises:
         CommandError: it isn't YAML, or not a mapping of fields; the text has the position of the mistake.
@@ -120,7 +120,7 @@ def fill_message(message: Message, values: dict[str, Any]) -> list[StampSetter]:
 
 
 def set_stamps(setters: list[StampSetter], now_ns: int) -> None:
-    """Set the times that `fill_message` returned setters for to a time [ns]."""
+    """Call the setters that `fill_message` returned with a time [ns]."""
     if setters:
         from tfloom.interfaces.builtin_interfaces.msg import Time
 

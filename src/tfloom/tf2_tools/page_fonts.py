@@ -41,7 +41,7 @@ class Font(NamedTuple):
         return self.size * 1.32
 
     def width(self, text: str) -> float:
-        """Return how long a line is."""
+        """Return the length of a line."""
         return sum(pdfmetrics.stringWidth(part, face, self.size) for face, part in self._runs(text))
 
     def draw(self, canvas: Canvas, x: float, y: float, text: str) -> None:

@@ -10,7 +10,7 @@ from tfloom.workspace.interfaces import known_interfaces
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `interface list` takes."""
+    """Add the arguments of `interface list`."""
     add_kind_flags(parser)
 
 

@@ -13,7 +13,7 @@ from tfloom.workspace.interfaces import interface_packages
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `interface package` takes."""
+    """Add the arguments of `interface package`."""
     parser.add_argument("package_name", help="name of the package")
     add_kind_flags(parser)
 

@@ -11,7 +11,7 @@ from tfloom.workspace.interfaces import interface_packages
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `interface packages` takes."""
+    """Add the arguments of `interface packages`."""
     add_kind_flags(parser)
 
 

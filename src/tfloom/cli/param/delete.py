@@ -11,14 +11,14 @@ from tfloom.interfaces.rcl_interfaces.msg import Parameter
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `param delete` takes."""
+    """Add the arguments of `param delete`."""
     add_common_arguments(parser)
     parser.add_argument("node_name", help="full name of the node")
     parser.add_argument("parameter_name", help="name of the parameter")
 
 
 def main(args: argparse.Namespace) -> int:
-    """Delete it by setting it to no type, and print the outcome."""
+    """Delete the parameter by setting it to a value without type, and print the outcome."""
     with asked_node(args) as services:
         result = services.set([Parameter(name=args.parameter_name)])[0]
     reason = f": {result.reason}" if result.reason else ""

@@ -13,7 +13,7 @@ from tfloom.interfaces.rcl_interfaces.msg import ParameterDescriptor
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `param describe` takes."""
+    """Add the arguments of `param describe`."""
     add_common_arguments(parser)
     parser.add_argument("node_name", help="full name of the node")
     parser.add_argument("parameter_names", nargs="+", help="names of the parameters")

@@ -23,7 +23,7 @@ LABELS = (
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `param get` takes."""
+    """Add the arguments of `param get`."""
     add_common_arguments(parser)
     parser.add_argument("node_name", help="full name of the node")
     parser.add_argument("parameter_name", help="name of the parameter")

@@ -11,15 +11,15 @@ from tfloom.interfaces.rcl_interfaces.msg import Parameter
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `param set` takes."""
+    """Add the arguments of `param set`."""
     add_common_arguments(parser)
     parser.add_argument("node_name", help="full name of the node")
     parser.add_argument("parameter_name", help="name of the parameter")
-    parser.add_argument("value", help="its value in YAML, as 150, true, abc or '[1, 2]'")
+    parser.add_argument("value", help="its value in YAML, for example 150, true, abc or '[1, 2]'")
 
 
 def main(args: argparse.Namespace) -> int:
-    """Set it and print the outcome."""
+    """Set the parameter and print the outcome."""
     from tfloom.node.parameters.parameter import get_parameter_value
 
     parameter = Parameter(name=args.parameter_name, value=get_parameter_value(args.value))

@@ -26,6 +26,6 @@ def ask() -> None:
 
 
 def main(args: list[str] | None = None) -> int:
-    """Call once, and end with the response; return the exit code."""
-    expect_no_arguments("add_two_ints_client_async", "Ask the service add_two_ints what 2 and 3 are.", args)
+    """Call once, and end after the response; return the exit code."""
+    expect_no_arguments("add_two_ints_client_async", "Call the service add_two_ints with 2 and 3.", args)
     return run_program(args, ask)

@@ -30,7 +30,7 @@ PERIOD_S = 0.5
 
 
 def check_parameter(parameter_list: list[Parameter], parameter_name: str) -> SetParametersResult:
-    """Return whether the parameter of that name, if it is among those to be set, has a valid value."""
+    """Return whether the parameter of that name, if it is to be set, has a valid value."""
     for parameter in parameter_list:
         if parameter.name != parameter_name:
             continue
@@ -89,7 +89,7 @@ class IntrospectionServiceNode(_IntrospectedNode):
         self.obey("service_configure_introspection", self.srv)
 
     def add_two_ints_callback(self, request: Any, response: Any) -> Any:
-        """Answer a request."""
+        """Reply to a request."""
         response.sum = request.a + request.b
         self.get_logger().info(f"Incoming request\na: {request.a} b: {request.b}")
         return response
@@ -108,8 +108,8 @@ def main(args: list[str] | None = None) -> int:
     """Call and serve until stopped; return the exit code."""
     expect_no_arguments(
         "introspection",
-        "Ask and serve add_two_ints, and tell of it on add_two_ints/_service_event where the parameters "
-        "client_configure_introspection and service_configure_introspection say so.",
+        "Call and serve add_two_ints; publish events on add_two_ints/_service_event, as set by the parameters "
+        "client_configure_introspection and service_configure_introspection.",
         args,
     )
     return run_program(args, run)
