@@ -37,7 +37,7 @@ def broken_exports(folder: Path, package: str) -> Iterator[str]:
         yield from (f"{name} has no {each}" for each in exported if not hasattr(module, each))
 
 
-def test_all_names_what_is_there() -> None:
+def test_dunder_all_names_exist() -> None:
     assert any(has_all(path) for path in HOUSE.rglob("*.py"))
     broken = list(broken_exports(HOUSE, "tfloom"))
     assert not broken, "\n".join(broken)
@@ -52,6 +52,6 @@ def test_all_names_what_is_there() -> None:
         ("gone = 1", []),
     ],
 )
-def test_what_is_amiss_is_found(text: str, found: list[str], planted: Path) -> None:
+def test_wrong_dunder_all_is_found(text: str, found: list[str], planted: Path) -> None:
     (planted / "module.py").write_text(text)
     assert list(broken_exports(planted, "planted")) == found

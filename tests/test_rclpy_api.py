@@ -11,11 +11,11 @@ REASONS = rclpy_api.missing()
 TO_DO = "`make api` writes docs/rclpy_api.md anew from docs/rclpy_api_missing.txt"
 
 
-def test_the_page_is_what_the_script_writes() -> None:
+def test_page_equals_the_output_of_the_script() -> None:
     assert rclpy_api.PAGE.read_text("utf-8") == rclpy_api.page(), TO_DO
 
 
-def test_each_name_is_there_as_recorded() -> None:
+def test_each_name_exists_with_the_recorded_signature() -> None:
     amiss = [
         f"{name.full}: {difference}"
         for name in names()
@@ -41,19 +41,19 @@ def wrongly_missing(patterns: Iterable[str]) -> Iterator[str]:
         )
 
 
-def test_what_is_said_to_be_missing_is_missing() -> None:
+def test_names_listed_as_missing_are_missing() -> None:
     amiss = list(wrongly_missing(REASONS))
     assert not amiss, "\n".join([*amiss, f"take it out of docs/rclpy_api_missing.txt; {TO_DO}"])
 
 
-def test_what_is_there_or_was_never_recorded_is_not_missing() -> None:
+def test_existing_or_unrecorded_names_are_not_missing() -> None:
     assert list(wrongly_missing(["rclpy.node.Node.fly", "rclpy.node.Node.create_timer"])) == [
         "rclpy.node.Node.fly: no recorded name is so called",
         "rclpy.node.Node.create_timer: rclpy.node.Node.create_timer is there",
     ]
 
 
-def test_differences_are_seen() -> None:
+def test_signature_differences_are_found() -> None:
     """The instrument itself: what differs from these recorded signatures is told."""
 
     def ours(node: object, *, depth: int = 10, raw: bool = False) -> None:

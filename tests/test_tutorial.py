@@ -79,7 +79,7 @@ def run_program(package: str, program: str, *words: str) -> list[str]:
     return ["tfloom", "run", package, program, *words]
 
 
-def test_the_turtle_is_driven_by_keys(
+def test_turtle_is_driven_by_keys(
     domain_id: int, start_program: Callable[..., object], wait_until: Callable[..., None]
 ) -> None:
     turtlesim = start_program(
@@ -112,7 +112,7 @@ def test_the_turtle_is_driven_by_keys(
     assert teleop.wait() == 0
 
 
-def test_the_tutorial(
+def test_tutorial_runs_from_start_to_end(
     domain_id: int,
     tmp_path: Path,
     start_program: Callable[..., object],
@@ -162,7 +162,7 @@ def test_the_tutorial(
 
 
 @pytest.mark.parametrize("victim", ["turtlesim", "broadcaster"])
-def test_a_killed_program_started_again_brings_the_transform_back(
+def test_restarted_program_restores_the_transform(
     victim: str,
     domain_id: int,
     start_program: Callable[..., object],

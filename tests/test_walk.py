@@ -59,7 +59,7 @@ def executor(monkeypatch: pytest.MonkeyPatch) -> Iterator[SingleThreadedExecutor
     try_shutdown()
 
 
-def test_from_a_key_press_to_a_printed_line(executor: SingleThreadedExecutor) -> None:
+def test_key_press_leads_to_a_printed_transform(executor: SingleThreadedExecutor) -> None:
     turtlesim, teleop, broadcaster, echo = TurtlesimNode(), TeleopTurtle(), Broadcaster(), Node("echo")
     buffer = Buffer()
     listener = TransformListener(buffer, echo)

@@ -82,7 +82,7 @@ def start_turtles(observer: Observer, start_program: Callable[..., Any]) -> Call
     return start
 
 
-def test_it_follows_a_carrot_beside_the_turtle(
+def test_follower_reaches_the_fixed_frame(
     observer: Observer,
     start_turtles: Callable[[], None],
     start_program: Callable[..., Any],
@@ -95,7 +95,7 @@ def test_it_follows_a_carrot_beside_the_turtle(
     observer.spin_until(lambda: observer.distance_to(CENTRE, CENTRE + 2.0) < 0.3, wait_until)
 
 
-def test_it_travels_in_time(
+def test_follower_uses_the_past_pose(
     observer: Observer,
     start_turtles: Callable[[], None],
     start_program: Callable[..., Any],

@@ -43,7 +43,9 @@ def alive(mark: str) -> dict[int, str]:
     }
 
 
-def test_it_shows_draws_and_ends(start_program: Callable[..., Any], tmp_path: Path, mark: str) -> None:
+def test_demonstration_prints_draws_and_ends(
+    start_program: Callable[..., Any], tmp_path: Path, mark: str
+) -> None:
     demo = start_program("tfloom", "demo", "--seconds", "1", cwd=tmp_path)
     assert demo.wait(60.0) == 0
     assert f"{DRAWN}{tmp_path / 'frames.pdf'}" in demo.lines
@@ -73,7 +75,9 @@ def test_no_process_is_left(
     assert "Traceback" not in demo.output
 
 
-def test_a_program_that_ends_is_told(start_program: Callable[..., Any], tmp_path: Path, mark: str) -> None:
+def test_program_that_ends_unexpectedly_is_reported(
+    start_program: Callable[..., Any], tmp_path: Path, mark: str
+) -> None:
     demo = start_program("tfloom", "demo", cwd=tmp_path)
     demo.wait_for("At time")
     (driver,) = (process for process, command in alive(mark).items() if "curve_driver" in command)

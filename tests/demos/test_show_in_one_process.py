@@ -45,7 +45,9 @@ def without_library(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("RMW_IMPLEMENTATION", raising=False)
 
 
-def test_it_shows_draws_and_ends(start_program: Start, tmp_path: Path, without_library: None) -> None:
+def test_demonstration_prints_draws_and_ends(
+    start_program: Start, tmp_path: Path, without_library: None
+) -> None:
     demo = start_program("tfloom", "demo", "--seconds", "1", cwd=tmp_path)
     assert demo.wait(60.0) == 0, demo.output
     assert MISSING.fullmatch(demo.lines[2])
@@ -72,7 +74,7 @@ def test_it_shows_draws_and_ends(start_program: Start, tmp_path: Path, without_l
 
 @pytest.mark.skipif(sys.platform != "linux", reason="counts the process's children in /proc")
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_a_signal_ends_its_one_process(
+def test_signal_ends_the_process(
     start_program: Start, tmp_path: Path, local: None, number: signal.Signals
 ) -> None:
     demo = start_program("tfloom", "demo", cwd=tmp_path)
@@ -90,7 +92,7 @@ def test_a_signal_ends_its_one_process(
     assert "Traceback" not in demo.output
 
 
-def test_a_program_that_fails_is_named(start_program: Start, tmp_path: Path, local: None) -> None:
+def test_failing_program_is_named(start_program: Start, tmp_path: Path, local: None) -> None:
     (tmp_path / "frames.pdf").mkdir()
     demo = start_program("tfloom", "demo", cwd=tmp_path)
     assert demo.wait(60.0) == 1
@@ -99,7 +101,7 @@ def test_a_program_that_fails_is_named(start_program: Start, tmp_path: Path, loc
     assert "Traceback" not in demo.output
 
 
-def test_an_exception_in_a_program_is_told_with_its_name(
+def test_exception_in_a_program_is_printed_with_its_name(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "a_broken_program.py").write_text("def main(args):\n    raise ValueError(args[0])\n")
@@ -134,7 +136,7 @@ def test_an_exception_in_a_program_is_told_with_its_name(
         ("print('out'); print('err', file=sys.stderr)", 0, ["out", "err"]),
     ],
 )
-def test_a_program_ends_as_a_process_would(
+def test_program_exit_codes_match_those_of_a_process(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
     wait_until: Callable[..., None],
@@ -153,9 +155,7 @@ def test_a_program_ends_as_a_process_would(
     assert list(program.log) == lines == log
 
 
-def test_a_program_that_is_asked_before_it_has_begun_ends_too(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_program_ends_if_requested_before_its_start(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "a_slow_starter.py").write_text(
         "from threading import Event\n"
         "from tfloom.node.client_library import create_node, spin\n"
@@ -175,7 +175,7 @@ def test_a_program_that_is_asked_before_it_has_begun_ends_too(
     assert program.exit_code() == 7
 
 
-def test_processes_where_the_library_is(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_processes_are_used_if_the_library_is_installed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("RMW_IMPLEMENTATION", raising=False)
     monkeypatch.setattr("tfloom.rmw.cyclone_library.find_library", lambda: "libddsc.so")
     assert reason_for_one_process() == ""
@@ -183,7 +183,7 @@ def test_processes_where_the_library_is(monkeypatch: pytest.MonkeyPatch) -> None
     assert f"{reason_for_one_process()}, so all" in CHOSEN
 
 
-def test_the_environment_and_the_streams_are_given_back(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_environment_and_streams_are_restored(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("RMW_IMPLEMENTATION", raising=False)
     monkeypatch.setenv("ROS_DOMAIN_ID", "5")
     before = dict(os.environ), sys.stdout, sys.stderr

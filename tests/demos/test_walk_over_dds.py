@@ -67,7 +67,7 @@ def press(domain_id: int, start_program: Callable[..., Any]) -> Iterator[Callabl
     os.close(theirs)
 
 
-def test_the_frame_follows_the_keys(
+def test_frame_follows_the_keys(
     start: Callable[[str], Any], wait_until: Callable[..., None], press: Callable[[bytes], int]
 ) -> None:
     start("turtlesim")
@@ -88,7 +88,7 @@ def test_the_frame_follows_the_keys(
 
 
 @pytest.mark.parametrize("victim", PROGRAMS)
-def test_each_may_be_killed_and_started_again(
+def test_each_program_can_be_killed_and_restarted(
     start: Callable[[str], Any], wait_until: Callable[..., None], victim: str
 ) -> None:
     programs = {name: start(name) for name in PROGRAMS}

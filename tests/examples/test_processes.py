@@ -107,7 +107,7 @@ def end_well(number: signal.Signals, *programs: object) -> None:
 
 
 @pytest.mark.parametrize("scene", SPINNING)
-def test_programs_that_spin(
+def test_spinning_programs_end_on_a_signal(
     scene: str, domain_id: int, start_program: Start, wait_until: Callable[..., None]
 ) -> None:
     programs = {start_program("python", EXAMPLES / path): lines for path, lines in SPINNING[scene].items()}
@@ -123,7 +123,7 @@ def test_programs_that_spin(
 
 
 @pytest.mark.parametrize("scene", ENDING)
-def test_programs_that_end(scene: str, domain_id: int, start_program: Start) -> None:
+def test_finite_programs_end_with_their_output(scene: str, domain_id: int, start_program: Start) -> None:
     others, (path, *words), lines = ENDING[scene]
     servers = [start_program("python", EXAMPLES / other) for other in others]
     for node in filter(None, map(UNASKED.get, others)):
@@ -147,7 +147,7 @@ def test_programs_that_end(scene: str, domain_id: int, start_program: Start) -> 
         "lifecycle/manager.py",
     ],
 )
-def test_a_program_that_waits_in_vain_ends_well(
+def test_waiting_program_ends_cleanly(
     path: str, number: signal.Signals, domain_id: int, start_program: Start, wait_until: Callable[..., None]
 ) -> None:
     program = start_program("python", EXAMPLES / path)

@@ -98,7 +98,7 @@ def fuzz(folder: Path, seconds: float) -> subprocess.CompletedProcess[str]:
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the sanitizers here are GCC's and Clang's")
-def test_no_bytes_break_the_codec(tmp_path: Path) -> None:
+def test_fuzzed_bytes_never_break_the_codec(tmp_path: Path) -> None:
     done = fuzz(tmp_path, 3.0)
     assert done.returncode == 0, done.stdout + done.stderr
     counts = re.search(r"(\d+) of (\d+) seeds read; (\d+) inputs, (\d+) read, (\d+) refused", done.stdout)

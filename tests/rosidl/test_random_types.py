@@ -91,7 +91,7 @@ def store_of(*texts: tuple[str, str]) -> Typestore:
 
 @settings(deadline=None, max_examples=80, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.data())
-def test_bytes_are_those_of_rosbags(data: st.DataObject) -> None:
+def test_bytes_equal_those_of_rosbags(data: st.DataObject) -> None:
     inner_text = data.draw(definitions(primitives(wide=False)))
     outer_text = data.draw(definitions(primitives(wide=False) | st.just("Inner")))
     define(INNER, inner_text)

@@ -51,7 +51,7 @@ def as_matrix(answer: object) -> np.ndarray:
 
 @settings(max_examples=150, deadline=None)
 @given(st.lists(inserts, min_size=1, max_size=60), st.sampled_from(FRAMES), st.sampled_from(FRAMES), queries)
-def test_answers_as_the_oracle_does(operations: list, target: str, source: str, stamp: int) -> None:
+def test_results_equal_those_of_the_oracle(operations: list, target: str, source: str, stamp: int) -> None:
     assume(target != source)
     buffer, oracle = build(operations)
     try:
@@ -153,7 +153,7 @@ def test_lookups_compose(buffer: Buffer, order: list[str], stamp: int) -> None:
 
 @settings(max_examples=100, deadline=None)
 @given(trees(), st.permutations(FRAMES), within, within)
-def test_a_full_lookup_goes_by_way_of_the_fixed_frame(
+def test_full_lookup_uses_the_fixed_frame(
     buffer: Buffer, order: list[str], target_stamp: int, source_stamp: int
 ) -> None:
     target, source, fixed = order[:3]

@@ -27,7 +27,7 @@ def turn(links: int) -> tuple[float, float]:
 
 @pytest.mark.parametrize("stamp", [SECOND, 10 * SECOND, 0])
 @pytest.mark.parametrize("width", [SECOND, SECOND // 1000, SECOND // 10])
-def test_ring(stamp: int, width: int) -> None:
+def test_transforms_around_a_ring(stamp: int, width: int) -> None:
     buffer = Buffer(None)
     names = {
         sign: ["a", *(prefix + letter for letter in "bcdefghi")]

@@ -97,7 +97,7 @@ def test_messages_that_change_while_they_are_read() -> None:
     run_together(change, read, read)
 
 
-def test_the_first_message_of_many_threads() -> None:
+def test_first_message_on_many_threads() -> None:
     # In a process of its own, where no plan has been made yet.
     program = """
 import threading
@@ -159,7 +159,7 @@ def large() -> Buffer:
         "yaml",
     ],
 )
-def test_what_takes_long_lets_others_run(large: Buffer, name: str) -> None:
+def test_long_operations_release_the_gil(large: Buffer, name: str) -> None:
     stamps = np.arange(1_000_000) + SECOND
     points = np.ones((1_000_000, 3))
     batch = cdr.encode(TFMessage(transforms=[message(1.0, SECOND + 1)] * 50_000))
@@ -204,6 +204,6 @@ def test_what_takes_long_lets_others_run(large: Buffer, name: str) -> None:
 
 
 @needs_no_gil
-def test_the_gil_stays_off() -> None:
+def test_import_keeps_the_gil_disabled() -> None:
     program = "import sys, tfloom.tf2.buffer, tfloom._native; sys.exit(sys._is_gil_enabled())"
     subprocess.run([sys.executable, "-W", "error", "-c", program], check=True, timeout=60)

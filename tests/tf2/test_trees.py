@@ -39,7 +39,7 @@ def place(shape: str, frame: str) -> tuple[str, int, int]:
 
 @pytest.mark.parametrize("stamp", [SECOND, 10 * SECOND, 0])
 @pytest.mark.parametrize(("shape", "width"), CASES)
-def test_every_pair(shape: str, width: int, stamp: int) -> None:
+def test_every_pair_of_frames(shape: str, width: int, stamp: int) -> None:
     buffer = build(shape, stamp, width)
     frames = sorted({name for child, (parent, *_) in TREES[shape].items() for name in (child, parent)})
     for target in frames:
@@ -58,7 +58,7 @@ def test_every_pair(shape: str, width: int, stamp: int) -> None:
             assert found.rotation_xyzw == UPRIGHT
 
 
-def test_distances_known_by_heart() -> None:
+def test_known_distances() -> None:
     tree = build("y", SECOND, SECOND)
     assert tree.lookup("a", "c", SECOND).translation == (2, 0, 0)
     assert tree.lookup("a", "e", SECOND).translation == (1, 2, 0)

@@ -66,7 +66,7 @@ def test_statistics_by_frame_and_in_all() -> None:
     assert "Frame: a," not in statistics.text(["b", "c"])
 
 
-def test_as_the_reference(
+def test_output_matches_the_reference(
     domain_id: int,
     start_program: Callable[..., Any],
     wait_until: Callable[..., None],
@@ -112,7 +112,7 @@ def test_as_the_reference(
 
 
 @pytest.mark.parametrize("words", [["world"], ["world", "camera", "turtle1"]])
-def test_usage(words: list[str], start_program: Callable[..., Any]) -> None:
+def test_usage_matches_the_reference(words: list[str], start_program: Callable[..., Any]) -> None:
     program = start_program(*MONITOR, *words)
     assert program.wait() == 255
     assert program.lines[0].endswith("[tf2_monitor_main]: TF_Monitor: usage: tf2_monitor framea frameb")

@@ -52,7 +52,7 @@ def replay(turtlesim: Any, start_program: Callable[..., Any]) -> Callable[[str],
     return replay
 
 
-def test_services_and_actions(
+def test_services_and_actions_match_the_recording(
     turtlesim: Any, replay: Callable[[str], None], start_program: Callable[..., Any]
 ) -> None:
     for name in ("service_call", "service_call_again", "service_call_empty", "action_list_t", "action_info"):
@@ -65,5 +65,5 @@ def test_services_and_actions(
 
 
 @pytest.mark.parametrize("name", ["param_set", "param_set_bad", "param_set_range", "param_describe"])
-def test_parameters(replay: Callable[[str], None], name: str) -> None:
+def test_parameters_match_the_recording(replay: Callable[[str], None], name: str) -> None:
     replay(name)

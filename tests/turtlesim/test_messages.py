@@ -25,7 +25,7 @@ print(ours.Pose._TYPE_NAME, theirs.Pose._TYPE_NAME)
         ("rolling", "turtlesim_msgs"),
     ],
 )
-def test_by_distribution(distro: str | None, package: str) -> None:
+def test_package_name_depends_on_the_distribution(distro: str | None, package: str) -> None:
     environment = {name: value for name, value in os.environ.items() if name != "ROS_DISTRO"}
     if distro:
         environment["ROS_DISTRO"] = distro

@@ -112,7 +112,7 @@ def test_arrow_keys_drive_the_turtle(
     ]
 
 
-def test_keys_turn_the_turtle_to_headings(
+def test_heading_keys_turn_the_turtle(
     listener: Listener,
     start_program: Callable[..., Any],
     terminal: tuple[int, int],
@@ -162,7 +162,7 @@ def test_keys_held_down_do_not_queue_up(
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_a_signal_ends_it_and_the_terminal_is_as_before(
+def test_signal_ends_the_program_and_restores_the_terminal(
     domain_id: int, start_program: Callable[..., Any], terminal: tuple[int, int], number: int
 ) -> None:
     ours, theirs = terminal
@@ -176,7 +176,7 @@ def test_a_signal_ends_it_and_the_terminal_is_as_before(
     assert "Traceback" not in teleop.output
 
 
-def test_without_a_terminal_it_says_what_to_do(domain_id: int, start_program: Callable[..., Any]) -> None:
+def test_input_without_terminal_gives_the_remedy(domain_id: int, start_program: Callable[..., Any]) -> None:
     teleop = start_program(*TELEOP)
     assert teleop.wait() == 1
     assert teleop.lines[0].endswith("run it in a terminal of its own")

@@ -176,7 +176,7 @@ def unlike(picture: Image.Image, other: Image.Image) -> float:
     return difference.histogram()[255] / (picture.width * picture.height)
 
 
-def test_it_shows_what_keys_make_the_turtle_do(
+def test_window_shows_the_turtle_driven_by_keys(
     turtlesim: Any,
     window: str,
     screen: Screen,
@@ -211,7 +211,7 @@ def test_it_shows_what_keys_make_the_turtle_do(
 
 
 @pytest.mark.parametrize("size", [(1000, 800), (300, 420)])
-def test_it_is_as_sharp_as_it_is_large(
+def test_picture_resolution_follows_the_window_size(
     turtlesim: Any,
     window: str,
     screen: Screen,
@@ -268,7 +268,7 @@ def ask_to_close(display: str, window: int) -> None:
 
 
 @pytest.mark.skipif(ctypes.util.find_library("X11") is None, reason="no libX11 to ask a window to close with")
-def test_closing_it_ends_the_node(turtlesim: Any, window: str, screen: Screen) -> None:
+def test_closed_window_ends_the_node(turtlesim: Any, window: str, screen: Screen) -> None:
     ask_to_close(screen.name, int(window))
     assert turtlesim.wait() == 0
     assert "Traceback" not in turtlesim.output

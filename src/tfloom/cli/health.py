@@ -105,7 +105,9 @@ def check_domain() -> Finding:
         )
     asked = discovery_range()
     if asked == "OFF":
-        advice = "no program is discovered, even on this machine: export ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST or SUBNET"
+        advice = (
+            "discovery is off, on this machine too: export ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST or SUBNET"
+        )
         return Finding(Verdict.OK, f"domain {domain}, discovery range OFF", advice, details)
     advice = (
         "a stock ROS is discovered only with the same range on both sides: "

@@ -50,7 +50,7 @@ def client(node: Node) -> AsyncParameterClient:
         ("unknown", 1, "Invalid access to undeclared parameter(s): ['unknown']"),
     ],
 )
-def test_a_refusal_has_its_reason(
+def test_rejection_has_a_reason(
     client: AsyncParameterClient, finish: Finish, name: str, value: object, reason: str
 ) -> None:
     (before,) = finish(client.get_parameters(["integer"])).values
@@ -68,7 +68,7 @@ def test_a_refusal_has_its_reason(
     assert finish(client.get_parameters(["integer"])).values == [before]
 
 
-def test_lists_descriptions_and_what_isnt_there(client: AsyncParameterClient, finish: Finish) -> None:
+def test_lists_descriptions_and_unknown_names(client: AsyncParameterClient, finish: Finish) -> None:
     result = finish(client.list_parameters(["group"])).result
     assert (result.names, result.prefixes) == (["group.inner.deep"], ["group.inner"])
     assert finish(client.list_parameters(["group"], depth=1)).result.names == []
