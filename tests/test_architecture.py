@@ -1,7 +1,7 @@
 """The house's rules: imports point down the shelves, one door for each library, no ROS name inside.
 
-Each rule of `tests/architecture.py` runs over the whole tree and lists all that breaks it; and each one finds a
-violation that is planted in a tree of a few files.
+Each rule of `tests/architecture.py` runs over the whole tree and lists its violations; and each finds a planted
+violation in a tree of a few files.
 """
 
 from __future__ import annotations
@@ -216,7 +216,7 @@ def test_planted_native_violation_is_found(
 
 def test_each_rule_has_a_planted_violation() -> None:
     planted = [rule for rule, _, _ in VIOLATIONS + NATIVE_VIOLATIONS]
-    planted.append(architecture.nothing_is_named_that_does_not_exist)  # has a test of its own
+    planted.append(architecture.nothing_is_named_that_does_not_exist)  # has a separate test
     assert set(planted) == {*HOUSE_RULES, *NATIVE_RULES}
 
 

@@ -1,4 +1,4 @@
-"""`__all__` is what is there, in every module that has one."""
+"""`__all__` lists existing names, in every module that has one."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def has_all(path: Path) -> bool:
 
 
 def broken_exports(folder: Path, package: str) -> Iterator[str]:
-    """Yield what is amiss in the `__all__` of each module under a package's folder."""
+    """Yield the errors in the `__all__` of each module under a package's folder."""
     for path in sorted(folder.rglob("*.py")):
         if "ros_names" in path.parts or not has_all(path):
             continue

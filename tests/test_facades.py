@@ -1,6 +1,6 @@
-"""The doors with ROS's names on them: thin, typed, last on the path, and never half of a mixture.
+"""The façades with ROS's names: re-exports only, typed, last on the path, and never mixed with a real ROS.
 
-Each rule is a function over a folder of façades that yields what breaks it.
+Each rule is a function over a folder of façades that yields the violations.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def not_typed_packages(folder: Path) -> Iterator[str]:
 
 
 def files_beside_the_facades(folder: Path) -> Iterator[str]:
-    """Nothing but packages is in the folder."""
+    """The folder holds packages only."""
     yield from (f"{path.name} stands beside the façades" for path in folder.iterdir() if path.is_file())
 
 

@@ -1,4 +1,4 @@
-"""docs/rclpy_api.md, what it is written from, and what is there: each holds the others to the truth."""
+"""docs/rclpy_api.md, its sources, and the existing names agree."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def names() -> list[rclpy_api.Name]:
 
 
 def wrongly_missing(patterns: Iterable[str]) -> Iterator[str]:
-    """Yield the patterns that no recorded name matches, and the names they match that are there."""
+    """Yield the patterns that match no recorded name, and the existing names that they match."""
     recorded = names()
     for pattern in patterns:
         matched = [name for name in recorded if rclpy_api.is_of(name, pattern)]
@@ -54,10 +54,10 @@ def test_existing_or_unrecorded_names_are_not_missing() -> None:
 
 
 def test_signature_differences_are_found() -> None:
-    """The instrument itself: what differs from these recorded signatures is told."""
+    """The comparison reports each difference from these recorded signatures."""
 
     def ours(node: object, *, depth: int = 10, raw: bool = False) -> None:
-        """Stand in for one of ours."""
+        """Return a substitute for one of tfloom's functions."""
 
     def seen(signature: str) -> list[str]:
         return list(rclpy_api._signature_differences(signature, ours))

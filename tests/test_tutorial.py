@@ -1,4 +1,4 @@
-"""The turtlesim and tf2 tutorial, top to bottom: each program a process of its own, over DDS on loopback."""
+"""The turtlesim and tf2 tutorial from start to end: each program a process, over DDS on loopback."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def workspace(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def in_workspace(workspace: Path, start_program: Callable[..., object]) -> Callable[..., object]:
-    """Start a command as a user does who has sourced the workspace."""
+    """Start a command in the environment of the sourced workspace."""
 
     def start(command: str) -> object:
         line = f"source '{workspace}/install/setup.bash' && exec '{BIN / 'tfloom'}' {command}"
@@ -55,7 +55,7 @@ def in_workspace(workspace: Path, start_program: Callable[..., object]) -> Calla
 
 
 def ros2(*words: str) -> str:
-    """Run a command to its end and return what it printed."""
+    """Run a command to its end and return its output."""
     result = subprocess.run(
         [BIN / "tfloom", *words],
         capture_output=True,
@@ -140,7 +140,7 @@ def test_tutorial_runs_from_start_to_end(
     x, y, theta, *_ = pose()
     echo = start_program(*run_program("tf2_ros", "tf2_echo", "world", "turtle1"))
     echo.wait_for(f"- Translation: [{x:.3f}, {y:.3f}, 0.000]")
-    # Beyond a third of a turn, which a turtle on a slow machine gets to, tf2 makes z positive and not w.
+    # Beyond a third of a turn, which a turtle can reach on a slow machine, tf2 makes z positive, not w.
     sign = -1.0 if theta < -math.tau / 3 else 1.0
     echo.wait_for(f"[0.000, 0.000, {sign * math.sin(theta / 2):.3f}, {sign * math.cos(theta / 2):.3f}]")
     row = (math.cos(theta), -math.sin(theta), 0.0, x)

@@ -1,4 +1,4 @@
-"""The version has one place, `tfloom.__version__`, and the distributions claim only what was run."""
+"""The version is defined once, in `tfloom.__version__`, and the classifiers match the tested systems."""
 
 from __future__ import annotations
 

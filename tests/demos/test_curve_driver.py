@@ -1,4 +1,4 @@
-"""The driver keeps a simulated turtle on its figure."""
+"""The driver and a simulated turtle: the turtle stays on the figure."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The programs of demo_nodes_py as processes over DDS, against what the reference's print."""
+"""The programs of demo_nodes_py as processes over DDS, against the reference's output."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def start(start_program: Start, domain_id: int) -> Start:
 
 
 def main_of(name: str) -> str:
-    """Return the code that runs a program in Python."""
+    """Return the Python code that runs a program."""
     return f"from tfloom.demos.demo_nodes_py.{name} import main; sys.exit(main(sys.argv[1:]))"
 
 
@@ -47,12 +47,12 @@ def masked(lines: list[str]) -> list[str]:
 
 
 def said(lines: list[str], node: str) -> list[str]:
-    """What one node has logged, without stamps."""
+    """Return the log of one node, without stamps."""
     return [line.split(f"[{node}]: ", 1)[1] for line in lines if f"[{node}]: " in line]
 
 
 def end(*programs: Program, number: int = signal.SIGINT) -> None:
-    """Stop programs, and see that they end well and say nothing of it."""
+    """Stop programs, and check that they end with 0 and without a traceback."""
     for program in programs:
         program.signal(number)
     for program in programs:

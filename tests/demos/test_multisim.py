@@ -1,4 +1,4 @@
-"""Two turtlesims in two namespaces, over DDS, and their end."""
+"""Two turtlesims in two namespaces, over DDS."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ NAMESPACES = ("turtlesim1", "turtlesim2")
 
 
 class User:
-    """Sees both turtles, and commands one."""
+    """Subscribes to the poses of both turtles, and commands one."""
 
     def __init__(self) -> None:
         init(args=[])
@@ -33,7 +33,7 @@ class User:
         self._executor.add_node(self._node)
 
     def sees(self, condition: Callable[[], object]) -> Callable[[], object]:
-        """Return the condition as one that is looked at after what has come is taken in."""
+        """Return a condition that is evaluated after waiting messages were received."""
 
         def look() -> object:
             self._executor.spin_once(timeout_sec=0.01)

@@ -1,4 +1,4 @@
-"""`tfloom demo`: it shows, draws, and leaves nothing behind however it ends."""
+"""`tfloom demo`: its output and drawing, and that no process is left at any end."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ DRAWN = "The tree of frames is drawn in "
 
 @pytest.fixture
 def mark(monkeypatch: pytest.MonkeyPatch) -> str:
-    """A variable by which all processes of the demonstration can be found."""
+    """An environment variable that marks all processes of the demonstration."""
     if sys.platform != "linux":
         pytest.skip("processes are found in /proc, which Linux has")
     value = str(uuid.uuid4())
@@ -27,7 +27,7 @@ def mark(monkeypatch: pytest.MonkeyPatch) -> str:
 
 
 def read(path: Path) -> bytes:
-    """What a file under /proc holds; nothing once its process has ended."""
+    """Return the content of a file under /proc; empty if its process has ended."""
     try:
         return path.read_bytes()
     except OSError:
@@ -35,7 +35,7 @@ def read(path: Path) -> bytes:
 
 
 def alive(mark: str) -> dict[int, str]:
-    """Commands of the processes that have the mark, by process id."""
+    """Return the commands of the marked processes, by process id."""
     return {
         int(folder.name): read(folder / "cmdline").replace(b"\0", b" ").decode()
         for folder in Path("/proc").glob("[0-9]*")

@@ -1,4 +1,4 @@
-"""`tfloom demo` where there is no DDS: the same demonstration, on threads of one process."""
+"""`tfloom demo` without DDS: the same demonstration, on threads of one process."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def local(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture
 def without_library(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Have programs find another cyclonedds first: a module with no library beside it, so none is installed."""
+    """Put another cyclonedds first on the path, a module without the library, so that none is found."""
     folder = tmp_path / "first on the path"
     folder.mkdir()
     (folder / "cyclonedds.py").touch()

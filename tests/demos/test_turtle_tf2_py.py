@@ -1,4 +1,4 @@
-"""The tutorials' nodes, in this process and with no network."""
+"""The tutorials' nodes, in this process, without a network."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 
 
 class Stage:
-    """A demo's node and one that hears what it sends."""
+    """A demo's node, and a node that receives its messages."""
 
     def __init__(self, make: Callable[[], Node], args: list[str]) -> None:
         init(args=args)

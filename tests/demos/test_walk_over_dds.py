@@ -1,4 +1,4 @@
-"""The tutorial's walk with our own programs: keys, turtlesim, broadcaster, tf2_echo, each a process, over DDS."""
+"""The tutorial with tfloom's programs: keys, turtlesim, broadcaster, tf2_echo, each a process, over DDS."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ BLOCK = re.compile(
 
 
 class Echo:
-    """What tf2_echo has printed last."""
+    """Return the last transform that tf2_echo has printed."""
 
     def __init__(self, program: Any) -> None:
         self.program = program
@@ -58,7 +58,7 @@ def start(domain_id: int, start_program: Callable[..., Any]) -> Iterator[Callabl
 
 @pytest.fixture
 def press(domain_id: int, start_program: Callable[..., Any]) -> Iterator[Callable[[bytes], int]]:
-    """Press a key of a teleop on a terminal of its own."""
+    """Press a key in the terminal of a teleop."""
     ours, theirs = pty.openpty()
     program = start_program("tfloom", "run", "turtlesim", "turtle_teleop_key", stdin=theirs)
     program.wait_for("'Q' to quit.")

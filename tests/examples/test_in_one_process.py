@@ -1,4 +1,4 @@
-"""Each example's nodes on the in-process wire: what they log is what their docstrings promise."""
+"""Each example's nodes on the in-process wire: they log what their docstrings state."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ WaitUntil = Callable[..., None]
 
 
 class Log:
-    """What has been logged so far."""
+    """Return the log so far."""
 
     def __init__(self, capsys: pytest.CaptureFixture[str]) -> None:
         self.capsys = capsys
@@ -49,7 +49,7 @@ def started(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
 
 
 def end() -> None:
-    """End this life of the library, with all its nodes."""
+    """Shut the default context down, with all its nodes."""
     context = rclpy.get_default_context()
     rclpy.try_shutdown()
     context.destroy()
@@ -57,7 +57,7 @@ def end() -> None:
 
 @pytest.fixture
 def spin() -> Iterator[Callable[..., None]]:
-    """Spin nodes on threads of their own, until the test ends."""
+    """Spin nodes on separate threads, until the test ends."""
     executors: list[MultiThreadedExecutor] = []
     threads: list[threading.Thread] = []
     errors: list[BaseException] = []
@@ -79,7 +79,7 @@ def spin() -> Iterator[Callable[..., None]]:
         threads[-1].start()
 
     yield start
-    rclpy.get_default_context().try_shutdown()  # ends calls that callbacks are in
+    rclpy.get_default_context().try_shutdown()  # ends the calls that callbacks wait in
     for executor in executors:
         executor.shutdown(10.0)
     for thread in threads:

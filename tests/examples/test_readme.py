@@ -1,4 +1,4 @@
-"""examples/README.md has each example, in its own words, and commands that can be run."""
+"""examples/README.md lists each example with the summary of its docstring, and commands that exist."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def test_listed_files_exist() -> None:
 
 
 def test_examples_import_ros_names_only() -> None:
-    """They are programs for a ROS 2 like any other; those that show tfloom's own API say so."""
+    """They run on any ROS 2; those that show tfloom's own API are marked."""
     own = [
         path.relative_to(EXAMPLES).as_posix()
         for path in EXAMPLES.rglob("*.py")

@@ -1,4 +1,4 @@
-"""The fuzzer of the codec, for a short while; its corpus are the bytes that a real ROS 2 wrote.
+"""The fuzzer of the codec, for a short time; its corpus are bytes that a real ROS 2 wrote.
 
 By hand and for longer: `python -m tests.native.test_fuzz_cdr SECONDS`.
 """
@@ -43,7 +43,7 @@ SHAPES = ["", "array", "bounded", "unbounded"]
 
 
 def plan_bytes(cls: type[Message]) -> bytes:
-    """Return a class's plan as fuzz_cdr.cpp reads it: the messages in it first."""
+    """Return a class's plan in the format of fuzz_cdr.cpp, nested messages first."""
     order: list[type[Message]] = []
 
     def visit(each: type[Message]) -> None:

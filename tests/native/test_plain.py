@@ -1,4 +1,4 @@
-"""The benchmark of each cleverness fits the code: every edit still finds its place, and every row has its parts."""
+"""The benchmarks of the native optimisations match the code: every edit applies, and every row has its parts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The C++ programs of this folder, built with sanitizers on the core's own sources and run."""
+"""The C++ programs of this folder, built with sanitizers from the core's sources and run."""
 
 from __future__ import annotations
 

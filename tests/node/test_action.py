@@ -1,4 +1,4 @@
-"""Actions: goals accepted, refused, cancelled, failed; feedback, states and results."""
+"""Actions: goals accepted, rejected, cancelled, aborted; feedback, states and results."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def fibonacci(goal_handle: ServerGoalHandle) -> Fibonacci.Result:
 
 
 class Gated:
-    """An execute callback that waits until it is let go on, and obeys a cancel."""
+    """An execute callback that waits until it is released or cancelled."""
 
     def __init__(self, executor: SingleThreadedExecutor) -> None:
         self.gates: list[Future[None]] = []

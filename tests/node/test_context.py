@@ -1,4 +1,4 @@
-"""Contexts: one life each."""
+"""Contexts: initialisation, shutdown, signals, and their nodes."""
 
 from __future__ import annotations
 
@@ -200,7 +200,7 @@ def test_spin_functions_run_callbacks() -> None:
 
 
 def test_init_succeeds_after_ctrl_c() -> None:
-    """As in a notebook, where nobody calls shutdown after it."""
+    """As in a notebook, where shutdown isn't called after Ctrl-C."""
     rclpy.init(args=[])
     with pytest.raises(KeyboardInterrupt):
         signal.raise_signal(signal.SIGINT)
@@ -213,7 +213,7 @@ def test_init_succeeds_after_ctrl_c() -> None:
 
 
 def test_unreferenced_node_leaves_the_graph(context: Context) -> None:
-    """As in a notebook, where a cell that makes a node is run again."""
+    """As in a notebook, where a cell that creates a node is run again."""
 
     class Talker(Node):
         def __init__(self, fail: bool = False) -> None:

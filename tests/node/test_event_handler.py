@@ -133,4 +133,4 @@ def test_deprecated_name_of_event_handler_warns(node: Node) -> None:
     with pytest.warns(DeprecationWarning, match="use EventHandler instead"):
 
         class Mine(QoSEventHandler):
-            """A program's own."""
+            """A derived class of a program."""

@@ -1,4 +1,4 @@
-"""The events executor: what comes first runs first."""
+"""The events executor: callbacks run in the order of their events."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def test_rest_of_a_pass_runs_in_the_next_spin_after_an_error(node: Node, context
 
 
 def test_exclusive_group_waits_for_the_end_of_a_coroutine(node: Node, context: Context) -> None:
-    """One thread alone doesn't keep two callbacks apart: a coroutine lets others in while it waits."""
+    """Even on one thread, other callbacks run while a coroutine waits."""
     order: list[str] = []
     with EventsExecutor(context=context) as executor:
         gate: Future[None] = Future(executor=executor)

@@ -1,4 +1,4 @@
-"""Executors: order and fairness, tasks, threads, errors and ends."""
+"""Executors: order and fairness, tasks, threads, errors and shutdown."""
 
 from __future__ import annotations
 

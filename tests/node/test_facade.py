@@ -1,4 +1,4 @@
-"""`import rclpy`: it is this room, quickly, and never beside a real ROS."""
+"""`import rclpy`: exports, import time, and the guard against a real ROS."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a node sees of the graph, on both wires."""
+"""A node's queries of the graph, on both wires."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def test_wait_for_node_returns_when_the_node_appears(make_node: MakeNode) -> Non
 
 
 def test_topic_can_avoid_ros_namespace_conventions(make_node: MakeNode) -> None:
-    """As programs of other DDS users have it: without ROS's prefix, and apart from a ROS topic of that name."""
+    """As in other DDS programs: without ROS's prefix, and separate from a ROS topic of that name."""
     node = make_node()
     native = QoSProfile(
         depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL, avoid_ros_namespace_conventions=True

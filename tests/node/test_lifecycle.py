@@ -26,7 +26,7 @@ SUCCESS, FAILURE, ERROR = TransitionCallbackReturn
 
 
 class Managed(LifecycleNode):
-    """Does in each transition what it was told to, and notes it."""
+    """Returns a configured result in each transition, and records the calls."""
 
     def __init__(self, context: Context) -> None:
         super().__init__("managed", context=context)

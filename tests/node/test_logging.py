@@ -204,7 +204,7 @@ def test_many_threads_write_one_log_file(monkeypatch: pytest.MonkeyPatch, tmp_pa
 
     class SlowToOpen(LogFile):
         def _open(self) -> object:
-            time.sleep(0.01)  # a second thread would open one, too
+            time.sleep(0.01)  # a second thread would open another file
             opened.append(self)
             return super()._open()
 

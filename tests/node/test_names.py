@@ -1,4 +1,4 @@
-"""Valid names, and what relative ones stand for."""
+"""Validation and expansion of names."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Nodes: what they create, what others see, and how they end."""
+"""Nodes: their entities, their names on the graph, and their destruction."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ def test_any_callable_with_a_fitting_signature_is_accepted(node: Node) -> None:
 
     for callback in (
         print,
-        max,  # which doesn't tell what it takes
+        max,  # a built-in without a signature
         [].append,
         partial(three, 1, 2),
         partial(three, 1),

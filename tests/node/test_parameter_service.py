@@ -174,7 +174,7 @@ def test_type_descriptions_of_parts_and_custom_types_are_returned(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """The topics of actions and of service events have such types; a tool asks for them by name."""
+    """The topics of actions and of service events have such types; tools request them by name."""
     own = tmp_path / "share" / "own_described" / "msg"
     own.mkdir(parents=True)
     (own / "Mine.msg").write_text("std_msgs/Header header\n", "utf-8")
@@ -211,4 +211,4 @@ def test_type_descriptions_of_parts_and_custom_types_are_returned(
         answer = ask(name)
         assert not answer.successful
         assert answer.failure_reason
-    assert find_class("turtlesim/srv/Spawn") is Spawn  # and not another of the same name
+    assert find_class("turtlesim/srv/Spawn") is Spawn  # not another type of the same name

@@ -1,4 +1,4 @@
-"""Programs that are stopped: at any moment, in any way, they end quietly."""
+"""Programs that are stopped, at any time and in any way, end without a traceback."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def test_busy_program_stopped_at_any_time_ends_without_traceback(
     programs = [start_program("python", "-c", TALKATIVE) for _ in range(4)]
     for program in programs:
         program.wait_for("up")
-        time.sleep(random.random() * 0.01)  # a random moment is what is tested
+        time.sleep(random.random() * 0.01)  # the test is about a random time
         for number in numbers:
             program.signal(number)
     for program in programs:
@@ -59,7 +59,7 @@ def test_busy_program_stopped_at_any_time_ends_without_traceback(
 def test_signal_during_interpreter_exit_keeps_the_exit_code(
     number: int, start_program: Callable[..., Program]
 ) -> None:
-    """By then the interpreter has given the signals that have handlers their default action."""
+    """At exit, the interpreter restores the default action of signals that have handlers."""
     code = f"""
 import os
 from tfloom.node.program import run_program

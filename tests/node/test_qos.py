@@ -1,4 +1,4 @@
-"""QoS profiles, and what becomes of them on the wire."""
+"""QoS profiles, and their conversion for the wire."""
 
 from __future__ import annotations
 

@@ -51,7 +51,7 @@ def test_request_receives_its_response(client: Client, executor: SingleThreadedE
 def test_spin_once_returns_after_a_response(
     kind: type[Executor], make_node: MakeNode, executor: SingleThreadedExecutor, context: Context
 ) -> None:
-    """Programs look between two calls of it whether their future is done."""
+    """Programs check between two calls of it whether their future is done."""
     server, node = make_node("server"), make_node("asker")
     server.create_service(AddTwoInts, "add", add)
     client = node.create_client(AddTwoInts, "add")

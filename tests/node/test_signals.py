@@ -1,4 +1,4 @@
-"""Ctrl-C and SIGTERM, as a program sees them."""
+"""Ctrl-C and SIGTERM in programs."""
 
 from __future__ import annotations
 
@@ -142,7 +142,7 @@ print(sorted(endings))
     ("number", "expected"),
     [
         (signal.SIGTERM, {"ExternalShutdownException"}),
-        (signal.SIGINT, {"KeyboardInterrupt", "ExternalShutdownException"}),  # the other amid a deletion
+        (signal.SIGINT, {"KeyboardInterrupt", "ExternalShutdownException"}),  # the other during a deletion
     ],
 )
 def test_signal_during_publishing_is_reported_as_a_signal(
@@ -285,7 +285,7 @@ def test_second_ctrl_c_does_not_interrupt_the_shutdown(start_program: StartProgr
 
 
 def test_signal_triggers_signal_guard_conditions(monkeypatch: pytest.MonkeyPatch) -> None:
-    # Soon after an earlier test's signal, this one would be taken for its echo.
+    # Soon after an earlier test's signal, this one would be ignored as a repetition.
     monkeypatch.setattr("tfloom.node.executing.signals._interrupted_at", -math.inf)
     ended = SignalHandlerGuardCondition()
     ended.destroy()

@@ -1,4 +1,4 @@
-"""Simulated time as programs meet it: by /clock, on both wires."""
+"""Simulated time by /clock, on both wires."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def context(
 
 
 class Simulation:
-    """A node on simulated time that spins on a thread, and the clock that drives it."""
+    """A node on simulated time that spins on a thread, and the publisher of /clock."""
 
     def __init__(self, context: Context, make_node: Callable[..., Node]) -> None:
         on = [Parameter("use_sim_time", value=True)]
@@ -58,7 +58,7 @@ class Simulation:
             self._executor.spin()
 
     def set(self, seconds: float) -> None:
-        """Have the clock show a time, and wait until the node has heard of it."""
+        """Publish a time on /clock, and wait until the node has received it."""
         stamp = Time(seconds=seconds, clock_type=ClockType.ROS_TIME)
         self._publisher.publish(ClockMessage(clock=stamp.to_msg()))
         wait_until(lambda: self.clock.now() == stamp)
@@ -87,7 +87,7 @@ def test_timer_follows_simulated_time_forward_and_backward(simulation: Simulatio
     wait_until(lambda: calls == [101.0, 105.5])
     simulation.set(106.0)
     wait_until(lambda: calls == [101.0, 105.5, 106.0])
-    simulation.set(10.0)  # back: a new period begins
+    simulation.set(10.0)  # backward: a new period begins
     simulation.set(10.5)
     simulation.set(11.0)
     wait_until(lambda: len(calls) == 4)

@@ -1,4 +1,4 @@
-"""What programs do while an executor spins: on both wires, with every executor."""
+"""Operations of programs while an executor spins: on both wires, with every executor."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def executor(request: pytest.FixtureRequest, context: Context) -> Iterator[Execu
 
 
 class Spinning:
-    """A thread in `executor.spin()`, and what came out of it."""
+    """A thread in `executor.spin()`, and the exception that ended it."""
 
     def __init__(self, executor: Executor) -> None:
         self.error: BaseException | None = None
@@ -75,7 +75,7 @@ class Spinning:
 
 
 def numbers_into(node: Node, callback: Callable[[Int32], Any], count: int) -> None:
-    """Have `callback` called with `count` messages."""
+    """Publish `count` messages to `callback`."""
     publisher = node.create_publisher(Int32, "numbers", LATCHED)
     node.create_subscription(Int32, "numbers", callback, LATCHED)
     for number in range(count):
@@ -283,7 +283,7 @@ def test_cancelled_task_does_not_continue(executor: Executor) -> None:
 
 
 def test_callback_can_spin_its_own_executor(node: Node, executor: Executor) -> None:
-    """On one thread a nested spin runs others' callbacks; from a thread of the pool it is refused."""
+    """On one thread, a nested spin runs other callbacks; on a thread of the pool, it raises."""
     future: Future[None] = Future()
     outcome: list[str] = []
 
@@ -362,7 +362,7 @@ def test_node_does_not_return_to_an_ended_executor_or_after_its_destruction(
 
 
 class Throttled(CallbackGroup):
-    """A group as programs write their own: so many callbacks, and one more with each `refill`."""
+    """A custom group: it admits a number of callbacks, and one more after each `refill`."""
 
     def __init__(self, bucket: int) -> None:
         super().__init__()
@@ -465,7 +465,7 @@ def test_idle_node_uses_no_cpu_time(node: Node, executor: Executor) -> None:
 
 
 def test_custom_executor_runs_ready_callbacks(node: Node, context: Context) -> None:
-    """As in the documentation: ready callbacks go to where the program wants them."""
+    """As in the documentation: the program runs ready callbacks by itself."""
     order: list[tuple[str, Any]] = []
 
     class Logs(Executor):

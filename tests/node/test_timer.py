@@ -107,7 +107,7 @@ def test_simulated_time_drives_a_timer(
     executor.spin_once(timeout_sec=0.01)
     assert len(ticks) == 2
     assert timer.time_until_next_call() == 500_000_000
-    clock.set_ros_time_override(ros_time(50))  # back: a new period begins
+    clock.set_ros_time_override(ros_time(50))  # backward: a new period begins
     assert timer.time_until_next_call() == 1_000_000_000
     clock.set_ros_time_override(ros_time(51))
     spin_until(lambda: len(ticks) == 3)

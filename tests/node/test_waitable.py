@@ -1,4 +1,4 @@
-"""Waitables as programs for rclpy write them, in every executor."""
+"""Waitables of rclpy programs, in every executor."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ MakeNode = Callable[..., Node]
 
 
 class Collects(Waitable):
-    """Waits for one thing of one kind, latches, takes and keeps what it took."""
+    """Waits for one item of one kind, latches it, and keeps the data taken."""
 
     def __init__(self, kind: str, waited: Any, take: Callable[[], Any], group: Any = None) -> None:
         super().__init__(group or ReentrantCallbackGroup())
@@ -175,7 +175,7 @@ def test_a_timer_in_a_waitable_is_called_once_a_period(node: Node, executor: Exe
 
 def test_waitable_without_items_is_checked_at_each_wake(node: Node, executor: Executor) -> None:
     class Queue(Waitable):
-        """Waits for nothing an executor knows of."""
+        """Has no items in the wait set."""
 
         def __init__(self) -> None:
             super().__init__(MutuallyExclusiveCallbackGroup())

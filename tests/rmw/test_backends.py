@@ -1,4 +1,4 @@
-"""Choosing a wire and a domain from the environment."""
+"""Selection of a wire and a domain by the environment."""
 
 from __future__ import annotations
 

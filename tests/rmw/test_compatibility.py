@@ -1,4 +1,4 @@
-"""The rules by which offered and requested qualities of service meet."""
+"""The rules of compatibility between offered and requested qualities of service."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How far to look for others, as the environment says, in Cyclone's words."""
+"""Cyclone's configuration for the discovery range in the environment."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a participant knows of the others, and what the others see of it: byte for byte as a real ROS 2 has it."""
+"""The graph of a participant, and what it announces: byte for byte as a real ROS 2."""
 
 from __future__ import annotations
 

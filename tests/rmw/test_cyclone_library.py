@@ -1,4 +1,4 @@
-"""Finding libddsc, and the errors where there is none."""
+"""The search for libddsc, and its errors."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from tfloom.rmw.errors import NoBackendError
 
 @pytest.fixture
 def site(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Give a folder that is all of sys.path."""
+    """Return a folder that is the only one on sys.path."""
     monkeypatch.setattr(sys, "path", [str(tmp_path)])
     monkeypatch.setattr(sys, "path_importer_cache", {})
     return tmp_path

@@ -1,4 +1,4 @@
-"""DDS between two processes: bytes as they were, qualities of service kept, peers that come and go."""
+"""DDS between two processes: unchanged bytes, qualities of service, peers that join and leave."""
 
 from __future__ import annotations
 
@@ -121,7 +121,7 @@ def test_best_effort_endpoints_match(participant, start_peer, node, topic, take_
     reader = participant.create_reader(node, topic, BEST_EFFORT)
     peer = start_peer()
     end, _ = peer("writer", topic, BEST_EFFORT)
-    wait_until(lambda: reader.matched_count() and peer("matched", end))  # either may know of the other first
+    wait_until(lambda: reader.matched_count() and peer("matched", end))  # either may discover the other first
     peer("write", end, (HEADER + b"data").hex())
     assert take_data(reader, 1) == [HEADER + b"data"]
 
@@ -151,7 +151,7 @@ def test_weaker_offer_than_requested_does_not_match(
     peer = start_peer()
     weak, _ = peer("writer", topic, STRONG._replace(**weaker))
     reader = participant.create_reader(node, topic, STRONG)
-    # Endpoints are announced in the order of their creation, so when the second matches, the first won't any more.
+    # Endpoints are announced in the order of their creation, so after the second has matched, the first can't match.
     strong, _ = peer("writer", topic, STRONG)
     wait_until(lambda: reader.matched_count() and peer("matched", strong))
     assert reader.matched_count() == 1
@@ -231,7 +231,7 @@ def test_notify_posts_at_once_only_if_samples_are_waiting(
         peer("write", end, (HEADER + text).hex())
     wait_until(lambda: first.wait(0), what="the first sample")
     assert reader.take().data == HEADER + b"one."
-    reader.notify(second, 2)  # as when a node goes from one executor to another
+    reader.notify(second, 2)  # as when a node moves from one executor to another
     assert second.wait(10_000_000_000) == [2]
     wait_until(lambda: (sample := reader.take()) is not None and sample.data == HEADER + b"two.")
 
@@ -240,7 +240,7 @@ def test_notify_posts_at_once_only_if_samples_are_waiting(
         reader.notify(first, 3)
         return first.wait(0) == []
 
-    wait_until(is_told_of_nothing)  # the word of a sample may come after it has been taken
+    wait_until(is_told_of_nothing)  # the token of a sample may be posted after it has been taken
 
 
 @pytest.mark.parametrize(

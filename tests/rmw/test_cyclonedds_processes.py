@@ -1,4 +1,4 @@
-"""Processes that die, come back, come in numbers, idle, fork, or leave without a word."""
+"""Processes that are killed, rejoin, are many, idle, fork, or end without closing."""
 
 from __future__ import annotations
 
@@ -193,7 +193,7 @@ participant.close()
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
 def test_forked_child_ends_without_effect_on_its_parent(domain_id, start_program) -> None:
-    # From 3.12 on Python warns of a fork beside threads, which is what is tried here.
+    # From 3.12 on Python warns about a fork with other threads, which is tested here.
     program = start_program("python", "-W", "ignore::DeprecationWarning", "-c", LEAVES_WITHOUT_A_WORD + FORKS)
     assert program.wait() == 0
     assert program.output == "child 7"

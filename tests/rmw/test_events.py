@@ -1,4 +1,4 @@
-"""What happens besides data: matches, refusals, missed deadlines, lost liveliness."""
+"""Events: matches, incompatibilities, missed deadlines, lost liveliness."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def wire(request: pytest.FixtureRequest, domain_id: int) -> Iterator[Participant
 
 @pytest.fixture
 def take_event(wait_until: Callable[..., None]) -> Callable[[Any, Event], Any]:
-    """Wait for news of an event, and take it."""
+    """Wait for a change of an event's status, and take it."""
 
     def take(end: Any, event: Event) -> Any:
         taken: list[Any] = []

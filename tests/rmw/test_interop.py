@@ -1,4 +1,4 @@
-"""With a DDS program that announces XTypes information for the same type: names decide, and bytes pass both ways."""
+"""A DDS program that announces XTypes information: endpoints match by type name, and bytes pass both ways."""
 
 from __future__ import annotations
 

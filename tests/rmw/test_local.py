@@ -1,4 +1,4 @@
-"""The in-process wire: who hears what, in which order, and what the graph shows."""
+"""The in-process wire: matching, order of samples, and the graph."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Lists of nodes as a real ROS 2 wrote them, and bytes that are none."""
+"""Node lists of a real ROS 2, and malformed bytes."""
 
 from __future__ import annotations
 

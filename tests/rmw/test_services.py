@@ -1,4 +1,4 @@
-"""Services on both wires: requests find servers, responses find their client, bytes as rmw_cyclonedds has them."""
+"""Services on both wires: routing of requests and responses, and the bytes of rmw_cyclonedds."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ Wires = tuple[Participant, Participant]
 
 @pytest.fixture(params=["local", pytest.param("cyclonedds", marks=pytest.mark.wire)])
 def wires(request: pytest.FixtureRequest, domain_id: int) -> Iterator[Wires]:
-    """Give two participants that hear each other."""
+    """Yield two participants that discover each other."""
     module = {"local": local, "cyclonedds": cyclonedds}[request.param]
     here, there = module.open_participant(domain_id), module.open_participant(domain_id)
     here.add_node(CLIENT)
@@ -41,7 +41,7 @@ def wires(request: pytest.FixtureRequest, domain_id: int) -> Iterator[Wires]:
 
 @pytest.fixture
 def take(wait_until: Callable[..., None]) -> Callable[[Any], Any]:
-    """Wait for something to take, and take it."""
+    """Wait for an item, and take it."""
 
     def take(end: Any) -> Any:
         taken: list[Any] = []
@@ -205,7 +205,7 @@ def test_a_thousand_calls_from_two_threads(wires: Wires, wait_until) -> None:
 
 @pytest.fixture
 def bare(domain_id: int) -> Iterator[DdsParticipant]:
-    """Give a DDS participant that knows nothing of ROS."""
+    """Yield a plain DDS participant, without ROS."""
     bare = DdsParticipant(find_library(), domain_id, configuration(), b"")
     yield bare
     bare.close()
@@ -248,7 +248,7 @@ def test_server_replies_to_requests_in_the_format_of_rmw_cyclonedds(
     for junk in (b"\0", bytes(11), bytes(16)):
         requests.write(HEADER + junk)
     requests.write(HEADER + struct.pack("<Qq", 0x1122334455667788, 42) + b"ask!")
-    # The client's reader comes later; the answer waits for it.
+    # The client's reader is created later; the response waits for it.
     request = take(server)
     assert request.data == HEADER + b"ask!"
     assert request.id.sequence_number == 42

@@ -1,4 +1,4 @@
-"""Waits for a server: what wakes them, and what ends them."""
+"""Waits for a server: their wake-ups and their ends."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def test_arriving_server_ends_the_wait(participant: Participant) -> None:
             threading.Thread(target=participant.create_responder, args=(NODE, KILL, QoS())).start()
         return looks[-1]
 
-    # Looks an hour apart: it's the match that wakes the wait.
+    # The period of checks is an hour, so that only the match can wake the wait.
     assert wait_until_ready(client, is_ready, time.monotonic() + 60, look_again_s=3600)
     assert looks[0] is False
     assert looks[-1] is True
@@ -80,4 +80,4 @@ def test_token_ends_a_wait_without_limit() -> None:
     wait_for_token(queue, math.inf)
     queue.post(2)
     wait_for_token(queue, time.monotonic() - 1)
-    assert queue.wait(0) == [2]  # the time was over: nothing was waited for
+    assert queue.wait(0) == [2]  # the time had passed: no wait

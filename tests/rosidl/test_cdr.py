@@ -1,4 +1,4 @@
-"""The codec beyond the goldens: what it refuses, how it says so, and bytes that nobody should trust."""
+"""The codec beyond the goldens: errors, their texts, and hostile bytes."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ BE = bytes.fromhex("00000000")
 
 
 class Number:
-    """Something that is a number by its own methods."""
+    """An object with the methods of a number."""
 
     def __index__(self) -> int:
         return 7
@@ -141,7 +141,7 @@ def test_list_that_shrinks_during_encoding_raises() -> None:
 
     names: list[Any] = ["a", "b"]
     message.string_array_value = names
-    message.type = Shrinking()  # comes first
+    message.type = Shrinking()  # is first
     assert cdr.decode(ParameterValue, cdr.encode(message)).string_array_value == []
     transforms: list[Any] = [TransformStamped() for _ in range(9)]
 
@@ -239,7 +239,7 @@ def test_wide_strings_beyond_the_first_plane() -> None:
 
 def test_subclass_is_decoded_and_encoded() -> None:
     class Point(Vector3):
-        """A user's own."""
+        """A user's subclass."""
 
     point = cdr.decode(Point, cdr.encode(Vector3(x=2.0)))
     assert type(point) is Point
@@ -257,7 +257,7 @@ def test_large_arrays_survive_the_codec() -> None:
 
 
 def test_failed_decoding_releases_all_objects() -> None:
-    """Truncated anywhere, a message leaves nothing behind: neither references nor half-built objects."""
+    """A message truncated at any byte leaves neither references nor incomplete objects."""
     import gc
 
     data = cdr.encode(TFMessage(transforms=[TransformStamped() for _ in range(3)]))

@@ -1,4 +1,4 @@
-"""What is checked in is what the generator makes of the definitions."""
+"""The checked-in files equal the generator's output."""
 
 from __future__ import annotations
 

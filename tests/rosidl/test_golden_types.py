@@ -1,4 +1,4 @@
-"""Hashes and bytes as a real ROS 2 Jazzy has them (tests/golden/jazzy_types.jsonl)."""
+"""Hashes and bytes equal those of a real ROS 2 Jazzy (tests/golden/jazzy_types.jsonl)."""
 
 from __future__ import annotations
 

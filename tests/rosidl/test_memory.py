@@ -1,4 +1,4 @@
-"""Messages are made and freed by the native part: nothing leaks, nothing dies early, Python's rules hold."""
+"""Messages are allocated and freed by the native part: no leaks, no early frees, Python's rules."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ def test_cycles_are_collected() -> None:
         made.header = read  # type: ignore[assignment]
         read.header = made  # type: ignore[assignment]
     del made, read
-    assert count() <= before  # what others held may have gone, too
+    assert count() <= before  # objects of other code may have been collected, too
 
 
 def test_objects_that_can_form_cycles_are_tracked() -> None:

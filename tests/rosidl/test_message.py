@@ -1,4 +1,4 @@
-"""The Python face of messages, as a real rclpy showed it (tests/golden/python_messages.json and its cases)."""
+"""The Python interface of messages, as in a real rclpy (tests/golden/python_messages.json and its cases)."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ NAMES = {**vars(std_msgs), **vars(sensor_msgs), **vars(geometry_msgs), "np": np,
 
 
 def kind_of(value: object) -> str:
-    """Name the type of a field's value as the golden does."""
+    """Return the type of a field's value by the golden's names."""
     if isinstance(value, np.ndarray):
         return f"numpy.ndarray[{value.dtype}]"
     if isinstance(value, array.array):

@@ -1,4 +1,4 @@
-"""Definition text: what is read, and what is refused where."""
+"""Definition text: results, and errors with their place."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`rosidl_runtime_py` and `rosidl_parser` by their own names."""
+"""`rosidl_runtime_py` and `rosidl_parser` by ROS's names."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The numpy face equals the scalar one; arrays of the wrong kind are errors that say so."""
+"""Results of the array methods equal those of the scalar ones; wrong arrays raise."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def random() -> np.random.Generator:
 
 @pytest.fixture
 def buffer(random: np.random.Generator) -> Buffer:
-    """map - odom - base - laser, and base - wheel; odom changes its parent on the way, laser is static."""
+    """map - odom - base - laser, and base - wheel; odom changes its parent over time, laser is static."""
     buffer = Buffer(None)
     for parent, child, count in (("map", "odom", 50), ("odom", "base", 2000), ("base", "wheel", 700)):
         stamps = START + np.arange(count) * (10 * SECOND // (count - 1))
@@ -255,7 +255,7 @@ def test_many_stamps_between_the_same_samples_equal_single_ones(
 ) -> None:
     buffer = Buffer(None)
     stamps = np.sort(np.concatenate((random.integers(-100, 100, 12) * 1000, [-100_000, 100_000])))
-    for index, stamp in enumerate(stamps.tolist()):  # some stamps are there twice, with different values
+    for index, stamp in enumerate(stamps.tolist()):  # some stamps occur twice, with different values
         half = index * turn_rad / 2
         turn = (0.6 * np.sin(half), 0.0, 0.8 * np.sin(half), np.cos(half))
         buffer.set("a", "b", stamp, random.normal(size=3).tolist(), turn)

@@ -1,4 +1,4 @@
-"""What is wrong with an input has a defined answer: an error that says so, a rejection, or numbers as they were given.
+"""Invalid input has a defined result: an error with the reason, a rejection, or unchanged numbers.
 
 Names, NaN and zero quaternions, and chains that are too long are in test_buffer.py; arrays of the wrong shape or type
 in test_arrays.py.
@@ -66,7 +66,7 @@ def test_set_many_stores_the_valid_rows(buffer: Buffer) -> None:
 
 @pytest.mark.parametrize("name", ["", "/", "//"])
 def test_invalid_names_are_rejected(buffer: Buffer, name: str) -> None:
-    if name != "//":  # known as "/", which nobody can ask for
+    if name != "//":  # stored as "/", which can't be requested
         assert not buffer.set("a", name, SECOND, HERE, UPRIGHT)
         assert not buffer.set(name, "a", SECOND, HERE, UPRIGHT)
         assert buffer.set_many(name, "a", [SECOND], [HERE], [UPRIGHT]) == 0

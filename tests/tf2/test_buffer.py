@@ -1,6 +1,6 @@
-"""Names, rejected data, the kinds of cache, waiting and requests; texts to the letter."""
+"""Names, rejected data, the kinds of cache, waits and requests; with exact texts."""
 
-# ruff: noqa: E501, ISC004, texts stand here as they are printed
+# ruff: noqa: E501, ISC004, texts are written here as printed
 from __future__ import annotations
 
 import math
@@ -269,7 +269,7 @@ def test_wait_ends_with_the_missing_transform(buffer: Buffer) -> None:
         buffer = fresh
         thread = threading.Thread(target=wait)
         thread.start()
-        time.sleep(0.02)  # let it fall asleep: no matter if it has not
+        time.sleep(0.02)  # let it begin to wait; the result is the same if it has not
         fresh.set("map", "elsewhere", SECOND, HERE, UPRIGHT)
         sent_at = time.perf_counter()
         fresh.set("map", "base", SECOND, HERE, UPRIGHT)

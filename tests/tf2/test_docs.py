@@ -1,4 +1,4 @@
-"""docs/tf2.md runs as it stands, prints what it says, and quotes the example."""
+"""The code in docs/tf2.md runs, its output is the documented one, and the example is quoted exactly."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The example that goes from arrays to a deskewed cloud does what it says."""
+"""The example that deskews a cloud does what its docstring states."""
 
 from __future__ import annotations
 

@@ -126,7 +126,7 @@ def test_explain_names_loops_and_too_long_chains() -> None:
     for parent, child in (("a", "b"), ("b", "c"), ("c", "a"), ("x", "y"), ("a", "leaf")):
         buffer.set(parent, child, SECOND, HERE, UPRIGHT)
     assert buffer.explain("x", "leaf").remedy == "Find the publishers of this loop of parents: a, c, b."
-    fine = buffer.explain("a", "b")  # no need to go around
+    fine = buffer.explain("a", "b")  # the loop is not on this path
     assert (fine.error, fine.chain) == (None, ["b", "a"])
     assert [edge.child_frame_id for edge in fine.edges] == ["b"]
     for index in range(1001):

@@ -1,4 +1,4 @@
-"""A buffer mapped back from a file equals the live one; a file that is none, or not whole, is an error."""
+"""A buffer mapped from a file equals the live one; an invalid or incomplete file raises."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ FRAMES = [f"f{index}" for index in range(9)]
 
 
 def random_buffer(random: np.random.Generator) -> Buffer:
-    """Static and moving frames, one that changes its parent, one removed, one pruned, one cleared to nothing."""
+    """Static and moving frames: one changes its parent, one is removed, one pruned, one cleared."""
     buffer = Buffer(int(random.integers(5, 12)) * SECOND)
     for index, child in enumerate(FRAMES[1:], 1):
         parent = FRAMES[int(random.integers(0, index))]
@@ -176,7 +176,7 @@ def test_random_bytes_never_crash(sound: bytes) -> None:
     for _ in range(3000):
         changed = bytearray(sound)
         for _ in range(int(random.integers(1, 4))):
-            # Mostly where the structure is: the header, the frames, the texts, the first stamps, the parents.
+            # Mostly in the structure: the header, the frames, the texts, the first stamps, the parents.
             place = int(random.choice([random.integers(0, 400), random.integers(0, len(sound))]))
             changed[place] = int(random.integers(0, 256))
         buffer = Buffer()

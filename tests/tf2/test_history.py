@@ -1,4 +1,4 @@
-"""One frame's history: order, doubles, ends, changes of parent, and what a query finds between."""
+"""One frame's history: order, duplicates, ends, changes of parent, and interpolation."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def put(buffer: Buffer, *rows: tuple[int, int]) -> None:
 
 
 def held(buffer: Buffer) -> list[tuple[int, int]]:
-    """Return what is held, newest first."""
+    """Return the stored samples, newest first."""
     samples = buffer.to_arrays("a", "b")
     return list(
         zip(samples.stamps_ns[::-1].tolist(), samples.positions[::-1, 0].astype(int).tolist(), strict=True)
@@ -37,7 +37,7 @@ def test_samples_are_ordered_by_stamp_then_arrival() -> None:
     buffer = Buffer(10)
     put(buffer, *FIRST)
     assert held(buffer) == [(10, 1), (8, 6), (8, 5), (8, 4), (5, 2), (3, 3), (0, 0)]
-    put(buffer, *reversed(FIRST))  # all of it again
+    put(buffer, *reversed(FIRST))  # all samples again
     assert held(buffer) == [(10, 1), (8, 6), (8, 5), (8, 4), (5, 2), (3, 3), (0, 0)]
     put(buffer, (15, 7))
     assert not buffer.set("a", "b", 0, (8, 0, 0), UPRIGHT)  # more than 10 older than the newest
@@ -150,7 +150,7 @@ def test_emptied_history_has_no_data() -> None:
     error = raised.value
     assert (
         str(error) == ", when looking up transform from frame [b] to frame [a]"
-    )  # Jazzy has no words for it
+    )  # Jazzy's text has no reason
     assert (error.frame_id, error.oldest_ns, error.newest_ns, error.gap_ns) == ("b", None, None, None)
     with pytest.raises(errors.ConnectivityException):
         buffer.lookup("a", "b")

@@ -18,7 +18,7 @@ POSITIONS = [
 
 
 def turn(links: int) -> tuple[float, float]:
-    """z and w of so many eighths of a turn: w > 0 to a third of a turn and beyond two, else z > 0."""
+    """Return z and w of a number of eighths of a turn: w > 0 up to a third of a turn and beyond two, else z > 0."""
     z, w = math.sin(links * math.pi / 8), math.cos(links * math.pi / 8)
     is_wide = 4 * w * w < 1
     sign = math.copysign(1, z if is_wide else w)

@@ -1,4 +1,4 @@
-"""Transforms form a group, and turn into every other form and back."""
+"""Transforms form a group, and convert to every other form and back."""
 
 from __future__ import annotations
 

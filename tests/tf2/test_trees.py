@@ -1,4 +1,4 @@
-"""Trees of every shape, sampled in every way: each pair of frames, forth and back, as tf2's own tests expect it."""
+"""Trees of several shapes and samplings: each pair of frames in both directions, as in tf2's tests."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from tfloom.tf2.errors import ConnectivityException
 
 SECOND = 1_000_000_000
 UPRIGHT = (0.0, 0.0, 0.0, 1.0)
-TREES = {  # by name; each child's parent, and where it is in it
+TREES = {  # by name; each child's parent, and its position in it
     "i": {"b": ("a", 1, 0), "c": ("b", 1, 0)},
     "y": {"b": ("a", 1, 0), "c": ("b", 1, 0), "d": ("b", 0, 1), "e": ("d", 0, 1)},
     "v": {"b": ("a", 1, 0), "c": ("b", 1, 0), "f": ("a", 0, 1), "g": ("f", 0, 1)},
@@ -29,7 +29,7 @@ def build(shape: str, stamp: int, width: int) -> Buffer:
 
 
 def place(shape: str, frame: str) -> tuple[str, int, int]:
-    """Return the root above a frame and where the frame is in it."""
+    """Return the root above a frame, and the frame's position in it."""
     x = y = 0
     while frame in TREES[shape]:
         frame, dx, dy = TREES[shape][frame]

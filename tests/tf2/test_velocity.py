@@ -1,4 +1,4 @@
-"""lookupVelocity as recorded, and a twist that is one."""
+"""lookupVelocity as recorded, and the correct twist."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def test_velocity_at_the_latest_time_and_of_static_frames(circling: Buffer) -> N
 
 
 class TestSquares:
-    """A frame that goes back and forth along each axis in turn, 0.1 m or rad a tenth of a second, seen from others."""
+    """A frame that moves back and forth along each axis in turn, by 0.1 m or rad each 0.1 s, observed from others."""
 
     TIMES = (0.5, 1.5, 2.5, 3.5, 4.5, 5.5)
     START = 1000 * SECOND
@@ -75,7 +75,7 @@ class TestSquares:
     def build(
         self, pose: Any, steps: list[tuple[int, float]], above: tuple[float, float, float], count: int
     ) -> Buffer:
-        """`steps`: in each second, which of three numbers changes and by how much a tenth of a second."""
+        """`steps`: for each second, the index of the number that changes, and its change each 0.1 s."""
         buffer = Buffer(None)
         numbers = [-0.1, 0.0, 0.0]
         seconds = 0.0

@@ -1,4 +1,4 @@
-"""TFMessage bytes straight into a buffer, whatever they are."""
+"""Decoding of TFMessage bytes into a buffer, hostile bytes included."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The public names of a ROS 2 Jazzy's tf2 packages are there, and take the same arguments in the same order."""
+"""The public names of ROS 2 Jazzy's tf2 packages exist, and take the same arguments in the same order."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def test_signatures_accept_the_arguments_of_the_reference(place: str) -> None:
     assert {name: defaults[name] for name, default in theirs if default is not None} == {
         name: default for name, default in theirs if default is not None
     }
-    # We may take more, if it need not be given.
+    # Additional optional arguments are allowed.
     assert all(default is not None or name == "*" for name, default in mine if name not in names)
 
 

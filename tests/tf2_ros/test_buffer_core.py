@@ -1,4 +1,4 @@
-"""tf2_py's face: the recorded runs again, by way of messages; and what it takes as a time and as a message."""
+"""tf2_py's interface: the recorded runs with messages; and the accepted times and messages."""
 
 from __future__ import annotations
 

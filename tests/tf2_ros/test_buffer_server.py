@@ -1,4 +1,4 @@
-"""A server and clients in one process: what each query is answered, and how it waits."""
+"""A server and clients in one process: the results of queries, and their waits."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def at(seconds: float) -> Time:
 
 
 class Spinner:
-    """An executor that spins on a thread of its own."""
+    """An executor that spins on a separate thread."""
 
     def __init__(self, executor: Any) -> None:
         self.executor = executor
@@ -78,7 +78,7 @@ def server_node(request: pytest.FixtureRequest, make_node: MakeNode) -> Iterator
 
 @pytest.fixture
 def buffer(server_node: Node) -> Buffer:
-    """What the server answers from: the world, a robot that moves in it from 1 to 3 s, and an island."""
+    """The server's buffer: the world, a robot that moves in it from 1 to 3 s, and an unconnected frame."""
     buffer = Buffer()
     for stamp in range(1, 4):
         buffer.set_transform(transform_stamped("world", "robot", stamp * SECOND, (stamp, 0.0, 0.0)), "test")
@@ -182,7 +182,7 @@ def test_transform_is_returned_as_soon_as_it_arrives(
 
 
 def waiting(buffer: Buffer) -> int:
-    """How many lookups with a timeout a server has waiting, in this process."""
+    """Return the number of waiting lookups of servers in this process."""
     return len(deadlines._functions)
 
 
@@ -199,7 +199,7 @@ def test_timeout_raises(client: BufferClient, buffer: Buffer) -> None:
 
 
 def test_too_old_transform_is_not_waited_for(client: BufferClient, buffer: Buffer) -> None:
-    for stamp in (100, 101):  # old samples go with the insert after the one that makes them old
+    for stamp in (100, 101):  # old samples are removed at the insert after the one that makes them old
         buffer.set_transform(transform_stamped("world", "robot", stamp * SECOND), "test")
     with pytest.raises(ExtrapolationException):
         client.lookup_transform("world", "robot", at(1), PATIENCE)
@@ -253,7 +253,7 @@ def test_goal_without_wait_succeeds_even_with_an_error(
 
 
 def test_time_beyond_a_stamp_is_an_error(goals: ActionClient) -> None:
-    """The answer could not be sent."""
+    """The result could not be sent."""
     late = TimeMessage(sec=2**31 - 1, nanosec=2**32 - 1)
     goal = LookupTransform.Goal(
         target_frame="robot",
@@ -344,7 +344,7 @@ def test_rejected_goal_raises(server_node: Node, make_node: MakeNode) -> None:
 
 
 def test_timeout_of_the_reference_server_raises(server_node: Node, make_node: MakeNode) -> None:
-    """The reference's server aborts with an empty answer that says NO_ERROR."""
+    """The reference's server aborts with an empty result of NO_ERROR."""
 
     def give_up(handle: Any) -> LookupTransform.Result:
         handle.abort()
@@ -385,7 +385,7 @@ def test_query_in_a_callback_of_a_single_threaded_executor_raises(
         task = executor.create_task(client.lookup_transform, "world", "robot", at(9), PATIENCE)
         with pytest.raises(RuntimeError, match="Use a MultiThreadedExecutor, or a Buffer of your own"):
             executor.spin_until_future_complete(task, 10)
-    assert waiting(buffer) == 0  # nothing was asked
+    assert waiting(buffer) == 0  # no request was sent
 
 
 def test_query_in_a_callback_of_a_multi_threaded_executor(buffer: Buffer, make_node: MakeNode) -> None:

@@ -1,4 +1,4 @@
-"""The program `buffer_server` and its clients, each in a process of its own, over DDS."""
+"""The program `buffer_server` and its clients, each in a separate process, over DDS."""
 
 from __future__ import annotations
 
@@ -118,7 +118,7 @@ def test_missing_and_killed_server(start: Callable[..., Program]) -> None:
         "ask('world', 'robot', Time(), 0.5)",
         "ask('world', 'robot', Time(), 0.5)",
     )
-    asker.wait_for("TimeoutException Timed out after 0.5 s")  # a second query waits now
+    asker.wait_for("TimeoutException Timed out after 0.5 s")  # a second query is waiting
     server.signal(signal.SIGKILL)
     assert asker.wait() == 0
     assert asker.lines[-1] == (
@@ -169,7 +169,7 @@ def test_invalid_buffer_size_is_rejected(start: Callable[..., Program], argument
     server = start(*SERVER, "--ros-args", "-p", argument)
     assert server.wait() == 1
     assert server.lines[0].startswith(text)
-    assert len(server.lines) == 2  # the last says that the program failed
+    assert len(server.lines) == 2  # the last line reports that the program failed
 
 
 def test_unknown_arguments_are_rejected(start: Callable[..., Program]) -> None:

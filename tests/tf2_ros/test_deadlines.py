@@ -1,4 +1,4 @@
-"""Calls at a later time: in order, once, and not at all when they are called off."""
+"""Delayed calls: in order, once, and not at all after cancellation."""
 
 from __future__ import annotations
 
@@ -49,12 +49,12 @@ def test_delay_longer_than_the_longest_wait(
 ) -> None:
     broken: list[object] = []
     monkeypatch.setattr(threading, "excepthook", broken.append)
-    with deadlines._changed:  # nothing that comes before
+    with deadlines._changed:  # no earlier call
         deadlines._waiting.clear()
         deadlines._functions.clear()
     called: list[str] = []
     endless = call_after(10 * threading.TIMEOUT_MAX, lambda: called.append("endless"))
-    for _ in range(2):  # the first may still find the thread awake
+    for _ in range(2):  # at the first, the thread may be awake
         call_after(0.01, lambda: called.append("short"))
         wait_until(lambda: called)
         called.clear()

@@ -1,4 +1,4 @@
-"""The names that programs reach through `import tf2_ros` alone."""
+"""The names available after `import tf2_ros` alone."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Messages of other classes, as a real ROS install has them, are read by attribute and answered in kind."""
+"""Messages of other classes, as in a real ROS install: read by attribute, with results of the same class."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _classes: dict[type, type] = {}
 
 
 def foreign(kind: type) -> type:
-    """Return another class of the same ROS name and fields, as strict about their types as ROS's own."""
+    """Return another class of the same ROS name and fields, with type checks as in ROS's classes."""
     if kind in _classes:
         return _classes[kind]
     package = kind.__module__.split(".")[-2]
@@ -64,7 +64,7 @@ def as_foreign(message: Any) -> Any:
 
 
 def require_equal(theirs: Any, ours: Any) -> None:
-    """Require the same fields all the way down, the one's of foreign classes."""
+    """Check that all fields are equal, nested ones included, and that one side's are of foreign classes."""
     assert type(theirs) is foreign(type(ours))
     for name in type(ours).get_fields_and_field_types():
         value, expected = getattr(theirs, name), getattr(ours, name)

@@ -1,4 +1,4 @@
-"""Messages through transforms."""
+"""Transforming messages."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from tfloom.tf2_ros.buffer_interface import (
     convert,
 )
 
-# By 10, 20, 30 m, and half a turn about x.
+# A translation by 10, 20, 30 m, and half a turn about x.
 TRANSFORM = transform_stamped("B", "A", 2 * SECOND, (10.0, 20.0, 30.0), (1.0, 0.0, 0.0, 0.0))
 
 
@@ -217,6 +217,6 @@ def test_convert_and_stamped() -> None:
     same = convert(point, g.PointStamped)
     assert same == point
     assert same is not point
-    assert convert(point, g.PoseStamped) is point  # both are messages: the one's message is the other
+    assert convert(point, g.PoseStamped) is point  # both are messages, so a message converts to itself
     with pytest.raises(TypeException):
         convert(point, int)

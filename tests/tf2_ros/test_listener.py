@@ -1,4 +1,4 @@
-"""From broadcasters through a wire into a buffer, and out of it."""
+"""Broadcasters, listeners and buffers on the in-process wire."""
 
 from __future__ import annotations
 

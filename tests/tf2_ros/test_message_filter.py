@@ -1,4 +1,4 @@
-"""Messages wait for their transforms: one frame or several, a time after the stamp, for so long, so many."""
+"""Messages wait for their transforms: target frames, tolerance, timeout and queue size."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def point(stamp_ns: int, frame_id: str = "laser") -> PointStamped:
 
 
 class Watched:
-    """A filter of a buffer of its own, and what comes of it."""
+    """A filter with its buffer, and its output."""
 
     def __init__(self, target: str | list[str] = "map", queue_size: int = 10, **options: object) -> None:
         self.buffer = Buffer()

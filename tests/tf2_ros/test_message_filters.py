@@ -1,4 +1,4 @@
-"""Messages that belong together come together, each once."""
+"""Synchronization of messages: each is passed on once, with its matches."""
 
 from __future__ import annotations
 
@@ -55,7 +55,11 @@ def test_messages_of_equal_stamps_are_passed_on_together() -> None:
         left.signalMessage(point(at))
     for at in range(5):
         right.signalMessage(point(at))
-    assert pairs == [(2, 2, "tag"), (3, 3, "tag"), (4, 4, "tag")]  # the first two no longer fitted
+    assert pairs == [
+        (2, 2, "tag"),
+        (3, 3, "tag"),
+        (4, 4, "tag"),
+    ]  # the queue was full of newer ones than the first two
 
 
 def test_times_of_a_cache_are_comparable_with_those_of_a_node(node: Node) -> None:

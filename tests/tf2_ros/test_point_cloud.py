@@ -1,4 +1,4 @@
-"""Clouds in and out of numpy, and through transforms: padded, organised, of either byte order."""
+"""Conversion of clouds to numpy and back, and their transforms: padded, organised, of either byte order."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Projections, fits and the trackball of tf_transformations: by what they do to points."""
+"""Projections, fits and the trackball of tf_transformations, by their effect on points."""
 
 from __future__ import annotations
 
@@ -142,7 +142,7 @@ def test_superimposition_recovers_rotation_translation_and_scale(usesvd: bool, r
         assert np.allclose(found, matrix)
     mirrored = start * [[-1], [1], [1], [1]]
     found = projections.superimposition_matrix(start, mirrored, usesvd=usesvd)
-    assert np.linalg.det(found) == pytest.approx(1)  # it turns, it doesn't mirror
+    assert np.linalg.det(found) == pytest.approx(1)  # a rotation, not a reflection
     assert np.allclose(projections.superimposition_matrix(CUBE, CUBE), np.identity(4))
 
 

@@ -101,7 +101,7 @@ def test_slerp() -> None:
     assert np.allclose(tf.quaternion_slerp(start, end, 0.25), tf.quaternion_about_axis(0.25, (0, 0, 1)))
     assert np.allclose(tf.quaternion_slerp(start, -end, 0.25), tf.quaternion_about_axis(0.25, (0, 0, 1)))
     assert np.allclose(tf.quaternion_slerp(start, end, 1), end)
-    assert np.allclose(tf.quaternion_slerp(start, -end, 1), -end)  # at its ends it's what was given
+    assert np.allclose(tf.quaternion_slerp(start, -end, 1), -end)  # at the ends, the arguments themselves
     assert np.allclose(tf.quaternion_slerp(start, end, 2), tf.quaternion_about_axis(2.0, (0, 0, 1)))
     assert np.allclose(tf.quaternion_slerp(start, -end, 0.5, shortestpath=False), [0, 0, -0.968912, 0.247404])
     assert np.allclose(
@@ -200,7 +200,7 @@ class TestEuler:
 
     @pytest.mark.parametrize("axes", AXES)
     def test_every_sequence_of_axes(self, axes: str) -> None:
-        """By its definition: a product of three turns, fixed axes from the right, turning ones from the left."""
+        """By definition: a product of three rotations, static axes from the right, rotating ones from the left."""
         for given_angles in [
             (0.1, 0.2, 0.3),
             (1.0, 0.5, -1.2),
@@ -221,7 +221,7 @@ class TestEuler:
             assert np.allclose(tf.euler_matrix(*tf.euler_from_quaternion(quaternion, axes), axes), expected)
 
     def test_axes_as_numbers(self) -> None:
-        """First axis, parity, whether the first is repeated, whether the axes turn."""
+        """First axis, parity, repetition of the first axis, rotating axes."""
         assert np.allclose(tf.euler_matrix(1, 2, 3, (0, 1, 0, 1)), tf.euler_matrix(1, 2, 3, "ryzx"))
         assert np.allclose(np.sum(tf.euler_matrix(1, 2, 3, (0, 1, 0, 1))[0]), -0.383436184)
 
@@ -269,7 +269,7 @@ class TestEuler:
         assert np.allclose(tf.quaternion_from_matrix(rounded), turned, atol=1e-3)
 
     def test_known_sequence(self) -> None:
-        """Moved, turned, sheared and scaled: each is found again."""
+        """Each of translation, rotation, shear and scale is recovered."""
         shear = tf.shear_matrix(-1.234, (1, 0, 0), (0, 0, 0), (0, 0, 1))
         turned = tf.random_rotation_matrix()
         matrix = tf.concatenate_matrices(

@@ -1,4 +1,4 @@
-"""Waiting for transforms: for as long as it can help, and no longer; across jumps of simulated time, too."""
+"""Waits for transforms, which end as soon as they can't succeed, also across jumps of simulated time."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def test_impossible_lookup_is_checked_once(buffer: Buffer, monkeypatch: pytest.M
 
     monkeypatch.setattr(buffer, "wait", wait)
     assert not buffer.can_transform("map", "base", Time(seconds=1), Infinite)
-    assert len(looks) <= 2  # two, where the machine stops for a moment in the first
+    assert len(looks) <= 2  # two, if the machine stalls during the first
 
 
 def test_future_can_wait_without_limit(
@@ -99,7 +99,7 @@ def test_lookup_wakes_with_the_transform_from_the_wire(node: Node) -> None:
 
         thread = threading.Thread(target=look_up)
         thread.start()
-        time.sleep(0.01)  # let it fall asleep: no matter if it has not
+        time.sleep(0.01)  # let it begin to wait; the result is the same if it has not
         sent = time.perf_counter()
         broadcaster.sendTransform(transform_stamped("map", f"child{attempt}", SECOND))
         thread.join(30)
@@ -180,7 +180,7 @@ class TestSimulatedTime:
         thread = threading.Thread(
             target=lambda: found.append(buffer.lookup_transform("map", "base", Time(seconds=11), LONG))
         )
-        # At 11 s of now it's too old; the jump makes it a time to come.
+        # At 11 s it is too old; after the jump it is in the future.
         self.set(clock, 10)
         thread.start()
         for at in (10, 12):
@@ -227,7 +227,7 @@ class TestSimulatedTime:
         broadcaster = TransformBroadcaster(node)
         self.set(clock, 99.99)
         jumped = time.monotonic()
-        self.set(clock, 98.5)  # 1.49 s back: what is from 99.245 s on is a straggler, for 0.745 s
+        self.set(clock, 98.5)  # 1.49 s back: transforms from 99.245 s on are stragglers, for 0.745 s
         broadcaster.sendTransform(transform_stamped("map", "base", 100 * SECOND))
         is_known = buffer.can_transform("map", "base", NOW)
         assert not is_known or time.monotonic() - jumped > 0.7

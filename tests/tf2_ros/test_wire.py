@@ -1,4 +1,4 @@
-"""Broadcasters, listeners and a vandal, each in a process of its own, over DDS."""
+"""Broadcasters, listeners and a writer of hostile bytes, each in a separate process, over DDS."""
 
 from __future__ import annotations
 
@@ -188,7 +188,7 @@ def test_transforms_are_received_while_the_gil_is_held(start: Callable[[str], Pr
     start(BROADCASTER)
     holder = start(HOLDER)
     holder.wait_for("answered at last: base", 60)
-    # A second of transforms came in, past one that a callback waits for, while the interpreter was never let go of.
+    # A second of transforms arrived while the GIL was held, after one that a callback waits for.
     assert "heard while 0 turns of Python ran elsewhere" in holder.lines
     assert "unanswered" in holder.lines
 

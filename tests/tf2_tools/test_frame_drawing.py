@@ -1,4 +1,4 @@
-"""The drawn tree: a valid page, fonts in it, nothing on top of anything."""
+"""The drawn tree: a valid page, embedded fonts, no overlaps."""
 
 from __future__ import annotations
 
@@ -97,7 +97,7 @@ def test_wide_trees_grow_sideways() -> None:
 
 def test_letters_without_a_glyph_are_written_as_escapes() -> None:
     assert printable("très_long") == "très_long"
-    assert printable("\ue123a\n") == r"\ue123a\n"  # of the private use area: no font has it
+    assert printable("\ue123a\n") == r"\ue123a\n"  # of the private use area, which no font has
 
 
 @pytest.mark.parametrize("name", ["лазер", "λέιζερ", "激光", "레이저"])

@@ -1,4 +1,4 @@
-"""Reading a buffer's list of frames, and writing it as a graph."""
+"""Parsing of a buffer's list of frames, and its graph."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""tf2_monitor: its arithmetic, and what it prints over DDS, against what the reference printed."""
+"""tf2_monitor: its arithmetic, and its output over DDS against the reference's."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def test_delays_are_those_of_the_last_thousand() -> None:
         delays.add(delay)
     assert (delays.average_s, delays.greatest_s) == (0.5, 0.75)
     delays = Delays()
-    delays.add(-0.5)  # from a clock that is ahead
+    delays.add(-0.5)  # stamped by a clock that is ahead
     assert (delays.average_s, delays.greatest_s) == (-0.5, 0.0)
 
 

@@ -1,4 +1,4 @@
-"""The tf2 programs as processes over DDS, against what the reference printed."""
+"""The tf2 programs as processes over DDS, against the reference's output."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ SPINNING = "Spinning until stopped"
 
 
 def golden(name: str) -> list[str]:
-    """What the reference printed, without the command, the shell's last line and the signal's."""
+    """Return the reference's output, without the command, the shell's last line and the signal's."""
     lines = (GOLDEN / f"{name}.txt").read_text().splitlines()[1:-1]
     return [line for line in lines if "signal_handler" not in line]
 
 
 def masked(lines: list[str]) -> list[str]:
-    """Stamps, random names and the time that is written with more digits, made the same."""
+    """Replace stamps, random names, and the time that has more digits here."""
     text = "\n".join(lines)
     text = re.sub(r"\[\d+\.\d+\]", "[stamp]", text)
     text = re.sub(r"static_transform_publisher_\w{16}", "static_transform_publisher_X", text)

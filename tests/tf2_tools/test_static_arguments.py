@@ -27,7 +27,7 @@ def test_omitted_flags_are_the_identity() -> None:
 
 
 def test_roll_pitch_yaw_turn_about_fixed_axes() -> None:
-    # A quarter about x then a quarter about z takes z to -y to x: the axis is (1, 1, 1).
+    # A quarter turn about x, then one about z, maps z to -y to x: the axis is (1, 1, 1).
     transform = parse(["--roll", str(math.pi / 2), "--yaw", str(math.pi / 2), *FRAMES])
     assert transform.rotation_xyzw == pytest.approx((0.5, 0.5, 0.5, 0.5))
 

@@ -1,4 +1,4 @@
-"""tf2_echo's text: the reference's to the letter, but for the zeros after a time's point."""
+"""tf2_echo's text: exactly the reference's, except for the zeros after a time's decimal point."""
 
 from __future__ import annotations
 

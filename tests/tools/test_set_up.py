@@ -1,4 +1,4 @@
-"""tools/set_up.py where something is missing or half there: what it says, and where a repeated run goes on."""
+"""tools/set_up.py with missing or incomplete parts: its messages, and where a repeated run continues."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def write_program(path: Path, text: str) -> Path:
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Give an environment that a set-up made, and then found no packages for."""
+    """Return an environment of a set-up that found no packages."""
     folder = tmp_path_factory.mktemp("set-up") / "a folder, ä"
     done = run_set_up(folder)
     assert done.returncode == 1
@@ -55,7 +55,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def environment(made: Path) -> Iterator[Path]:
-    """Give that environment, as it was made."""
+    """Return that environment, unchanged."""
     record = (made / set_up.RECORD).read_text("utf-8")
     yield made
     (made / set_up.RECORD).write_text(record, "utf-8")

@@ -1,4 +1,4 @@
-"""Pictures of the world: where strokes and turtles are, and that they are smooth and in any size the same."""
+"""Pictures of the world: positions and smoothness of strokes and turtles, in any size."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ RED = (200, 30, 40)
 
 
 def difference(one: Image.Image, other: Image.Image) -> float:
-    """Mean difference of a channel's value, of 255."""
+    """Return the mean difference of a channel's value, of 255."""
     return max(ImageStat.Stat(ImageChops.difference(one, other)).mean)
 
 
 def scene() -> tuple[World, Canvas]:
-    """A turtle that has drawn an arc and a red line, and another one."""
+    """Return a world and a picture: one turtle has drawn an arc and a red line, and there is another turtle."""
     world, canvas = World(), Canvas()
     turtle = world.turtles["turtle1"]
     world.spawn(2.0, 8.0, 2.5)

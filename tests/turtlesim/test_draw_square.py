@@ -1,4 +1,4 @@
-"""The square: two metres ahead, a quarter to the left, again and again."""
+"""draw_square: two metres ahead, a quarter turn to the left, repeatedly."""
 
 from __future__ import annotations
 

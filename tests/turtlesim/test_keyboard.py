@@ -1,4 +1,4 @@
-"""Keys out of what terminals send."""
+"""Keys in the input of terminals."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ print(keys, flush=True)
 
 @pytest.fixture
 def in_terminal(start_program: Callable[..., Any]) -> Any:
-    """Start the script on a terminal of its own."""
+    """Start the script in a separate terminal."""
     ours, theirs = pty.openpty()
 
     def start() -> tuple[Any, int, list]:
@@ -96,7 +96,7 @@ def test_terminal_mode_is_restored(in_terminal: Callable[[], tuple[Any, int, lis
     assert termios.tcgetattr(terminal) == before
 
 
-# The kernel stops no program whose process group has no parent in its session: so this one plays the shell.
+# The kernel stops no program in an orphaned process group, so this process acts as the shell.
 SHELL = """
 import os, subprocess, sys
 program = subprocess.Popen([sys.executable, "-c", sys.argv[1]], preexec_fn=os.setpgrp)

@@ -1,4 +1,4 @@
-"""turtlesim's interfaces have the name that the distribution gives them."""
+"""turtlesim's interfaces have the package name of the distribution."""
 
 from __future__ import annotations
 

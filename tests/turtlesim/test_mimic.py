@@ -1,4 +1,4 @@
-"""One turtle's velocities become another's commands."""
+"""mimic: one turtle's velocities are published as another's commands."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The node turtlesim: what it tells, and how it obeys."""
+"""The node turtlesim: its topics, parameters and log."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def test_poses_are_published(stage: Any) -> None:
     started = time.monotonic()
     stage.spin_until(lambda: len(poses) >= 63)
     assert time.monotonic() - started == pytest.approx(1.0, abs=0.3), "62.5 poses a second"
-    # What `ros2 topic echo --once /turtle1/pose` of the reference shows.
+    # The output of the reference's `ros2 topic echo --once /turtle1/pose`.
     expected = Pose(x=5.544444561004639, y=5.544444561004639)
     assert poses[0] == expected
 

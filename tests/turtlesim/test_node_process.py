@@ -1,4 +1,4 @@
-"""turtlesim as a process: its end, its recordings, and its window on SDL's screenless driver."""
+"""turtlesim as a process: its end, its recordings, and its window on SDL's driver without a screen."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def test_signal_ends_the_program_cleanly(
 def test_signal_during_a_step_ends_the_program_cleanly(
     domain_id: int, start_program: Callable[..., Any]
 ) -> None:
-    """The signal comes while the node steps; what it would publish then has nowhere to go."""
+    """The signal arrives while the node steps, which then publishes on a closed context."""
     text = """
 import os, signal, sys
 from tfloom.turtlesim import node

@@ -1,4 +1,4 @@
-"""The action rotate_absolute: goals, feedback, results, and what ends them."""
+"""The action rotate_absolute: goals, feedback, results, and their ends."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from tfloom.turtlesim.rotations import FAREWELL_S
 
 
 class Goals:
-    """Sends goals and waits for what becomes of them."""
+    """Sends goals and waits for their results."""
 
     def __init__(self, stage: Any) -> None:
         self._stage = stage

@@ -1,4 +1,4 @@
-"""turtlesim's services: what they do, say and answer."""
+"""turtlesim's services: effects, log and responses."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def call(stage: Any, service: Any, where: str, /, **fields: Any) -> Any:
 
 
 def logged(capfd: pytest.CaptureFixture[str]) -> list[str]:
-    """Level and text of what was logged."""
+    """Return level and text of each log record."""
     lines = capfd.readouterr().err.splitlines()
     return [line.split(" ")[0] + line.partition("]:")[2] for line in lines]
 

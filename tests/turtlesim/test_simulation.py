@@ -1,4 +1,4 @@
-"""A world with its picture, and no ROS."""
+"""A world with its picture, without ROS."""
 
 from __future__ import annotations
 

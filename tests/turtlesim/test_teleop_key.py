@@ -1,4 +1,4 @@
-"""Driving by keys: each program its own process, the keys through a pseudo-terminal, the rest over DDS."""
+"""turtle_teleop_key: each program a process, keys through a pseudo-terminal, messages over DDS."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ TURTLESIM = ("tfloom", "run", "turtlesim", "turtlesim_node", "--headless")
 
 
 class Listener:
-    """Hears the commands and the turtle's pose."""
+    """Subscribes to the commands and the turtle's pose."""
 
     def __init__(self) -> None:
         init(args=[])
@@ -74,7 +74,7 @@ def press_until(
     condition: Callable[[], object],
     wait_until: Callable[..., None],
 ) -> None:
-    """Press a key again and again: the first may come before the two ends have found each other."""
+    """Press a key repeatedly, because the first press may precede discovery."""
 
     def pressed() -> object:
         os.write(ours, key)

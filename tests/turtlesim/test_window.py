@@ -1,4 +1,4 @@
-"""The window, on SDL's driver that needs no screen."""
+"""The window, on SDL's driver without a screen."""
 
 from __future__ import annotations
 

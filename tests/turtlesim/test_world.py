@@ -1,4 +1,4 @@
-"""The turtles' physics against numbers worked out by hand, and against a run of the reference."""
+"""The turtles' physics against numbers computed by hand, and against a run of the reference."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def steps(world: World, count: int) -> list:
 
 
 def test_turtle1_starts_at_the_centre(turtle: Turtle) -> None:
-    # What `ros2 topic echo /turtle1/pose` of the reference shows.
+    # The output of the reference's `ros2 topic echo /turtle1/pose`.
     assert to_float32(turtle.x) == to_float32(turtle.y) == 5.544444561004639
     assert turtle.theta == 0.0
 
@@ -65,7 +65,7 @@ def test_turtle_moves_along_its_new_heading(world: World, turtle: Turtle) -> Non
 def test_arc(world: World, turtle: Turtle) -> None:
     world.command(turtle, 1.0, None, 2.0)
     steps(world, 50)
-    # A polygon whose k-th side of v·dt has heading k·ω·dt: a geometric series in the complex plane.
+    # A polygon whose k-th side has length v·dt and heading k·ω·dt: a geometric series in the complex plane.
     turn = complex(math.cos(0.032), math.sin(0.032))
     end = complex(CENTRE, CENTRE) + 0.016 * turn * (turn**50 - 1) / (turn - 1)
     assert (turtle.x, turtle.y) == pytest.approx((end.real, end.imag), abs=1e-6)
@@ -178,7 +178,7 @@ def test_rotation_goal_replays_the_reference(world: World, turtle: Turtle) -> No
         -0.02881467342376709,
         -0.012814760208129883,
     ]
-    # The reference's heading had more digits than float32; these do: a quarter of the last place more.
+    # The reference's heading had more digits than float32: a quarter of the last place more.
     turtle.theta = to_float32(1.4) + 0.15681469440460205 + 0.25 * 2**-23
     rotation, aborted = turtle.rotate_to(1.4)
     assert aborted is None

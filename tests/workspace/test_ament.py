@@ -1,4 +1,4 @@
-"""`ament_index_python`: a workspace's packages first, then ours."""
+"""`ament_index_python`: a workspace's packages first, then tfloom's."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""New packages: what is written, and what is refused."""
+"""New packages: the written files, and rejected names."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The ament index: which prefix wins, what is a program, what is none."""
+"""The ament index: precedence of prefixes, and detection of programs."""
 
 from __future__ import annotations
 

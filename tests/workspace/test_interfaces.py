@@ -1,4 +1,4 @@
-"""Definitions as text: where they are, what is in them, and what is told when there is none."""
+"""Definitions as text: their packages, their content, and errors."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Actions between processes: every way a goal may go, and ends that die under it."""
+"""Actions between processes: all outcomes of a goal, and processes killed during one."""
 
 from __future__ import annotations
 
@@ -188,7 +188,7 @@ def test_restarted_server_accepts_goals_after_a_kill(
     assert not result.done()
     assert (
         finish(handle.get_result_async()).status == GoalStatus.STATUS_UNKNOWN
-    )  # the new one never heard of it
+    )  # the new server doesn't have that goal
 
 
 def test_server_can_be_destroyed_during_a_goal_and_recreated(
@@ -198,7 +198,7 @@ def test_server_can_be_destroyed_during_a_goal_and_recreated(
     server.wait_for("destroyed False 0")
 
     def is_answered() -> bool:
-        """Send a goal; one that the old server had not yet left for is answered by nobody."""
+        """Send a goal; one sent before the old server has left the graph gets no response."""
         assert client.wait_for_server(timeout_sec=20)
         sent.append(send(client, 4))
         executor.spin_until_future_complete(sent[-1], timeout_sec=1.0)

@@ -50,7 +50,7 @@ def tell(talker: Program, word: object) -> None:
 
 
 def told(talker: Program, event: str) -> list[dict[str, int]]:
-    """Return what a talker has told of one event."""
+    """Return the statuses of one event that a talker has printed."""
     lines = [json.loads(line) for line in talker.lines if line.startswith("[")]
     return [status for name, status in lines if name == event]
 

@@ -1,4 +1,4 @@
-"""What goes wrong between processes, and what comes of it: an error that says so, or a recovery."""
+"""Faults between processes: each leads to an error message or to a recovery."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ def test_callback_error_ends_the_program_with_a_traceback_and_leaves_the_graph(
     assert program.wait() == 1
     assert "Traceback (most recent call last):" in program.output
     assert program.lines[-1] == "ValueError: cannot bear this"
-    # Well before its lease ends: it has said goodbye.
+    # Well before its lease ends, because it has left the domain.
     wait_until(lambda: "raising" not in node.get_node_names(), timeout_s=8.0)
 
 

@@ -1,4 +1,4 @@
-"""A lifecycle node in another process: changed, asked, watched, and its log read where it goes."""
+"""A lifecycle node in another process: its services, its events, and its log outputs."""
 
 from __future__ import annotations
 
@@ -160,7 +160,7 @@ def test_log_goes_to_console_rosout_and_file_at_the_set_level(
     spin_until(lambda: all(each.get_publisher_count() == 2 for each in node.subscriptions))
     names = ["managed", "rclpy", ""]
     levels = call(GetLoggerLevels, "get_logger_levels", names=names).levels
-    assert [each.level for each in levels] == [0, 0, 20]  # what was set for each name
+    assert [each.level for each in levels] == [0, 0, 20]  # the level set for each name
     assert change(call, "configure")
     spin_until(lambda: records)
     assert change(call, "cleanup")

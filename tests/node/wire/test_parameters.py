@@ -1,4 +1,4 @@
-"""Parameters of a node in another process: read, set, watched, and given by file."""
+"""Parameters of a node in another process: read, set, watched, and loaded from files."""
 
 from __future__ import annotations
 
@@ -61,11 +61,11 @@ def test_changes_are_published_to_all_nodes(
 ) -> None:
     events: list[ParameterEvent] = []
     subscription = client.on_parameter_event(events.append)
-    spin_until(lambda: subscription.get_publisher_count() == 2)  # this node's too
+    spin_until(lambda: subscription.get_publisher_count() == 2)  # this node's event, too
     finish(client.set_parameters([Parameter("integer", value=8), Parameter("unset", value="set")]))
     finish(client.set_parameters([Parameter("free", value="another type")]))
     finish(client.delete_parameters(["free"]))
-    finish(client.set_parameters([Parameter("integer", value=13)]))  # refused: nothing to tell
+    finish(client.set_parameters([Parameter("integer", value=13)]))  # rejected: no event
     finish(client.set_parameters_atomically([Parameter("integer", value=1), Parameter("part", value=0.0)]))
     spin_until(lambda: len(events) == 5)
     assert {event.node for event in events} == {"/ns/remote"}

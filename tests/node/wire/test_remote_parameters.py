@@ -1,4 +1,4 @@
-"""Parameters of one node in another process that many tests ask, and leave as they were."""
+"""Parameters of one node in another process, which the tests read and leave unchanged."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def remote(module_domain_id: int, start_module_program: Callable[..., Program]) 
 
 @pytest.fixture
 def domain_id(module_domain_id: int) -> int:
-    """Put each test's node on the domain of the module."""
+    """Use the domain of the module for each test's node."""
     return module_domain_id
 
 

@@ -1,4 +1,4 @@
-"""Servers that are killed, many clients at once, and servers that must not be spoken to."""
+"""Killed servers, many clients at once, and servers of other vendors."""
 
 from __future__ import annotations
 
@@ -68,7 +68,9 @@ def test_restarted_server_is_called_at_once(node: Node, start: Start, finish: Fi
     server.signal(signal.SIGKILL)
     server.wait()
     start("service_server")
-    wait_until(lambda: client._endpoint._requests.matched_count() == 2)  # the dead one still has its lease
+    wait_until(
+        lambda: client._endpoint._requests.matched_count() == 2
+    )  # the lease of the killed one has not ended
     wait_until(lambda: client._endpoint._responses.matched_count() == 2)
     assert finish(client.call_async(AddTwoInts.Request(a=1, b=2))).sum == 3
 
@@ -138,7 +140,7 @@ def test_client_of_another_vendor_is_ignored_with_one_log_line(
         return response
 
     node.create_service(AddTwoInts, "add", add)
-    monkeypatch.setattr(cyclone_services, "CYCLONE_VENDOR", b"\x01\x0f")  # as if all others were of Fast DDS
+    monkeypatch.setattr(cyclone_services, "CYCLONE_VENDOR", b"\x01\x0f")  # as if all peers were Fast DDS's
     start("service_caller")
     advice = (
         "dropped a request: a client of /add runs on another DDS vendor, whose form of services isn't ours"
@@ -168,7 +170,7 @@ def test_server_of_another_vendor_is_not_called_with_one_log_line(
     server = start("service_server")
     client = node.create_client(AddTwoInts, "hang")
     assert client.wait_for_service(timeout_sec=20)
-    monkeypatch.setattr(cyclone_services, "CYCLONE_VENDOR", b"\x01\x0f")  # as if all others were of Fast DDS
+    monkeypatch.setattr(cyclone_services, "CYCLONE_VENDOR", b"\x01\x0f")  # as if all peers were Fast DDS's
     assert not client.service_is_ready()
     assert not client.wait_for_service(timeout_sec=0.3)
     advice = (
@@ -184,4 +186,4 @@ def test_server_of_another_vendor_is_not_called_with_one_log_line(
     adding = node.create_client(AddTwoInts, "add")
     assert adding.wait_for_service(timeout_sec=20)
     assert finish(adding.call_async(AddTwoInts.Request(a=1, b=1))).sum == 2
-    assert "hanging" not in server.output  # nothing of the refused call went out before
+    assert "hanging" not in server.output  # no part of the rejected call was sent before

@@ -1,4 +1,4 @@
-"""The soak of the benchmarks, for some seconds: guests come and go, and what a node that stays hears is whole."""
+"""The soak test of the benchmarks, for some seconds: processes join and leave, and no message is lost."""
 
 from __future__ import annotations
 

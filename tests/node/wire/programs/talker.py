@@ -1,7 +1,7 @@
 """Publishes on /chatter with the QoS of its first argument (JSON of QoSProfile's fields, durations in s).
 
-Lines on stdin: a number publishes that many messages, `assert` says that it lives, `leave` ends it. It prints its
-events as JSON: the event's name and the status's fields.
+Lines on stdin: a number publishes that many messages, `assert` asserts its liveliness, `leave` ends it. It prints
+its events as JSON: the event's name and the status's fields.
 """
 
 import json
@@ -17,7 +17,7 @@ from std_msgs.msg import String
 
 
 def say(text):
-    sys.stdout.write(text + "\n")  # one write: two threads speak
+    sys.stdout.write(text + "\n")  # one write, because two threads print
     sys.stdout.flush()
 
 
