@@ -169,7 +169,7 @@ def test_program_ends_if_requested_before_its_start(tmp_path: Path, monkeypatch:
     with thread_starter() as start:
         program = start(["a_slow_starter:main"], None)
         assert isinstance(program, ThreadProgram)
-        program.ask_to_end()
+        program.request_end()
         sys.modules["a_slow_starter"].may_begin.set()
         program.end(10.0)
     assert program.exit_code() == 7

@@ -249,7 +249,7 @@ def test_pattern_of_a_parameter_file_matches_some_nodes(tmp_path: Path, pattern:
         ("a: {ros__parameters: {x: [1, a]}}", "list of 'x' must be of one scalar type"),
         ("a: {ros__parameters: {x: [[1]]}}", "list of 'x' must be of one scalar type"),
         ("a: [", r"p\.yaml: it is no valid YAML: expected the node content, .* at line 1, column 5"),
-        ("a: &x {ros__parameters: {x: *x}}", "an alias in it holds itself"),
+        ("a: &x {ros__parameters: {x: *x}}", "an alias in it contains itself"),
     ],
 )
 def test_malformed_parameter_file_raises_with_the_place(content: str, text: str, tmp_path: Path) -> None:

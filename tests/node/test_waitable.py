@@ -262,7 +262,7 @@ def test_wait_set_rejects_unknown_items(node: Node) -> None:
     guard = _rclpy.GuardCondition(node.context)
     wait_set.add_guard_condition(guard)
     guard.trigger()
-    wait_set.look()
+    wait_set.update()
     assert wait_set.get_ready_entities("guard_condition") == [guard]
 
 

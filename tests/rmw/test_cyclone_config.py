@@ -149,7 +149,7 @@ def test_peer_names_are_escaped_in_xml() -> None:
 
 def test_uri_rejected_by_cyclone_is_named_in_the_error(domain_id, monkeypatch, capfd) -> None:
     monkeypatch.setenv("CYCLONEDDS_URI", "<CycloneDDS><Domain><Nonsense/></Domain></CycloneDDS>")
-    with pytest.raises(WireError, match="see above what Cyclone says of it, and check CYCLONEDDS_URI"):
+    with pytest.raises(WireError, match="see Cyclone's message above, and check CYCLONEDDS_URI"):
         cyclonedds.open_participant(domain_id)
     assert "Nonsense" in capfd.readouterr().err
 

@@ -142,7 +142,7 @@ def service_client(
         client.close()
 
 
-def ask_each(asked: Mapping[str, Callable[[], T]]) -> dict[str, T]:
+def call_each(asked: Mapping[str, Callable[[], T]]) -> dict[str, T]:
     """Return the results of several calls, by name; if only some fail, their errors are printed on stderr.
 
     Raises:

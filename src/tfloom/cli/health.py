@@ -140,7 +140,7 @@ def check_network() -> Finding:
     return Finding(Verdict.OK, summary, details=details)
 
 
-def _asked_range() -> str:
+def _requested_range() -> str:
     """Return the discovery range; empty where it is invalid, which another check reports, or has no effect."""
     from tfloom.rmw.backends import DEFAULT, implementation_identifier
     from tfloom.rmw.cyclone_config import discovery_range
@@ -153,17 +153,17 @@ def _asked_range() -> str:
 
 
 def _needs_multicast() -> bool:
-    return _asked_range() == "SUBNET" and not os.environ.get("ROS_STATIC_PEERS")
+    return _requested_range() == "SUBNET" and not os.environ.get("ROS_STATIC_PEERS")
 
 
 def _used(interfaces: list[Interface]) -> str:
     """Return a text with the interface that the wire uses; empty if it is unknown."""
-    if _asked_range() in {"LOCALHOST", "OFF"}:
+    if _requested_range() in {"LOCALHOST", "OFF"}:
         loopback = next((each.name for each in interfaces if each.is_loopback), "the loopback interface")
         beside = " and those towards ROS_STATIC_PEERS" if os.environ.get("ROS_STATIC_PEERS") else ""
         return f"; DDS uses {loopback}{beside}, by unicast"
     far = [each.name for each in interfaces if each.may_find_others]
-    return f"; DDS uses {far[0]}, by multicast" if _asked_range() == "SUBNET" and len(far) == 1 else ""
+    return f"; DDS uses {far[0]}, by multicast" if _requested_range() == "SUBNET" and len(far) == 1 else ""
 
 
 class Interface(NamedTuple):

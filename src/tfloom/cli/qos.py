@@ -38,7 +38,7 @@ def add_arguments(parser: argparse.ArgumentParser, default: str) -> None:
     )
 
 
-def asked_qos(args: argparse.Namespace, base: QoS) -> QoS | None:
+def requested_qos(args: argparse.Namespace, base: QoS) -> QoS | None:
     """Return the quality of the flags, with the rest from --qos-profile or else `base`; None without a flag.
 
     Raises:

@@ -23,14 +23,14 @@ def message_filter(expression: str | None) -> Callable[[Message], bool]:
     except SyntaxError as error:
         raise CommandError(f"--filter isn't a Python expression: {error.msg}\n  {expression}") from None
 
-    def wanted(message: Message) -> bool:
+    def accepts(message: Message) -> bool:
         try:
             return bool(eval(code, {"m": message}))  # noqa: S307  # the user's own expression, on their machine
         except Exception as error:  # noqa: BLE001  # a user's expression may raise anything
             fields = _there_are(error.obj) if isinstance(error, AttributeError) else ""
             raise CommandError(f"--filter failed: {type(error).__name__}: {error}{fields}") from None
 
-    return wanted
+    return accepts
 
 
 def field_picker(paths: Sequence[str]) -> Callable[[Message], Any]:

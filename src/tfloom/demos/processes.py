@@ -87,7 +87,7 @@ class ProcessProgram:
             self._reader.join(END_GRACE_S)
         return code
 
-    def ask_to_end(self) -> None:
+    def request_end(self) -> None:
         """Send the signal of Ctrl-C."""
         if self._process.poll() is None:
             self._process.send_signal(signal.SIGINT if os.name == "posix" else signal.SIGTERM)

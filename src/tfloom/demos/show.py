@@ -63,7 +63,7 @@ class Program(Protocol):
     def exit_code(self) -> int | None:
         """Return its exit code; None while it runs."""
 
-    def ask_to_end(self) -> None:
+    def request_end(self) -> None:
         """Request its end, as Ctrl-C does."""
 
     def end(self, grace_s: float) -> None:
@@ -111,7 +111,7 @@ class Show:
 
     def _end(self) -> None:
         for program in self._programs.values():
-            program.ask_to_end()
+            program.request_end()
         end = time.monotonic() + END_GRACE_S
         for program in self._programs.values():
             program.end(max(0.0, end - time.monotonic()))

@@ -105,7 +105,7 @@ class ThreadProgram:
         """Return its exit code; None while it runs."""
         return None if self._thread.is_alive() else self._code
 
-    def ask_to_end(self) -> None:
+    def request_end(self) -> None:
         """Shut its context down, as Ctrl-C does; without effect before the context is initialised."""
         self._context.interrupt()
 
@@ -113,7 +113,7 @@ class ThreadProgram:
         """Wait for its end, `grace_s` at most, because a thread can't be killed; it ends with this process."""
         until = time.monotonic() + grace_s
         while self._thread.is_alive() and (left := until - time.monotonic()) > 0.0:
-            self.ask_to_end()
+            self.request_end()
             self._thread.join(min(left, POLL_S))
 
 

@@ -107,7 +107,7 @@ class BufferClient(BufferInterface):
             source_time=_time_message(time),
             timeout=_duration_message(timeout),
         )
-        return self._ask(goal)
+        return self._query(goal)
 
     def lookup_transform_full(
         self,
@@ -131,13 +131,13 @@ class BufferClient(BufferInterface):
             fixed_frame=fixed_frame,
             advanced=True,
         )
-        return self._ask(goal)
+        return self._query(goal)
 
     def destroy(self) -> None:
         """Destroy the action client."""
         self.action_client.destroy()
 
-    def _ask(self, goal: LookupTransform_Goal) -> TransformStamped:
+    def _query(self, goal: LookupTransform_Goal) -> TransformStamped:
         executor = self.node.executor
         if executor is not None and executor.would_wait_for_itself():
             raise RuntimeError(

@@ -14,7 +14,7 @@ from reportlab.pdfgen.canvas import Canvas
 __all__ = ["Font", "printable"]
 
 FACES = (
-    ("Vera.ttf", "VeraBd.ttf"),  # come with reportlab
+    ("Vera.ttf", "VeraBd.ttf"),  # part of reportlab
     (
         "DejaVuSans.ttf",
         "DejaVuSans-Bold.ttf",

@@ -1,6 +1,6 @@
 """Ten turtles, drawn from above: shapes in a turtle's coordinates, painted in any size and direction.
 
-A turtle is one unit long, looks along x and is symmetric about it; y is to its left.
+A turtle is one unit long, heads along x and is symmetric about it; y is to its left.
 """
 
 from __future__ import annotations

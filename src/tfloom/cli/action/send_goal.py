@@ -41,7 +41,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(args: argparse.Namespace) -> int:
     """Send the goal and wait for its end; Ctrl-C cancels it. Return 1 if it did not succeed."""
     name = full_topic_name(args.action_name, "action")
-    cls = action_class(args.action_type, ask_graph=True)
+    cls = action_class(args.action_type, search_graph=True)
     goal = cls.Goal()
     fill_message(goal, parse_yaml(standard_input().read() if args.stdin else args.goal))
     with ExitStack() as ends:

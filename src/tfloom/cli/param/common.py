@@ -144,7 +144,7 @@ def _node_names(found: Graph, args: argparse.Namespace, asked: str | None) -> li
 
 
 @contextmanager
-def asked_node(args: argparse.Namespace) -> Iterator[ParameterServices]:
+def requested_node(args: argparse.Namespace) -> Iterator[ParameterServices]:
     """Yield the parameter services of the named node; see `nodes_with_parameters`."""
     with nodes_with_parameters(args, args.node_name) as nodes:
         yield nodes[0][1]

@@ -6,7 +6,7 @@ import argparse
 import sys
 
 from tfloom.cli.param.common import add_arguments as add_common_arguments
-from tfloom.cli.param.common import asked_node
+from tfloom.cli.param.common import requested_node
 from tfloom.interfaces.rcl_interfaces.msg import Parameter
 
 
@@ -19,7 +19,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Delete the parameter by setting it to a value without type, and print the outcome."""
-    with asked_node(args) as services:
+    with requested_node(args) as services:
         result = services.set([Parameter(name=args.parameter_name)])[0]
     reason = f": {result.reason}" if result.reason else ""
     if result.successful:

@@ -6,7 +6,7 @@ import argparse
 import re
 from functools import partial
 
-from tfloom.cli.calls import ask_each
+from tfloom.cli.calls import call_each
 from tfloom.cli.errors import CommandError
 from tfloom.cli.listing import print_json
 from tfloom.cli.param.common import TYPES, ParameterServices, nodes_with_parameters
@@ -32,7 +32,7 @@ def main(args: argparse.Namespace) -> int:
     except re.error as error:
         raise CommandError(f"--filter isn't a regular expression: {error}") from None
     with nodes_with_parameters(args, args.node_name) as nodes:
-        found = ask_each({node: partial(_names, services, pattern, args) for node, services in nodes})
+        found = call_each({node: partial(_names, services, pattern, args) for node, services in nodes})
     if args.json:
         print_json(found)
         return 0

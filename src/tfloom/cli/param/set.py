@@ -6,7 +6,7 @@ import argparse
 import sys
 
 from tfloom.cli.param.common import add_arguments as add_common_arguments
-from tfloom.cli.param.common import asked_node
+from tfloom.cli.param.common import requested_node
 from tfloom.interfaces.rcl_interfaces.msg import Parameter
 
 
@@ -23,7 +23,7 @@ def main(args: argparse.Namespace) -> int:
     from tfloom.node.parameters.parameter import get_parameter_value
 
     parameter = Parameter(name=args.parameter_name, value=get_parameter_value(args.value))
-    with asked_node(args) as services:
+    with requested_node(args) as services:
         result = services.set([parameter])[0]
     reason = f": {result.reason}" if result.reason else ""
     if result.successful:

@@ -42,7 +42,7 @@ def main(args: argparse.Namespace) -> int:
     name = full_topic_name(args.service_name, "service")
     if args.rate is not None and not args.rate > 0:
         raise CommandError("rate must be greater than zero")
-    cls = service_class(args.service_type, ask_graph=True)
+    cls = service_class(args.service_type, search_graph=True)
     period_s = 1 / args.rate if args.rate else 0.0
     with (
         graph.joined_participant() as participant,

@@ -64,10 +64,10 @@ def main(args: argparse.Namespace) -> int:
     show = _printer(args)
     on_lost = None if args.no_lost_messages else _report_losses
     with graph.joined_participant() as participant:
-        asked_class = message_class(args.message_type, ask_graph=True) if args.message_type else None
+        requested_class = message_class(args.message_type, search_graph=True) if args.message_type else None
         graph.wait_until_quiet(participant.graph, args.spin_time)
-        listen_to = asked_class or message_class(find_type(participant.graph, name))
-        quality = qos.asked_qos(args, SENSOR_DATA) or _suiting_qos(participant, name, end_s)
+        listen_to = requested_class or message_class(find_type(participant.graph, name))
+        quality = qos.requested_qos(args, SENSOR_DATA) or _suiting_qos(participant, name, end_s)
         topic = topic_of(listen_to, name)
         if publishers_of(participant.graph, name) and (
             reason := unmet(participant.graph, topic, is_publisher=False)

@@ -69,8 +69,8 @@ def main(args: argparse.Namespace) -> int:
     name = full_topic_name(args.topic_name)
     if not args.rate > 0:
         raise CommandError("rate must be greater than zero")
-    cls = message_class(args.message_type, ask_graph=True)
-    quality = qos.asked_qos(args, QoS()) or QoS()
+    cls = message_class(args.message_type, search_graph=True)
+    quality = qos.requested_qos(args, QoS()) or QoS()
     # Errors in values are reported before anything is on the wire.
     drafts = (
         (_Draft(cls, text) for text in yaml_documents(standard_input()))

@@ -21,7 +21,7 @@ def wait_for_server(client: Client) -> bool:
     return False
 
 
-def ask() -> None:
+def call() -> None:
     """Send a request, spin until the response arrives, and log it."""
     node = Node("add_two_ints_client")
     client = node.create_client(AddTwoInts, "add_two_ints")
@@ -37,4 +37,4 @@ def ask() -> None:
 def main(args: list[str] | None = None) -> int:
     """Call once, and end after the response; return the exit code."""
     expect_no_arguments("add_two_ints_client", "Call the service add_two_ints with 2 and 3.", args)
-    return run_program(args, ask)
+    return run_program(args, call)

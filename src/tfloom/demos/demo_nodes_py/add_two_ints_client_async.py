@@ -11,7 +11,7 @@ from tfloom.node.program import expect_no_arguments, run_program
 __all__ = ["main"]
 
 
-def ask() -> None:
+def call() -> None:
     """Send a request, and log the response once a check finds it."""
     node = Node("add_two_ints_client")
     client = node.create_client(AddTwoInts, "add_two_ints")
@@ -28,4 +28,4 @@ def ask() -> None:
 def main(args: list[str] | None = None) -> int:
     """Call once, and end after the response; return the exit code."""
     expect_no_arguments("add_two_ints_client_async", "Call the service add_two_ints with 2 and 3.", args)
-    return run_program(args, ask)
+    return run_program(args, call)

@@ -89,7 +89,7 @@ class Tour:
         return future.result()
 
 
-def ask() -> int:
+def run_tour() -> int:
     """Run all steps; return the exit code, 1 without the other node."""
     node = Node("async_param_client")
     client = AsyncParameterClient(node, BLACKBOARD)
@@ -108,4 +108,4 @@ def main(args: list[str] | None = None) -> int:
         "Set, list, get, load and delete parameters of the node parameter_blackboard.",
         args,
     )
-    return run_program(args, ask)
+    return run_program(args, run_tour)

@@ -46,7 +46,7 @@ def check_parameter(parameter_list: list[Parameter], parameter_name: str) -> Set
 class _IntrospectedNode(Node):
     """A node whose client or service is configured by a parameter."""
 
-    def obey(self, parameter_name: str, end: Client | Service) -> None:
+    def configure_by(self, parameter_name: str, end: Client | Service) -> None:
         """Declare the parameter, and configure `end` by it whenever it is set."""
 
         def configure(parameters: list[Parameter]) -> None:
@@ -66,7 +66,7 @@ class IntrospectionClientNode(_IntrospectedNode):
     def __init__(self) -> None:
         super().__init__("introspection_client")
         self.cli = self.create_client(AddTwoInts, "add_two_ints")
-        self.obey("client_configure_introspection", self.cli)
+        self.configure_by("client_configure_introspection", self.cli)
         self.future: Any = None
         self.timer = self.create_timer(PERIOD_S, self.timer_callback)
 
@@ -86,7 +86,7 @@ class IntrospectionServiceNode(_IntrospectedNode):
     def __init__(self) -> None:
         super().__init__("introspection_service")
         self.srv = self.create_service(AddTwoInts, "add_two_ints", self.add_two_ints_callback)
-        self.obey("service_configure_introspection", self.srv)
+        self.configure_by("service_configure_introspection", self.srv)
 
     def add_two_ints_callback(self, request: Any, response: Any) -> Any:
         """Reply to a request."""

@@ -36,7 +36,7 @@ def qos_of(text):
     return QoSProfile(**{"depth": 10, **fields})
 
 
-def obey():
+def read_commands():
     for line in sys.stdin:
         word = line.strip()
         if word == "leave":
@@ -56,7 +56,7 @@ events = ("deadline", "liveliness", "incompatible_qos", "matched")
 callbacks = PublisherEventCallbacks(**{event: teller(event) for event in events})
 publisher = node.create_publisher(String, "chatter", qos_of(sys.argv[1]), event_callbacks=callbacks)
 say("ready")
-threading.Thread(target=obey).start()
+threading.Thread(target=read_commands).start()
 try:
     rclpy.spin(node)
 except ExternalShutdownException:
