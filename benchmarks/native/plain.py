@@ -1,7 +1,7 @@
-"""The native code without each of its clevernesses: what is written instead, file by file.
+"""The native code without each of its optimisations, as edits of its files.
 
-An edit replaces a text that occurs once in the file; a whole file is replaced by one in `plain/`. So the code that
-ships has no switches, and `tests/native/test_plain.py` fails as soon as an edit no longer fits it.
+An edit replaces a text that occurs once in the file; a whole file is replaced by one in `plain/`. So the shipped code
+has no switches, and `tests/native/test_plain.py` fails if an edit no longer fits it.
 """
 
 from __future__ import annotations
@@ -116,7 +116,7 @@ EDITS: dict[str, dict[str, Edits | str]] = {
     },
     "fair mutex": {"tf2/fair_mutex.hpp": [("#ifdef __GLIBC__\n\nclass", "#ifdef _WIN32\n\nclass")]},
 }
-"""By cleverness: the files, each with its edits or with the name of what stands in its place."""
+"""For each optimisation, its files, each with its edits or with the name of the file in `plain/` that replaces it."""
 
 
 def write_plain(name: str, folder: Path) -> set[str]:
@@ -125,7 +125,7 @@ def write_plain(name: str, folder: Path) -> set[str]:
         text = (NATIVE / path).read_text("utf-8")
         if isinstance(change, str):
             text = (HERE / "plain" / change).read_text("utf-8")
-        elif not change:  # its header is all there is
+        elif not change:  # the plain form needs only the header
             text = f'#include "{path.replace(".cpp", ".hpp")}"\n'
         else:
             for old, new in change:

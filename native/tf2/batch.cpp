@@ -269,7 +269,7 @@ template <class T>
 std::optional<FailedStamp> deskew(const Buffer& buffer, std::string_view fixed, std::string_view source,
                                   const Transform& target_from_fixed, std::span<const Stamp> stamps, const T* in,
                                   T* out, unsigned workers) {
-  std::mutex mutex;
+  std::mutex mutex;  // guards `failed` between the workers
   std::size_t failed = stamps.size();
   run_in_parallel(stamps.size(), workers, [&](const Part& part) {
     std::vector<Transform> found(std::min(chunk_size, part.count));

@@ -59,7 +59,7 @@ def test_programs_pass_against_a_wheel(wheel_python: Path, tmp_path: Path) -> No
     assert result.returncode == 0, result.stdout
 
 
-def test_a_wrong_program_is_refused(tmp_path: Path) -> None:
+def test_wrong_program_is_rejected_by_mypy(tmp_path: Path) -> None:
     program = tmp_path / "wrong.py"
     program.write_text("from geometry_msgs.msg import Vector3\n\nVector3(x='one')\nVector3().nope\n")
     result = mypy(Path(sys.executable), program, cache=tmp_path)

@@ -1,4 +1,4 @@
-// Frames' names to their ids, by the standard library's table.
+// Frame names and their ids in std::unordered_map.
 #pragma once
 
 #include <cstddef>

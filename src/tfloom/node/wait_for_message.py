@@ -50,7 +50,9 @@ def wait_for_message(
 
     executor = node.executor
     if executor is not None and executor.would_wait_for_itself():
-        raise RuntimeError(f"wait_for_message on {topic} in a callback would block the thread that receives messages")
+        raise RuntimeError(
+            f"wait_for_message on {topic} in a callback would block the thread that receives messages"
+        )
     subscription = node.create_subscription(
         msg_type, topic, on_message, qos_profile, callback_group=MutuallyExclusiveCallbackGroup()
     )

@@ -103,7 +103,7 @@ class CycloneParticipant:
         except WireError:
             raise
         except RuntimeError as error:
-            raise WireError(f"{error}; see above what Cyclone says of it, and {_advice()}") from None
+            raise WireError(f"{error}; see Cyclone's message above, and {_advice()}") from None
 
     def add_node(self, node: NodeName) -> None:
         """Add a node to the graph."""

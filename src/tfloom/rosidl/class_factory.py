@@ -126,7 +126,9 @@ def _action_class(action: spec.Action, parts: dict[str, Any]) -> type[Action]:
             "Goal": parts[action.goal.name],
             "Result": parts[action.result.name],
             "Feedback": parts[action.feedback.name],
-            "Impl": type("Impl", (), {"__doc__": "The services and messages that carry the action.", **carriers}),
+            "Impl": type(
+                "Impl", (), {"__doc__": "The services and messages that carry the action.", **carriers}
+            ),
         },
     )
     return made

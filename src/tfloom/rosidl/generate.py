@@ -194,7 +194,12 @@ class _Module:
         yield f'    _TYPE_HASH = "{type_hash(action, self.find)}"'
         for part in ("Goal", "Result", "Feedback"):
             yield f"    {part}: _TypeAlias = {base}_{part}"
-        yield from ("", "    class Impl:", '        """The services and messages that carry the action."""', "")
+        yield from (
+            "",
+            "    class Impl:",
+            '        """The services and messages that carry the action."""',
+            "",
+        )
         yield f"        SendGoalService = {base}_SendGoal"
         yield f"        GetResultService = {base}_GetResult"
         yield f"        FeedbackMessage = {base}_FeedbackMessage"

@@ -110,7 +110,7 @@ class ServerGoalHandle:
         """
         if self._destroyed:
             return
-        # A goal may be cancelled before it begins; the callback then sees CANCELING.
+        # A goal may be cancelled before it begins; its callback is then called with CANCELING.
         if not self.is_cancel_requested:
             self.update(GoalEvent.EXECUTE)
         self._server.notify_execute(self, execute_callback)

@@ -88,7 +88,7 @@ class NodeGraph:
 
         Args:
             no_demangle: Whether to return all topics on the wire, those of services and of other programs too, by
-                the names of topics and types that DDS knows, such as `rt/pose` and `turtlesim::msg::dds_::Pose_`.
+                their DDS names and types, such as `rt/pose` and `turtlesim::msg::dds_::Pose_`.
         """
         return self.__names_and_types(lambda _: True, no_demangle)
 

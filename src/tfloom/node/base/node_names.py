@@ -19,7 +19,7 @@ class NodeNames:
     """A node's name after remapping, and the remapping of the names that the node uses.
 
     Args:
-        node_name: Name that the program gives the node.
+        node_name: The node's name before remapping.
         namespace: Its namespace, with or without the first slash.
         arguments: ROS arguments that apply to the node.
 

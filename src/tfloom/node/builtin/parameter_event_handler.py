@@ -55,7 +55,9 @@ class ParameterEventHandler:
         raw: bool = False,
     ) -> None:
         if raw:
-            raise NotImplementedError("ParameterEventHandler has no raw=True, because its callbacks take messages")
+            raise NotImplementedError(
+                "ParameterEventHandler has no raw=True, because its callbacks take messages"
+            )
         self.node = node
         self._for_parameters: list[ParameterCallbackHandle] = []
         self._for_events: list[ParameterEventCallbackHandle] = []

@@ -64,7 +64,11 @@ class TypeDescriptionService:
                 response.failure_reason = (
                     f"{request.type_name} is known with the hash {known._TYPE_HASH} only"  # ours
                 )
-        except (LookupError, ValueError, OSError) as error:  # there is no definition, or its file can't be read
+        except (
+            LookupError,
+            ValueError,
+            OSError,
+        ) as error:  # there is no definition, or its file can't be read
             response.failure_reason = str(error)
         return response
 

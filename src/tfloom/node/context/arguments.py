@@ -75,7 +75,7 @@ class RemapRule(NamedTuple):
     scheme: str
     """"topic", "service" or both ("")."""
     match: str
-    """A name as a program gives it, or `__node` or `__ns`."""
+    """A name before remapping, or `__node` or `__ns`."""
     replacement: str
 
 

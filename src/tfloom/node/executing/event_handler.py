@@ -141,7 +141,9 @@ class _EventCallbacks:
         use_default_callbacks: bool = True,
     ) -> None:
         if incompatible_type is not None:
-            raise UnsupportedEventTypeError("incompatible_type: the wires here don't report peers of another type")
+            raise UnsupportedEventTypeError(
+                "incompatible_type: the wires here don't report peers of another type"
+            )
         self.deadline = deadline
         self.liveliness = liveliness
         self.incompatible_qos = incompatible_qos

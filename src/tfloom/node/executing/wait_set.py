@@ -96,7 +96,7 @@ class WaitSet:
         """Return all items."""
         return [each for kind in KINDS for each in self._waited[kind]]
 
-    def look(self) -> None:
+    def update(self) -> None:
         """Update which items are ready."""
         self._ready = {
             kind: {index for index, each in enumerate(waited) if each.becomes_ready()}

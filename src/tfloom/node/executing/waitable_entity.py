@@ -61,7 +61,7 @@ class WaitableEntity(Entity):
         """Return the data of the waitable, in a tuple, if it is ready."""
         if self._queue is None:
             return None
-        self._wait_set.look()
+        self._wait_set.update()
         try:
             if not self.waitable.is_ready(self._wait_set):
                 return None

@@ -127,7 +127,7 @@ class QoSProfile:
         deadline: The longest expected time between two samples.
         liveliness: Default SYSTEM_DEFAULT.
         liveliness_lease_duration: Time without an assertion of liveliness after which a publisher is not alive.
-        avoid_ros_namespace_conventions: Use the topic's name on the wire as it stands.
+        avoid_ros_namespace_conventions: Whether to use the topic's name unchanged on the wire.
 
     Raises:
         InvalidQoSProfileException: neither `history` nor `depth` is given, or KEEP_LAST without `depth`.

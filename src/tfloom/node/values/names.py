@@ -202,7 +202,6 @@ def validate_topic_name(name: str, *, is_service: bool = False) -> bool:
     """Return True for a valid name before expansion: absolute, relative, `~/private`, with `{node}` or `{ns}`.
 
     Raises:
-
         InvalidTopicNameException: the name isn't valid; the exception has the rule and the index.
         InvalidServiceNameException: the same for a service.
     """
@@ -213,7 +212,6 @@ def validate_full_topic_name(name: str, *, is_service: bool = False) -> bool:
     """Return True for a valid full name, such as `/a/chatter`.
 
     Raises:
-
         InvalidTopicNameException: the name isn't valid; the exception has the rule and the index.
         InvalidServiceNameException: the same for a service.
     """

@@ -67,7 +67,9 @@ def parse_value(text: str) -> Any:
     try:
         return _construct(node)
     except RecursionError:
-        raise ValueError("it is no value: an alias in it holds itself, or it is nested too deep") from None
+        raise ValueError(
+            "it is not a value: an alias in it contains itself, or it is nested too deep"
+        ) from None
 
 
 def _construct(node: Any) -> Any:
