@@ -11,6 +11,7 @@ from typing import Any, Protocol
 
 from tfloom.rosidl import spec
 from tfloom.rosidl.class_factory import LOCK, load
+from tfloom.rosidl.class_table import forget
 from tfloom.rosidl.parse import ParseError, parse_interface
 from tfloom.rosidl.sources import Source, definition_name, find_message, find_source, replace
 from tfloom.rosidl.type_hash import (
@@ -23,7 +24,7 @@ from tfloom.rosidl.type_hash import (
     type_hash,
 )
 
-__all__ = ["DescriptionError", "define_described"]
+__all__ = ["ANNOUNCED", "DescriptionError", "define_described"]
 
 MOST_TYPES = 500
 MOST_FIELDS = 10_000
@@ -39,6 +40,12 @@ PARTS = {
     "action": ("_Goal", "_Result", "_Feedback"),
 }
 """What a definition of each kind consists of, by the suffixes of its messages."""
+ANNOUNCED = {
+    "msg": ("",),
+    "srv": ("_Request", "_Response"),
+    "action": ("_SendGoal_Request", "_GetResult_Response", "_FeedbackMessage"),
+}
+"""The parts of each kind whose hashes discovery announces, and which together hold all of the definition."""
 
 _BASES = {number: base for base, number in TYPE_IDS.items() if base != "char"} | {
     number: base for base, number in BOUNDED_STRINGS.items()
@@ -53,31 +60,57 @@ class DescriptionError(ValueError):
 class FieldType(Protocol):
     """A `type_description_interfaces/msg/FieldType`."""
 
-    type_id: int
-    capacity: int
-    string_capacity: int
-    nested_type_name: str
+    @property
+    def type_id(self) -> int:
+        """Number of the base type and the shape."""
+
+    @property
+    def capacity(self) -> int:
+        """Length of an array, or the bound of a bounded sequence."""
+
+    @property
+    def string_capacity(self) -> int:
+        """Greatest length of a string; 0 if unbounded."""
+
+    @property
+    def nested_type_name(self) -> str:
+        """`package/msg/Name` of a message."""
 
 
 class Field(Protocol):
-    """A `type_description_interfaces/msg/Field`; its default is ignored, because the hash doesn't cover it."""
+    """A `type_description_interfaces/msg/Field`. Its default is ignored, because the hash doesn't cover it."""
 
-    name: str
-    type: FieldType
+    @property
+    def name(self) -> str:
+        """Its name."""
+
+    @property
+    def type(self) -> FieldType:
+        """Its type."""
 
 
 class IndividualTypeDescription(Protocol):
     """A `type_description_interfaces/msg/IndividualTypeDescription`."""
 
-    type_name: str
-    fields: Iterable[Field]
+    @property
+    def type_name(self) -> str:
+        """`package/kind/Name`."""
+
+    @property
+    def fields(self) -> Iterable[Field]:
+        """In order."""
 
 
 class TypeDescription(Protocol):
     """A `type_description_interfaces/msg/TypeDescription`."""
 
-    type_description: IndividualTypeDescription
-    referenced_type_descriptions: Iterable[IndividualTypeDescription]
+    @property
+    def type_description(self) -> IndividualTypeDescription:
+        """The type itself."""
+
+    @property
+    def referenced_type_descriptions(self) -> Iterable[IndividualTypeDescription]:
+        """All types in it."""
 
 
 def define_described(name: str, description: TypeDescription, hashes: Mapping[str, str]) -> None:
@@ -86,13 +119,15 @@ def define_described(name: str, description: TypeDescription, hashes: Mapping[st
     Args:
         name: `package/kind/Name` of the message, service or action.
         description: What the peer has sent.
-        hashes: The announced hashes, by the names of the message or of parts of the service or action. Together they
-            must cover all of the definition.
+        hashes: The announced hash of each part in `ANNOUNCED`, by the part's name.
 
     Raises:
         DescriptionError: the description is too large, incomplete or invalid, its hash is not the announced one, or it
             differs from a definition here.
     """
+    kind = name.split("/")[1]
+    if hashes.keys() != {name + suffix for suffix in ANNOUNCED[kind]}:
+        raise ValueError(f"the hashes of {name} must be those of its parts, not of {', '.join(hashes)}")
     types = _table(description)
     for part, announced in hashes.items():
         _check_size(part, types)
@@ -104,15 +139,25 @@ def define_described(name: str, description: TypeDescription, hashes: Mapping[st
             replace(each, Source(text, f"{each} (as described by a peer)"))
         try:
             load(name)
-            for part, announced in hashes.items():
-                if type_hash(find_message(part), find_message) != announced:
-                    raise DescriptionError(f"{part} can't be written as a definition of the same hash")
+            _check_hashes(hashes)
         except BaseException as error:
             for each in texts:
                 replace(each, None)
+                forget(each)
             if isinstance(error, (ParseError, LookupError)):
                 raise DescriptionError(str(error)) from None
             raise
+
+
+def _check_hashes(hashes: Mapping[str, str]) -> None:
+    """Check the hashes of definitions.
+
+    Raises:
+        DescriptionError: one isn't the announced one.
+    """
+    for part, announced in hashes.items():
+        if type_hash(find_message(part), find_message) != announced:
+            raise DescriptionError(f"{part} can't be written as a definition of the same hash")
 
 
 def _table(description: TypeDescription) -> dict[str, dict[str, spec.Type]]:
@@ -143,7 +188,9 @@ def _type(owner: str, field: Field) -> spec.Type:
     number = (type_.type_id - 1) % 48 + 1
     base = type_.nested_type_name if number == NESTED else _BASES.get(number)
     if shape is None or base is None:
-        raise DescriptionError(f"{owner}.{field.name} has the type {type_.type_id}, which no .msg file can have")
+        raise DescriptionError(
+            f"{owner}.{field.name} has the type {type_.type_id}, which no .msg file can have"
+        )
     return spec.Type(base, type_.string_capacity, shape, type_.capacity)
 
 
@@ -157,14 +204,16 @@ def _check_size(name: str, types: Mapping[str, Mapping[str, spec.Type]]) -> None
 
     def visit(name: str, depth: int) -> int:
         if depth > MOST_DEPTH:
-            raise DescriptionError(f"messages are nested in {name} more than {MOST_DEPTH} deep, or in themselves")
+            raise DescriptionError(
+                f"messages are nested in {name} more than {MOST_DEPTH} deep, or in themselves"
+            )
         if name not in types:
             raise DescriptionError(f"the description of {name} is missing")
         if name not in values:
             total = 0
             for type_ in types[name].values():
                 each = 1 if type_.is_primitive else visit(type_.base, depth + 1)
-                total += each * type_.length if type_.shape == "array" else each
+                total += {"": each, "array": each * type_.length}.get(type_.shape, 0)
             if total > MOST_VALUES:
                 raise DescriptionError(f"a new {name} would hold more than {MOST_VALUES} values")
             values[name] = total

@@ -101,6 +101,7 @@ def _part_fields(interface: spec.Service | spec.Action) -> list[spec.Field]:
 
 
 def describe(name: str, fields: Iterable[spec.Field]) -> dict[str, Any]:
+    """Return the description of one type by its name and its fields on the wire."""
     return {
         "type_name": name,
         "fields": [{"name": field.name, "type": _describe_type(field.type)} for field in fields],
