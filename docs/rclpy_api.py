@@ -1,7 +1,9 @@
 """Writes docs/rclpy_api.md: the public Python names of ROS 2 Jazzy, and which of them are there.
 
-The names are those that a real ROS 2 Jazzy has, `tests/golden/api_jazzy.json.gz`; what isn't there stands with its
-reason in `rclpy_api_missing.txt`. `make api` runs this, and tests/test_rclpy_api.py holds all three to each other.
+The names are those that a real ROS 2 Jazzy has: `tests/golden/api_jazzy.json.gz` lists what a module defines, with
+signatures, and `module_names.json` whatever else can be imported from it, because it imports that itself; left out are
+modules and what Python has (typing, the standard library). What isn't there stands with its reason in
+`rclpy_api_missing.txt`. `make api` runs this, and tests/test_rclpy_api.py holds all of them to each other.
 """
 
 from __future__ import annotations
@@ -19,6 +21,7 @@ from typing import Any, NamedTuple
 
 HERE = Path(__file__).parent
 GOLDEN = HERE.parent / "tests" / "golden" / "api_jazzy.json.gz"
+IMPORTED = GOLDEN.with_name("module_names.json")
 MISSING = HERE / "rclpy_api_missing.txt"
 PAGE = HERE / "rclpy_api.md"
 
@@ -27,11 +30,15 @@ HEAD = """\
 
 What programs import from ROS 2 Jazzy's Python packages, name by name, with the parameters and their defaults. A tick
 stands where tfloom has the name, and takes the parameters by the same names, in the same order, with the same
-defaults; a test looks at each. Where a name isn't there, or differs, the reason stands instead.
+defaults; a test looks at each. Where a name isn't there, or differs, the reason stands instead. Programs import names
+from modules that merely import them, too, as in `from rclpy.node import QoSProfile`: these stand below a module's
+table, and are the objects of their home.
 
 Written by `docs/rclpy_api.py` from what a real ROS 2 Jazzy has and from `docs/rclpy_api_missing.txt`; `make api`.
 """
 
+_COMPILED = ("rclpy._rclpy_pybind11", "_tf2", "tf2")
+"""Homes that programs don't import: the compiled modules of rclpy and tf2_py."""
 _OPENING, _CLOSING = "([{<", ")]}>"
 
 
@@ -42,9 +49,9 @@ class Name(NamedTuple):
     path: str
     """Within the module: `Node`, `Node.get_name`."""
     kind: str
-    """class, function, value, method, property, attribute or constant."""
+    """class, function, value, method, property, attribute or constant; import: the module merely imports it."""
     signature: str
-    """As recorded, or a constant's value; empty for what is neither called nor constant."""
+    """As recorded, a constant's value, or the home of an import; empty where there is none."""
 
     @property
     def full(self) -> str:
@@ -67,6 +74,30 @@ def recorded() -> dict[str, dict[str, Any]]:
     with gzip.open(GOLDEN, "rt", encoding="utf-8") as file:
         modules: dict[str, dict[str, Any]] = json.load(file)
     return modules
+
+
+def imported() -> dict[str, list[Name]]:
+    """Return the names that each module of a real ROS 2 Jazzy has by importing them."""
+    defined = recorded()
+    modules: dict[str, dict[str, str]] = json.loads(IMPORTED.read_text("utf-8"))
+    return {
+        module: [
+            Name(module, name, "import", what.partition(" ")[2])
+            for name, what in names.items()
+            if name not in defined.get(module, {})
+        ]
+        for module, names in modules.items()
+    }
+
+
+def all_names() -> list[Name]:
+    """Return all names: what modules define, the members of their classes, and what they import."""
+    modules, imports = recorded(), imported()
+    return [
+        name
+        for module in sorted({*modules, *imports})
+        for name in (*names_of(module, modules.get(module, {})), *imports.get(module, []))
+    ]
 
 
 def names_of(module: str, entries: dict[str, Any]) -> Iterator[Name]:
@@ -171,7 +202,9 @@ def differences(name: Name) -> Iterator[str]:
         yield "it isn't there"
         return
     thing = getattr(owner, first)
-    if member:
+    if name.kind == "import":
+        yield from _home_differences(thing, name)
+    elif member:
         yield from _member_differences(thing, member, name)
     elif name.kind == "class":
         if not isinstance(thing, type):
@@ -180,6 +213,15 @@ def differences(name: Name) -> Iterator[str]:
             yield from _signature_differences(name.signature, thing.__init__)
     elif name.kind == "function":
         yield from _signature_differences(name.signature, thing)
+
+
+def _home_differences(thing: Any, name: Name) -> Iterator[str]:
+    """Compare with the object of the home's public module: `geometry_msgs.msg` for `geometry_msgs.msg._pose`."""
+    if not name.signature or name.signature.startswith(_COMPILED):
+        return
+    home = name.signature.partition("._")[0]
+    if getattr(importlib.import_module(home), thing.__name__, None) is not thing:
+        yield f"it is {thing!r}, and not of {home}"
 
 
 def _member_differences(owner: type, member: str, name: Name) -> Iterator[str]:
@@ -286,30 +328,25 @@ def _as_json(text: str) -> str:
 
 def page() -> str:
     """Return the text of docs/rclpy_api.md."""
-    modules, reasons = recorded(), missing()
+    modules, imports, reasons = recorded(), imported(), missing()
     packages: dict[str, list[str]] = {}
-    for module in modules:
+    for module in sorted({*modules, *imports}):
         packages.setdefault(module.split(".")[0], []).append(module)
-    counted = [
-        (package, *_count(modules, members, reasons), reasons.get(package, ""))
-        for package, members in packages.items()
-    ]
+    names = all_names()
     lines = [HEAD, "| package | names | there | |", "|---|---|---|---|"]
-    lines += [f"| {package} | {names} | {there} | {why} |" for package, names, there, why in counted]
+    for package in packages:
+        own = [name for name in names if name.module.split(".")[0] == package]
+        there = sum(reason_for(name, reasons) is None for name in own)
+        lines.append(f"| {package} | {len(own)} | {there} | {reasons.get(package, '')} |")
     homes = _homes(modules)
     for package, members in packages.items():
         if package not in reasons:
             for module in members:
                 lines += ["", f"## {module}", ""]
-                lines += _module_lines(module, modules[module], reasons, homes)
+                lines += _module_lines(
+                    module, modules.get(module, {}), imports.get(module, []), reasons, homes
+                )
     return "\n".join(lines) + "\n"
-
-
-def _count(
-    modules: dict[str, dict[str, Any]], members: list[str], reasons: dict[str, str]
-) -> tuple[int, int]:
-    names = [name for module in members for name in names_of(module, modules[module])]
-    return len(names), sum(reason_for(name, reasons) is None for name in names)
 
 
 def _homes(modules: dict[str, dict[str, Any]]) -> dict[str, str]:
@@ -326,18 +363,33 @@ def _homes(modules: dict[str, dict[str, Any]]) -> dict[str, str]:
 
 
 def _module_lines(
-    module: str, entries: dict[str, Any], reasons: dict[str, str], homes: dict[str, str]
+    module: str,
+    entries: dict[str, Any],
+    imports: list[Name],
+    reasons: dict[str, str],
+    homes: dict[str, str],
 ) -> list[str]:
-    lines = ["| name | there |", "|---|---|"]
+    rows = []
     for name in names_of(module, entries):
         top = name.path.split(".")[0]
         home = homes.get(top + json.dumps(entries[top], sort_keys=True), module)
         reason = reason_for(name, reasons)
         if home != module and reason is None:
             if name.path == top:
-                lines.append(f"| `{top}` | as in {home} |")
+                rows.append(f"| `{top}` | as in {home} |")
         else:
-            lines.append(f"| `{_shown(name)}` | {reason or '✓'} |")
+            rows.append(f"| `{_shown(name)}` | {reason or '✓'} |")
+    there = [f"`{name.path}`" for name in imports if reason_for(name, reasons) is None]
+    rows += [
+        f"| `{name.path}` | {reason} |"
+        for name in imports
+        if (reason := reason_for(name, reasons)) is not None
+    ]
+    lines = ["| name | there |", "|---|---|", *rows] if rows else []
+    if rows and there:
+        lines.append("")
+    if there:
+        lines.append(f"Imported there, and here: {', '.join(there)}.")
     return lines
 
 
