@@ -102,6 +102,8 @@ class _Module:
         for name, local in self.local_names.items():
             package, kind, base = name.split("/")
             typed.append((f"{self.home}{package}.{kind}", base if local == base else f"{base} as {local}"))
+        if any(field.default is not None for message in self.messages for field in message.fields):
+            typed.append(("typing", "ClassVar as _ClassVar"))
         if self.kind != "msg":  # explicit, because the base class declares variables of these names
             typed.append(("typing", "TypeAlias as _TypeAlias"))
         if typed:
@@ -142,6 +144,9 @@ class _Module:
         named = [each for each in fields if each.name not in {"self", "check_fields"}]
         parameters = "".join(f"{each.name}: {self._takes(each.type)} = ..., " for each in named)
         yield f"        def __init__(self, *, {parameters}check_fields: bool | None = None) -> None: ..."
+        for field in message.fields:
+            if field.default is not None:
+                yield f"        {field.name.upper()}__DEFAULT: _ClassVar[{self._gives(field.type)}]"
         for field in fields:
             takes, gives = self._takes(field.type), self._gives(field.type)
             if takes == gives:
