@@ -1,10 +1,10 @@
-"""What façades load when it is named: modules, and names whose home a façade's own import would not load.
+"""Imports of a façade on first use: submodules, and names whose modules the façade's other imports do not load.
 
-`import rclpy` makes `rclpy.time.Time()` work, because the original's modules import one another. For the same reason
-`rclpy.client` has `Clock`, which programs import from there. The façades import tfloom's rooms instead, and load such
-a name's room when the name is first used, because `import` would be slower otherwise.
+After `import rclpy` alone, `rclpy.time.Time()` works in the original, because its modules import one another. For the
+same reason `rclpy.client` has `Clock`, and programs import it from there. The façades import tfloom's rooms instead.
+They defer such imports until first use, because `import rclpy` would be slower otherwise.
 
-A façade states such names under `if TYPE_CHECKING:` as imports, which type checkers read, and in its `else:` as
+A façade has the deferred names twice: as imports under `if TYPE_CHECKING:`, for type checkers, and in the `else:` as
 `__getattr__, __dir__ = deferred(__name__, Clock="tfloom.node.clock.clock")`.
 """
 
@@ -23,7 +23,7 @@ __all__ = ["deferred", "submodules"]
 
 
 def submodules(package: str) -> Callable[[str], ModuleType]:
-    """Return a package's `__getattr__`, which imports the module of a name.
+    """Return the `__getattr__` of a package, which imports the submodule of a name.
 
     It raises AttributeError where there is no such module.
 

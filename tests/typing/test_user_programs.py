@@ -60,7 +60,7 @@ def test_programs_pass_against_a_wheel(wheel_python: Path, tmp_path: Path) -> No
     assert result.returncode == 0, result.stdout
 
 
-def test_each_name_that_a_real_ros_has_is_seen(tmp_path: Path) -> None:
+def test_every_public_name_passes_mypy(tmp_path: Path) -> None:
     reasons = rclpy_api.missing()
     names = [
         name
@@ -76,7 +76,7 @@ def test_each_name_that_a_real_ros_has_is_seen(tmp_path: Path) -> None:
     assert result.returncode == 0, result.stdout
 
 
-def test_what_a_facade_lacks_is_refused(tmp_path: Path) -> None:
+def test_names_that_a_facade_lacks_are_rejected_by_mypy(tmp_path: Path) -> None:
     program = tmp_path / "wrong.py"
     program.write_text(
         "import rclpy, std_msgs\nfrom rclpy.client import Parameter\nrclpy.spn\nstd_msgs.srv\n"
@@ -85,7 +85,7 @@ def test_what_a_facade_lacks_is_refused(tmp_path: Path) -> None:
     assert result.stdout.count("attr-defined") == 3, result.stdout
 
 
-def test_a_wrong_program_is_refused(tmp_path: Path) -> None:
+def test_wrong_program_is_rejected_by_mypy(tmp_path: Path) -> None:
     program = tmp_path / "wrong.py"
     program.write_text("from geometry_msgs.msg import Vector3\n\nVector3(x='one')\nVector3().nope\n")
     result = mypy(Path(sys.executable), program, cache=tmp_path)

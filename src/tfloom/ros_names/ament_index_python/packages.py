@@ -1,4 +1,4 @@
-"""Packages by name."""
+"""Find packages by name."""
 
 from tfloom.workspace.ament import PackageNotFoundError as PackageNotFoundError
 from tfloom.workspace.ament import get_package_prefix as get_package_prefix

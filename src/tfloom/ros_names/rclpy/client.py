@@ -1,4 +1,4 @@
-"""Clients of services."""
+"""Service clients."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""The services of loggers."""
+"""The services that read and set logger levels."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""Parameters of other nodes."""
+"""Clients for the parameters of another node."""
 
 from typing import TYPE_CHECKING
 

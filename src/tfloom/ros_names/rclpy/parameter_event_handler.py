@@ -1,4 +1,4 @@
-"""Callbacks for changes of parameters."""
+"""Callbacks for parameter changes of any node."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""The services of parameters."""
+"""The services that read and set a node's parameters."""
 
 from tfloom.interfaces.rcl_interfaces.msg import ListParametersResult as ListParametersResult
 from tfloom.interfaces.rcl_interfaces.msg import SetParametersResult as SetParametersResult

@@ -1,4 +1,4 @@
-"""The sending end of a topic."""
+"""Publishers."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""QoS that parameters override."""
+"""Overrides of QoS policies by parameters."""
 
 from typing import TYPE_CHECKING
 

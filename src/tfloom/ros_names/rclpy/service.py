@@ -1,4 +1,4 @@
-"""Servers of services."""
+"""Service servers."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""The receiving end of a topic."""
+"""Subscriptions."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""Callbacks at a fixed period."""
+"""Timers and rates."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""The service of types."""
+"""The service that returns the definitions of a node's types."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""Waiting for one message."""
+"""Wait for one message of a topic."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""Which interfaces there are."""
+"""List packages and their interfaces."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""Messages from plain values."""
+"""Set the fields of a message from plain values."""
 
 from tfloom.rosidl.definition import AbstractNestedType as AbstractNestedType
 from tfloom.rosidl.definition import NamespacedType as NamespacedType

@@ -1,4 +1,4 @@
-"""sensor_msgs in numpy's hands."""
+"""Convert sensor_msgs to numpy arrays and back."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""PointCloud2 in numpy's hands."""
+"""Convert PointCloud2 to numpy arrays and back."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""Frames over time, on /tf and /tf_static."""
+"""Buffers, listeners and broadcasters for the transforms on /tf and /tf_static."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""The buffer that programs use: lookups that wait, and futures of transforms to come."""
+"""The buffer of a program: lookups that wait for a transform, and futures of transforms."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""Sends transforms that hold for good."""
+"""Publish static transforms on /tf_static."""
 
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped as TransformStamped
 from tfloom.interfaces.tf2_msgs.msg import TFMessage as TFMessage

@@ -1,4 +1,4 @@
-"""Fills a buffer from /tf and /tf_static."""
+"""Fill a buffer from /tf and /tf_static."""
 
 from tfloom.interfaces.tf2_msgs.msg import TFMessage as TFMessage
 from tfloom.node.executing.callback_groups import ReentrantCallbackGroup as ReentrantCallbackGroup

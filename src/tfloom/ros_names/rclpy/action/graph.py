@@ -1,4 +1,4 @@
-"""The actions of others."""
+"""Queries for the actions on the graph."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""What may yet change in rclpy."""
+"""The experimental part of rclpy, whose API may change."""
 
 from typing import TYPE_CHECKING
 

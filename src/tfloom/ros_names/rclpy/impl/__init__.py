@@ -1,4 +1,4 @@
-"""What rclpy keeps for itself, and programs import all the same."""
+"""Internal modules of rclpy that programs import."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""Nodes with a lifecycle."""
+"""Lifecycle nodes, their publishers and managed entities."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""Nodes with a lifecycle."""
+"""Lifecycle nodes."""
 
 from tfloom.node.endpoints.service import Service as Service
 from tfloom.node.executing.callback_groups import CallbackGroup as CallbackGroup

@@ -1,4 +1,4 @@
-"""Publishers of such nodes."""
+"""Publishers that publish while their lifecycle node is active."""
 
 from tfloom.node.endpoints.publisher import MsgType as MsgType
 from tfloom.node.endpoints.publisher import Publisher as Publisher
