@@ -28,15 +28,15 @@ def test_each_name_exists_with_the_recorded_signature() -> None:
     assert not amiss, "\n".join(amiss)
 
 
-def test_an_import_from_elsewhere_is_seen() -> None:
-    """The instrument itself: an object that isn't the home's is told."""
+def test_another_object_than_the_homes_is_detected() -> None:
+    """Check the instrument itself."""
     duration = rclpy_api.Name("rclpy.time", "Time", "import", "rclpy.duration")
     (found,) = rclpy_api.differences(duration)
-    assert found.endswith("and not of rclpy.duration")
+    assert found.endswith("not the object of rclpy.duration")
 
 
-def test_an_import_is_one_object_wherever_it_is() -> None:
-    """Names of one home, and profiles, are one object in all modules, compiled ones included."""
+def test_an_imported_name_is_one_object_in_all_modules() -> None:
+    """Compare names of one home, compiled modules included, and the QoS profiles."""
     objects: dict[tuple[str, str], dict[int, str]] = {}
     for name in NAMES:
         is_profile = name.path.startswith("qos_profile_")
@@ -51,7 +51,7 @@ def test_an_import_is_one_object_wherever_it_is() -> None:
     assert not [where for where in objects.values() if len(where) > 1]
 
 
-def test_what_completion_shows_has_what_can_be_imported() -> None:
+def test_dir_lists_imported_names() -> None:
     missing = [
         name.full
         for name in NAMES
