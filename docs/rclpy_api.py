@@ -389,7 +389,7 @@ def _module_lines(
     if rows and there:
         lines.append("")
     if there:
-        lines.append(f"Imported, in tfloom too: {', '.join(there)}.")
+        lines.append(f"Other names, which tfloom has too: {', '.join(there)}.")
     return lines
 
 

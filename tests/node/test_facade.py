@@ -32,6 +32,14 @@ def run(code: str, *options: str) -> subprocess.CompletedProcess[str]:
     )
 
 
+def test_messages_are_available_after_importing_their_package_alone() -> None:
+    result = run(
+        "import std_msgs, turtlesim; print(std_msgs.msg.Bool(data=True), turtlesim.srv.Spawn); std_msgs.srv"
+    )
+    assert result.stdout.startswith("std_msgs.msg.Bool(data=True) <class"), result.stderr
+    assert "AttributeError: module 'std_msgs' has no attribute 'srv'" in result.stderr
+
+
 def test_deferred_name_is_imported_on_first_use() -> None:
     code = (
         "import sys, rclpy.client, rclpy.node, tf2_ros\n"
