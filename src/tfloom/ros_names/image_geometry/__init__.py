@@ -4,6 +4,7 @@ from tfloom.ros_guard import claim
 
 claim("image_geometry")
 
+import image_geometry.cameramodels
 from tfloom.sensing.pinhole_camera_model import PinholeCameraModel
 from tfloom.sensing.stereo_camera_model import StereoCameraModel
 

@@ -4,6 +4,8 @@ from tfloom.ros_guard import claim
 
 claim("interactive_markers")
 
+import interactive_markers.interactive_marker_server
+import interactive_markers.menu_handler
 from tfloom.sensing.interactive_marker_server import InteractiveMarkerServer
 from tfloom.sensing.menu_handler import MenuHandler
 
