@@ -92,12 +92,12 @@ def test_files(cv2: Any) -> None:
     np.testing.assert_array_equal(decode_picture(encode_picture(deep, "png")), deep)
     bridge = CvBridge()
     for ending in ("doc", "pgm"):
-        with pytest.raises(CvBridgeError, match=f"OpenCV can't write uint8.*as '{ending}'"):
+        with pytest.raises(CvBridgeError, match=f"OpenCV cannot write uint8.*as '{ending}'"):
             bridge.cv2_to_compressed_imgmsg(picture, ending)
     message = bridge.cv2_to_compressed_imgmsg(picture)
     for data in (b"", bytes(100)):
         message.data = data
-        with pytest.raises(CvBridgeError, match="no picture that OpenCV can read"):
+        with pytest.raises(CvBridgeError, match="not an image that OpenCV can read"):
             bridge.compressed_imgmsg_to_cv2(message)
 
 

@@ -155,7 +155,7 @@ def test_messages_that_contradict_themselves(changes: dict[str, object], text: s
             CvBridgeError,
             "encoding specified as bgr8, but image has incompatible type 8UC1",
         ),
-        (np.zeros((2, 2), np.int64), "passthrough", CvBridgeError, "no image has pixels of int64"),
+        (np.zeros((2, 2), np.int64), "passthrough", CvBridgeError, "no encoding has pixels of int64"),
         (np.zeros(2, np.uint8), "passthrough", CvBridgeError, "an image has two or three dimensions"),
         (np.zeros((4, 4), np.uint8), "nv21", CvBridgeError, "multiple of 3 rows, not 4"),
         (np.zeros((2, 2), np.uint8), "purple", CvBridgeError, r"Unrecognized image encoding \[purple\]"),
@@ -202,7 +202,7 @@ def test_files_that_opencv_wrote(name: str, ending: str, recorded: Recorded) -> 
 def test_files_hold_what_opencv_would_write(name: str, ending: str, recorded: Recorded) -> None:
     bridge, picture = CvBridge(), recorded[f"picture {name}"]
     if (name, ending) == ("gray", "ppm"):
-        with pytest.raises(CvBridgeError, match=r"no 'ppm' holds an image of 1 channel\(s\)"):
+        with pytest.raises(CvBridgeError, match=r"'ppm' cannot store an image of 1 channel\(s\)"):
             bridge.cv2_to_compressed_imgmsg(picture, ending)
         return
     message = bridge.cv2_to_compressed_imgmsg(picture, ending)
@@ -263,11 +263,15 @@ def test_conversions_of_files() -> None:
 @pytest.mark.parametrize(
     ("image", "ending", "text"),
     [
-        (np.zeros((2, 2), np.uint8), "doc", "without OpenCV no 'doc' is written, only bmp, dib, jp2, jpe"),
-        (np.zeros((2, 2, 2), np.uint8), "jpg", "1, 3 or 4 channels can be written"),
-        (np.zeros((2, 2, 3), np.uint16), "png", r"no 'png' of 3 channel\(s\) of uint16 is written"),
-        (np.zeros((2, 2), np.int32), "tif", r"no 'tif' of 1 channel\(s\) of int32 is written"),
-        (np.zeros((0, 2), np.uint8), "jpg", "no file holds an image of shape"),
+        (
+            np.zeros((2, 2), np.uint8),
+            "doc",
+            "without OpenCV, 'doc' cannot be written; known formats: bmp, dib, jp2, jpe",
+        ),
+        (np.zeros((2, 2, 2), np.uint8), "jpg", "it can store 1, 3 or 4 channels"),
+        (np.zeros((2, 2, 3), np.uint16), "png", r"'png' of 3 channel\(s\) of uint16 cannot be written"),
+        (np.zeros((2, 2), np.int32), "tif", r"'tif' of 1 channel\(s\) of int32 cannot be written"),
+        (np.zeros((0, 2), np.uint8), "jpg", "no file format stores an image of shape"),
     ],
 )
 @pytest.mark.usefixtures("without_opencv")
@@ -293,7 +297,7 @@ def test_broken_files_are_refused() -> None:
             try:
                 assert bridge.compressed_imgmsg_to_cv2(message).size
             except CvBridgeError as error:
-                assert "are no picture that Pillow can read" in str(error)  # noqa: PT017  # either is right
+                assert "are not an image that Pillow can read" in str(error)  # noqa: PT017  # either is right
 
 
 def test_the_package_hands_on() -> None:

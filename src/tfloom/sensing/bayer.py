@@ -1,7 +1,7 @@
-"""Mosaics of a colour filter, demosaiced: what OpenCV's cvtColor does by its bilinear method.
+"""Bilinear demosaicing of Bayer images, with results equal to OpenCV's cvtColor.
 
-A colour that a pixel lacks is the mean of its nearest neighbours of that colour. The outermost pixels, which lack
-neighbours, repeat those inside them.
+A missing colour of a pixel is the mean of the nearest neighbours of that colour. The outermost pixels, which lack
+neighbours, are copies of the pixels next to them.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ _LUMA = {"r": 4899, "g": 9617, "b": 1868}
 
 
 def bayer_to_rgb(image: Array, mosaic: str) -> Array:
-    """Return the picture (rows, columns, 3), red first, of a mosaic.
+    """Return the image (rows, columns, 3), red first, of a mosaic.
 
     Args:
         image: Mosaic (rows, columns), uint8 or uint16.
-        mosaic: Its upper left two rows, as `rggb`.
+        mosaic: The colours of its first two rows and columns, as `rggb`.
     """
     rgb = np.zeros((*image.shape, 3), image.dtype)
     sums = _Sums(image)
@@ -43,11 +43,11 @@ def bayer_to_rgb(image: Array, mosaic: str) -> Array:
 
 
 def bayer_to_gray(image: Array, mosaic: str) -> Array:
-    """Return the luma (rows, columns) of a mosaic, from the sums of neighbours in place of their means.
+    """Return the luma (rows, columns) of a mosaic, rounded once, from the sums of neighbours.
 
     Args:
         image: Mosaic (rows, columns), uint8 or uint16.
-        mosaic: Its upper left two rows, as `rggb`.
+        mosaic: The colours of its first two rows and columns, as `rggb`.
     """
     gray = np.zeros_like(image)
     sums = _Sums(image)
@@ -67,7 +67,7 @@ def bayer_to_gray(image: Array, mosaic: str) -> Array:
 
 
 class _Sums:
-    """Sums of the neighbours of each pixel that isn't an outermost one."""
+    """Sums of the neighbours of each inner pixel."""
 
     def __init__(self, image: Array) -> None:
         wide = image.astype(np.int64)
@@ -80,12 +80,12 @@ class _Sums:
 
     @staticmethod
     def inner(row: int, column: int) -> tuple[slice, slice]:
-        """Return where the inner pixels are that stand like (row, column) of the mosaic."""
+        """Return the index of the inner pixels at (row, column) of the mosaic."""
         return slice(1 - row, None, 2), slice(1 - column, None, 2)
 
 
 def _sites(mosaic: str) -> list[tuple[int, int, str, str]]:
-    """Return row, column and colour of a mosaic's four pixels, and the colour beside each."""
+    """Return row, column and colour of a mosaic's four pixels, and the colour of the horizontal neighbour."""
     return [(index // 2, index % 2, color, mosaic[index ^ 1]) for index, color in enumerate(mosaic)]
 
 

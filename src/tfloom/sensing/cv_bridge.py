@@ -32,20 +32,20 @@ _SHORT_NAMES = {
 
 
 class CvBridgeError(TypeError):
-    """An image can't be converted as asked."""
+    """An image cannot be converted."""
 
 
 class CvBridge:
-    """Converter between image messages and arrays, which are what OpenCV's functions take.
+    """Converter between image messages and arrays, as OpenCV's functions take them.
 
-    An array is (rows, columns), or (rows, columns, channels) where there are several. Of formats in planes it has the
-    rows of all planes below each other, as OpenCV wants them: 3/2 of the picture's for `nv12` and `nv21`, 3 times for
-    `nv24`.
+    An array is (rows, columns), or (rows, columns, channels) for several channels. In planar formats the planes are
+    below each other, as OpenCV takes them: an array of an `nv12` or `nv21` image has 3/2 of the image's rows, of an
+    `nv24` image 3 times as many.
     """
 
     @cached_property
     def cvtype_to_name(self) -> dict[int, str]:
-        """Names of OpenCV's types with one to four channels, as `8UC3`, by their numbers."""
+        """Names of OpenCV's types with one to four channels, as `8UC3`, by number."""
         return {
             cv_type(DEPTHS[depth], channels): f"{short}C{channels}"
             for depth, short in _SHORT_NAMES.items()
@@ -54,26 +54,28 @@ class CvBridge:
 
     @cached_property
     def cvdepth_to_numpy_depth(self) -> dict[int, str]:
-        """Names in numpy of OpenCV's depths, as `uint8`, by their numbers."""
+        """Names in numpy of OpenCV's depths, as `uint8`, by number."""
         return {number: name for name, number in DEPTHS.items()}
 
     @cached_property
     def numpy_type_to_cvtype(self) -> dict[str, str]:
-        """OpenCV's short names, as `8U`, by numpy's, as `uint8`; and the other way round."""
+        """OpenCV's short names, as `8U`, by numpy's, as `uint8`, and vice versa."""
         return _SHORT_NAMES | {short: name for name, short in _SHORT_NAMES.items()}
 
     def dtype_with_channels_to_cvtype2(self, dtype: np.dtype[Any], n_channels: int) -> str:
-        """Return the name of a type of pixels: `8UC3` for three uint8.
+        """Return the name of a pixel type: `8UC3` for three uint8.
 
         Raises:
-            CvBridgeError: OpenCV has no such numbers.
+            CvBridgeError: OpenCV does not have the type.
         """
         if dtype.name not in _SHORT_NAMES:
-            raise CvBridgeError(f"no image has pixels of {dtype.name}; take one of {', '.join(_SHORT_NAMES)}")
+            raise CvBridgeError(
+                f"no encoding has pixels of {dtype.name}, but only of {', '.join(_SHORT_NAMES)}"
+            )
         return f"{_SHORT_NAMES[dtype.name]}C{n_channels}"
 
     def cvtype2_to_dtype_with_channels(self, cvtype: int) -> tuple[str, int]:
-        """Return numpy's name of the numbers, and the number of channels, of a type of OpenCV's."""
+        """Return numpy's name of the values' type, and the number of channels, of an OpenCV type."""
         return self.cvdepth_to_numpy_depth[CV_MAT_DEPTHWrap(cvtype)], CV_MAT_CNWrap(cvtype)
 
     def encoding_to_cvtype2(self, encoding: str) -> int:
@@ -88,7 +90,7 @@ class CvBridge:
             raise CvBridgeError(error) from None
 
     def encoding_to_dtype_with_channels(self, encoding: str) -> tuple[str, int]:
-        """Return numpy's name of the numbers, and the number of channels, of an encoding: `uint8`, 3 for `bgr8`.
+        """Return numpy's name of the values' type, and the number of channels, of an encoding: `uint8`, 3 for `bgr8`.
 
         Raises:
             CvBridgeError: there is no such encoding.
@@ -100,13 +102,13 @@ class CvBridge:
         """Return the image of a message.
 
         Args:
-            img_msg: The message. Without padding, in this machine's byte order and with `passthrough`, the array is a
+            img_msg: The message. If it has no padding and this machine's byte order, the array with `passthrough` is a
                 view of its data.
-            desired_encoding: What to convert it to; `passthrough`: as it is.
+            desired_encoding: Encoding of the result; `passthrough`: the message's.
 
         Raises:
-            CvBridgeError: the encoding is unknown, the message's sizes contradict each other, or there is no such
-                conversion.
+            CvBridgeError: the encoding is unknown, the message's sizes contradict each other, or the conversion is not
+                supported.
         """
         encoding = _find(img_msg.encoding)
         image = _array_of(img_msg, encoding)
@@ -115,16 +117,16 @@ class CvBridge:
         return _convert(image, img_msg.encoding, desired_encoding)
 
     def cv2_to_imgmsg(self, cvim: Array, encoding: str = _PASSTHROUGH, header: Header | None = None) -> Image:
-        """Return an image as a message; the numbers are copied.
+        """Return an image as a message; the pixels are copied.
 
         Args:
             cvim: Image (rows, columns) or (rows, columns, channels).
-            encoding: What the array is; `passthrough`: just numbers, as `8UC3`. Nothing is converted.
+            encoding: The array's encoding; nothing is converted. `passthrough`: a type without colours, as `8UC3`.
             header: Header of the message.
 
         Raises:
-            TypeError: `cvim` is no array.
-            CvBridgeError: the encoding is unknown, or the array isn't of it.
+            TypeError: `cvim` is not an array.
+            CvBridgeError: the encoding is unknown, or the array does not match it.
         """
         _check_array(cvim)
         cv_name = self.dtype_with_channels_to_cvtype2(cvim.dtype, cvim.shape[2] if cvim.ndim == 3 else 1)
@@ -150,14 +152,14 @@ class CvBridge:
     def compressed_imgmsg_to_cv2(
         self, cmprs_img_msg: CompressedImage, desired_encoding: str = _PASSTHROUGH
     ) -> Array:
-        """Return the image of a compressed message: grey, or in colours with blue first, of uint8 or uint16.
+        """Return the image of a compressed message: grey, or with blue first, of uint8 or uint16.
 
         Args:
-            cmprs_img_msg: The message; its format is found in the data.
-            desired_encoding: What to convert the image to; `passthrough`: as it is.
+            cmprs_img_msg: The message; the data determines the file format.
+            desired_encoding: Encoding of the result; `passthrough`: the image's.
 
         Raises:
-            CvBridgeError: the data is no picture, or there is no such conversion.
+            CvBridgeError: the data is not a readable image, or the conversion is not supported.
         """
         from tfloom.sensing.image_files import decode_picture
 
@@ -170,7 +172,7 @@ class CvBridge:
         return _convert(image, self._encoding_of_picture(image), desired_encoding)
 
     def _encoding_of_picture(self, image: Array) -> str:
-        """Return what a picture from a file is: `mono8`, `bgr8`, `bgra16` …, or just its numbers."""
+        """Return the encoding of a decoded image: `mono8`, `bgr8`, `bgra16` …, or a type without colours."""
         channels = image.shape[2] if image.ndim == 3 else 1
         color = {1: "mono", 3: "bgr", 4: "bgra"}.get(channels)
         if color is None or image.dtype not in (np.uint8, np.uint16):
@@ -182,11 +184,11 @@ class CvBridge:
 
         Args:
             cvim: Image (rows, columns), or (rows, columns, 1, 3 or 4) with blue first.
-            dst_format: File format, by its usual ending: `jpg`, `png`, `tiff`, `bmp` and the like.
+            dst_format: File name extension of the format: `jpg`, `png`, `tiff`, `bmp` …
 
         Raises:
-            TypeError: `cvim` is no array.
-            CvBridgeError: the format is unknown, or can't hold such an image.
+            TypeError: `cvim` is not an array.
+            CvBridgeError: the format is unknown, or cannot store the image.
         """
         from tfloom.sensing.image_files import encode_picture
 
@@ -243,7 +245,7 @@ def _array_of(message: Image, encoding: Encoding) -> Array:
     if encoding.channels == 1:
         image = image[..., 0]
     if encoding.name == "nv24" and message.step > message.width:
-        # A row of chroma has two numbers for each pixel, and then twice the padding.
+        # A row of chroma has two values for each pixel, and twice the padding.
         chroma: Array = np.ndarray(
             (message.height, 2 * message.width),
             dtype,

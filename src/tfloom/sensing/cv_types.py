@@ -1,7 +1,7 @@
-"""The numbers by which OpenCV names the type of a pixel, as `CV_8UC3`.
+"""OpenCV's numbers of pixel types, as `CV_8UC3`.
 
-The low three bits are the depth, the rest the number of channels less one. It starts at bit 3 in OpenCV up to 4, which
-ROS 2 Jazzy has, and at bit 5 from OpenCV 5.
+The low three bits are the depth. The number of channels, minus one, starts at bit 3 up to OpenCV 4, which ROS 2 Jazzy
+uses, and at bit 5 since OpenCV 5.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ def getCvType(encoding: str) -> int:  # noqa: N802  # the reference's name
     """Return OpenCV's number for the pixels of an encoding: 16 for `bgr8`, which is `cv2.CV_8UC3`.
 
     Raises:
-        RuntimeError: there is no such encoding.
+        RuntimeError: the encoding is unknown.
     """
     found = find_encoding(encoding)
     return cv_type(DEPTHS[found.dtype.name], found.channels)

@@ -1,4 +1,4 @@
-"""Topics that are watched: diagnostic_updater's topic diagnostics and publisher."""
+"""Diagnostics of topics: diagnostic_updater's topic diagnostics and publisher."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ __all__ = ["DiagnosedPublisher", "HeaderlessTopicDiagnostic", "TopicDiagnostic"]
 
 
 class HeaderlessTopicDiagnostic(CompositeDiagnosticTask):
-    """Watches how often a topic's messages come. Call `tick` at each.
+    """Monitors the frequency of a topic's messages. Call `tick` at each message.
 
     Args:
-        name: The topic; the task is named after it, with ` topic status`.
-        diag: Updater that the task is added to.
-        freq: Which frequencies are accepted.
+        name: The topic; the name of the task is `<name> topic status`.
+        diag: Updater to which the task is added.
+        freq: Limits of the frequency.
     """
 
     def __init__(self, name: str, diag: DiagnosticTaskVector, freq: FrequencyStatusParam) -> None:
@@ -40,18 +40,18 @@ class HeaderlessTopicDiagnostic(CompositeDiagnosticTask):
         self.freq.tick()
 
     def clear_window(self) -> None:
-        """Count anew."""
+        """Reset the count."""
         self.freq.clear()
 
 
 class TopicDiagnostic(HeaderlessTopicDiagnostic):
-    """Watches how often a topic's messages come, and how old they are. Call `tick` at each.
+    """Monitors the frequency and the age of a topic's messages. Call `tick` at each message.
 
     Args:
-        name: The topic; the task is named after it, with ` topic status`.
-        diag: Updater that the task is added to.
-        freq: Which frequencies are accepted.
-        stamp: Which ages are accepted.
+        name: The topic; the name of the task is `<name> topic status`.
+        diag: Updater to which the task is added.
+        freq: Limits of the frequency.
+        stamp: Limits of the age.
     """
 
     def __init__(
@@ -68,13 +68,13 @@ class TopicDiagnostic(HeaderlessTopicDiagnostic):
 
 
 class DiagnosedPublisher(TopicDiagnostic):
-    """A publisher whose messages, which have a header, are watched.
+    """A publisher whose messages, which have a header, are monitored.
 
     Args:
-        pub: Publishes them.
-        diag: Updater that the task is added to.
-        freq: Which frequencies are accepted.
-        stamp: Which ages are accepted.
+        pub: The publisher.
+        diag: Updater to which the task is added.
+        freq: Limits of the frequency.
+        stamp: Limits of the age.
     """
 
     def __init__(

@@ -1,4 +1,4 @@
-"""A status that is easy to fill: diagnostic_updater's DiagnosticStatusWrapper."""
+"""DiagnosticStatus with convenience methods: diagnostic_updater's DiagnosticStatusWrapper."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ __all__ = ["DiagnosticStatus", "DiagnosticStatusWrapper", "KeyValue"]
 
 
 class DiagnosticStatusWrapper(DiagnosticStatus):
-    """A DiagnosticStatus that merges summaries. It takes the message's fields, by keyword."""
+    """DiagnosticStatus whose summary can be set and merged. Takes the message's fields by keyword."""
 
     @overload
     def summary(self, status: DiagnosticStatus, /) -> None: ...

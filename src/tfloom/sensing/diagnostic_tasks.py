@@ -1,4 +1,4 @@
-"""What fills a status: diagnostic_updater's tasks."""
+"""The tasks of diagnostic_updater, which fill a status."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ __all__ = ["CompositeDiagnosticTask", "DiagnosticTask", "FunctionDiagnosticTask"
 
 
 class DiagnosticTask:
-    """A task with a name. Derive from it, and fill the status in `run`."""
+    """A task with a name; the base class of tasks, which override `run`."""
 
     def __init__(self, name: str) -> None:
         self.name = name
@@ -25,11 +25,11 @@ class DiagnosticTask:
 
 
 class FunctionDiagnosticTask(DiagnosticTask):
-    """A task that is a function.
+    """A task that calls a function.
 
     Args:
         name: The task's name.
-        fn: Fills the status it is given and returns it.
+        fn: Fills its argument and returns it.
     """
 
     def __init__(self, name: str, fn: Callable[[DiagnosticStatusWrapper], DiagnosticStatusWrapper]) -> None:
@@ -42,14 +42,14 @@ class FunctionDiagnosticTask(DiagnosticTask):
 
 
 class CompositeDiagnosticTask(DiagnosticTask):
-    """Several tasks with one status, which has the values of all and their summaries, merged."""
+    """Several tasks with one status, which has the values of all tasks and their merged summaries."""
 
     def __init__(self, name: str) -> None:
         super().__init__(name)
         self.tasks: list[DiagnosticTask] = []
 
     def run(self, stat: DiagnosticStatusWrapper) -> DiagnosticStatusWrapper:
-        """Run each task with the summary that the status came with, and merge what they leave there."""
+        """Run each task with the given summary, and merge the resulting summaries."""
         original, combined = DiagnosticStatusWrapper(), DiagnosticStatusWrapper()
         original.summary(stat)
         for task in self.tasks:

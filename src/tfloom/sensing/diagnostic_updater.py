@@ -1,4 +1,4 @@
-"""A node's statuses on /diagnostics: diagnostic_updater's Updater."""
+"""Publication of a node's statuses on /diagnostics: diagnostic_updater's Updater."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class DiagnosticTaskVector:
     """Tasks, in the order in which they were added."""
 
     class DiagnosticTaskInternal:
-        """A task in the list: its name, and what fills the status."""
+        """A task in the list: a name and a function that fills a status."""
 
         def __init__(self, name: str, fn: _Fill) -> None:
             self.name = name
@@ -52,7 +52,7 @@ class DiagnosticTaskVector:
         self.tasks: list[DiagnosticTaskVector.DiagnosticTaskInternal] = []
 
     def addedTaskCallback(self, task: DiagnosticTaskInternal) -> None:  # noqa: N802  # diagnostic_updater's name
-        """Do what is to be done once a task has been added: nothing here."""
+        """Handle the addition of a task; a subclass overrides it."""
 
     @overload
     def add(self, task: DiagnosticTask, /) -> None: ...
@@ -87,13 +87,13 @@ class DiagnosticTaskVector:
 
 
 class Updater(DiagnosticTaskVector):
-    """Runs tasks at regular times and publishes what they found on /diagnostics.
+    """Runs tasks periodically and publishes their statuses on /diagnostics.
 
     Args:
-        node: Gets a publisher, a timer and the parameters `diagnostic_updater.period` [s] and
-            `diagnostic_updater.use_fqn`, whether statuses are named after the node with its namespace. What is declared
-            already is taken.
-        period: Default of the first [s].
+        node: Owns the publisher, the timer and the parameters `diagnostic_updater.period` [s] and
+            `diagnostic_updater.use_fqn`, whether the names of statuses begin with the node's fully qualified name.
+            Parameters that are already declared are used.
+        period: Default of `diagnostic_updater.period` [s].
     """
 
     def __init__(self, node: Node, period: float = 1.0) -> None:
@@ -105,7 +105,7 @@ class Updater(DiagnosticTaskVector):
         self._period = float(self._parameter(self.period_parameter, float(period)))
         self.timer = node.create_timer(self._period, self.update)
         self.verbose = False
-        """Whether a warning is logged for each status that isn't OK."""
+        """Whether a warning is logged for each status other than OK."""
         self.hwid = ""
         self.warn_nohwid_done = False
         in_full = self._parameter(self.use_fqn_parameter, False)
@@ -117,7 +117,7 @@ class Updater(DiagnosticTaskVector):
         return self.node.get_parameter(name).value
 
     def update(self) -> None:
-        """Run all tasks and publish what they found; the timer calls this."""
+        """Run all tasks and publish their statuses; the timer calls this."""
         statuses = []
         with self.lock:
             for task in list(self.tasks):
@@ -152,7 +152,7 @@ class Updater(DiagnosticTaskVector):
         self.timer = self.node.create_timer(period, self.update)
 
     def force_update(self) -> None:
-        """Update now."""
+        """Run all tasks and publish their statuses now."""
         self.update()
 
     def broadcast(self, lvl: bytes, msg: str) -> None:
@@ -166,11 +166,11 @@ class Updater(DiagnosticTaskVector):
         self.publish(statuses)
 
     def setHardwareID(self, hwid: str) -> None:  # noqa: N802  # diagnostic_updater's name
-        """Set the hardware's id, which all statuses carry; `none` where there is none."""
+        """Set the hardware id of all statuses; `none` for a device without one."""
         self.hwid = hwid
 
     def publish(self, msg: DiagnosticStatus | Sequence[DiagnosticStatus]) -> None:
-        """Publish one status or several, each under the node's name and its own."""
+        """Publish one status or several, each name prefixed with the node's name."""
         statuses = [msg] if isinstance(msg, DiagnosticStatus) else msg
         message = DiagnosticArray()
         message.header.stamp = self.node.get_clock().now().to_msg()

@@ -1,4 +1,4 @@
-"""Colours of arrays changed: the arithmetic of OpenCV's cvtColor, in whole numbers, to the last bit.
+"""Colour conversions of arrays: OpenCV's cvtColor in integer arithmetic, with equal results.
 
 An image is an array (rows, columns) or (rows, columns, channels) of uint8 or uint16. Sources: OpenCV's documentation of
 its colour conversions; ITU-R BT.601 for luma, and for video range (luma 16 to 235, chroma 16 to 240 around 128).
@@ -30,10 +30,10 @@ _ORDERS = ("rgb", "bgr", "rgba", "bgra")
 
 
 def change_color(image: Array, source: Encoding, target: Encoding) -> Array:
-    """Return an image in the colour format of `target`, with numbers as deep as before.
+    """Return an image in the colour format of `target`; the type of its values stays.
 
     Raises:
-        ImageError: there is no such conversion, or the size of the image doesn't fit its format.
+        ImageError: the conversion is not supported, or the image's size is invalid for its format.
     """
     if source.color in _ORDERS and target.color in {"gray", *_ORDERS}:
         return _from_order(image, source.color, target.color)
@@ -61,7 +61,7 @@ def _from_order(image: Array, order: str, wanted: str) -> Array:
 
 
 def _assemble(channels: dict[str, Array], order: str) -> Array:
-    """Return the channels in an order; an alpha that they lack is opaque."""
+    """Return the channels in an order; a missing alpha is opaque."""
     first = channels[order[0]]
     image = np.empty((*first.shape, len(order)), first.dtype)
     for index, name in enumerate(order):
@@ -73,7 +73,7 @@ def _from_yuv(image: Array, source: Encoding, order: str) -> Array:
     luma, u, v = _planes(image, source)
     if order == "gray":
         return np.ascontiguousarray(luma)
-    # Chroma's share of each colour, once for all pixels that have this chroma.
+    # The share of chroma in each colour, computed once for all pixels with the same chroma.
     u_offset, v_offset = (plane.astype(np.int32) - 128 for plane in (u, v))
     half = 1 << _VIDEO_BITS - 1
     shares = {
@@ -93,7 +93,7 @@ def _from_yuv(image: Array, source: Encoding, order: str) -> Array:
 
 
 def _planes(image: Array, source: Encoding) -> tuple[Array, Array, Array]:
-    """Return luma (height, width), and u and v of blocks of its pixels."""
+    """Return luma (height, width), and u and v, each of one value per block of pixels."""
     width = image.shape[1]
     if source.color != "nv24" and width % 2:
         raise ImageError(f"a [{source.name}] image has an even width, not {width}")

@@ -1,4 +1,4 @@
-"""Images from one encoding to another, by the rules of cv_bridge."""
+"""Conversions between image encodings, by the rules of cv_bridge."""
 
 from __future__ import annotations
 
@@ -22,16 +22,17 @@ _SCALE = 257
 def cvtColor2(m: Array, encoding_in: str, encoding_out: str) -> Array:  # noqa: N802  # the reference's name
     """Return an image in another encoding, as a new array.
 
-    Colours turn into colours, and numbers without a colour into others, as many to a pixel. From 8 bits to 16 and back,
-    the whole range of one becomes that of the other; every other change of type rounds and clips.
+    Colours are converted to colours, and other channels to as many channels. Between 8 and 16 bits, values are scaled
+    by 257, so that the ranges correspond; every other change of type rounds and clips.
 
     Args:
         m: Image (rows, columns) or (rows, columns, channels).
-        encoding_in: What it is.
-        encoding_out: What to make of it; empty: the same.
+        encoding_in: Its encoding.
+        encoding_out: Encoding of the result; empty: the same.
 
     Raises:
-        RuntimeError: an encoding is unknown, the array isn't of `encoding_in`, or the conversion makes no sense.
+        RuntimeError: an encoding is unknown, the array does not match `encoding_in`, or the conversion is not
+            supported.
     """
     source = _find(encoding_in)
     target = _find(encoding_out or encoding_in)
@@ -58,7 +59,7 @@ def _check(image: Array, encoding: Encoding) -> None:
 
 
 def _is_to_change_color(source: Encoding, target: Encoding) -> bool:
-    """Return whether colours change, or raise ImageError where they can't."""
+    """Return whether colours are to be converted. Raise ImageError if the conversion is not supported."""
     if source.name == target.name:
         return False
     if not source.color and target.color:
@@ -90,7 +91,7 @@ def _change_depth(image: Array, bits: int, target: Encoding) -> Array:
 def saturate(numbers: Array, dtype: np.dtype[Any]) -> Array:
     """Return numbers as another type, rounded half to even and clipped.
 
-    As in OpenCV, a floating-point number that no int32 holds, as NaN, counts as the smallest int32.
+    As in OpenCV, NaN and floating-point numbers outside the range of int32 are converted as the smallest int32.
     """
     if dtype.kind == "f":
         with np.errstate(over="ignore"):

@@ -1,4 +1,4 @@
-"""Images made fit to look at: cv_bridge's cvtColorForDisplay."""
+"""Conversion of images for display: cv_bridge's cvtColorForDisplay."""
 
 from __future__ import annotations
 
@@ -32,20 +32,19 @@ def cvtColorForDisplay(  # noqa: N802  # the reference's name
 ) -> Array:
     """Return an image in colours or greys of 8 bits.
 
-    Labels (`32SC1` to `bgr8`) get a colour each, the label -1 black.
+    Labels (`32SC1` to `bgr8`) become one colour each, negative labels black.
 
     Args:
         source: Image (rows, columns) or (rows, columns, channels).
-        encoding_in: What it is.
+        encoding_in: Its encoding.
         encoding_out: A colour or grey format of 8 bits; empty: `bgr8`.
-        do_dynamic_scaling: Whether to spread the image's own range, from its smallest finite number to its largest,
-            over 0 to 255.
-        min_image_value: Number that becomes 0, for images of one channel.
-        max_image_value: Number that becomes 255; the same as `min_image_value`: no scaling.
-        colormap: One of OpenCV's `COLORMAP_…` for what is scaled, which needs OpenCV; -1: greys.
+        do_dynamic_scaling: Whether to scale the image's smallest and largest finite values to 0 and 255.
+        min_image_value: Value that is scaled to 0, for images of one channel.
+        max_image_value: Value that is scaled to 255. If it equals `min_image_value`, values are not scaled.
+        colormap: `cv2.COLORMAP_…` for scaled values, which needs OpenCV; -1: greys.
 
     Raises:
-        RuntimeError: there is no such conversion.
+        RuntimeError: the conversion is not supported.
     """
     encoding = find_encoding(encoding_in)
     target = _target(encoding, encoding_out)
@@ -62,7 +61,7 @@ def cvtColorForDisplay(  # noqa: N802  # the reference's name
         if encoding.channels != 1:
             raise ImageError(f"{_WHERE} scaling for images with more than one channel is unsupported")
         return _scaled(source, min_image_value, max_image_value, target, colormap)
-    # The type of depth images is meant as grey here.
+    # As in the reference, depth images are interpreted as grey here.
     typed = "mono16" if encoding_in == "16UC1" else encoding_in
     if typed == target.name:
         return source
@@ -115,13 +114,13 @@ def _colors_of_labels(labels: Array) -> Array:
 def _palette() -> Array:
     """Return the colours of labels (146, 3), blue first.
 
-    They are CSS's, by name, as cv_bridge has them: each rounded to three digits of 0 to 1; `paleturquoise` is missing,
-    and `palevioletred` looks like it.
+    They are the named colours of CSS in alphabetical order, as in cv_bridge: values of 0 to 1 with three digits,
+    without `paleturquoise`, whose value `palevioletred` has.
     """
     from tfloom.sensing.image_files import css_colors
 
     colors = css_colors()
-    colors.pop("rebeccapurple", None)  # of a later CSS
+    colors.pop("rebeccapurple", None)  # added by CSS 4
     colors["palevioletred"] = colors.pop("paleturquoise")
     rounded = [
         [float(f"{channel / 255:.3g}") for channel in reversed(colors[name])] for name in sorted(colors)

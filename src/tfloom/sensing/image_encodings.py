@@ -1,4 +1,4 @@
-"""The encodings of sensor_msgs/Image: what the numbers of a pixel are, and which colours they mean."""
+"""The encodings of sensor_msgs/Image: the types, channels and colours of pixels."""
 
 from __future__ import annotations
 
@@ -12,42 +12,42 @@ __all__ = ["Encoding", "ImageError", "find_encoding"]
 
 
 class ImageError(RuntimeError):
-    """An image or an encoding can't be used as asked."""
+    """An image or encoding is invalid, or a conversion is not supported."""
 
 
 class Encoding(NamedTuple):
-    """What an encoding's name says."""
+    """The layout of an image's pixels."""
 
     name: str
     dtype: np.dtype[Any]
     channels: int
-    """Numbers of a pixel; 1 for images of several planes, whose rows stand below each other."""
+    """Values per pixel; 1 for images of several planes, which are stored below each other."""
     color: str = ""
-    """The channels in order, as `rgb`; `gray`; a YUV format; `bayer_` and the first two rows of its mosaic. Empty for
-    numbers that are no colours."""
+    """The channels in order, as `rgb`; `gray`; a YUV format; `bayer_` and the first two rows of the mosaic. Empty if
+    the channels are not colours."""
     array_rows: tuple[int, int] = (1, 1)
-    """Rows of the array in each rows of the picture: (3, 2) where a plane of half height follows."""
+    """Ratio of the array's rows to the image's: (3, 2) if a plane of half the height follows."""
 
     @property
     def bits(self) -> int:
-        """Size of a number [bit]."""
+        """Size of a value [bit]."""
         return self.dtype.itemsize * 8
 
     @property
     def is_planar(self) -> bool:
-        """Whether planes follow each other in place of pixels."""
+        """Whether the image is stored in planes."""
         return self.array_rows != (1, 1)
 
     def rows(self, height: int) -> int:
-        """Return the rows of the array that holds a picture of a height [px]."""
+        """Return the number of rows of the array for an image of `height` rows."""
         of_array, of_picture = self.array_rows
         return -(-height * of_array // of_picture)
 
     def height(self, rows: int) -> int:
-        """Return the height of the picture [px] in an array with so many rows.
+        """Return the height of the image [px] in an array of `rows` rows.
 
         Raises:
-            ImageError: no picture has so many.
+            ImageError: an image of this encoding never has `rows` rows.
         """
         of_array, of_picture = self.array_rows
         if rows % of_array:
@@ -64,7 +64,7 @@ _PLANES = {"nv12": (3, 2), "nv21": (3, 2), "nv24": (3, 1)}
 
 
 def _named() -> dict[str, Encoding]:
-    """Return the encodings of colours.
+    """Return the colour encodings by name.
 
     Source: sensor_msgs, include/sensor_msgs/image_encodings.hpp, and the kernel's description of the YUV formats.
     """
@@ -89,10 +89,10 @@ _NAMED = _named()
 
 @lru_cache(maxsize=256)
 def find_encoding(name: str) -> Encoding:
-    """Return an encoding by its name: a colour format, or numbers as in `16UC1`, with any number of channels.
+    """Return an encoding by name: a colour format, or a type with any number of channels, as `16UC1`.
 
     Raises:
-        ImageError: there is none of that name.
+        ImageError: the name is unknown.
     """
     named = _NAMED.get(name)
     if named is not None:

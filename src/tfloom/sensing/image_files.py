@@ -1,4 +1,4 @@
-"""Images as the bytes of files: JPEG, PNG and the like, by OpenCV where it is there, else by Pillow."""
+"""Compressed images, as JPEG and PNG: by OpenCV if it is installed, else by Pillow."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Array = NDArray[Any]
 _SUN_RASTER = {"sr", "ras"}
 _SUN_RASTER_MAGIC = 0x59A66A95
 
-# What OpenCV does by default, as far as Pillow can.
+# OpenCV's defaults, as far as Pillow has them.
 _JPEG: dict[str, Any] = {"format": "JPEG", "quality": 95, "subsampling": "4:2:0"}
 _TIFF: dict[str, Any] = {"format": "TIFF", "compression": "tiff_lzw"}
 _PILLOW: dict[str, dict[str, Any]] = {
@@ -50,17 +50,17 @@ _DEEPER: dict[str, tuple[np.dtype[Any], ...]] = {
     "tif": (_WORDS, _FLOATS),
     "tiff": (_WORDS, _FLOATS),
 }
-"""Types other than uint8 that formats hold."""
+"""Types other than uint8 that a format can store."""
 _WITH_ALPHA = {"png", "jp2", "tif", "tiff", "webp"}
 _CHANNELS = {"pbm": {1}, "pgm": {1}, "ppm": {3}}
-"""Channels that formats hold, where not all."""
+"""Numbers of channels of formats that do not store all."""
 
 
 def decode_picture(octets: bytes) -> Array:
-    """Return the picture in a file: (rows, columns), or (rows, columns, 3 or 4) with blue first, of uint8 or uint16.
+    """Return the image in a file: (rows, columns), or (rows, columns, 3 or 4) with blue first, of uint8 or uint16.
 
     Raises:
-        ImageError: the bytes are no picture that can be read.
+        ImageError: the bytes are not a readable image.
     """
     opencv = find_opencv()
     if opencv is None:
@@ -69,7 +69,7 @@ def decode_picture(octets: bytes) -> Array:
     if octets:
         picture = opencv.imdecode(np.frombuffer(octets, np.uint8), opencv.IMREAD_UNCHANGED)
     if picture is None:
-        raise ImageError(f"{len(octets)} bytes are no picture that OpenCV can read")
+        raise ImageError(f"{len(octets)} bytes are not an image that OpenCV can read")
     return picture
 
 
@@ -77,8 +77,8 @@ def _decode_by_pillow(octets: bytes) -> Array:
     try:
         with Image.open(io.BytesIO(octets)) as file:
             return _array_of(file)
-    except Exception as error:  # noqa: BLE001  # on broken files Pillow's readers raise errors of many kinds
-        raise ImageError(f"{len(octets)} bytes are no picture that Pillow can read: {error}") from None
+    except Exception as error:  # noqa: BLE001  # Pillow's readers raise many types on invalid files
+        raise ImageError(f"{len(octets)} bytes are not an image that Pillow can read: {error}") from None
 
 
 def _array_of(file: Image.Image) -> Array:
@@ -99,24 +99,26 @@ def encode_picture(image: Array, ending: str) -> bytes:
     """Return an image as the bytes of a file.
 
     Args:
-        image: Image (rows, columns), or (rows, columns, 1, 3 or 4) with blue first, of uint8 or uint16. For formats
-            of 8 bits other numbers are rounded and clipped.
-        ending: Format, by its usual ending: `jpg`, `png`.
+        image: Image (rows, columns), or (rows, columns, 1, 3 or 4) with blue first, of uint8 or uint16. Other types
+            are rounded and clipped if the format stores 8 bits only.
+        ending: File name extension of the format: `jpg`, `png`.
 
     Raises:
-        ImageError: the format is unknown, or can't hold such an image.
+        ImageError: the format is unknown, or cannot store the image.
     """
     if image.ndim not in {2, 3} or not image.size or (image.ndim == 3 and image.shape[2] not in {1, 3, 4}):
-        raise ImageError(f"no file holds an image of shape {image.shape}; 1, 3 or 4 channels can be written")
+        raise ImageError(
+            f"no file format stores an image of shape {image.shape}; it can store 1, 3 or 4 channels"
+        )
     opencv = find_opencv()
     if opencv is None:
         return _encode_by_pillow(image, ending)
     try:
         done, octets = opencv.imencode(f".{ending}", image)
     except opencv.error as error:
-        raise ImageError(f"OpenCV can't write {image.dtype} {image.shape} as '{ending}': {error}") from None
+        raise ImageError(f"OpenCV cannot write {image.dtype} {image.shape} as '{ending}': {error}") from None
     if not done:
-        raise ImageError(f"OpenCV can't write {image.dtype} {image.shape} as '{ending}'")
+        raise ImageError(f"OpenCV cannot write {image.dtype} {image.shape} as '{ending}'")
     return bytes(octets)
 
 
@@ -124,35 +126,37 @@ def _encode_by_pillow(image: Array, ending: str) -> bytes:
     options = _PILLOW.get(ending)
     if options is None and ending not in _SUN_RASTER:
         known = ", ".join(sorted(_PILLOW.keys() | _SUN_RASTER))
-        raise ImageError(f"without OpenCV no '{ending}' is written, only {known}")
+        raise ImageError(f"without OpenCV, '{ending}' cannot be written; known formats: {known}")
     pixels = _pixels_for(image, ending)
     if options is None:
         return _sun_raster(pixels)
     file = io.BytesIO()
     try:
         Image.fromarray(pixels).save(file, **options)
-    except OSError as error:  # as where Pillow was built without the format's library
-        raise ImageError(f"Pillow can't write {image.dtype} {image.shape} as '{ending}': {error}") from None
+    except OSError as error:  # for example if Pillow was built without the format's library
+        raise ImageError(f"Pillow cannot write {image.dtype} {image.shape} as '{ending}': {error}") from None
     return file.getvalue()
 
 
 def _pixels_for(image: Array, ending: str) -> Array:
-    """Return an image as Pillow wants it for a format: red first, and numbers that the format holds."""
+    """Return an image as Pillow takes it: red first, of a type that the format can store."""
     channels = image.shape[2] if image.ndim == 3 else 1
     if channels not in _CHANNELS.get(ending, {1, 3, 4}):
-        raise ImageError(f"no '{ending}' holds an image of {channels} channel(s)")
+        raise ImageError(f"'{ending}' cannot store an image of {channels} channel(s)")
     if channels == 1:
         image = image.reshape(image.shape[:2])
     deeper = _DEEPER.get(ending, ())
     is_deeper = image.dtype in deeper
     if (is_deeper and channels > 1) or (_FLOATS in deeper and not is_deeper and image.dtype != _OCTETS):
-        raise ImageError(f"without OpenCV no '{ending}' of {channels} channel(s) of {image.dtype} is written")
+        raise ImageError(
+            f"without OpenCV, '{ending}' of {channels} channel(s) of {image.dtype} cannot be written"
+        )
     if not is_deeper:
         image = saturate(image, _OCTETS)
     if ending == "pbm":
         return image > 0
     if ending == "pgm" and is_deeper:
-        return image.astype(np.int32)  # which is how Pillow before 10.1 takes 16 bits here
+        return image.astype(np.int32)  # the only 16-bit mode that Pillow before 10.1 writes as PGM
     if channels == 1:
         return image
     return np.ascontiguousarray(image[..., [2, 1, 0, 3][: channels if ending in _WITH_ALPHA else 3]])
@@ -170,7 +174,7 @@ def _sun_raster(image: Array) -> bytes:
 
 
 def css_colors() -> dict[str, tuple[int, int, int]]:
-    """Return red, green and blue of each colour that CSS names."""
+    """Return red, green and blue of the named colours of CSS."""
     found = {}
     for name in ImageColor.colormap:
         red, green, blue = ImageColor.getrgb(name)[:3]

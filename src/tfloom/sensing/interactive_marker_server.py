@@ -1,4 +1,4 @@
-"""Markers that viewers show and users move: interactive_markers' InteractiveMarkerServer."""
+"""Markers that users move in viewers: interactive_markers' InteractiveMarkerServer."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ __all__ = ["InteractiveMarkerServer", "MarkerContext", "UpdateContext"]
 Callback = Callable[[InteractiveMarkerFeedback], Any]
 
 _OTHERS_WAIT = Duration(seconds=1)
-"""How long after one client's feedback another client's is ignored."""
+"""Time after a client's feedback in which other clients' feedback is ignored."""
 
 
 class _Callbacks:
@@ -41,7 +41,7 @@ class _Callbacks:
         self.int_marker = InteractiveMarker()
 
     def set_callback(self, callback: Callback | None, feedback_type: int) -> None:
-        """Set the callback of a type of feedback, or of all that have none; None takes it away."""
+        """Set the callback of a type of feedback, or the default; None removes it."""
         if feedback_type == InteractiveMarkerServer.DEFAULT_FEEDBACK_CALLBACK:
             self.default_feedback_callback = callback
         elif callback is not None:
@@ -51,7 +51,7 @@ class _Callbacks:
 
 
 class MarkerContext(_Callbacks):
-    """A marker that clients see."""
+    """A published marker."""
 
     def __init__(self, time: Time) -> None:
         super().__init__()
@@ -60,7 +60,7 @@ class MarkerContext(_Callbacks):
 
 
 class UpdateContext(_Callbacks):
-    """A change of a marker that is not yet published."""
+    """An unpublished change of a marker."""
 
     FULL_UPDATE = 0
     POSE_UPDATE = 1
@@ -72,21 +72,21 @@ class UpdateContext(_Callbacks):
 
 
 class InteractiveMarkerServer:
-    """Publishes markers for clients such as RViz, and calls back when users move or click them.
+    """Publishes markers for clients such as RViz, and calls callbacks when users move or click them.
 
-    What `insert`, `setPose`, `erase` and `clear` change, clients see after `applyChanges`. Feedback is taken by the
-    node's executor; methods may be called from any thread.
+    `applyChanges` publishes the changes by `insert`, `setPose`, `erase` and `clear`. The node's executor processes
+    feedback; methods may be called from any thread.
 
     Args:
-        node: Gets the publisher `<namespace>/update`, the subscription `<namespace>/feedback` and the service
+        node: Owns the publisher `<namespace>/update`, the subscription `<namespace>/feedback` and the service
             `<namespace>/get_interactive_markers`.
-        namespace: Clients give the same.
+        namespace: Namespace of the topics and the service, which clients use, too.
         update_pub_qos: Quality of service of the publisher; None: reliable, depth 100.
         feedback_sub_qos: Quality of service of the subscription; None: reliable, depth 1.
     """
 
     DEFAULT_FEEDBACK_CALLBACK = 255
-    """The type of callbacks for all feedback whose type has none of its own."""
+    """The type of the default callback, for feedback of types without a callback."""
 
     def __init__(
         self,
@@ -118,7 +118,7 @@ class InteractiveMarkerServer:
         self._is_shut_down = False
 
     def shutdown(self) -> None:
-        """Take all markers away from clients, and the server's endpoints from the node. Do it before the node's end."""
+        """Erase all markers and destroy the server's endpoints. Call it before the node is destroyed."""
         if self._is_shut_down:
             return
         self._is_shut_down = True
@@ -130,7 +130,7 @@ class InteractiveMarkerServer:
         self.node.destroy_subscription(self.feedback_sub)
 
     def __del__(self) -> None:
-        # Where the constructor failed, or the node has ended, there is nothing to take away.
+        # The constructor may have failed, or the node may be destroyed.
         with contextlib.suppress(Exception):
             self.shutdown()
 
@@ -141,12 +141,12 @@ class InteractiveMarkerServer:
         feedback_callback: Callback | None = None,
         feedback_type: int = DEFAULT_FEEDBACK_CALLBACK,
     ) -> None:
-        """Add a marker, or replace the one of its name.
+        """Add a marker, or replace the marker of the same name.
 
         Args:
             marker: The marker.
-            feedback_callback: Called with each feedback, on a thread of the executor; this holds at once.
-            feedback_type: For which type of feedback alone, as InteractiveMarkerFeedback.MENU_SELECT.
+            feedback_callback: Called with each feedback, on a thread of the executor; effective at once.
+            feedback_type: Type of feedback for which it is called, as InteractiveMarkerFeedback.MENU_SELECT.
         """
         with self.mutex:
             update = self.pending_updates.setdefault(marker.name, UpdateContext())
@@ -155,13 +155,13 @@ class InteractiveMarkerServer:
         if feedback_callback is not None:
             self.setCallback(marker.name, feedback_callback, feedback_type)
 
-    def setPose(self, name: str, pose: Pose, header: Header | None = None) -> bool:  # noqa: N802  # their name
-        """Move a marker that clients see, and return whether there is one.
+    def setPose(self, name: str, pose: Pose, header: Header | None = None) -> bool:  # noqa: N802  # the reference's name
+        """Change the pose of a published marker, and return whether the marker exists.
 
         Args:
             name: The marker.
             pose: Its new pose.
-            header: Its new header; None, or one without a frame: as before.
+            header: Its new header; None, or a header without a frame: unchanged.
         """
         with self.mutex:
             context, update = self.marker_contexts.get(name), self.pending_updates.get(name)
@@ -181,13 +181,13 @@ class InteractiveMarkerServer:
         update.int_marker.pose = pose
         update.int_marker.header = header
 
-    def doSetPose(  # noqa: N802  # their name
+    def doSetPose(  # noqa: N802  # the reference's name
         self, update: UpdateContext | None, name: str, pose: Pose, header: Header
     ) -> None:
-        """Note a new pose of a marker; the caller holds the lock.
+        """Record a new pose of a marker; the caller holds the lock.
 
         Args:
-            update: The marker's change so far, if there is one.
+            update: The marker's pending change, if any.
             name: The marker.
             pose: Its new pose.
             header: Its header.
@@ -195,7 +195,7 @@ class InteractiveMarkerServer:
         self._set_pose(update, name, pose, header)
 
     def erase(self, name: str) -> bool:
-        """Remove a marker, and return whether there was one."""
+        """Remove a marker, and return whether it existed."""
         with self.mutex:
             return self._erase(name)
 
@@ -212,18 +212,18 @@ class InteractiveMarkerServer:
             for name in self.marker_contexts:
                 self._erase(name)
 
-    def setCallback(  # noqa: N802  # their name
+    def setCallback(  # noqa: N802  # the reference's name
         self,
         name: str,
         feedback_callback: Callback | None,
         feedback_type: int = DEFAULT_FEEDBACK_CALLBACK,
     ) -> bool:
-        """Set a marker's callback at once, and return whether there is such a marker.
+        """Set a marker's callback, effective at once, and return whether the marker exists.
 
         Args:
             name: The marker.
-            feedback_callback: Called with each feedback, on a thread of the executor; None takes it away.
-            feedback_type: For which type of feedback alone; such a callback comes before the one for all.
+            feedback_callback: Called with each feedback, on a thread of the executor; None removes it.
+            feedback_type: Type of feedback for which it is called, in place of the default callback.
         """
         with self.mutex:
             found = [
@@ -235,8 +235,8 @@ class InteractiveMarkerServer:
                 each.set_callback(feedback_callback, feedback_type)
             return bool(found)
 
-    def applyChanges(self) -> None:  # noqa: N802  # their name
-        """Publish what was changed since the last call; nothing, where nothing was."""
+    def applyChanges(self) -> None:  # noqa: N802  # the reference's name
+        """Publish the changes since the last call, if any."""
         with self.mutex:
             if not self.pending_updates:
                 return
@@ -248,7 +248,7 @@ class InteractiveMarkerServer:
             self.publish(message)
 
     def _apply(self, name: str, update: UpdateContext, message: InteractiveMarkerUpdate) -> None:
-        """Change a marker, and write the change into a message."""
+        """Apply a change to a marker, and add it to a message."""
         context = self.marker_contexts.get(name)
         if update.update_type == UpdateContext.ERASE:
             if self.marker_contexts.pop(name, None) is not None:
@@ -269,7 +269,7 @@ class InteractiveMarkerServer:
             )
 
     def get(self, name: str) -> InteractiveMarker | None:
-        """Return a marker as clients see it after `applyChanges`; None where there is none."""
+        """Return a marker with its pending changes; None if it does not exist."""
         with self.mutex:
             context, update = self.marker_contexts.get(name), self.pending_updates.get(name)
             if update is None:
@@ -282,8 +282,8 @@ class InteractiveMarkerServer:
             marker.pose, marker.header = update.int_marker.pose, update.int_marker.header
             return marker
 
-    def processFeedback(self, feedback: InteractiveMarkerFeedback) -> None:  # noqa: N802  # their name
-        """Take a user's feedback: move the marker, call back, publish what changed."""
+    def processFeedback(self, feedback: InteractiveMarkerFeedback) -> None:  # noqa: N802  # the reference's name
+        """Process feedback: change the marker's pose, call the callback, publish the changes."""
         with self.mutex:
             context = self.marker_contexts.get(feedback.marker_name)
             if context is None:
@@ -297,7 +297,7 @@ class InteractiveMarkerServer:
                 return
             context.last_feedback, context.last_client_id = now, feedback.client_id
             if feedback.event_type == InteractiveMarkerFeedback.POSE_UPDATE:
-                # A stamp of 0 has the marker move along with its frame: it stays so.
+                # A marker with a stamp of 0 moves with its frame; this stays so.
                 kept = context.int_marker.header
                 header = kept if kept.stamp == TimeMessage() else feedback.header
                 update = self.pending_updates.get(feedback.marker_name)
@@ -312,12 +312,12 @@ class InteractiveMarkerServer:
         update.seq_num = self.seq_num
         self.update_pub.publish(update)
 
-    def getInteractiveMarkersCallback(  # noqa: N802  # their name
+    def getInteractiveMarkersCallback(  # noqa: N802  # the reference's name
         self,
         request: GetInteractiveMarkers.Request,  # noqa: ARG002  # it is empty
         response: GetInteractiveMarkers.Response,
     ) -> GetInteractiveMarkers.Response:
-        """Answer a client with all markers that are there."""
+        """Reply with all published markers."""
         with self.mutex:
             response.sequence_number = self.seq_num
             self.node.get_logger().debug("Markers requested. Responding with the following markers:")

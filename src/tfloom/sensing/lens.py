@@ -1,4 +1,4 @@
-"""Lenses: where a distorted image shows what an ideal camera would see, and images rectified by it.
+"""Models of lens distortion, and the maps and points of rectified images.
 
 The model is OpenCV's, whose first five coefficients are `plumb_bob`, whose first eight are `rational_polynomial`. For a
 point (x, y) of the plane at depth 1, with r^2 = x^2 + y^2:
@@ -7,8 +7,8 @@ point (x, y) of the plane at depth 1, with r^2 = x^2 + y^2:
     x' = x q + 2 p1 x y + p2 (r^2 + 2 x^2) + s1 r^2 + s2 r^4
     y' = y q + p1 (r^2 + 2 y^2) + 2 p2 x y + s3 r^2 + s4 r^4
 
-and then a sensor that is tilted by the angles tau_x and tau_y. Source: OpenCV's documentation, module calib3d, "Camera
-Calibration and 3D Reconstruction"; undistortion by fixed-point iteration, as in `undistortPoints`.
+followed by the homography of a sensor tilted by the angles tau_x and tau_y. Source: OpenCV's documentation, module
+calib3d, "Camera Calibration and 3D Reconstruction". Undistortion is by fixed-point iteration, as in `undistortPoints`.
 
 The model `equidistant`, of fisheye lenses, bends rays by their angle from the axis, theta = atan(r):
 
@@ -32,7 +32,7 @@ Floats = NDArray[Any]
 
 _LENGTHS = (0, 4, 5, 8, 12, 14)
 _ITERATIONS = 5
-"""What `undistortPoints` does by default."""
+"""The default of `undistortPoints`."""
 _NEWTON_STEPS = 20
 _TOLERANCE = 1e-8
 """Largest error of an angle [rad]."""
@@ -69,14 +69,14 @@ class Distortion:
         return _project(self._tilt, x * ratio + dx, y * ratio + dy)
 
     def remove(self, x: Floats, y: Floats) -> tuple[Floats, Floats]:
-        """Return what `apply` turned into x and y, after some steps of fixed-point iteration; of any shape."""
+        """Return the points that `apply` maps to x and y, by fixed-point iteration; of any shape."""
         x, y = _project(np.linalg.inv(self._tilt), x, y)
         x0, y0 = x, y
         diverged = np.zeros(x.shape, bool)
         for _ in range(_ITERATIONS):
             r2 = x * x + y * y
             inverse = _polynomial(r2, self._below) / _polynomial(r2, self._above)
-            diverged |= inverse < 0  # beyond where the model can be inverted: the point stays where it was
+            diverged |= inverse < 0  # outside of the invertible region: the point stays
             dx, dy = self._shift(x, y, r2)
             x = np.where(diverged, x0, (x0 - dx) * inverse)
             y = np.where(diverged, y0, (y0 - dy) * inverse)
@@ -114,7 +114,7 @@ class Equidistant:
         return x * scale, y * scale
 
     def remove(self, x: Floats, y: Floats) -> tuple[Floats, Floats]:
-        """Return what `apply` turned into x and y, by Newton's method; of any shape. NaNs where nothing was."""
+        """Return the points that `apply` maps to x and y, by Newton's method; of any shape. NaN if there is none."""
         bent = np.hypot(x, y)
         theta = bent.copy()
         odd = np.arange(1, 10, 2)
@@ -162,7 +162,7 @@ def _tilt(tau_x: float, tau_y: float) -> Floats:
 
 
 def _project(homography: Floats, x: Floats, y: Floats) -> tuple[Floats, Floats]:
-    """Return points of the plane at depth 1 as a homography (3, 3) maps them to it."""
+    """Return points of the plane at depth 1, mapped by a homography (3, 3)."""
     u, v, w = (row[0] * x + row[1] * y + row[2] for row in homography)
     with np.errstate(divide="ignore", invalid="ignore"):
         return u / w, v / w
@@ -186,7 +186,7 @@ def undistort_points(uv: Floats, k: Floats, lens: Lens, r: Floats, p: Floats) ->
 def rectification_maps(
     k: Floats, lens: Lens, r: Floats, p: Floats, size: tuple[int, int]
 ) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Return for each pixel of the rectified image where it lies in the raw one.
+    """Return the position in the raw image of each pixel of the rectified image.
 
     Args:
         k: Camera matrix (3, 3) of the raw image.

@@ -28,7 +28,7 @@ class EntryContext:
 
 
 class MenuHandler:
-    """A menu, for one marker or several, and what is called when a user selects an entry."""
+    """A menu of one marker or several, with a callback for each entry."""
 
     NO_CHECKBOX = 0
     CHECKED = 1
@@ -54,13 +54,13 @@ class MenuHandler:
 
         Args:
             title: Its text.
-            parent: Handle of the entry above; None: none.
-            command_type: What a client does when it is selected, as MenuEntry.FEEDBACK.
-            command: What it runs, for other types.
+            parent: Handle of the parent entry; None: the entry is at the top level.
+            command_type: Action of the client on selection, as MenuEntry.FEEDBACK.
+            command: Command for the other types.
             callback: Called with the feedback, on a thread of the node's executor.
 
         Returns:
-            The entry's handle; None where there is no entry `parent`, with a line on stderr.
+            The entry's handle; None, with a line on stderr, if `parent` does not exist.
         """
         if parent is not None and parent not in self.entry_contexts_:
             print(f"Parent menu entry '{parent}' not found", file=sys.stderr)
@@ -70,10 +70,10 @@ class MenuHandler:
         above.append(handle)
         return handle
 
-    def doInsert(  # noqa: N802  # their name
+    def doInsert(  # noqa: N802  # the reference's name
         self, title: str, command_type: int, command: str, feedback_cb: Callback | None
     ) -> int:
-        """Make an entry that stands in no menu yet, and return its handle."""
+        """Create an entry outside of the menu, and return its handle."""
         handle = self.current_handle_
         self.current_handle_ += 1
         entry = self.entry_contexts_[handle] = EntryContext()
@@ -81,34 +81,34 @@ class MenuHandler:
         entry.command, entry.command_type = command, command_type
         return handle
 
-    def setVisible(self, handle: int, visible: bool) -> bool:  # noqa: N802  # their name
-        """Show or hide an entry with all below it, and return whether there is such an entry."""
+    def setVisible(self, handle: int, visible: bool) -> bool:  # noqa: N802  # the reference's name
+        """Show or hide an entry and its descendants, and return whether the entry exists."""
         entry = self.entry_contexts_.get(handle)
         if entry is not None:
             entry.visible = visible
         return entry is not None
 
-    def setCheckState(self, handle: int, check_state: int) -> bool:  # noqa: N802  # their name
-        """Set an entry's box (`CHECKED`, `UNCHECKED`, `NO_CHECKBOX`), and return whether there is such an entry."""
+    def setCheckState(self, handle: int, check_state: int) -> bool:  # noqa: N802  # the reference's name
+        """Set an entry's box (`CHECKED`, `UNCHECKED`, `NO_CHECKBOX`), and return whether the entry exists."""
         entry = self.entry_contexts_.get(handle)
         if entry is not None:
             entry.check_state = check_state
         return entry is not None
 
-    def getCheckState(self, handle: int) -> int | None:  # noqa: N802  # their name
-        """Return an entry's box; None where there is no such entry."""
+    def getCheckState(self, handle: int) -> int | None:  # noqa: N802  # the reference's name
+        """Return an entry's box; None if the entry does not exist."""
         entry = self.entry_contexts_.get(handle)
         return None if entry is None else entry.check_state
 
-    def getTitle(self, handle: int) -> str | None:  # noqa: N802  # their name
-        """Return an entry's text; None where there is no such entry."""
+    def getTitle(self, handle: int) -> str | None:  # noqa: N802  # the reference's name
+        """Return an entry's text; None if the entry does not exist."""
         entry = self.entry_contexts_.get(handle)
         return None if entry is None else entry.title
 
     def apply(self, server: InteractiveMarkerServer, marker_name: str) -> bool:
-        """Give a marker this menu as it is now, and return whether there is such a marker.
+        """Copy the current menu to a marker, and return whether the marker exists.
 
-        Clients see it after the server's `applyChanges`.
+        The server's `applyChanges` publishes it.
         """
         marker = server.get(marker_name)
         if marker is None:
@@ -124,27 +124,26 @@ class MenuHandler:
         self.managed_markers_.add(marker_name)
         return True
 
-    def reApply(self, server: InteractiveMarkerServer) -> bool:  # noqa: N802  # their name
-        """Give all markers that have the menu the menu as it is now, and return whether all are still there."""
+    def reApply(self, server: InteractiveMarkerServer) -> bool:  # noqa: N802  # the reference's name
+        """Copy the current menu to all markers that have it, and return whether all still exist."""
         all_there = True
         for name in sorted(self.managed_markers_):
             all_there = self.apply(server, name) and all_there
         return all_there
 
-    def processFeedback(self, feedback: InteractiveMarkerFeedback) -> None:  # noqa: N802  # their name
-        """Call the callback of the entry that was selected."""
+    def processFeedback(self, feedback: InteractiveMarkerFeedback) -> None:  # noqa: N802  # the reference's name
+        """Call the callback of the selected entry."""
         entry = self.entry_contexts_.get(feedback.menu_entry_id)
         if entry is not None and entry.feedback_cb is not None:
             entry.feedback_cb(feedback)
 
-    def pushMenuEntries(  # noqa: N802  # their name
+    def pushMenuEntries(  # noqa: N802  # the reference's name
         self, handles_in: Iterable[int], entries_out: list[MenuEntry], parent_handle: int
     ) -> bool:
-        """Append the visible ones of some entries, each with all below it, as messages.
+        """Append the visible entries of `handles_in` and their descendants as messages.
 
         Returns:
-            Whether there are all these entries; else what follows the first that isn't there is left out, with a line
-            on stderr.
+            Whether all handles exist. At the first that does not, the rest is omitted, with a line on stderr.
         """
         for handle in handles_in:
             entry = self.entry_contexts_.get(handle)
@@ -160,7 +159,7 @@ class MenuHandler:
                 return False
         return True
 
-    def makeEntry(self, context: EntryContext, handle: int, parent_handle: int) -> MenuEntry:  # noqa: N802  # their name
+    def makeEntry(self, context: EntryContext, handle: int, parent_handle: int) -> MenuEntry:  # noqa: N802  # the reference's name
         """Return an entry as a message."""
         return MenuEntry(
             id=handle,

@@ -1,4 +1,4 @@
-"""Names of image_geometry that Jazzy still has, each with a warning that says what to use."""
+"""The deprecated names of image_geometry in Jazzy, each with a warning that names the replacement."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def _warn(name: str, what: str, advice: str) -> None:
 
 
 def old_name(name: str, new: Callable[_Arguments, _Result]) -> Callable[_Arguments, _Result]:
-    """Return a method under its old name."""
+    """Return a method under its deprecated name."""
 
     @functools.wraps(new)
     def method(*args: _Arguments.args, **kwargs: _Arguments.kwargs) -> _Result:
@@ -41,7 +41,7 @@ def old_name(name: str, new: Callable[_Arguments, _Result]) -> Callable[_Argumen
 
 
 def old_matrix(name: str, new: Callable[[Any], Any]) -> Callable[[Any], np.matrix[Any, Any]]:
-    """Return a method under its old name, whose result is a numpy.matrix."""
+    """Return a method under its deprecated name, with a numpy.matrix as result."""
 
     def method(self: Any) -> np.matrix[Any, Any]:
         _warn(

@@ -1,6 +1,6 @@
-"""OpenCV, where it is installed. The only file that imports it.
+"""OpenCV, if it is installed. The only file that imports it.
 
-Nothing here needs it. Where it is there it does the same sooner, or reads file formats that Pillow lacks.
+It is optional: with it, images are resampled faster, and more file formats can be read and written.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ __all__ = ["find_opencv"]
 
 @lru_cache(maxsize=1)
 def find_opencv() -> Any:
-    """Return the module `cv2`, or None where it isn't installed, or can't be loaded for want of a library."""
+    """Return the module `cv2`, or None if it is not installed or lacks a shared library."""
     try:
         return import_module("cv2")
     except ImportError:

@@ -23,7 +23,7 @@ Array = NDArray[Any]
 _Value = TypeVar("_Value")
 
 _EQUIDISTANT = "equidistant"
-"""The one model whose formula is another; source: sensor_msgs, distortion_models.hpp."""
+"""The only model with a different formula; source: sensor_msgs, distortion_models.hpp."""
 
 
 def mkmat(rows: int, cols: int, L: Any) -> Array:  # noqa: N803  # image_geometry's name
@@ -40,7 +40,7 @@ def _given(value: _Value | None) -> _Value:
 
 
 class PinholeCameraModel:
-    """A camera with an ideal pinhole, once its images are rectified: what a CameraInfo says, put to use.
+    """The geometry of a camera and its rectified images, from a CameraInfo.
 
     Call `from_camera_info` first. Pixels are (u, v), column and row; points are in the camera's optical frame: x right,
     y down, z forward. Matrices are as in CameraInfo; K and P fit images with its binning and region of interest.
@@ -75,7 +75,7 @@ class PinholeCameraModel:
         self._binning_x, self._binning_y = max(1, msg.binning_x), max(1, msg.binning_y)
         self._raw_roi = copy.copy(msg.roi)
         if not any((msg.roi.x_offset, msg.roi.y_offset, msg.roi.width, msg.roi.height)):
-            self._raw_roi.width, self._raw_roi.height = self._resolution  # zeros mean the whole image
+            self._raw_roi.width, self._raw_roi.height = self._resolution  # zeros are the whole image
         self._tf_frame = msg.header.frame_id
         self._stamp = msg.header.stamp
         self._k = self._fit_to_image(self._full_k, msg.roi)
@@ -95,10 +95,11 @@ class PinholeCameraModel:
 
         Args:
             raw: Image (rows, columns) or (rows, columns, channels).
-            rectified: Where to write: (height, width) or (height, width, channels) of the CameraInfo, of the same type.
+            rectified: Array of the result: (height, width) or (height, width, channels) of the CameraInfo, of the same
+                type.
 
         Raises:
-            ValueError: `rectified` has another shape or type, or there is no camera yet.
+            ValueError: `rectified` has another shape or type, or there is no CameraInfo yet.
         """
         width, height = _given(self._resolution)
         wanted = (height, width, *raw.shape[2:])
@@ -120,14 +121,14 @@ class PinholeCameraModel:
         """Return a pixel of the raw image as a pixel (2,) of the rectified one.
 
         Raises:
-            ValueError: there is no camera yet.
+            ValueError: there is no CameraInfo yet.
         """
         uv = np.array([[uv_raw[0], uv_raw[1]]], np.float64)
         rectified: Array = undistort_points(uv, *self._optics())[0]
         return rectified
 
     def project_3d_to_pixel(self, point: Sequence[float]) -> tuple[float, float]:
-        """Return the rectified pixel of a point (x, y, z) [m]; NaNs for one at the pinhole's depth."""
+        """Return the rectified pixel of a point (x, y, z) [m]; NaN at depth 0."""
         u, v, w = _given(self._p) @ np.array([point[0], point[1], point[2], 1.0])
         return (u / w, v / w) if w != 0 else (math.nan, math.nan)
 
@@ -139,19 +140,19 @@ class PinholeCameraModel:
         return (x / norm, y / norm, 1.0 / norm)
 
     def get_delta_u(self, delta_x: float, z: float) -> float:
-        """Return the width [px] of what is `delta_x` [m] wide at the depth `z` [m]; infinite at depth 0."""
+        """Return the width [px] of an object of width `delta_x` [m] at depth `z` [m]; infinite at depth 0."""
         return math.inf if z == 0 else self.fx() * delta_x / z
 
     def get_delta_v(self, delta_y: float, z: float) -> float:
-        """Return the height [px] of what is `delta_y` [m] high at the depth `z` [m]; infinite at depth 0."""
+        """Return the height [px] of an object of height `delta_y` [m] at depth `z` [m]; infinite at depth 0."""
         return math.inf if z == 0 else self.fy() * delta_y / z
 
     def get_delta_x(self, delta_u: float, z: float) -> float:
-        """Return the width [m] of what appears `delta_u` [px] wide at the depth `z` [m]."""
+        """Return the width [m] of an object of width `delta_u` [px] at depth `z` [m]."""
         return z * delta_u / self.fx()
 
     def get_delta_y(self, delta_v: float, z: float) -> float:
-        """Return the height [m] of what appears `delta_v` [px] high at the depth `z` [m]."""
+        """Return the height [m] of an object of height `delta_v` [px] at depth `z` [m]."""
         return z * delta_v / self.fy()
 
     def full_resolution(self) -> tuple[int, int] | None:
@@ -163,7 +164,7 @@ class PinholeCameraModel:
         return self._k
 
     def distortion_coeffs(self) -> Array | None:
-        """Return D (n, 1): the distortion coefficients; None where there are none."""
+        """Return D (n, 1): the distortion coefficients; None if the CameraInfo has none."""
         return self._d
 
     def rotation_matrix(self) -> Array | None:

@@ -1,8 +1,8 @@
-"""Images resampled: what OpenCV's `remap` does with INTER_CUBIC and a border of zeros.
+"""Resampling of images, as OpenCV 4's `remap` with INTER_CUBIC and a border of zeros.
 
-A pixel is the weighted sum of the four by four around its place in the source. Places are rounded to 1/32 pixel. Source
-of the weights: R. G. Keys, "Cubic convolution interpolation for digital image processing", 1981, with a = -0.75. For
-uint8 they are whole numbers that add up to 2 to the power of 15, as OpenCV has them; else float32.
+A pixel is the weighted sum of the 4 by 4 pixels around its position in the source. Positions are rounded to 1/32 pixel.
+Source of the weights: R. G. Keys, "Cubic convolution interpolation for digital image processing", 1981, with a = -0.75.
+For uint8 they are integers with the sum 2 to the power of 15, as in OpenCV; else float32.
 """
 
 from __future__ import annotations
@@ -24,22 +24,22 @@ _TAPS = 4
 _WHOLE_BITS = 15
 _A = np.float32(-0.75)
 _ROWS_AT_ONCE = 64
-"""Rows resampled together, which bounds the memory."""
+"""Rows that are resampled at once, to bound the memory."""
 
 
 def remap_cubic(image: Array, columns: Array, rows: Array) -> Array:
-    """Return an image whose pixels are taken from given places of another.
+    """Return an image whose pixels are sampled at given positions of another.
 
     Args:
         image: Image (rows, columns) or (rows, columns, channels).
-        columns: Place of each pixel of the result in `image` [px], float32 (height, width).
-        rows: The same, vertically.
+        columns: Horizontal position in `image` of each pixel of the result [px], float32 (height, width).
+        rows: Vertical position [px], of the same shape.
 
     Returns:
-        Image (height, width) or (height, width, channels) of the same type. What lies outside of `image` is 0.
+        Image (height, width) or (height, width, channels) of the same type. Pixels outside of `image` are 0.
     """
     result = np.empty((*columns.shape, *image.shape[2:]), image.dtype)
-    # Zeros on each side: a place beyond is moved there.
+    # Zeros on each side, to which positions outside are clipped.
     padded = np.pad(image, [(_TAPS, _TAPS), (_TAPS, _TAPS)] + [(0, 0)] * (image.ndim - 2))
     for start in range(0, len(columns), _ROWS_AT_ONCE):
         part = slice(start, start + _ROWS_AT_ONCE)
@@ -66,7 +66,7 @@ def _resample(padded: Array, dtype: np.dtype[Any], columns: Array, rows: Array) 
 
 
 def _places(places: Array, padded_length: int) -> tuple[Array, Array]:
-    """Return the first of the four padded pixels around each place, and the steps of 1/32 beyond the second."""
+    """Return the index of the first of the 4 padded pixels around each position, and its fraction in 1/32."""
     steps = np.rint(places.astype(np.float32) * np.float32(_STEPS))
     steps = np.clip(np.nan_to_num(steps, nan=-1e9), -1e9, 1e9).astype(np.int64)
     first = steps // _STEPS - 1 + _TAPS
@@ -75,7 +75,7 @@ def _places(places: Array, padded_length: int) -> tuple[Array, Array]:
 
 @lru_cache(maxsize=1)
 def _weights() -> Array:
-    """Return weights (32, 32, 4, 4) by the steps down and across, of rows and columns."""
+    """Return weights (32, 32, 4, 4), by the fractions down and across, of rows and columns."""
     x = np.arange(_STEPS, dtype=np.float32) / np.float32(_STEPS)
     one = np.float32(1)
     first = ((_A * (x + one) - 5 * _A) * (x + one) + 8 * _A) * (x + one) - 4 * _A
@@ -88,7 +88,7 @@ def _weights() -> Array:
 
 @lru_cache(maxsize=1)
 def _whole_weights() -> Array:
-    """Return the weights times 2 to the power of 15, as int32; what rounding left is given to one of the inner ones."""
+    """Return the weights times 2 to the power of 15, as int32. The error of rounding is added to an inner weight."""
     weights = saturate(_weights() * np.float32(1 << _WHOLE_BITS), np.dtype(np.int16)).astype(np.int32)
     flat = weights.reshape(_STEPS * _STEPS, _TAPS, _TAPS)
     for taps in flat:

@@ -19,7 +19,7 @@ Array = NDArray[Any]
 
 
 class StereoCameraModel:
-    """Two cameras whose images are rectified to the same plane, with the same rows.
+    """The geometry of two cameras whose images are rectified to one plane, with equal rows.
 
     Call `from_camera_info` first. Points are in the left camera's optical frame. A disparity is the left column of a
     point less the right one [px].
@@ -34,7 +34,7 @@ class StereoCameraModel:
         """Take the cameras' parameters from messages.
 
         Raises:
-            ValueError: the right camera's P has no baseline, as that of a left camera.
+            ValueError: the right camera's P has no baseline.
         """
         if not right_msg.p[3]:
             raise ValueError(
@@ -63,7 +63,7 @@ class StereoCameraModel:
         """Return the point (x, y, z) [m] at a rectified left pixel; zeros for a disparity of 0.
 
         Raises:
-            ValueError: there are no cameras yet.
+            ValueError: there are no CameraInfos yet.
         """
         if self._q is None:
             raise ValueError("there are no cameras yet; call from_camera_info first")
@@ -71,11 +71,11 @@ class StereoCameraModel:
         return (x / w, y / w, z / w) if w != 0 else (0.0, 0.0, 0.0)
 
     def get_z(self, disparity: float) -> float:
-        """Return the depth [m] of what has a disparity; infinite for 0."""
+        """Return the depth [m] of a point with a disparity [px]; infinite for 0."""
         return math.inf if disparity == 0 else -self._right.tx() / disparity
 
     def get_disparity(self, z: float) -> float:
-        """Return the disparity [px] of what is at a depth [m]; infinite at depth 0."""
+        """Return the disparity [px] of a point at a depth [m]; infinite at depth 0."""
         return math.inf if z == 0 else -self._right.tx() / z
 
     def get_left_camera(self) -> PinholeCameraModel:

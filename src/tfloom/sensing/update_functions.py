@@ -1,4 +1,4 @@
-"""Tasks that watch how often things happen, and how old they are: diagnostic_updater's update functions."""
+"""Tasks that monitor the frequency of events and the age of stamps: diagnostic_updater's update functions."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ _S_TO_NS = 1_000_000_000
 
 
 class FrequencyStatusParam:
-    """What a FrequencyStatus accepts.
+    """The limits of a FrequencyStatus.
 
     Args:
-        freq_bound: `min` and `max`, the bounds of the frequency [Hz]; without `max` there is no upper one. The mapping
-            is read at each run, so that changes count.
-        tolerance: How far beyond the bounds is accepted, as a share of them.
-        window_size: How many runs back the events are counted.
+        freq_bound: `min` and `max`, the bounds of the frequency [Hz]; without `max` there is no upper bound. The
+            mapping is read at each run, so that it can be changed.
+        tolerance: Accepted deviation from the bounds, as a fraction of them.
+        window_size: Length of the window in runs.
     """
 
     def __init__(self, freq_bound: Mapping[str, float], tolerance: float = 0.1, window_size: int = 5) -> None:
@@ -41,10 +41,10 @@ class FrequencyStatusParam:
 
 
 class FrequencyStatus(DiagnosticTask):
-    """Watches how often `tick` is called: WARN where it is outside of the bounds, ERROR where it isn't at all.
+    """Monitors the frequency of `tick`: WARN if it is out of bounds, ERROR without any call.
 
     Args:
-        params: What is accepted.
+        params: The limits.
         name: The task's name.
     """
 
@@ -56,7 +56,7 @@ class FrequencyStatus(DiagnosticTask):
         self.clear()
 
     def clear(self) -> None:
-        """Start anew, with a window that begins now."""
+        """Reset the count, with a window that begins now."""
         with self.lock:
             self.count = 0
             self.times = [_now()] * self.params.window_size
@@ -69,7 +69,7 @@ class FrequencyStatus(DiagnosticTask):
             self.count += 1
 
     def run(self, stat: DiagnosticStatusWrapper) -> DiagnosticStatusWrapper:
-        """Report the events since the run that opened the window, and open the next."""
+        """Report the frequency in the window, and advance the window."""
         with self.lock:
             now, index = _now(), self.hist_indx
             events = self.count - self.seq_nums[index]
@@ -94,7 +94,7 @@ class FrequencyStatus(DiagnosticTask):
         return stat
 
     def _accepted(self) -> tuple[float, float | None]:
-        """Return the lowest accepted frequency and, where there is one, the highest [Hz]."""
+        """Return the lowest and highest accepted frequency [Hz]; None without an upper bound."""
         bound, tolerance = self.params.freq_bound, self.params.tolerance
         return bound["min"] * (1 - tolerance), bound["max"] * (1 + tolerance) if "max" in bound else None
 
@@ -110,10 +110,10 @@ def _judge(events: int, frequency: float, low: float, high: float | None) -> tup
 
 
 class TimeStampStatusParam:
-    """What a TimeStampStatus accepts.
+    """The limits of a TimeStampStatus.
 
     Args:
-        min_acceptable: Smallest age of a stamp [s]; below 0, a stamp may lie that far in the future.
+        min_acceptable: Smallest age of a stamp [s]; a negative one accepts stamps in the future.
         max_acceptable: Largest age [s].
     """
 
@@ -123,10 +123,10 @@ class TimeStampStatusParam:
 
 
 class TimeStampStatus(DiagnosticTask):
-    """Watches how old stamps are when `tick` is called with them: ERROR in the run after one that isn't accepted.
+    """Monitors the age of stamps at the call of `tick`: ERROR in the run after a stamp out of limits.
 
     Args:
-        params: What is accepted; None: the defaults.
+        params: The limits; None: the defaults.
         name: The task's name.
     """
 
@@ -134,7 +134,7 @@ class TimeStampStatus(DiagnosticTask):
         super().__init__(name)
         self.params = params or TimeStampStatusParam()
         self.lock = threading.Lock()
-        """Guards what follows."""
+        """Guards the counts and the state since the last run."""
         self.early_count = 0
         self.late_count = 0
         self.zero_count = 0
@@ -147,7 +147,7 @@ class TimeStampStatus(DiagnosticTask):
         self.deltas_valid = False
 
     def tick(self, stamp: float | Time | TimeMessage) -> None:
-        """Take a stamp: seconds since the epoch, or a time."""
+        """Record a stamp: seconds since the epoch, or a time."""
         if isinstance(stamp, TimeMessage):
             stamp = Time.from_msg(stamp)
         stamp_s = stamp.nanoseconds / _S_TO_NS if isinstance(stamp, Time) else float(stamp)
@@ -175,7 +175,7 @@ class TimeStampStatus(DiagnosticTask):
         return stat
 
     def _judge(self) -> tuple[bytes, str]:
-        """Count each kind of stamp that isn't accepted, and return the last found."""
+        """Count each kind of violation, and return the summary of the last kind."""
         found = (DiagnosticStatus.OK, "Timestamps are reasonable.")
         if not self.deltas_valid:
             return DiagnosticStatus.WARN, "No data since last update."
@@ -192,7 +192,7 @@ class TimeStampStatus(DiagnosticTask):
 
 
 class Heartbeat(DiagnosticTask):
-    """A task that is always OK: the node is alive."""
+    """A task that always reports OK."""
 
     def __init__(self) -> None:
         super().__init__("Heartbeat")
