@@ -147,8 +147,10 @@ class WorkQueue:
                 return work
         return None
 
-    def _collect(self, end_ns: int | None) -> bool:
+    def _collect(self, end_ns: int | None, *, quiet: bool = False) -> bool:
         """Wait for posts and timers, not beyond `end_ns`, and begin a new pass over all that is ready.
+
+        With `quiet`, this includes subscriptions whose messages were pushed into a sink.
 
         Returns:
             Whether responses arrived; their futures are complete.
@@ -156,7 +158,7 @@ class WorkQueue:
         has_response = False
         if self._refused:
             self._retry_refused()
-        tokens = self._queue.wait(self._wait_ns(end_ns))
+        tokens = self._queue.wait(self._wait_ns(end_ns), quiet)
         for token in tokens:
             entity = self._entities.get(token)
             if entity is None:
