@@ -156,7 +156,8 @@ class NodeBase(NodeEntities, NodeParameters):
             publisher_class: Class of the publisher.
 
         Raises:
-            NoTypeSupportImportedException: `msg_type` is not a message class.
+            AttributeError: `msg_type` is not a ROS type.
+            RuntimeError: `msg_type` is a service or an action.
             InvalidTopicNameException: the name isn't valid.
             TypeError, ValueError: `qos_profile` is neither a profile nor a depth.
             InvalidQosOverridesError: the parameters give an invalid profile.
@@ -206,7 +207,8 @@ class NodeBase(NodeEntities, NodeParameters):
             raw: Whether the callback takes bytes, encapsulation header and CDR, rather than messages.
 
         Raises:
-            NoTypeSupportImportedException: `msg_type` is not a message class.
+            AttributeError: `msg_type` is not a ROS type.
+            RuntimeError: `msg_type` is a service or an action.
             InvalidTopicNameException: the name isn't valid.
             TypeError, ValueError: `qos_profile` is neither a profile nor a depth.
             InvalidQosOverridesError: the parameters give an invalid profile.
@@ -279,7 +281,8 @@ class NodeBase(NodeEntities, NodeParameters):
             callback_group: Group of its callbacks; None: the node's own.
 
         Raises:
-            NoTypeSupportImportedException: `srv_type` is not a service class.
+            AttributeError: `srv_type` is not a ROS type.
+            RuntimeError: `srv_type` is a message or an action.
             InvalidServiceNameException: the name isn't valid.
         """
         check_is_valid_srv_type(srv_type)
@@ -317,7 +320,8 @@ class NodeBase(NodeEntities, NodeParameters):
             callback_group: Unused, because responses are received in no callback group; kept for rclpy's signature.
 
         Raises:
-            NoTypeSupportImportedException: `srv_type` is not a service class.
+            AttributeError: `srv_type` is not a ROS type.
+            RuntimeError: `srv_type` is a message or an action.
             InvalidServiceNameException: the name isn't valid.
         """
         check_is_valid_srv_type(srv_type)
