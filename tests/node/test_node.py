@@ -191,7 +191,7 @@ def test_publishing_invalid_messages_raises(node: Node) -> None:
         node.create_publisher(String, "no topic", 10)
     with pytest.raises(TypeError, match="Expected QoSProfile or int"):
         node.create_publisher(String, "chatter", "10")  # type: ignore[arg-type]
-    with pytest.raises(ValueError, match="greater than or equal to 0"):
+    with pytest.raises(ValueError, match=r"^history depth must be greater than or equal to zero$"):
         node.create_publisher(String, "chatter", -1)
 
 

@@ -416,5 +416,5 @@ def _profile(qos_profile: QoSProfile | int) -> QoSProfile:
     if isinstance(qos_profile, bool) or not isinstance(qos_profile, int):
         raise TypeError(f"Expected QoSProfile or int, but received {type(qos_profile)!r}")
     if qos_profile < 0:
-        raise ValueError("History depth must be greater than or equal to 0")
+        raise ValueError("history depth must be greater than or equal to zero")
     return QoSProfile(depth=qos_profile)
