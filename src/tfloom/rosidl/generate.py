@@ -102,7 +102,7 @@ class _Module:
         for name, local in self.local_names.items():
             package, kind, base = name.split("/")
             typed.append((f"{self.home}{package}.{kind}", base if local == base else f"{base} as {local}"))
-        if self.kind != "msg":  # explicit, because the base class declares variables of these names
+        if self.kind != "msg":
             typed.append(("typing", "TypeAlias as _TypeAlias"))
         if typed:
             yield "if TYPE_CHECKING:"
@@ -177,7 +177,7 @@ class _Module:
 
     def _service(self, service: spec.Service) -> Iterator[str]:
         base = service.name.rpartition("/")[2]
-        yield f"class {base}(_Service):"
+        yield f"class {base}(_Service[{base}_Request, {base}_Response]):"
         yield f'    """The service {service.name}."""'
         yield ""
         yield f'    _TYPE_NAME = "{service.name}"'
@@ -187,7 +187,8 @@ class _Module:
 
     def _action(self, action: spec.Action) -> Iterator[str]:
         base = action.name.rpartition("/")[2]
-        yield f"class {base}(_Action):"
+        parts = ("Goal", "Result", "Feedback", "FeedbackMessage", "GetResult_Response")
+        yield f"class {base}(_Action[{', '.join(f'{base}_{part}' for part in parts)}]):"
         yield f'    """The action {action.name}."""'
         yield ""
         yield f'    _TYPE_NAME = "{action.name}"'
@@ -195,11 +196,11 @@ class _Module:
         for part in ("Goal", "Result", "Feedback"):
             yield f"    {part}: _TypeAlias = {base}_{part}"
         yield from ("", "    class Impl:", '        """What carries the action."""', "")
-        yield f"        SendGoalService = {base}_SendGoal"
-        yield f"        GetResultService = {base}_GetResult"
-        yield f"        FeedbackMessage = {base}_FeedbackMessage"
-        yield "        CancelGoalService = _CancelGoal"
-        yield "        GoalStatusMessage = _GoalStatusArray"
+        yield f"        SendGoalService: _TypeAlias = {base}_SendGoal"
+        yield f"        GetResultService: _TypeAlias = {base}_GetResult"
+        yield f"        FeedbackMessage: _TypeAlias = {base}_FeedbackMessage"
+        yield "        CancelGoalService: _TypeAlias = _CancelGoal"
+        yield "        GoalStatusMessage: _TypeAlias = _GoalStatusArray"
 
 
 def _import_lines(imports: list[tuple[str, str]], indent: str) -> Iterator[str]:

@@ -35,8 +35,12 @@ __all__ = ["Executor", "SpunNode"]
 class SpunNode(Protocol):
     """A node, as far as executors need one."""
 
-    executor: Executor | None
-    """The executor that the node is in."""
+    @property
+    def executor(self) -> Executor | None:
+        """The executor that the node is in."""
+
+    @executor.setter
+    def executor(self, new_executor: Executor | None) -> None: ...
 
     @property
     def context(self) -> Context:
