@@ -1,6 +1,6 @@
-"""The doors with ROS's names on them: thin, typed, last on the path, and never half of a mixture.
+"""The façades with ROS's names: re-exports only, typed, last on the path, and never mixed with a real ROS.
 
-Each rule is a function over a folder of façades that yields what breaks it.
+Each rule is a function over a folder of façades that yields the violations.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def not_typed_packages(folder: Path) -> Iterator[str]:
 
 
 def files_beside_the_facades(folder: Path) -> Iterator[str]:
-    """Nothing but packages is in the folder."""
+    """The folder holds packages only."""
     yield from (f"{path.name} stands beside the façades" for path in folder.iterdir() if path.is_file())
 
 
@@ -138,7 +138,7 @@ __all__ = ["claim"]
         (names_that_are_missing, {"json/__init__.py": ""}, f"json comes from {json.__file__}"),
     ],
 )
-def test_each_rule_finds_what_breaks_it(
+def test_each_facade_rule_finds_a_violation(
     rule: Rule, changes: dict[str, str | None], found: str, planted: Path
 ) -> None:
     folder = planted.parent
@@ -156,14 +156,14 @@ def test_each_rule_finds_what_breaks_it(
     assert list(rule(folder)) == [found]
 
 
-def test_a_real_ros_comes_first(tmp_path: Path) -> None:
+def test_real_ros_takes_precedence(tmp_path: Path) -> None:
     (tmp_path / "rclpy").mkdir()
     (tmp_path / "rclpy" / "__init__.py").write_text("REAL = True\n")
     result = python("import rclpy; print(rclpy.REAL)", PYTHONPATH=str(tmp_path))
     assert result.stdout == "True\n", result.stderr
 
 
-def test_a_mixture_with_a_real_ros_fails_and_says_from_where(tmp_path: Path) -> None:
+def test_mixture_with_a_real_ros_raises_with_the_origins(tmp_path: Path) -> None:
     (tmp_path / "rclpy").mkdir()
     (tmp_path / "rclpy" / "__init__.py").write_text("")
     result = python("import tf2_ros", PYTHONPATH=str(tmp_path))
@@ -173,7 +173,7 @@ def test_a_mixture_with_a_real_ros_fails_and_says_from_where(tmp_path: Path) -> 
     assert str(tmp_path) in last, result.stderr
 
 
-def test_use_ros_names_serves_where_no_pth_is_read() -> None:
+def test_use_ros_names_works_without_the_pth_file() -> None:
     source = str(ROS_NAMES.parents[1])
     native = importlib.import_module("tfloom._native").__file__
     code = (

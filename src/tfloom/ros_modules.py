@@ -1,6 +1,6 @@
-"""Modules of a façade that load when they are named, as after `import rclpy` alone in `rclpy.time.Time()`.
+"""Submodules of a façade that are imported on first use, as `rclpy.time.Time()` after `import rclpy` alone.
 
-The original has them because its modules import one another; these façades import tfloom's rooms instead.
+In the original they are there because its modules import one another; these façades import tfloom's rooms instead.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ __all__ = ["rclpy_module"]
 
 
 def rclpy_module(name: str) -> ModuleType:
-    """Return the module `rclpy.<name>`: the `__getattr__` of the façade `rclpy`.
+    """Import and return the module `rclpy.<name>`: the `__getattr__` of the façade `rclpy`.
 
     Raises:
         AttributeError: there is no such module.

@@ -1,4 +1,4 @@
-"""The Tab key: through argcomplete's protocol, and in a real bash in a pseudo-terminal."""
+"""Completion: by argcomplete's protocol, and in real shells in a pseudo-terminal."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ PATIENT = {"tfloom.cli.completion.MOST_S": 10.0, "tfloom.cli.type_names.LIVE_S":
 
 
 def complete(line: str, tmp_path: Path) -> list[str]:
-    """Return what Tab offers at the end of a command line, however busy the machine is."""
+    """Return the completions at the end of a command line, with patience for a busy machine."""
     answer = tmp_path / "answer"
     environment = {
         **os.environ,
@@ -57,7 +57,7 @@ def complete(line: str, tmp_path: Path) -> list[str]:
         ("tfloom action send_goal /nobodys turtlesim/action/Rot", {"turtlesim/action/RotateAbsolute"}),
     ],
 )
-def test_words_and_names(
+def test_verbs_and_names_are_completed(
     line: str, offers: set[str] | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
@@ -70,7 +70,7 @@ def test_words_and_names(
         assert set(found) == offers
 
 
-def test_a_workspaces_programs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_programs_of_a_workspace_are_completed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     program = tmp_path / "lib" / "my_pkg" / "my_program"
     marker = tmp_path / "share" / "ament_index" / "resource_index" / "packages" / "my_pkg"
     for path in (program, marker):
@@ -85,7 +85,7 @@ FREE = {"values", "goal", "value", "argv", "parameter_file", "folder"}
 
 
 @pytest.mark.parametrize("verb", VERBS)
-def test_each_argument_offers_something_or_is_free_text(verb: str) -> None:
+def test_each_argument_has_completions_or_is_free_text(verb: str) -> None:
     for action in VERBS[verb]._actions:
         if (
             not action.option_strings
@@ -96,7 +96,7 @@ def test_each_argument_offers_something_or_is_free_text(verb: str) -> None:
             assert find_offer(verb.split(), action.dest), action.dest
 
 
-def test_lifecycle_nodes_and_what_they_can_be_asked_for(
+def test_lifecycle_nodes_and_their_transitions_are_completed(
     domain_id: int, tmp_path: Path, start_program: Callable[..., object]
 ) -> None:
     start_program("python", Path(__file__).with_name("a_lifecycle_node.py")).wait_for("ready")
@@ -104,7 +104,7 @@ def test_lifecycle_nodes_and_what_they_can_be_asked_for(
     assert complete("tfloom lifecycle set /a_node con", tmp_path) == ["configure"]
 
 
-def test_live_topics_nodes_and_types(
+def test_live_topics_nodes_and_types_are_completed(
     domain_id: int, tmp_path: Path, start_program: Callable[..., object]
 ) -> None:
     start_program("tfloom", "topic", "pub", "-n", "my_node", "/my_topic", "geometry_msgs/msg/Twist").wait_for(
@@ -116,7 +116,7 @@ def test_live_topics_nodes_and_types(
     assert complete("tfloom topic pub /my_topic ", tmp_path) == ["geometry_msgs/msg/Twist"]
 
 
-def test_live_services_actions_and_parameters(
+def test_live_services_actions_and_parameters_are_completed(
     domain_id: int, tmp_path: Path, start_program: Callable[..., object]
 ) -> None:
     start_program("tfloom", "run", "turtlesim", "turtlesim_node").wait_for("Spawning")
@@ -140,7 +140,7 @@ INTERACTIVE = {
 
 
 @pytest.mark.parametrize("name", INTERACTIVE)
-def test_in_a_real_shell(
+def test_completion_works_in_bash(
     name: str,
     domain_id: int,
     tmp_path: Path,
@@ -170,9 +170,9 @@ def test_in_a_real_shell(
     shell.wait_for("is ready")
 
     def is_completed(line: str, whole: str) -> bool:
-        """Press Tab: on a busy machine the graph may not be heard in a second, and Tab is pressed again."""
+        """Press Tab, repeatedly, because on a busy machine discovery may take longer than a second."""
         printed = shell.output.count("it is ")
-        # Control-A goes to the line's begin: the completed line is printed, not run.
+        # Control-A moves to the beginning of the line: the completed line is printed, not run.
         type_keys(f"{line}\t\x01echo 'it is' \x05\n")
         wait_until(lambda: shell.output.count("it is ") > printed)
         return f"it is {whole}" in shell.output
@@ -188,7 +188,7 @@ def test_in_a_real_shell(
 
 
 @pytest.mark.skipif(not shutil.which("fish"), reason="needs fish")
-def test_in_a_real_fish() -> None:
+def test_completion_works_in_fish() -> None:
     folder = transcript.PROGRAM.parent
     code = (
         f"set -x PATH '{folder}' $PATH; register-python-argcomplete --shell fish tfloom ros2 | source; "

@@ -22,7 +22,9 @@ from tfloom.node.values.duration import Duration
 SpinUntil = Callable[..., None]
 
 
-def test_peers_come_and_go(node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil) -> None:
+def test_matched_events_count_peers(
+    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
+) -> None:
     seen: list[Any] = []
     executor.add_node(node)
     publisher = node.create_publisher(
@@ -39,7 +41,7 @@ def test_peers_come_and_go(node: Node, executor: SingleThreadedExecutor, spin_un
     node.destroy_publisher(publisher)
 
 
-def test_incompatible_qos_is_warned_of_with_both_sides(
+def test_warning_about_incompatible_qos_has_both_policies(
     node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil, capsys: pytest.CaptureFixture[str]
 ) -> None:
     executor.add_node(node)
@@ -65,7 +67,7 @@ def test_incompatible_qos_is_warned_of_with_both_sides(
     )
 
 
-def test_a_callback_or_a_refusal_takes_the_warnings_place(
+def test_callback_or_opt_out_replaces_the_warning(
     node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil, capsys: pytest.CaptureFixture[str]
 ) -> None:
     seen: list[Any] = []
@@ -79,12 +81,12 @@ def test_a_callback_or_a_refusal_takes_the_warnings_place(
     assert "incompatible" not in capsys.readouterr().err
 
 
-def test_an_event_that_no_wire_tells_of(node: Node) -> None:
+def test_unsupported_event_raises(node: Node) -> None:
     with pytest.raises(UnsupportedEventTypeError, match="incompatible_type"):
         PublisherEventCallbacks(incompatible_type=print)
 
 
-def test_an_end_whose_events_the_wire_does_not_know_is_not_made(node: Node) -> None:
+def test_endpoint_with_unsupported_events_is_not_created(node: Node) -> None:
     with pytest.raises(UnsupportedEventTypeError, match="DEADLINE_MISSED"):
         node.create_publisher(String, "numbers", 1, event_callbacks=PublisherEventCallbacks(deadline=print))
     with pytest.raises(UnsupportedEventTypeError, match="MESSAGE_LOST"):
@@ -103,7 +105,7 @@ def test_acknowledgements_and_liveliness(node: Node) -> None:
     publisher.assert_liveliness()
 
 
-def test_best_available_follows_the_publishers(
+def test_best_available_matches_the_publishers(
     node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
 ) -> None:
     heard: list[str] = []
@@ -118,7 +120,7 @@ def test_best_available_follows_the_publishers(
     assert info.qos_profile.reliability is ReliabilityPolicy.BEST_EFFORT
 
 
-def test_the_old_name_of_event_handlers_warns(node: Node) -> None:
+def test_deprecated_name_of_event_handler_warns(node: Node) -> None:
     publisher = node.create_publisher(String, "chatter", 10)
     [watcher, *_] = publisher.event_handlers
     with pytest.warns(DeprecationWarning, match="use EventHandler instead"):
@@ -131,4 +133,4 @@ def test_the_old_name_of_event_handlers_warns(node: Node) -> None:
     with pytest.warns(DeprecationWarning, match="use EventHandler instead"):
 
         class Mine(QoSEventHandler):
-            """A program's own."""
+            """A derived class of a program."""

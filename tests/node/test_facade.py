@@ -1,4 +1,4 @@
-"""`import rclpy`: it is this room, quickly, and never beside a real ROS."""
+"""`import rclpy`: exports, import time, and the guard against a real ROS."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ MODULES = sorted(
 
 
 @pytest.mark.parametrize("name", MODULES)
-def test_each_module_re_exports_the_room(name: str) -> None:
+def test_each_facade_module_re_exports_its_room(name: str) -> None:
     module = importlib.import_module(name)
     for each in getattr(module, "__all__", []):
         thing = getattr(module, each)
@@ -31,14 +31,14 @@ def run(code: str, *options: str) -> subprocess.CompletedProcess[str]:
     )
 
 
-def test_importing_it_loads_nothing_heavy() -> None:
+def test_import_loads_no_heavy_module() -> None:
     heavy = ["numpy", "yaml", "asyncio", "inspect", "dataclasses", "logging", "argparse", "subprocess"]
     code = f"import sys, rclpy, rclpy.node, rclpy.executors; print([m for m in {heavy} if m in sys.modules])"
     result = run(code)
     assert result.stdout.strip() == "[]", result.stderr
 
 
-def test_beside_a_real_ros_a_facade_refuses(tmp_path: Path) -> None:
+def test_facade_beside_a_real_ros_raises_import_error(tmp_path: Path) -> None:
     (tmp_path / "rclpy").mkdir()
     (tmp_path / "rclpy" / "__init__.py").write_text("")
     code = f"import sys; sys.path.insert(0, {str(tmp_path)!r}); from tfloom.ros_guard import claim; claim('tf2_ros')"
@@ -49,12 +49,12 @@ def test_beside_a_real_ros_a_facade_refuses(tmp_path: Path) -> None:
     assert str(tmp_path) in last
 
 
-def test_the_guard_lets_our_own_pass() -> None:
+def test_guard_accepts_tflooms_rclpy() -> None:
     assert run("import rclpy; from tfloom.ros_guard import claim; claim('tf2_ros')").returncode == 0
     assert run("from tfloom.ros_guard import claim; claim('tf2_ros')").returncode == 0
 
 
-def test_modules_are_there_after_importing_rclpy_alone() -> None:
+def test_submodules_are_available_after_import_rclpy() -> None:
     result = run(
         "import rclpy; print(rclpy.time.Time(), rclpy.executors.ExternalShutdownException.__name__); rclpy.nope"
     )

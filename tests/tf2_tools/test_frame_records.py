@@ -1,4 +1,4 @@
-"""Reading a buffer's list of frames, and writing it as a graph."""
+"""Parsing of a buffer's list of frames, and its graph."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ CAMERA_YAML = (
 CAMERA = FrameRecord("camera", "world", "default_authority", 10000.0, 0.0, 0.0, 0.0)
 
 
-def test_reads_what_the_reference_wrote() -> None:
+def test_text_of_the_reference_is_parsed() -> None:
     assert parse_frames_yaml(CAMERA_YAML) == [CAMERA]
     assert CAMERA.is_static
 
 
 @pytest.mark.parametrize("text", ["", "[]", "[]\n"])
-def test_no_frames(text: str) -> None:
+def test_empty_text_has_no_frames(text: str) -> None:
     assert parse_frames_yaml(text) == []
 
 
 @pytest.mark.parametrize("text", ["nonsense", CAMERA_YAML + "tail", CAMERA_YAML.replace("10000.000", "fast")])
-def test_something_else_is_an_error(text: str) -> None:
+def test_other_text_raises(text: str) -> None:
     with pytest.raises(ValueError):
         parse_frames_yaml(text)
 
@@ -38,18 +38,18 @@ FRAME_IDS = st.text(st.characters(exclude_characters="\n'", exclude_categories=[
 
 
 @given(st.lists(st.tuples(FRAME_IDS, FRAME_IDS), min_size=1))
-def test_reads_any_frame_id(names: list[tuple[str, str]]) -> None:
+def test_any_frame_id_is_parsed(names: list[tuple[str, str]]) -> None:
     rest = CAMERA_YAML.partition("'world'")[2]
     text = "".join(f"{child}: \n  parent: '{parent}'{rest}" for child, parent in names)
     assert [(record.child, record.parent) for record in parse_frames_yaml(text)] == names
 
 
-def test_the_graph_is_the_reference_s_to_the_letter() -> None:
+def test_graph_equals_that_of_the_reference() -> None:
     golden = (GOLDEN / "view_frames_out.gv.txt").read_text()
     assert write_gv([CAMERA], 1795257550.7853734) == golden
 
 
-def test_a_graph_without_frames_says_so() -> None:
+def test_graph_without_frames_has_a_note() -> None:
     assert write_gv([], 1.0) == 'digraph G { "No tf data received" }'
 
 

@@ -109,7 +109,7 @@ def test_each_mistake_is_found_and_nothing_else(checker: str, tmp_path: Path) ->
     assert lines_of(found) == planted, "\n".join(found)
 
 
-def test_a_wrong_program_is_refused(tmp_path: Path) -> None:
+def test_wrong_program_is_rejected_by_mypy(tmp_path: Path) -> None:
     program = tmp_path / "wrong.py"
     program.write_text("from geometry_msgs.msg import Vector3\n\nVector3(x='one')\nVector3().nope\n")
     result = mypy(Path(sys.executable), program, cache=tmp_path)

@@ -1,4 +1,4 @@
-"""Message classes and values from a user's words."""
+"""Message classes and values from command-line arguments."""
 
 from __future__ import annotations
 
@@ -16,42 +16,42 @@ from tfloom.rosidl.parse import ParseError
 T = TypeVar("T")
 
 
-def message_class(name: str, *, ask_graph: bool = False) -> type[Message]:
+def message_class(name: str, *, search_graph: bool = False) -> type[Message]:
     """Return the class of a message type's name.
 
     Raises:
         CommandError: there is none, or its definition can't be parsed; the text has the nearest names, with
-            `ask_graph` those on the graph first.
+            `search_graph` those on the graph first.
     """
-    return _class(registry.get_message_class, name, "msg", ask_graph=ask_graph)
+    return _class(registry.get_message_class, name, "msg", search_graph=search_graph)
 
 
-def service_class(name: str, *, ask_graph: bool = False) -> type[Any]:
+def service_class(name: str, *, search_graph: bool = False) -> type[Any]:
     """Return the class of a service type's name.
 
     Raises:
         CommandError: as `message_class`.
     """
-    return _class(registry.get_service_class, name, "srv", ask_graph=ask_graph)
+    return _class(registry.get_service_class, name, "srv", search_graph=search_graph)
 
 
-def action_class(name: str, *, ask_graph: bool = False) -> type[Any]:
+def action_class(name: str, *, search_graph: bool = False) -> type[Any]:
     """Return the class of an action type's name.
 
     Raises:
         CommandError: as `message_class`.
     """
-    return _class(registry.get_action_class, name, "action", ask_graph=ask_graph)
+    return _class(registry.get_action_class, name, "action", search_graph=search_graph)
 
 
-def _class(find: Callable[[str], type[T]], name: str, kind: str, *, ask_graph: bool) -> type[T]:
+def _class(find: Callable[[str], type[T]], name: str, kind: str, *, search_graph: bool) -> type[T]:
     what = {"msg": "message", "srv": "service"}.get(kind, kind)
     try:
         return find(name)
     except registry.UnknownTypeError:
         from tfloom.cli.type_names import did_you_mean_type, types_on_graph
 
-        live = types_on_graph(kind) if ask_graph else ()
+        live = types_on_graph(kind) if search_graph else ()
         reason = f"there is no {what} type '{name}'{did_you_mean_type(name, kind, live)}"
     except (LookupError, ParseError) as error:
         reason = str(error)
@@ -70,7 +70,7 @@ def yaml_documents(lines: Iterable[str]) -> Iterator[str]:
 
 
 def parse_yaml(text: str) -> dict[str, Any]:
-    """Return the fields that a YAML text gives.
+    """Return the fields in a YAML text.
 
     Raises:
         CommandError: it isn't YAML, or not a mapping of fields; the text has the position of the mistake.
@@ -120,7 +120,7 @@ def fill_message(message: Message, values: dict[str, Any]) -> list[StampSetter]:
 
 
 def set_stamps(setters: list[StampSetter], now_ns: int) -> None:
-    """Set the times that `fill_message` returned setters for to a time [ns]."""
+    """Call the setters that `fill_message` returned with a time [ns]."""
     if setters:
         from tfloom.interfaces.builtin_interfaces.msg import Time
 

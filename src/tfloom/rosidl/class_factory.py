@@ -21,8 +21,8 @@ def load(name: str) -> Any:
     """Make the classes of a definition that `sources` finds.
 
     Raises:
-        LookupError: there is none of that name.
-        ParseError: it can't be read, refers to an unknown message, or contains itself.
+        LookupError: there is no definition of that name.
+        ParseError: it can't be parsed, refers to an unknown message, or contains itself.
     """
     interface = sources.find_interface(name)
     check_references(interface)
@@ -42,7 +42,7 @@ def load(name: str) -> Any:
 
 
 def _class(name: str, base: type, attributes: dict[str, Any]) -> Any:
-    """Make a class that pickle finds again, by `dynamic.__getattr__`."""
+    """Make a class that pickle can find, by `dynamic.__getattr__`."""
     return type(
         name.rpartition("/")[2],
         (base,),
@@ -92,7 +92,9 @@ def _action_class(action: spec.Action, parts: dict[str, Any]) -> type[Action]:
             "Goal": parts[action.goal.name],
             "Result": parts[action.result.name],
             "Feedback": parts[action.feedback.name],
-            "Impl": type("Impl", (), {"__doc__": "What carries the action.", **carriers}),
+            "Impl": type(
+                "Impl", (), {"__doc__": "The services and messages that carry the action.", **carriers}
+            ),
         },
     )
     return made

@@ -1,6 +1,6 @@
-"""Files of definitions, `package/kind/Name.kind`: those of sourced workspaces, then those that come with tfloom.
+"""Definition files, `package/kind/Name.kind`, of sourced workspaces, then of tfloom.
 
-The distribution `tfloom-interfaces` brings more packages. Where it is installed, they count as tfloom's own.
+The packages of the distribution `tfloom-interfaces`, if it is installed, count as tfloom's.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ EXTRA_PACKAGES = (
 
 
 def find_path(name: str) -> Path | None:
-    """Return the file that defines `package/kind/Name`, in a sourced workspace or of tfloom's own, or None."""
+    """Return the file that defines `package/kind/Name`, in a sourced workspace or in tfloom, or None."""
     parts = name.split("/")
     if len(parts) != 3 or parts[1] not in KINDS or not all(part.isidentifier() for part in parts):
         return None
@@ -40,7 +40,7 @@ def find_path(name: str) -> Path | None:
 
 
 def definitions_folder() -> Path:
-    """Return the folder of the definitions that come with tfloom: `package/kind/Name.kind`."""
+    """Return the folder of tfloom's definitions: `package/kind/Name.kind`."""
     return Path(__file__).parent / "definitions"
 
 
@@ -58,7 +58,7 @@ def own_folders() -> list[Path]:
 
 
 def interface_names(kind: str = "msg") -> list[str]:
-    """Return the names of all interfaces of a kind (msg, srv, action) that come with tfloom, sorted."""
+    """Return the names of all tfloom's interfaces of a kind (msg, srv, action), sorted."""
     return sorted(
         f"{path.parent.parent.name}/{kind}/{path.stem}"
         for folder in own_folders()

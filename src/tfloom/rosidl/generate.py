@@ -1,6 +1,6 @@
-"""Specs to Python source: `python -m tfloom.rosidl.generate` writes `tfloom/interfaces` and the packages' façades.
+"""Generation of Python source: `python -m tfloom.rosidl.generate` writes `tfloom/interfaces` and the façades.
 
-Those of the distribution `tfloom-interfaces` are written where it is a checkout's.
+In a checkout it also writes those of the distribution `tfloom-interfaces`.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ def load_definitions(folder: Path | None = None) -> dict[str, spec.Interface]:
     """Parse all definitions below `package/kind/Name.kind`, by name.
 
     Raises:
-        ParseError: one can't be read.
+        ParseError: one can't be parsed.
     """
     interfaces: dict[str, spec.Interface] = {}
     for path in sorted((folder or definitions_folder()).glob("*/*/*")):
@@ -211,7 +211,12 @@ class _Module:
         yield f'    _TYPE_HASH = "{type_hash(action, self.find)}"'
         for part in ("Goal", "Result", "Feedback"):
             yield f"    {part}: _TypeAlias = {base}_{part}"
-        yield from ("", "    class Impl:", '        """What carries the action."""', "")
+        yield from (
+            "",
+            "    class Impl:",
+            '        """The services and messages that carry the action."""',
+            "",
+        )
         yield f"        SendGoalService: _TypeAlias = {base}_SendGoal"
         yield f"        GetResultService: _TypeAlias = {base}_GetResult"
         yield f"        FeedbackMessage: _TypeAlias = {base}_FeedbackMessage"
@@ -220,7 +225,7 @@ class _Module:
 
 
 def _import_lines(imports: list[tuple[str, str]], indent: str) -> Iterator[str]:
-    """Write `from module import name` for each pair, one statement a module, in isort's order."""
+    """Yield `from module import name` for each pair, one statement for each module, in isort's order."""
     for module in sorted({module for module, _ in imports}):
         names = sorted((name for each, name in imports if each == module), key=_isort_key)
         # A name with an alias needs a statement of its own.
@@ -240,7 +245,7 @@ def _import_lines(imports: list[tuple[str, str]], indent: str) -> Iterator[str]:
 
 
 def _isort_key(name: str) -> tuple[bool, str]:
-    """Constants, names all in capitals, come first."""
+    """Return the sort key of a name: constants, which are all in capitals, are first."""
     return (not (name.isupper() and len(name) > 1), name)
 
 

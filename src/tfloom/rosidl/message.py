@@ -48,9 +48,9 @@ class Message(MessageBase):
     _TYPE_NAME: ClassVar[str] = ""
     _TYPE_HASH: ClassVar[str] = ""
     _FIELDS: ClassVar[dict[str, str]] = {}
-    """The type of each field, as a definition writes it, with whole message names."""
+    """The type of each field, as a definition writes it, with full message names."""
     _DEFAULTS: ClassVar[dict[str, Value]] = {}
-    """The defaults, of the fields whose definition has one."""
+    """The default of each field whose definition has one."""
     _PLAN: ClassVar[Plan | None] = None
     _check_fields: bool
     SLOT_TYPES = _SlotTypes()
@@ -67,7 +67,7 @@ class Message(MessageBase):
 
     @classmethod
     def get_fields_and_field_types(cls) -> dict[str, str]:
-        """Return the type of each field, in IDL's names: `double`, `sequence<uint8>`, `geometry_msgs/Vector3`."""
+        """Return the type of each field, by IDL names: `double`, `sequence<uint8>`, `geometry_msgs/Vector3`."""
         from tfloom.rosidl.idl_names import idl_name
         from tfloom.rosidl.parse import parse_type
 
@@ -150,7 +150,7 @@ class DecodeError(ValueError):
     path: str
     reason: str
     offset: int
-    """Where decoding failed [bytes from the start of the encapsulation header]."""
+    """Offset at which decoding failed [bytes from the start of the encapsulation header]."""
 
 
 set_message_base(Message)

@@ -15,7 +15,7 @@ from tfloom.rosidl.service import Action, Service
 
 
 def get_interface(identifier: str) -> Any:
-    """Return the class of a message, service or action by its whole name.
+    """Return the class of a message, service or action by its full name.
 
     Raises:
         ValueError: there is none.
@@ -59,7 +59,7 @@ def _found(find: Any, identifier: str) -> Any:
 
 
 def get_namespaced_type(identifier: str) -> NamespacedType:
-    """Return a name of at least two parts as an object.
+    """Return a type name of at least two parts as a `NamespacedType`.
 
     Raises:
         ValueError: it has fewer parts, or an empty one.
@@ -73,7 +73,7 @@ def get_namespaced_type(identifier: str) -> NamespacedType:
 
 
 def get_message_namespaced_type(identifier: str) -> NamespacedType:
-    """Return a message's name as an object, with `msg` inserted where it is missing.
+    """Return a message's name as a `NamespacedType`, with `msg` inserted where it is missing.
 
     Raises:
         ValueError: it has fewer than two parts, or an empty one.
@@ -82,7 +82,7 @@ def get_message_namespaced_type(identifier: str) -> NamespacedType:
 
 
 def get_service_namespaced_type(identifier: str) -> NamespacedType:
-    """Return a service's name as an object, with `srv` inserted where it is missing.
+    """Return a service's name as a `NamespacedType`, with `srv` inserted where it is missing.
 
     Raises:
         ValueError: it has fewer than two parts, or an empty one.
@@ -91,7 +91,7 @@ def get_service_namespaced_type(identifier: str) -> NamespacedType:
 
 
 def get_action_namespaced_type(identifier: str) -> NamespacedType:
-    """Return an action's name as an object, with `action` inserted where it is missing.
+    """Return an action's name as a `NamespacedType`, with `action` inserted where it is missing.
 
     Raises:
         ValueError: it has fewer than two parts, or an empty one.
@@ -112,12 +112,12 @@ def is_message(interface: object) -> bool:
 
 
 def is_service(interface: object) -> bool:
-    """Return whether a class is a service's."""
+    """Return whether an object is a service class."""
     return _is(interface, Service)
 
 
 def is_action(interface: object) -> bool:
-    """Return whether a class is an action's."""
+    """Return whether an object is an action class."""
     return _is(interface, Action)
 
 
@@ -140,7 +140,7 @@ def get_message_slot_types(msg: Message) -> OrderedDict[str, AbstractType]:
 
 
 def get_interface_packages() -> dict[str, str]:
-    """Return the packages that have definitions, each with the folder that holds its own."""
+    """Return the packages that have definitions, each with the folder of its definitions."""
     found: dict[str, str] = {}
     for share in definition_files.share_folders():
         for folder in sorted(share.glob("*/")):

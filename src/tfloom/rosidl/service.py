@@ -1,6 +1,6 @@
-"""The bases of service and action classes: names for their messages, never instantiated.
+"""The bases of service and action classes, which hold their message classes and have no instances.
 
-Their type arguments are for type checkers, which find by them what a client returns and a callback takes.
+Type checkers infer from the type arguments what a client returns and what a callback takes.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""RIHS01, the hash of a type: SHA-256 over its fields, and those of the messages in them, as JSON (REP-2011)."""
+"""RIHS01, the hash of a type: SHA-256 of its type description as JSON (REP-2011)."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ def parse_arguments(words: list[str]) -> argparse.Namespace:
     """Read a command line without its ROS arguments; exit with a usage text if it is invalid."""
     parser = argparse.ArgumentParser(
         prog="view_frames",
-        description="Listen to /tf and /tf_static, then draw the tree of frames that were heard of: NAME.gv is its "
+        description="Listen to /tf and /tf_static, then draw the tree of the received frames: NAME.gv is its "
         f"text for Graphviz, NAME.pdf and {COPY_NAME} are its picture, all in the current folder.",
     )
     parser.add_argument(
@@ -46,11 +46,11 @@ def write_files(frames_yaml: str, name: str, recorded_at: float, folder: Path) -
     Args:
         frames_yaml: The frames, as a buffer's `all_frames_as_yaml` returns them.
         name: Name of the files, without an ending.
-        recorded_at: When the frames were gathered [s since epoch].
+        recorded_at: Time of the recording [s since epoch].
         folder: The folder of the files.
 
     Returns:
-        The files: NAME.gv, NAME.pdf, and the picture's copy unless NAME is its name already.
+        The files: NAME.gv, NAME.pdf, and the picture's copy unless it has that name.
 
     Raises:
         OSError: a file can't be written.

@@ -203,7 +203,7 @@ class Fibonacci(_Action[Fibonacci_Goal, Fibonacci_Result, Fibonacci_Feedback, Fi
     Feedback: _TypeAlias = Fibonacci_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = Fibonacci_SendGoal
         GetResultService: _TypeAlias = Fibonacci_GetResult

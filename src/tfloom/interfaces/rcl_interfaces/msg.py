@@ -60,7 +60,7 @@ class ListParametersResult(_Message):
 
 
 class Log(_Message):
-    """A line of a log."""
+    """A log record."""
 
     _TYPE_NAME = "rcl_interfaces/msg/Log"
     _TYPE_HASH = "RIHS01_e28ce254ca8abc06abf92773b74602cdbf116ed34fbaf294fb9f81da9f318eac"
@@ -81,7 +81,7 @@ class Log(_Message):
         file: str
         function: str
         line: int
-        """in the source file"""
+        """line number in the source file"""
     else:
         __slots__ = ("_stamp", "_level", "_name", "_msg", "_file", "_function", "_line")
 
@@ -145,7 +145,7 @@ class ParameterDescriptor(_Message):
 
 
 class ParameterEvent(_Message):
-    """What has changed among a node's parameters."""
+    """Changes of a node's parameters."""
 
     _TYPE_NAME = "rcl_interfaces/msg/ParameterEvent"
     _TYPE_HASH = "RIHS01_043e627780fcad87a22d225bc2a037361dba713fca6a6b9f4b869a5aa0393204"
@@ -202,7 +202,7 @@ class ParameterType(_Message):
 
 
 class ParameterValue(_Message):
-    """A value of one of many types: `type` says which field counts."""
+    """A value of one of several types: `type` selects the field."""
 
     _TYPE_NAME = "rcl_interfaces/msg/ParameterValue"
     _TYPE_HASH = "RIHS01_115fc089a387e23c7ecd3525c9189c379109119d6ab82e8dfbde0fdf6a7f9b68"

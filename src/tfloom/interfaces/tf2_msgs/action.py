@@ -204,7 +204,7 @@ class LookupTransform(_Action[LookupTransform_Goal, LookupTransform_Result, Look
     Feedback: _TypeAlias = LookupTransform_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = LookupTransform_SendGoal
         GetResultService: _TypeAlias = LookupTransform_GetResult

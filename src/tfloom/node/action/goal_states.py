@@ -1,4 +1,4 @@
-"""The states of a goal, and the events that lead from one to another.
+"""The states of a goal, and the events that change them.
 
 ACCEPTED --EXECUTE--> EXECUTING --SUCCEED--> SUCCEEDED
 |                     |     --ABORT----> ABORTED

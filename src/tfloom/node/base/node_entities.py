@@ -1,4 +1,4 @@
-"""A node as the owner of what it has created: what an executor runs, and what is destroyed with the node."""
+"""A node as the owner of its entities, which an executor runs and which are destroyed with the node."""
 
 from __future__ import annotations
 
@@ -34,15 +34,15 @@ WireEndpoint = TypeVar("WireEndpoint")
 
 
 class NodeEntities(NodeGraph):
-    """Lists, runs and destroys what a node has created; a base of Node.
+    """Lists and destroys the entities that a node has created; a base of Node.
 
     Args:
         names: The node's names.
         graph: Graph of its participant.
-        context: Context it has joined, and leaves when it is destroyed.
+        context: The context that it has joined, and leaves when it is destroyed.
         clock: Its clock.
         logger: Its logger.
-        owned: What it has created.
+        owned: The entities that it has created.
     """
 
     def __init__(
@@ -76,7 +76,7 @@ class NodeEntities(NodeGraph):
 
     @property
     def executor(self) -> Executor | None:
-        """The executor it was added to, or None."""
+        """The executor that it was added to, or None."""
         return None if self.__executor is None else self.__executor()
 
     @executor.setter
@@ -100,11 +100,11 @@ class NodeEntities(NodeGraph):
 
     @property
     def default_callback_group(self) -> CallbackGroup:
-        """The group of everything created without one: one callback at a time."""
+        """The group of all entities created without one: one callback at a time."""
         return self.__default_callback_group
 
     def entities(self) -> list[Entity]:
-        """Return all that an executor is to run."""
+        """Return all entities that an executor runs."""
         return self.__owned.entities()
 
     @property
@@ -143,7 +143,7 @@ class NodeEntities(NodeGraph):
         return (each.waitable for each in self.entities() if isinstance(each, WaitableEntity))
 
     def add_waitable(self, waitable: Waitable) -> None:
-        """Make the node's executor wait for a waitable, too."""
+        """Add a waitable to those that the node's executor waits for."""
         self.__owned.add(WaitableEntity(waitable, lambda: self.executor), self)
 
     def remove_waitable(self, waitable: Waitable) -> None:
@@ -179,7 +179,7 @@ class NodeEntities(NodeGraph):
         return self.__owned.destroy(service)
 
     def destroy_client(self, client: Client) -> bool:
-        """Destroy a client; False if it isn't this node's. Its requests get no response any more."""
+        """Destroy a client; False if it isn't this node's. Responses to its pending requests are dropped."""
         return self.__owned.destroy(client)
 
     def destroy_timer(self, timer: Timer) -> bool:
@@ -199,7 +199,7 @@ class NodeEntities(NodeGraph):
         self.__owned.destroy_all()
 
     def destroy_node(self) -> None:
-        """Leave the executor and the graph, with all that was created. Destroying again does nothing."""
+        """Leave the executor and the graph, and destroy all that was created. Destroying again does nothing."""
         if self.__destroyed:
             return
         self.__destroyed = True

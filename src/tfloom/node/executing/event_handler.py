@@ -35,7 +35,7 @@ __all__ = [
 
 UnsupportedEventTypeError = UnsupportedEventError
 
-# What the callbacks are given, by the names that programs write in their annotations.
+# The statuses passed to callbacks, by the names that programs use in annotations.
 QoSLivelinessChangedInfo = LivelinessChanged
 QoSLivelinessLostInfo = Count
 QoSMessageLostInfo = Count
@@ -50,7 +50,7 @@ StatusCallback = Callable[[Any], Any]
 
 
 class Watched(Protocol):
-    """An endpoint of a topic with events."""
+    """A writer or reader with events."""
 
     gid: bytes
 
@@ -62,7 +62,7 @@ class Watched(Protocol):
 
 
 class EventHandler(Entity):
-    """Runs a callback with the status of one event each time that it changes."""
+    """Calls a callback with the status of one event each time that it changes."""
 
     def __init__(
         self,
@@ -105,7 +105,7 @@ class EventHandler(Entity):
 
 
 class QoSEventHandler(EventHandler):
-    """Former name of EventHandler; creating one, or deriving from it, warns that it is deprecated."""
+    """Deprecated name of EventHandler; creating one, or deriving from it, gives a warning."""
 
     def __init_subclass__(cls, **kwargs: Any) -> None:
         _warn_of_old_name()
@@ -141,7 +141,9 @@ class _EventCallbacks:
         use_default_callbacks: bool = True,
     ) -> None:
         if incompatible_type is not None:
-            raise UnsupportedEventTypeError("incompatible_type: no wire here tells of peers of another type")
+            raise UnsupportedEventTypeError(
+                "incompatible_type: the wires here don't report peers of another type"
+            )
         self.deadline = deadline
         self.liveliness = liveliness
         self.incompatible_qos = incompatible_qos
@@ -171,7 +173,7 @@ class _EventCallbacks:
         By default, a warning is logged about peers of incompatible QoS.
 
         Raises:
-            UnsupportedEventTypeError: the wire doesn't know an event that there is a callback for.
+            UnsupportedEventTypeError: the wire doesn't support an event that there is a callback for.
         """
         callbacks = self._by_event()
         if self.use_default_callbacks and self.incompatible_qos is None:
@@ -191,11 +193,11 @@ class PublisherEventCallbacks(_EventCallbacks):
     """Callbacks for the status of a publisher's events.
 
     Args:
-        deadline: It didn't publish in time.
-        liveliness: It didn't say in time that it lives.
-        incompatible_qos: A subscription asks for more than it offers.
-        incompatible_type: A subscription is of another type. No wire here reports that.
-        matched: A subscription has come or gone.
+        deadline: It did not publish before its deadline.
+        liveliness: It did not assert its liveliness within its lease.
+        incompatible_qos: A subscription requests more than it offers.
+        incompatible_type: A subscription is of another type. The wires here don't report that.
+        matched: A subscription has connected or disconnected.
         use_default_callbacks: Whether to warn of incompatible QoS where `incompatible_qos` isn't given.
 
     Raises:
@@ -210,12 +212,12 @@ class SubscriptionEventCallbacks(_EventCallbacks):
     """Callbacks for the status of a subscription's events.
 
     Args:
-        deadline: No message came in time.
-        incompatible_qos: A publisher offers less than it asks for.
-        liveliness: A publisher has fallen silent, or is back.
-        message_lost: Messages were lost. Cyclone reports hardly any.
-        incompatible_type: A publisher is of another type. No wire here reports that.
-        matched: A publisher has come or gone.
+        deadline: No message arrived before the deadline.
+        incompatible_qos: A publisher offers less than it requests.
+        liveliness: A publisher has lost or regained its liveliness.
+        message_lost: Messages were lost. Cyclone reports few of them.
+        incompatible_type: A publisher is of another type. The wires here don't report that.
+        matched: A publisher has connected or disconnected.
         use_default_callbacks: Whether to warn of incompatible QoS where `incompatible_qos` isn't given.
 
     Raises:

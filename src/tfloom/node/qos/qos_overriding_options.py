@@ -32,15 +32,15 @@ _DURATIONS = (QoSPolicyKind.DEADLINE, QoSPolicyKind.LIFESPAN, QoSPolicyKind.LIVE
 
 
 class InvalidQosOverridesError(Exception):
-    """The overrides give a profile that can't be, or that a callback refuses."""
+    """The overrides result in an invalid profile, or in one that the callback rejects."""
 
 
 class QoSOverridingOptions:
-    """Which policies of a publisher or subscription parameters may override.
+    """The policies of a publisher or subscription that parameters may override.
 
     Args:
         policy_kinds: The policies.
-        callback: Takes the profile with the overrides in it, and accepts or refuses it.
+        callback: Takes the profile with its overrides, and accepts or rejects it.
         entity_id: Distinguishes several endpoints of one topic in one node.
     """
 
@@ -62,7 +62,7 @@ class QoSOverridingOptions:
 
     @property
     def callback(self) -> Callable[[QoSProfile], SetParametersResult] | None:
-        """Accepts or refuses the profile with the overrides in it."""
+        """Accepts or rejects the profile with its overrides."""
         return self._callback
 
     @property
@@ -85,17 +85,17 @@ class QoSOverridingOptions:
 def apply_overrides(
     node: NodeParameters, kind: str, topic_name: str, profile: QoSProfile, options: QoSOverridingOptions
 ) -> QoSProfile:
-    """Declare the parameters of the policies, and return the profile with what they say.
+    """Declare the parameters of the policies, and return the profile with their values.
 
     Args:
-        node: Whose parameters.
+        node: The node whose parameters override.
         kind: `publisher` or `subscription`.
         topic_name: The topic's full name.
-        profile: What holds where nothing is overridden.
-        options: What may be.
+        profile: The profile before the overrides.
+        options: The policies that may be overridden.
 
     Raises:
-        InvalidQosOverridesError: a value is no such policy's, or the callback refuses the outcome.
+        InvalidQosOverridesError: a value isn't one of the policy's, or the callback rejects the profile.
         InvalidParameterTypeException: a value is of the wrong type.
     """
     settings = {name: getattr(profile, name) for name in profile.field_names()}

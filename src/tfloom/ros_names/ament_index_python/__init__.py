@@ -1,4 +1,4 @@
-"""Where packages and their files are."""
+"""Find packages and their files by the ament index."""
 
 from tfloom.workspace.ament import (
     RESOURCE_INDEX_SUBFOLDER,

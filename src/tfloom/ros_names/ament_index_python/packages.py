@@ -1,4 +1,4 @@
-"""Packages by name."""
+"""Find packages by name."""
 
 from tfloom.workspace.ament import (
     PackageNotFoundError,

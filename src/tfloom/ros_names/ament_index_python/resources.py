@@ -1,4 +1,4 @@
-"""Resources of the ament index."""
+"""Read the resources of the ament index."""
 
 from tfloom.workspace.ament import (
     RESOURCE_INDEX_SUBFOLDER,

@@ -1,4 +1,4 @@
-"""The client library of ROS 2, on tfloom."""
+"""The ROS 2 client library for Python, implemented by tfloom."""
 
 from tfloom.node.client_library import *
 from tfloom.node.client_library import __all__

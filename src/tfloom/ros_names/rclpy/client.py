@@ -1,4 +1,4 @@
-"""Clients of services."""
+"""Service clients."""
 
 from tfloom.node.endpoints.client import *
 from tfloom.node.endpoints.client import __all__

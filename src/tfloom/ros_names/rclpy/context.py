@@ -1,4 +1,4 @@
-"""One life of the library in a process."""
+"""Contexts: the state of the library from `init` to `shutdown`."""
 
 from tfloom.node.context.context import *
 from tfloom.node.context.context import __all__

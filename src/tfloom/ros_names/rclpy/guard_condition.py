@@ -1,4 +1,4 @@
-"""A callback that a program triggers itself."""
+"""Guard conditions: callbacks that the program triggers."""
 
 from tfloom.node.executing.guard_condition import *
 from tfloom.node.executing.guard_condition import __all__

@@ -1,4 +1,4 @@
-"""Parameters of other nodes."""
+"""Clients for the parameters of another node."""
 
 from tfloom.node.builtin.parameter_client import *
 from tfloom.node.builtin.parameter_client import __all__

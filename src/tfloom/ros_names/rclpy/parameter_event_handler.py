@@ -1,4 +1,4 @@
-"""Callbacks for changes of parameters."""
+"""Callbacks for parameter changes of any node."""
 
 from tfloom.node.builtin.parameter_event_handler import *
 from tfloom.node.builtin.parameter_event_handler import __all__

@@ -1,4 +1,4 @@
-"""The sending end of a topic."""
+"""Publishers."""
 
 from tfloom.node.endpoints.publisher import *
 from tfloom.node.endpoints.publisher import __all__

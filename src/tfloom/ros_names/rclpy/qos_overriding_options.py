@@ -1,4 +1,4 @@
-"""QoS that parameters override."""
+"""Overrides of QoS policies by parameters."""
 
 from tfloom.node.qos.qos_overriding_options import InvalidQosOverridesError, QoSOverridingOptions
 

@@ -1,4 +1,4 @@
-"""Messages to bytes and back."""
+"""Serialization of messages to bytes and back."""
 
 from tfloom.node.values.serialization import *
 from tfloom.node.values.serialization import __all__

@@ -1,4 +1,4 @@
-"""Servers of services."""
+"""Service servers."""
 
 from tfloom.node.endpoints.service import *
 from tfloom.node.endpoints.service import __all__

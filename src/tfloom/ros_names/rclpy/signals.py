@@ -1,4 +1,4 @@
-"""Ctrl-C and SIGTERM."""
+"""Handlers for SIGINT (Ctrl-C) and SIGTERM."""
 
 from tfloom.node.executing.signals import *
 from tfloom.node.executing.signals import __all__

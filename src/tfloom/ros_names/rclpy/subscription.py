@@ -1,4 +1,4 @@
-"""The receiving end of a topic."""
+"""Subscriptions."""
 
 from tfloom.node.endpoints.subscription import *
 from tfloom.node.endpoints.subscription import __all__

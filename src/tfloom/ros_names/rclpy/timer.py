@@ -1,4 +1,4 @@
-"""Callbacks at a fixed period."""
+"""Timers and rates."""
 
 from tfloom.node.executing.timer import *
 from tfloom.node.executing.timer import __all__

@@ -1,4 +1,4 @@
-"""What is valid as a full name."""
+"""Validation of full topic names."""
 
 from tfloom.node.values.names import validate_full_topic_name
 

@@ -1,4 +1,4 @@
-"""What is valid as a namespace."""
+"""Validation of namespaces."""
 
 from tfloom.node.values.names import validate_namespace
 

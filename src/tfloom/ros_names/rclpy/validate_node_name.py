@@ -1,4 +1,4 @@
-"""What is valid as a node's name."""
+"""Validation of node names."""
 
 from tfloom.node.values.names import validate_node_name
 

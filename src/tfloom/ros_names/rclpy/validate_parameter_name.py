@@ -1,4 +1,4 @@
-"""What is valid as a parameter's name."""
+"""Validation of parameter names."""
 
 from tfloom.node.parameters.validate_parameter_name import validate_parameter_name
 

@@ -1,4 +1,4 @@
-"""What is valid as a name that a program gives."""
+"""Validation of topic names that are not expanded yet."""
 
 from tfloom.node.values.names import TOPIC_SEPARATOR_STRING, validate_topic_name
 

@@ -1,4 +1,4 @@
-"""Which interfaces there are."""
+"""List packages and their interfaces."""
 
 from tfloom.rosidl.runtime import (
     get_action_interfaces,

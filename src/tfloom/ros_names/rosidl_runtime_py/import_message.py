@@ -1,4 +1,4 @@
-"""Message classes by name."""
+"""Import a message class by its type."""
 
 from tfloom.rosidl.runtime import import_message_from_namespaced_type
 

@@ -1,4 +1,4 @@
-"""Messages from plain values."""
+"""Set the fields of a message from plain values."""
 
 from tfloom.rosidl.yaml_text import set_message_fields
 

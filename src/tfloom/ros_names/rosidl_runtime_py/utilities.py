@@ -1,4 +1,4 @@
-"""Types by name."""
+"""Find message, service and action classes by name."""
 
 from tfloom.rosidl.runtime import (
     get_action,

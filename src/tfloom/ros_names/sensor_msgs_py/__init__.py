@@ -1,1 +1,1 @@
-"""sensor_msgs in numpy's hands."""
+"""Convert sensor_msgs to numpy arrays and back."""

@@ -1,4 +1,4 @@
-"""Frames over time, on /tf and /tf_static."""
+"""Buffers, listeners and broadcasters for the transforms on /tf and /tf_static."""
 
 from tfloom.ros_guard import claim
 

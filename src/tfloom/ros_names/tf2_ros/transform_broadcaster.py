@@ -1,4 +1,4 @@
-"""Sends transforms that change."""
+"""Publish transforms on /tf."""
 
 from tfloom.tf2_ros.transform_broadcaster import *
 from tfloom.tf2_ros.transform_broadcaster import __all__

@@ -1,4 +1,4 @@
-"""Fills a buffer from /tf and /tf_static."""
+"""Fill a buffer from /tf and /tf_static."""
 
 from tfloom.tf2_ros.transform_listener import *
 from tfloom.tf2_ros.transform_listener import __all__

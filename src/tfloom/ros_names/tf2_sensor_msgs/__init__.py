@@ -1,4 +1,4 @@
-"""PointCloud2 through transforms; importing it registers it for `Buffer.transform`."""
+"""Transform PointCloud2; importing this module registers it for `Buffer.transform`."""
 
 from tfloom.tf2_ros.point_cloud import do_transform_cloud, transform_points
 

@@ -1,4 +1,4 @@
-"""The actions of others."""
+"""Queries for the actions on the graph."""
 
 from tfloom.node.action.graph import *
 from tfloom.node.action.graph import __all__

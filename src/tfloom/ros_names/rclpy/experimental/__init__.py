@@ -1,4 +1,4 @@
-"""What may yet change in rclpy."""
+"""The experimental part of rclpy, whose API may change."""
 
 from tfloom.node.executing.events_executor import EventsExecutor
 

@@ -1,1 +1,1 @@
-"""What rclpy keeps for itself, and programs import all the same."""
+"""Internal modules of rclpy that programs import."""

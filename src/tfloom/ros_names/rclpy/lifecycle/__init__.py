@@ -1,4 +1,4 @@
-"""Nodes with a lifecycle."""
+"""Lifecycle nodes, their publishers and managed entities."""
 
 from tfloom.node.lifecycle.managed_entity import (
     ManagedEntity,

@@ -1,4 +1,4 @@
-"""Nodes with a lifecycle."""
+"""Lifecycle nodes."""
 
 from tfloom.node.lifecycle.node import *
 from tfloom.node.lifecycle.node import __all__

@@ -215,7 +215,7 @@ class ExecuteMotionPrimitiveSequence(_Action[ExecuteMotionPrimitiveSequence_Goal
     Feedback: _TypeAlias = ExecuteMotionPrimitiveSequence_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = ExecuteMotionPrimitiveSequence_SendGoal
         GetResultService: _TypeAlias = ExecuteMotionPrimitiveSequence_GetResult
@@ -423,7 +423,7 @@ class FollowJointTrajectory(_Action[FollowJointTrajectory_Goal, FollowJointTraje
     Feedback: _TypeAlias = FollowJointTrajectory_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = FollowJointTrajectory_SendGoal
         GetResultService: _TypeAlias = FollowJointTrajectory_GetResult
@@ -616,7 +616,7 @@ class GripperCommand(_Action[GripperCommand_Goal, GripperCommand_Result, Gripper
     Feedback: _TypeAlias = GripperCommand_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = GripperCommand_SendGoal
         GetResultService: _TypeAlias = GripperCommand_GetResult
@@ -801,7 +801,7 @@ class JointTrajectory(_Action[JointTrajectory_Goal, JointTrajectory_Result, Join
     Feedback: _TypeAlias = JointTrajectory_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = JointTrajectory_SendGoal
         GetResultService: _TypeAlias = JointTrajectory_GetResult
@@ -990,7 +990,7 @@ class ParallelGripperCommand(_Action[ParallelGripperCommand_Goal, ParallelGrippe
     Feedback: _TypeAlias = ParallelGripperCommand_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = ParallelGripperCommand_SendGoal
         GetResultService: _TypeAlias = ParallelGripperCommand_GetResult
@@ -1180,7 +1180,7 @@ class PointHead(_Action[PointHead_Goal, PointHead_Result, PointHead_Feedback, Po
     Feedback: _TypeAlias = PointHead_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = PointHead_SendGoal
         GetResultService: _TypeAlias = PointHead_GetResult
@@ -1371,7 +1371,7 @@ class SingleJointPosition(_Action[SingleJointPosition_Goal, SingleJointPosition_
     Feedback: _TypeAlias = SingleJointPosition_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = SingleJointPosition_SendGoal
         GetResultService: _TypeAlias = SingleJointPosition_GetResult

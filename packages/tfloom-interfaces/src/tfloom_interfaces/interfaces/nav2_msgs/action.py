@@ -207,7 +207,7 @@ class AssistedTeleop(_Action[AssistedTeleop_Goal, AssistedTeleop_Result, Assiste
     Feedback: _TypeAlias = AssistedTeleop_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = AssistedTeleop_SendGoal
         GetResultService: _TypeAlias = AssistedTeleop_GetResult
@@ -404,7 +404,7 @@ class BackUp(_Action[BackUp_Goal, BackUp_Result, BackUp_Feedback, BackUp_Feedbac
     Feedback: _TypeAlias = BackUp_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = BackUp_SendGoal
         GetResultService: _TypeAlias = BackUp_GetResult
@@ -613,7 +613,7 @@ class ComputeAndTrackRoute(_Action[ComputeAndTrackRoute_Goal, ComputeAndTrackRou
     Feedback: _TypeAlias = ComputeAndTrackRoute_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = ComputeAndTrackRoute_SendGoal
         GetResultService: _TypeAlias = ComputeAndTrackRoute_GetResult
@@ -816,7 +816,7 @@ class ComputePathThroughPoses(_Action[ComputePathThroughPoses_Goal, ComputePathT
     Feedback: _TypeAlias = ComputePathThroughPoses_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = ComputePathThroughPoses_SendGoal
         GetResultService: _TypeAlias = ComputePathThroughPoses_GetResult
@@ -1018,7 +1018,7 @@ class ComputePathToPose(_Action[ComputePathToPose_Goal, ComputePathToPose_Result
     Feedback: _TypeAlias = ComputePathToPose_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = ComputePathToPose_SendGoal
         GetResultService: _TypeAlias = ComputePathToPose_GetResult
@@ -1221,7 +1221,7 @@ class ComputeRoute(_Action[ComputeRoute_Goal, ComputeRoute_Result, ComputeRoute_
     Feedback: _TypeAlias = ComputeRoute_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = ComputeRoute_SendGoal
         GetResultService: _TypeAlias = ComputeRoute_GetResult
@@ -1435,7 +1435,7 @@ class DockRobot(_Action[DockRobot_Goal, DockRobot_Result, DockRobot_Feedback, Do
     Feedback: _TypeAlias = DockRobot_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = DockRobot_SendGoal
         GetResultService: _TypeAlias = DockRobot_GetResult
@@ -1632,7 +1632,7 @@ class DriveOnHeading(_Action[DriveOnHeading_Goal, DriveOnHeading_Result, DriveOn
     Feedback: _TypeAlias = DriveOnHeading_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = DriveOnHeading_SendGoal
         GetResultService: _TypeAlias = DriveOnHeading_GetResult
@@ -1820,7 +1820,7 @@ class DummyBehavior(_Action[DummyBehavior_Goal, DummyBehavior_Result, DummyBehav
     Feedback: _TypeAlias = DummyBehavior_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = DummyBehavior_SendGoal
         GetResultService: _TypeAlias = DummyBehavior_GetResult
@@ -2015,7 +2015,7 @@ class FollowGPSWaypoints(_Action[FollowGPSWaypoints_Goal, FollowGPSWaypoints_Res
     Feedback: _TypeAlias = FollowGPSWaypoints_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = FollowGPSWaypoints_SendGoal
         GetResultService: _TypeAlias = FollowGPSWaypoints_GetResult
@@ -2222,7 +2222,7 @@ class FollowObject(_Action[FollowObject_Goal, FollowObject_Result, FollowObject_
     Feedback: _TypeAlias = FollowObject_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = FollowObject_SendGoal
         GetResultService: _TypeAlias = FollowObject_GetResult
@@ -2424,7 +2424,7 @@ class FollowPath(_Action[FollowPath_Goal, FollowPath_Result, FollowPath_Feedback
     Feedback: _TypeAlias = FollowPath_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = FollowPath_SendGoal
         GetResultService: _TypeAlias = FollowPath_GetResult
@@ -2619,7 +2619,7 @@ class FollowWaypoints(_Action[FollowWaypoints_Goal, FollowWaypoints_Result, Foll
     Feedback: _TypeAlias = FollowWaypoints_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = FollowWaypoints_SendGoal
         GetResultService: _TypeAlias = FollowWaypoints_GetResult
@@ -2814,7 +2814,7 @@ class NavigateThroughPoses(_Action[NavigateThroughPoses_Goal, NavigateThroughPos
     Feedback: _TypeAlias = NavigateThroughPoses_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = NavigateThroughPoses_SendGoal
         GetResultService: _TypeAlias = NavigateThroughPoses_GetResult
@@ -3008,7 +3008,7 @@ class NavigateToPose(_Action[NavigateToPose_Goal, NavigateToPose_Result, Navigat
     Feedback: _TypeAlias = NavigateToPose_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = NavigateToPose_SendGoal
         GetResultService: _TypeAlias = NavigateToPose_GetResult
@@ -3208,7 +3208,7 @@ class SmoothPath(_Action[SmoothPath_Goal, SmoothPath_Result, SmoothPath_Feedback
     Feedback: _TypeAlias = SmoothPath_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = SmoothPath_SendGoal
         GetResultService: _TypeAlias = SmoothPath_GetResult
@@ -3403,7 +3403,7 @@ class Spin(_Action[Spin_Goal, Spin_Result, Spin_Feedback, Spin_FeedbackMessage, 
     Feedback: _TypeAlias = Spin_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = Spin_SendGoal
         GetResultService: _TypeAlias = Spin_GetResult
@@ -3598,7 +3598,7 @@ class UndockRobot(_Action[UndockRobot_Goal, UndockRobot_Result, UndockRobot_Feed
     Feedback: _TypeAlias = UndockRobot_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = UndockRobot_SendGoal
         GetResultService: _TypeAlias = UndockRobot_GetResult
@@ -3787,7 +3787,7 @@ class Wait(_Action[Wait_Goal, Wait_Result, Wait_Feedback, Wait_FeedbackMessage, 
     Feedback: _TypeAlias = Wait_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService: _TypeAlias = Wait_SendGoal
         GetResultService: _TypeAlias = Wait_GetResult
