@@ -1,11 +1,11 @@
-"""The finder of interface packages that no Python package holds: `from my_interfaces.msg import X`, with no build.
+"""The finder of interface packages without Python modules: `from my_interfaces.msg import X`, without a build.
 
-It stands last in `sys.meta_path`, so that it is asked only for what no other finder has found. It serves packages on
-AMENT_PREFIX_PATH that hold definitions (`share/my_interfaces/msg/X.msg`), as modules whose classes are made when
-they are named. `tfloom.pth` installs it where AMENT_PREFIX_PATH is set when Python starts; `tfloom.use_ros_names()`
-does so by hand.
+It is last in `sys.meta_path`, because any module of the same name takes precedence. It finds packages on
+AMENT_PREFIX_PATH that hold definitions (`share/my_interfaces/msg/X.msg`); the classes of their modules are created at
+first access. `tfloom.pth` installs it if AMENT_PREFIX_PATH is set when Python starts; `tfloom.use_ros_names()` does the
+same.
 
-This module is loaded at the start of each Python in a sourced workspace, so it imports almost nothing.
+This module imports almost nothing, because each Python process in a sourced workspace loads it when it starts.
 """
 
 from __future__ import annotations
@@ -19,7 +19,10 @@ from tfloom.ros_guard import serves_rclpy
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from importlib.abc import Loader
     from types import ModuleType
+else:
+    Loader = object  # importlib.abc takes longer to import than all the rest here
 
 __all__ = ["InterfaceFinder", "install"]
 
@@ -28,35 +31,33 @@ _KINDS = ("msg", "srv", "action")
 
 def install() -> None:
     """Add the finder to the end of `sys.meta_path`, unless it is there."""
-    if InterfaceFinder not in sys.meta_path:
-        sys.meta_path.append(InterfaceFinder)
+    if not any(isinstance(each, InterfaceFinder) for each in sys.meta_path):
+        sys.meta_path.append(InterfaceFinder())
 
 
-class InterfaceFinder:
-    """Finds `my_interfaces` and `my_interfaces.msg`, and is their loader."""
+class InterfaceFinder(Loader):
+    """The finder, and the loader of `my_interfaces` and `my_interfaces.msg`."""
 
-    @classmethod
     def find_spec(
-        cls, fullname: str, _path: Sequence[str] | None = None, _target: ModuleType | None = None
+        self, fullname: str, _path: Sequence[str] | None = None, _target: ModuleType | None = None
     ) -> ModuleSpec | None:
-        """Return the spec of a package with definitions, or of its messages, services or actions, or None.
+        """Return the spec of a package with definitions, or of its messages, services or actions.
 
-        None where `rclpy` is another ROS's, too: its nodes don't take tfloom's messages.
+        Returns:
+            None if the package holds no such definitions, or if `rclpy` is not tfloom's, because the nodes of another
+            ROS don't accept tfloom's messages.
         """
         package, _, kind = fullname.partition(".")
         folder = _package_folder(package, kind) if kind in ("", *_KINDS) else None
         if folder is None or not serves_rclpy():
             return None
-        # With no origin that is a file: tools that show a module's source would look for Python there.
-        return ModuleSpec(fullname, cls, origin=folder, is_package=not kind)  # type: ignore[arg-type]  # a class may be a loader
+        return ModuleSpec(fullname, self, origin=folder, is_package=not kind)
 
-    @staticmethod
-    def create_module(spec: ModuleSpec) -> ModuleType | None:
-        """Leave it to Python to make the module."""
+    def create_module(self, spec: ModuleSpec) -> ModuleType | None:
+        """Return None, for Python's own kind of module."""
 
-    @staticmethod
-    def exec_module(module: ModuleType) -> None:
-        """Let the module's attributes be found when they are named."""
+    def exec_module(self, module: ModuleType) -> None:
+        """Give the module functions that find its attributes at first access."""
         from tfloom.rosidl.definition_modules import fill_module
 
         fill_module(module)

@@ -1,4 +1,4 @@
-"""Modules of packages that no Python package holds: `my_interfaces` and `my_interfaces.msg`, from their definitions."""
+"""The content of modules that `ros_finder` finds, created from definitions: `my_interfaces`, `my_interfaces.msg`."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ _PARTS = {
     "srv": ("", "_Request", "_Response", "_Event"),
     "action": ("", "_Goal", "_Result", "_Feedback", "_FeedbackMessage"),
 }
-"""The classes of one definition that a module lists; of an action it has those of its services, too."""
+"""The suffixes of the classes of one definition that a module lists; those of an action's services are found, too."""
 
 
 def fill_module(module: ModuleType) -> None:
-    """Give a module the attributes that a generated one has, made when they are first named.
+    """Give a module the attributes of a generated one, created at first access.
 
     Args:
         module: `my_interfaces`, or one of its kinds, as `my_interfaces.msg`.

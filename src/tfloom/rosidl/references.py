@@ -1,4 +1,4 @@
-"""Checks of what a definition refers to: that each message exists, and that none contains itself."""
+"""Checks of the messages that a definition refers to: each exists, and none contains itself."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def _at(message: spec.Message, field: spec.Field, reason: str) -> ParseError:
 
 
 def _missing_package(name: str) -> str:
-    """Return the end of a sentence about an unknown message, if its whole package is missing."""
+    """Return an addition to the error about an unknown message if its whole package is missing; else empty text."""
     package = name.partition("/")[0]
     if sources.is_package(package):
         return ""

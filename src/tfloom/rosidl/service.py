@@ -22,7 +22,7 @@ else:
     RequestT = ResponseT = GoalT = ResultT = FeedbackT = FeedbackMessageT = ResultResponseT = None
 
     class Generic:
-        """Stand-in for that of `typing`, which takes longer to import than a package's messages."""
+        """Replacement for `typing.Generic`, because importing `typing` takes longer than importing a few messages."""
 
         def __class_getitem__(cls, arguments: object) -> type:
             return cls
@@ -34,7 +34,8 @@ class Service(Generic[RequestT, ResponseT]):
     _TYPE_NAME: ClassVar[str]
     _TYPE_HASH: ClassVar[str]
     if TYPE_CHECKING:
-        # Aliases, as in each service's class: pyright accepts no name in an annotation that a base has as a variable.
+        # Aliases, as in each service's class, because pyright rejects annotations by a name that a base declares as a
+        # variable.
         Request: TypeAlias = Any
         Response: TypeAlias = Any
         Event: TypeAlias = Any

@@ -1,4 +1,4 @@
-"""Typed modules for editors and type checkers, of packages that Python imports straight from their definitions."""
+"""Typed modules, for editors and type checkers, of packages that Python imports from their definitions."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from tfloom.workspace import index
 
 
 class Stubs(NamedTuple):
-    """What was written, and what was not."""
+    """The result of `write_stubs`."""
 
     written: list[Path]
     """The files, in order of their names."""
     left_out: list[str]
-    """A reason for each definition that can't be loaded."""
+    """Name and error of each definition that can't be loaded."""
 
 
 def write_stubs(folder: Path) -> Stubs:
     """Write `package/kind.pyi` for each package on AMENT_PREFIX_PATH that holds definitions and is not tfloom's own.
 
-    A definition that can't be loaded is left out, and the rest is written.
+    Definitions that can't be loaded are left out.
 
     Args:
         folder: Where to write; it is made.

@@ -1,4 +1,4 @@
-"""The type variables of endpoints and actions. Each has the default Any, so that `Client` alone is a type, too."""
+"""The type variables of endpoints and actions. Each has the default Any, so that `Client` alone is a complete type."""
 
 from __future__ import annotations
 
@@ -25,6 +25,6 @@ GoalT = TypeVar("GoalT", default=Any)
 ResultT = TypeVar("ResultT", default=Any)
 FeedbackT = TypeVar("FeedbackT", default=Any)
 FeedbackMessageT = TypeVar("FeedbackMessageT", default=Any)
-"""What carries feedback: `.goal_id` and `.feedback`."""
+"""The message that carries feedback, with `.goal_id` and `.feedback`."""
 ResultResponseT = TypeVar("ResultResponseT", default=Any)
-"""What carries a result: `.status` and `.result`."""
+"""The response that carries a result, with `.status` and `.result`."""
