@@ -243,3 +243,12 @@ def test_unknown_names_raise_with_the_nearest_name() -> None:
         with pytest.raises(LookupError) as raised:
             get_message_class(name)
         assert raised.value.args[0] == text
+
+
+def test_defaults_of_arrays_are_new_each_time() -> None:
+    text = "float64[2] pair [1.5, 2.5]\nint32[] some [1, 2]\nstring[] words ['a', 'b']"
+    cls = define("my_msgs/msg/Defaults", text)
+    assert cls.PAIR__DEFAULT.tolist() == [1.5, 2.5]
+    cls.SOME__DEFAULT.append(3)
+    cls.WORDS__DEFAULT.append("c")
+    assert (cls.SOME__DEFAULT.tolist(), cls.WORDS__DEFAULT) == ([1, 2], ["a", "b"])

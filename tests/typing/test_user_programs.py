@@ -15,6 +15,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 import pytest
+from docs import rclpy_api
 
 pytestmark = pytest.mark.slow
 ROOT = Path(__file__).parents[2]
@@ -107,6 +108,33 @@ def test_each_mistake_is_found_and_nothing_else(checker: str, tmp_path: Path) ->
     else:
         found = pyright(python, MISTAKES, folder=tmp_path)
     assert lines_of(found) == planted, "\n".join(found)
+
+
+def test_every_public_name_passes_mypy_and_pyright(tmp_path: Path) -> None:
+    reasons = rclpy_api.missing()
+    names = [
+        name
+        for name in rclpy_api.all_names()
+        if "." not in name.path and name.path != "TYPE_CHECKING" and not rclpy_api.reason_for(name, reasons)
+    ]
+    lines = [f"from {name.module} import {name.path} as name_{number}" for number, name in enumerate(names)]
+    modules = ["import rclpy, std_msgs", "rclpy.time.Time().nanoseconds + 1", "std_msgs.msg.Bool(data=True)"]
+    program = tmp_path / "all_names.py"
+    program.write_text("\n".join([*lines, *modules, ""]))
+    assert len(names) > 800
+    result = mypy(Path(sys.executable), program, cache=tmp_path)
+    assert result.returncode == 0, result.stdout
+    assert pyright(Path(sys.executable), program, folder=tmp_path) == []
+
+
+def test_names_that_a_facade_lacks_are_rejected_by_mypy_and_pyright(tmp_path: Path) -> None:
+    program = tmp_path / "wrong.py"
+    program.write_text(
+        "import rclpy, std_msgs\nfrom rclpy.client import Parameter\nrclpy.spn\nstd_msgs.srv\n"
+    )
+    result = mypy(Path(sys.executable), program, cache=tmp_path)
+    assert result.stdout.count("attr-defined") == 3, result.stdout
+    assert len(pyright(Path(sys.executable), program, folder=tmp_path)) == 3
 
 
 def test_wrong_program_is_rejected_by_mypy(tmp_path: Path) -> None:

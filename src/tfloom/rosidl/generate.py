@@ -118,6 +118,8 @@ class _Module:
             package, kind, base = name.split("/")
             home = f"{self.roots[package]}.interfaces.{package}" if package in self.roots else package
             typed.append((f"{home}.{kind}", base if local == base else f"{base} as {local}"))
+        if any(field.default is not None for message in self.messages for field in message.fields):
+            typed.append(("typing", "ClassVar as _ClassVar"))
         if self.kind != "msg":
             typed.append(("typing", "TypeAlias as _TypeAlias"))
         if typed:
@@ -158,6 +160,9 @@ class _Module:
         named = [each for each in fields if each.name not in {"self", "check_fields"}]
         parameters = "".join(f"{each.name}: {self._takes(each.type)} = ..., " for each in named)
         yield f"        def __init__(self, *, {parameters}check_fields: bool | None = None) -> None: ..."
+        for field in message.fields:
+            if field.default is not None:
+                yield f"        {field.name.upper()}__DEFAULT: _ClassVar[{self._gives(field.type)}]"
         for field in fields:
             takes, gives = self._takes(field.type), self._gives(field.type)
             if takes == gives:
@@ -268,6 +273,20 @@ def _quoted(value: spec.Value) -> str:
     return f'{prefix}"{text[len(prefix) + 1 : -1]}"' if plain else text
 
 
+def _facade(package: str, kinds: list[str]) -> str:
+    """Return the source of a package's façade, whose modules load when they are named."""
+    imports = "".join(f"    from {package} import {kind} as {kind}\n" for kind in kinds)
+    return (
+        f'"""The interfaces of {package}."""\n\n'
+        "TYPE_CHECKING = False\n"
+        "if TYPE_CHECKING:\n"
+        f"{imports}"
+        "else:\n"
+        "    from tfloom.ros_modules import submodules\n\n"
+        f'    __getattr__ = submodules("{package}")\n'
+    )
+
+
 def generate_all(
     root: str = _ROOT, definitions: Path | None = None, below: dict[str, spec.Interface] | None = None
 ) -> dict[str, str]:
@@ -291,7 +310,7 @@ def generate_all(
         group = [each for name, each in interfaces.items() if name.startswith(f"{package}/{kind}/")]
         files[f"interfaces/{package}/__init__.py"] = f'"""The interfaces of {package}."""\n'
         files[f"interfaces/{package}/{kind}.py"] = generate(group, specs.__getitem__, roots=roots)
-        files[f"ros_names/{package}/__init__.py"] = f'"""The interfaces of {package}."""\n'
+        files[f"ros_names/{package}/__init__.py"] = _facade(package, [k for p, k in kinds if p == package])
         files[f"ros_names/{package}/py.typed"] = ""
         files[f"ros_names/{package}/{kind}/__init__.py"] = (
             f'"""The {KIND_WORDS[kind]} of {package}."""\n\n'

@@ -17,12 +17,15 @@ if TYPE_CHECKING:
 __all__ = [
     "PARAMETER_SEPARATOR_STRING",
     "Parameter",
+    "ParameterMsg",
     "get_parameter_value",
     "parameter_dict_from_yaml_file",
     "parameter_value_to_python",
 ]
 
 PARAMETER_SEPARATOR_STRING = "."
+ParameterMsg = rcl_msg.Parameter
+"""The message of a parameter, by the name that rclpy's modules give it beside `Parameter`."""
 
 
 class ParameterType(Enum):

@@ -20,9 +20,11 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 __all__ = [
+    "DeadlineBestAvailable",
     "DurabilityPolicy",
     "HistoryPolicy",
     "InvalidQoSProfileException",
+    "LivelinessLeaseDurationeBestAvailable",
     "LivelinessPolicy",
     "QoSCompatibility",
     "QoSDurabilityPolicy",
@@ -68,6 +70,8 @@ QoSLivelinessPolicy = LivelinessPolicy
 
 BEST_AVAILABLE_DURATION = Duration(nanoseconds=wire.BEST_AVAILABLE_NS)
 """A deadline or lease that is chosen to be compatible with the topic's other endpoints."""
+DeadlineBestAvailable = BEST_AVAILABLE_DURATION
+LivelinessLeaseDurationeBestAvailable = BEST_AVAILABLE_DURATION  # rclpy's spelling
 
 
 def _number(value: Any, name: str) -> int:

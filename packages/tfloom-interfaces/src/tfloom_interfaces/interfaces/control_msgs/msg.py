@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from tfloom.interfaces.std_msgs.msg import Float64MultiArray, Header, Int8MultiArray, String
     from tfloom.interfaces.trajectory_msgs.msg import JointTrajectoryPoint, MultiDOFJointTrajectoryPoint
     from tfloom.rosidl.field_types import FloatArray, Floats
+    from typing import ClassVar as _ClassVar
 
 __all__ = ["AdmittanceControllerState", "BatteryStateArray", "DynamicInterfaceGroupValues", "DynamicInterfaceValues", "DynamicJointState", "Float64Values", "GripperCommand", "InterfaceValue", "JointComponentTolerance", "JointControllerState", "JointJog", "JointTolerance", "JointTrajectoryControllerState", "Keys", "MecanumDriveControllerState", "MotionArgument", "MotionPrimitive", "MotionPrimitiveSequence", "MultiDOFCommand", "MultiDOFStateStamped", "PidState", "SingleDOFState", "SingleDOFStateStamped", "SpeedScalingFactor", "SteeringControllerStatus", "VDA5050SafetyState"]
 
@@ -338,6 +339,7 @@ class MotionPrimitive(_Message):
 
     if TYPE_CHECKING:
         def __init__(self, *, type: int = ..., blend_radius: float = ..., additional_arguments: list[MotionArgument] = ..., poses: list[PoseStamped] = ..., joint_positions: Floats = ..., check_fields: bool | None = None) -> None: ...
+        TYPE__DEFAULT: _ClassVar[int]
         type: int
         blend_radius: float
         additional_arguments: list[MotionArgument]

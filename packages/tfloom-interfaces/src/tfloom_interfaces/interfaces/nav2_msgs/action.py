@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from tfloom.interfaces.unique_identifier_msgs.msg import UUID
     from tfloom_interfaces.interfaces.geographic_msgs.msg import GeoPose
     from tfloom_interfaces.interfaces.nav2_msgs.msg import MissedWaypoint, Route
+    from typing import ClassVar as _ClassVar
     from typing import TypeAlias as _TypeAlias
 
 __all__ = ["AssistedTeleop", "AssistedTeleop_Feedback", "AssistedTeleop_FeedbackMessage", "AssistedTeleop_GetResult", "AssistedTeleop_GetResult_Event", "AssistedTeleop_GetResult_Request", "AssistedTeleop_GetResult_Response", "AssistedTeleop_Goal", "AssistedTeleop_Result", "AssistedTeleop_SendGoal", "AssistedTeleop_SendGoal_Event", "AssistedTeleop_SendGoal_Request", "AssistedTeleop_SendGoal_Response", "BackUp", "BackUp_Feedback", "BackUp_FeedbackMessage", "BackUp_GetResult", "BackUp_GetResult_Event", "BackUp_GetResult_Request", "BackUp_GetResult_Response", "BackUp_Goal", "BackUp_Result", "BackUp_SendGoal", "BackUp_SendGoal_Event", "BackUp_SendGoal_Request", "BackUp_SendGoal_Response", "ComputeAndTrackRoute", "ComputeAndTrackRoute_Feedback", "ComputeAndTrackRoute_FeedbackMessage", "ComputeAndTrackRoute_GetResult", "ComputeAndTrackRoute_GetResult_Event", "ComputeAndTrackRoute_GetResult_Request", "ComputeAndTrackRoute_GetResult_Response", "ComputeAndTrackRoute_Goal", "ComputeAndTrackRoute_Result", "ComputeAndTrackRoute_SendGoal", "ComputeAndTrackRoute_SendGoal_Event", "ComputeAndTrackRoute_SendGoal_Request", "ComputeAndTrackRoute_SendGoal_Response", "ComputePathThroughPoses", "ComputePathThroughPoses_Feedback", "ComputePathThroughPoses_FeedbackMessage", "ComputePathThroughPoses_GetResult", "ComputePathThroughPoses_GetResult_Event", "ComputePathThroughPoses_GetResult_Request", "ComputePathThroughPoses_GetResult_Response", "ComputePathThroughPoses_Goal", "ComputePathThroughPoses_Result", "ComputePathThroughPoses_SendGoal", "ComputePathThroughPoses_SendGoal_Event", "ComputePathThroughPoses_SendGoal_Request", "ComputePathThroughPoses_SendGoal_Response", "ComputePathToPose", "ComputePathToPose_Feedback", "ComputePathToPose_FeedbackMessage", "ComputePathToPose_GetResult", "ComputePathToPose_GetResult_Event", "ComputePathToPose_GetResult_Request", "ComputePathToPose_GetResult_Response", "ComputePathToPose_Goal", "ComputePathToPose_Result", "ComputePathToPose_SendGoal", "ComputePathToPose_SendGoal_Event", "ComputePathToPose_SendGoal_Request", "ComputePathToPose_SendGoal_Response", "ComputeRoute", "ComputeRoute_Feedback", "ComputeRoute_FeedbackMessage", "ComputeRoute_GetResult", "ComputeRoute_GetResult_Event", "ComputeRoute_GetResult_Request", "ComputeRoute_GetResult_Response", "ComputeRoute_Goal", "ComputeRoute_Result", "ComputeRoute_SendGoal", "ComputeRoute_SendGoal_Event", "ComputeRoute_SendGoal_Request", "ComputeRoute_SendGoal_Response", "DockRobot", "DockRobot_Feedback", "DockRobot_FeedbackMessage", "DockRobot_GetResult", "DockRobot_GetResult_Event", "DockRobot_GetResult_Request", "DockRobot_GetResult_Response", "DockRobot_Goal", "DockRobot_Result", "DockRobot_SendGoal", "DockRobot_SendGoal_Event", "DockRobot_SendGoal_Request", "DockRobot_SendGoal_Response", "DriveOnHeading", "DriveOnHeading_Feedback", "DriveOnHeading_FeedbackMessage", "DriveOnHeading_GetResult", "DriveOnHeading_GetResult_Event", "DriveOnHeading_GetResult_Request", "DriveOnHeading_GetResult_Response", "DriveOnHeading_Goal", "DriveOnHeading_Result", "DriveOnHeading_SendGoal", "DriveOnHeading_SendGoal_Event", "DriveOnHeading_SendGoal_Request", "DriveOnHeading_SendGoal_Response", "DummyBehavior", "DummyBehavior_Feedback", "DummyBehavior_FeedbackMessage", "DummyBehavior_GetResult", "DummyBehavior_GetResult_Event", "DummyBehavior_GetResult_Request", "DummyBehavior_GetResult_Response", "DummyBehavior_Goal", "DummyBehavior_Result", "DummyBehavior_SendGoal", "DummyBehavior_SendGoal_Event", "DummyBehavior_SendGoal_Request", "DummyBehavior_SendGoal_Response", "FollowGPSWaypoints", "FollowGPSWaypoints_Feedback", "FollowGPSWaypoints_FeedbackMessage", "FollowGPSWaypoints_GetResult", "FollowGPSWaypoints_GetResult_Event", "FollowGPSWaypoints_GetResult_Request", "FollowGPSWaypoints_GetResult_Response", "FollowGPSWaypoints_Goal", "FollowGPSWaypoints_Result", "FollowGPSWaypoints_SendGoal", "FollowGPSWaypoints_SendGoal_Event", "FollowGPSWaypoints_SendGoal_Request", "FollowGPSWaypoints_SendGoal_Response", "FollowObject", "FollowObject_Feedback", "FollowObject_FeedbackMessage", "FollowObject_GetResult", "FollowObject_GetResult_Event", "FollowObject_GetResult_Request", "FollowObject_GetResult_Response", "FollowObject_Goal", "FollowObject_Result", "FollowObject_SendGoal", "FollowObject_SendGoal_Event", "FollowObject_SendGoal_Request", "FollowObject_SendGoal_Response", "FollowPath", "FollowPath_Feedback", "FollowPath_FeedbackMessage", "FollowPath_GetResult", "FollowPath_GetResult_Event", "FollowPath_GetResult_Request", "FollowPath_GetResult_Response", "FollowPath_Goal", "FollowPath_Result", "FollowPath_SendGoal", "FollowPath_SendGoal_Event", "FollowPath_SendGoal_Request", "FollowPath_SendGoal_Response", "FollowWaypoints", "FollowWaypoints_Feedback", "FollowWaypoints_FeedbackMessage", "FollowWaypoints_GetResult", "FollowWaypoints_GetResult_Event", "FollowWaypoints_GetResult_Request", "FollowWaypoints_GetResult_Response", "FollowWaypoints_Goal", "FollowWaypoints_Result", "FollowWaypoints_SendGoal", "FollowWaypoints_SendGoal_Event", "FollowWaypoints_SendGoal_Request", "FollowWaypoints_SendGoal_Response", "NavigateThroughPoses", "NavigateThroughPoses_Feedback", "NavigateThroughPoses_FeedbackMessage", "NavigateThroughPoses_GetResult", "NavigateThroughPoses_GetResult_Event", "NavigateThroughPoses_GetResult_Request", "NavigateThroughPoses_GetResult_Response", "NavigateThroughPoses_Goal", "NavigateThroughPoses_Result", "NavigateThroughPoses_SendGoal", "NavigateThroughPoses_SendGoal_Event", "NavigateThroughPoses_SendGoal_Request", "NavigateThroughPoses_SendGoal_Response", "NavigateToPose", "NavigateToPose_Feedback", "NavigateToPose_FeedbackMessage", "NavigateToPose_GetResult", "NavigateToPose_GetResult_Event", "NavigateToPose_GetResult_Request", "NavigateToPose_GetResult_Response", "NavigateToPose_Goal", "NavigateToPose_Result", "NavigateToPose_SendGoal", "NavigateToPose_SendGoal_Event", "NavigateToPose_SendGoal_Request", "NavigateToPose_SendGoal_Response", "SmoothPath", "SmoothPath_Feedback", "SmoothPath_FeedbackMessage", "SmoothPath_GetResult", "SmoothPath_GetResult_Event", "SmoothPath_GetResult_Request", "SmoothPath_GetResult_Response", "SmoothPath_Goal", "SmoothPath_Result", "SmoothPath_SendGoal", "SmoothPath_SendGoal_Event", "SmoothPath_SendGoal_Request", "SmoothPath_SendGoal_Response", "Spin", "Spin_Feedback", "Spin_FeedbackMessage", "Spin_GetResult", "Spin_GetResult_Event", "Spin_GetResult_Request", "Spin_GetResult_Response", "Spin_Goal", "Spin_Result", "Spin_SendGoal", "Spin_SendGoal_Event", "Spin_SendGoal_Request", "Spin_SendGoal_Response", "UndockRobot", "UndockRobot_Feedback", "UndockRobot_FeedbackMessage", "UndockRobot_GetResult", "UndockRobot_GetResult_Event", "UndockRobot_GetResult_Request", "UndockRobot_GetResult_Response", "UndockRobot_Goal", "UndockRobot_Result", "UndockRobot_SendGoal", "UndockRobot_SendGoal_Event", "UndockRobot_SendGoal_Request", "UndockRobot_SendGoal_Response", "Wait", "Wait_Feedback", "Wait_FeedbackMessage", "Wait_GetResult", "Wait_GetResult_Event", "Wait_GetResult_Request", "Wait_GetResult_Response", "Wait_Goal", "Wait_Result", "Wait_SendGoal", "Wait_SendGoal_Event", "Wait_SendGoal_Request", "Wait_SendGoal_Response"]
@@ -451,6 +452,7 @@ class ComputeAndTrackRoute_Result(_Message):
 
     if TYPE_CHECKING:
         def __init__(self, *, execution_duration: Duration = ..., error_code: int = ..., check_fields: bool | None = None) -> None: ...
+        ERROR_CODE__DEFAULT: _ClassVar[int]
         execution_duration: Duration
         error_code: int
     else:
@@ -1064,6 +1066,7 @@ class ComputeRoute_Result(_Message):
 
     if TYPE_CHECKING:
         def __init__(self, *, planning_time: Duration = ..., path: Path = ..., route: Route = ..., error_code: int = ..., check_fields: bool | None = None) -> None: ...
+        ERROR_CODE__DEFAULT: _ClassVar[int]
         planning_time: Duration
         path: Path
         route: Route
@@ -1240,6 +1243,9 @@ class DockRobot_Goal(_Message):
 
     if TYPE_CHECKING:
         def __init__(self, *, use_dock_id: bool = ..., dock_id: str = ..., dock_pose: PoseStamped = ..., dock_type: str = ..., max_staging_time: float = ..., navigate_to_staging_pose: bool = ..., check_fields: bool | None = None) -> None: ...
+        USE_DOCK_ID__DEFAULT: _ClassVar[bool]
+        MAX_STAGING_TIME__DEFAULT: _ClassVar[float]
+        NAVIGATE_TO_STAGING_POSE__DEFAULT: _ClassVar[bool]
         use_dock_id: bool
         dock_id: str
         dock_pose: PoseStamped
@@ -1268,6 +1274,9 @@ class DockRobot_Result(_Message):
 
     if TYPE_CHECKING:
         def __init__(self, *, success: bool = ..., error_code: int = ..., num_retries: int = ..., error_msg: str = ..., check_fields: bool | None = None) -> None: ...
+        SUCCESS__DEFAULT: _ClassVar[bool]
+        ERROR_CODE__DEFAULT: _ClassVar[int]
+        NUM_RETRIES__DEFAULT: _ClassVar[int]
         success: bool
         error_code: int
         num_retries: int
@@ -1292,6 +1301,7 @@ class DockRobot_Feedback(_Message):
 
     if TYPE_CHECKING:
         def __init__(self, *, state: int = ..., docking_time: Duration = ..., num_retries: int = ..., check_fields: bool | None = None) -> None: ...
+        NUM_RETRIES__DEFAULT: _ClassVar[int]
         state: int
         docking_time: Duration
         num_retries: int
@@ -1839,6 +1849,7 @@ class FollowGPSWaypoints_Goal(_Message):
 
     if TYPE_CHECKING:
         def __init__(self, *, number_of_loops: int = ..., goal_index: int = ..., gps_poses: list[GeoPose] = ..., check_fields: bool | None = None) -> None: ...
+        GOAL_INDEX__DEFAULT: _ClassVar[int]
         number_of_loops: int
         goal_index: int
         gps_poses: list[GeoPose]
@@ -2056,6 +2067,8 @@ class FollowObject_Result(_Message):
 
     if TYPE_CHECKING:
         def __init__(self, *, total_elapsed_time: Duration = ..., error_code: int = ..., num_retries: int = ..., error_msg: str = ..., check_fields: bool | None = None) -> None: ...
+        ERROR_CODE__DEFAULT: _ClassVar[int]
+        NUM_RETRIES__DEFAULT: _ClassVar[int]
         total_elapsed_time: Duration
         error_code: int
         num_retries: int
@@ -2079,6 +2092,7 @@ class FollowObject_Feedback(_Message):
 
     if TYPE_CHECKING:
         def __init__(self, *, state: int = ..., following_time: Duration = ..., num_retries: int = ..., check_fields: bool | None = None) -> None: ...
+        NUM_RETRIES__DEFAULT: _ClassVar[int]
         state: int
         following_time: Duration
         num_retries: int
@@ -2443,6 +2457,7 @@ class FollowWaypoints_Goal(_Message):
 
     if TYPE_CHECKING:
         def __init__(self, *, number_of_loops: int = ..., goal_index: int = ..., poses: list[PoseStamped] = ..., check_fields: bool | None = None) -> None: ...
+        GOAL_INDEX__DEFAULT: _ClassVar[int]
         number_of_loops: int
         goal_index: int
         poses: list[PoseStamped]
@@ -3422,6 +3437,7 @@ class UndockRobot_Goal(_Message):
 
     if TYPE_CHECKING:
         def __init__(self, *, dock_type: str = ..., max_undocking_time: float = ..., check_fields: bool | None = None) -> None: ...
+        MAX_UNDOCKING_TIME__DEFAULT: _ClassVar[float]
         dock_type: str
         max_undocking_time: float
     else:
@@ -3442,6 +3458,8 @@ class UndockRobot_Result(_Message):
 
     if TYPE_CHECKING:
         def __init__(self, *, success: bool = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool | None = None) -> None: ...
+        SUCCESS__DEFAULT: _ClassVar[bool]
+        ERROR_CODE__DEFAULT: _ClassVar[int]
         success: bool
         error_code: int
         error_msg: str
