@@ -45,7 +45,9 @@ COMMANDS: dict[str, str | Group] = {
             "packages": "List the packages that define interfaces",
             "proto": "Print a YAML value with an interface's fields and defaults",
             "show": "Print an interface's definition",
+            "stubs": "Write typed modules for editors, of a workspace's packages with definitions",
         },
+        aliases=("interfaces",),
     ),
     "lifecycle": Group(
         "Inspect lifecycle nodes, and change their state",
