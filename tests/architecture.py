@@ -21,7 +21,7 @@ SHELVES = [
     ["node"],
     ["tf2_ros", "workspace"],
     ["tf2_tools", "turtlesim", "sensing", "demos"],
-    ["cli"],
+    ["cli", "pyinstaller"],
 ]
 """The rooms, from the bottom up; rooms on one shelf don't import each other, except interfaces rosidl."""
 
@@ -49,6 +49,7 @@ DOORS = {
     "PIL": ("turtlesim/picture.py", "sensing/image_files.py"),
     "transforms3d": ("tf2_ros/transformations.py",),
     "cv2": ("sensing/opencv.py",),
+    "PyInstaller": ("pyinstaller/",),
 }
 """Where each third-party library may be imported: one file or folder of a room."""
 

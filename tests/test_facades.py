@@ -9,6 +9,7 @@ import ast
 import importlib
 import json
 import os
+import shutil
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -256,6 +257,26 @@ def test_mixture_with_a_real_ros_raises_with_the_origins(tmp_path: Path) -> None
     last = result.stderr.strip().splitlines()[-1]
     assert last.startswith("ImportError"), result.stderr
     assert str(tmp_path) in last, result.stderr
+
+
+def test_frozen_program_imports_the_facades_from_any_folder(tmp_path: Path) -> None:
+    """A frozen program has all modules in one folder, here that of a copied façade."""
+    shutil.copytree(ROS_NAMES / "rclpy", tmp_path / "rclpy")
+    code = "import sys; sys.frozen = True; import tf2_ros; print(sys.modules['rclpy'].__file__)"
+    result = python(code, PYTHONPATH=str(tmp_path))
+    assert result.stdout.startswith(str(tmp_path)), result.stderr
+    without = (
+        "import sys; sys.frozen = True; sys.path.pop(); from tfloom.ros_guard import claim; claim('tf2_ros')"
+    )
+    assert python(without).returncode == 0
+
+
+def test_mixture_with_a_real_ros_in_a_frozen_program_raises(tmp_path: Path) -> None:
+    (tmp_path / "rclpy").mkdir()
+    (tmp_path / "rclpy" / "__init__.py").write_text("def init(): ...\n")
+    result = python("import sys; sys.frozen = True; import tf2_ros", PYTHONPATH=str(tmp_path))
+    assert result.returncode == 1
+    assert f"'rclpy' comes from {tmp_path}" in result.stderr
 
 
 def test_use_ros_names_works_without_the_pth_file() -> None:

@@ -14,7 +14,7 @@ _ROS_NAMES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ros_names
 def claim(name: str) -> None:
     """Check that `rclpy` is tfloom's too, so that a façade that needs it can be imported.
 
-    Each façade calls this before its other imports. It imports nothing.
+    Each façade calls this before its other imports. It imports nothing, except `rclpy` in a frozen program.
 
     Args:
         name: The façade's own name, for the text of the error.
@@ -36,9 +36,24 @@ def claim(name: str) -> None:
 
 
 def serves_rclpy() -> bool:
-    """Return whether `rclpy` is, or would be, imported from tfloom."""
+    """Return whether `rclpy` is, or would be, imported from tfloom; in a frozen program, also if there is none."""
+    if getattr(sys, "frozen", False):
+        return _is_frozen_rclpy_ours()
     where = _origin("rclpy")
     return where is not None and os.path.abspath(where).startswith(_ROS_NAMES)  # noqa: PTH100
+
+
+def _is_frozen_rclpy_ours() -> bool:
+    """Return whether the `rclpy` of a frozen program, if any, is tfloom's.
+
+    PyInstaller and its like put all modules into one folder, so that the path of `rclpy` is the same for each ROS. But
+    its `init` is defined in tfloom if the façade was frozen.
+    """
+    try:
+        rclpy = __import__("rclpy")
+    except ModuleNotFoundError:
+        return True
+    return getattr(getattr(rclpy, "init", None), "__module__", "").startswith("tfloom.")
 
 
 def _origin(name: str) -> str | None:

@@ -57,7 +57,7 @@ class MultiThreadedExecutor(Executor):
         from concurrent.futures import thread
 
         # An exception between two lines of the pool's `submit` would prevent its threads from ending.
-        defer_keyboard_interrupt_in(thread.__file__)
+        defer_keyboard_interrupt_in(thread.ThreadPoolExecutor.submit.__code__.co_filename)
         if num_threads is None:
             num_threads = os.cpu_count() or 1
         self._num_threads = max(num_threads, 2) if num_threads != 1 else 1
