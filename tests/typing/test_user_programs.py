@@ -16,6 +16,7 @@ from pathlib import Path
 
 import pytest
 from docs import rclpy_api
+from tests.wheels import build_wheel
 
 pytestmark = pytest.mark.slow
 ROOT = Path(__file__).parents[2]
@@ -52,24 +53,16 @@ def pyright(python: Path, *programs: Path, folder: Path) -> list[str]:
 
 @pytest.fixture(scope="session")
 def wheel_python(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Build a wheel, install it into a fresh environment, and return that environment's Python."""
+    """Build the wheels, install them into a fresh environment, and return that environment's Python."""
     folder = tmp_path_factory.mktemp("wheel")
-    pip = [sys.executable, "-m", "pip", "--disable-pip-version-check", "--quiet"]
-    build = [
-        "wheel",
-        "--no-deps",
-        "--no-build-isolation",
-        "--config-settings",
-        f"build-dir={folder}/build",
-        "-w",
-        str(folder),
+    wheels = [
+        build_wheel(folder / "tfloom"),
+        build_wheel(folder / "interfaces", ROOT / "packages" / "tfloom-interfaces"),
     ]
-    subprocess.run([*pip, *build, str(ROOT)], check=True, timeout=600)
     venv.create(folder / "venv", symlinks=True)
     python = folder / "venv" / Path(sysconfig.get_path("scripts")).name / "python"
-    (wheel,) = folder.glob("*.whl")
-    install = ["--python", str(python), "install", "--no-deps", str(wheel)]
-    subprocess.run([*pip, *install], check=True, timeout=300)
+    pip = [sys.executable, "-m", "pip", "--disable-pip-version-check", "--quiet", "--python", str(python)]
+    subprocess.run([*pip, "install", "--no-deps", *map(str, wheels)], check=True, timeout=300)
     return python
 
 
