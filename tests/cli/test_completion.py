@@ -81,7 +81,7 @@ def test_a_workspaces_programs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
     assert complete("tfloom run my_pkg my", tmp_path) == ["my_program"]
 
 
-FREE = {"values", "goal", "value", "argv", "parameter_file"}
+FREE = {"values", "goal", "value", "argv", "parameter_file", "launch_file_name", "launch_arguments"}
 
 
 @pytest.mark.parametrize("verb", VERBS)

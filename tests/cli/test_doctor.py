@@ -83,6 +83,8 @@ def test_reports() -> None:
         (("daemon", "status"), 0, "There is no daemon"),
         (("daemon", "start", "--debug"), 0, "There is no daemon"),
         (("component", "list", "--containers-only"), 1, "Components are C++"),
+        (("launch", "-d", "turtlesim", "multisim.launch.py", "x:=1"), 1, "Launch files can't be run yet."),
+        (("bag", "record", "-a"), 1, "Recordings can't be made or played yet."),
     ],
 )
 def test_what_is_not_needed_says_so(words: tuple[str, ...], exit_code: int, said: str) -> None:

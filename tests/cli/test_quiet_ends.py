@@ -48,6 +48,8 @@ PRINTING = {
 """A command line of each verb that prints on stdout."""
 SILENT = {
     "component": "tells on stderr",
+    "launch": "tells on stderr",
+    "bag": "tells on stderr",
     "param delete": "turtlesim's parameters can't be deleted, which it tells on stderr",
     "pkg xml": "our own packages have no package.xml",
     "service echo": "turtlesim publishes no events",

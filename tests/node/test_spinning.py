@@ -297,7 +297,7 @@ def test_a_callback_may_spin_its_own_executor(node: Node, executor: Executor) ->
             executor.spin_until_future_complete(future, timeout_sec=10)
             outcome.append("done" if future.done() else "timeout")
         except RuntimeError as error:
-            outcome.append(str(error))
+            outcome.append(str(error).partition(",")[0])
 
     timer = node.create_timer(0.0, outer)
     node.create_timer(0.001, lambda: future.set_result(None), MutuallyExclusiveCallbackGroup())
@@ -307,7 +307,7 @@ def test_a_callback_may_spin_its_own_executor(node: Node, executor: Executor) ->
     executor.shutdown(10)
     assert spinning.join() is None
     many = isinstance(executor, MultiThreadedExecutor)
-    assert outcome == ["Executor is already spinning, on another thread" if many else "done"]
+    assert outcome == ["Executor is already spinning" if many else "done"]
 
 
 def test_a_callback_may_spin_its_own_node_by_the_short_functions(node: Node, context: Context) -> None:

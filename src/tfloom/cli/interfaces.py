@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Callable, Iterable, Iterator
 from itertools import chain
@@ -86,7 +87,9 @@ def parse_yaml(text: str) -> dict[str, Any]:
     if values is None:
         return {}
     if not isinstance(values, dict):
-        raise CommandError(f"The passed value needs to be a dictionary in YAML format, not {values!r}")
+        raise CommandError(
+            f"The passed value needs to be a dictionary in YAML format, not {values!r}{_missing_space(values)}"
+        )
     return values
 
 
@@ -114,7 +117,7 @@ def fill_message(message: Message, values: dict[str, Any]) -> list[StampSetter]:
         cdr.encode(message)
     except (AttributeError, TypeError, ValueError, AssertionError, OverflowError) as error:
         raise CommandError(
-            f"Failed to populate field: {error}{_fields_there_are(error) or _in_field(filler)}"
+            f"Failed to populate field: {error}{_fields_there_are(error) or _in_field(filler)}{_tight_colon(error)}"
         ) from None
     return filler.setters
 
@@ -132,6 +135,19 @@ def set_stamps(setters: list[StampSetter], now_ns: int) -> None:
 def _in_field(filler: Filler) -> str:
     path = "".join(filler.path).lstrip(".")
     return f"\nin the field {path}" if path else ""
+
+
+def _tight_colon(error: Exception) -> str:
+    """Return a line on the space that YAML wants after a colon, where a text with a colon is no field, or no fields."""
+    if isinstance(error, AttributeError):
+        return _missing_space(error.name)
+    in_place_of_fields = re.match(r"Value '(.*)' is expected to be a dictionary but is a str", str(error))
+    return _missing_space(in_place_of_fields[1]) if in_place_of_fields else ""
+
+
+def _missing_space(text: Any) -> str:
+    found = re.match(r"\s*(\w+):(\S+)", text) if isinstance(text, str) else None
+    return f"\na space is missing after the colon: {found[1]}: {found[2]}" if found else ""
 
 
 def _fields_there_are(error: Exception) -> str:

@@ -26,6 +26,7 @@ COMMANDS: dict[str, str | Group] = {
             "type": "Print an action's type",
         },
     ),
+    "bag": "Say that recordings can't be made or played yet",
     "component": "Say that components need C++",
     "daemon": Group(
         "Say that there is no daemon, and that none is needed",
@@ -47,6 +48,7 @@ COMMANDS: dict[str, str | Group] = {
             "show": "Print an interface's definition",
         },
     ),
+    "launch": "Say that launch files can't be run yet",
     "lifecycle": Group(
         "Inspect nodes that are configured and activated from outside, and change their state",
         {

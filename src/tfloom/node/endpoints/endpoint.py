@@ -76,6 +76,11 @@ class Endpoint(Generic[WireEndpoint]):
         """
         return Handle(self._alive())
 
+    @property
+    def is_destroyed(self) -> bool:
+        """Whether it has left the wire."""
+        return self._destroyed
+
     def _alive(self) -> Self:
         """Return this.
 

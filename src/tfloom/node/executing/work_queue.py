@@ -212,7 +212,7 @@ class WorkQueue:
         if group is not None and type(group) not in _GROUPS_FREED_ON_COMPLETION:
             return self._take_with_consent(group, entity, token)
         if group is not None and not group.beginning_execution(entity):
-            group.park(lambda: self._queue.post(token))
+            group.park(entity, lambda: self._queue.post(token))
             if group.can_execute(entity):  # a callback completed in between
                 group.release_parked()
             return None
