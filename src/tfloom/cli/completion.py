@@ -4,10 +4,15 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING
 
+from tfloom.cli.errors import CommandError
 from tfloom.cli.parser import VerbParser
 from tfloom.workspace import index
 from tfloom.workspace.interfaces import interface_packages, known_interfaces
+
+if TYPE_CHECKING:
+    from tfloom.rosidl.message import Message
 
 MOST_S = 1.0
 """How long a completion may wait for discovery [s]."""
@@ -101,6 +106,34 @@ def _type_of_action(args: argparse.Namespace) -> list[str]:
     return sorted(types) or known_interfaces("action")
 
 
+def _message(args: argparse.Namespace) -> list[str]:
+    """Return a message of the typed type with its defaults; nothing for an unknown type."""
+    from tfloom.cli.interfaces import message_class
+
+    return _prototype(message_class, args.message_type)
+
+
+def _request(args: argparse.Namespace) -> list[str]:
+    from tfloom.cli.interfaces import service_class
+
+    return _prototype(lambda name: service_class(name).Request, args.service_type)
+
+
+def _goal(args: argparse.Namespace) -> list[str]:
+    from tfloom.cli.interfaces import action_class
+
+    return _prototype(lambda name: action_class(name).Goal, args.action_type)
+
+
+def _prototype(find_class: Callable[[str], type[Message]], type_name: str) -> list[str]:
+    from tfloom.cli.prototype import prototype
+
+    try:
+        return [prototype(find_class(type_name)())]
+    except CommandError:  # there is no such type
+        return []
+
+
 def _parameters(args: argparse.Namespace) -> list[str]:
     from tfloom.cli.param.common import nodes_with_parameters
 
@@ -152,6 +185,9 @@ _OFFERS: dict[tuple[str, ...], Callable[[argparse.Namespace], Iterable[str]]] = 
     ("service_type",): _type_of_service,
     ("action_name",): _actions,
     ("action_type",): _type_of_action,
+    ("pub", "values"): _message,
+    ("call", "values"): _request,
+    ("send_goal", "goal"): _goal,
     ("parameter_name",): _parameters,
     ("parameter_names",): _parameters,
     ("topic_type",): lambda _: known_interfaces("msg"),
