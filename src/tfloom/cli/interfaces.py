@@ -116,8 +116,9 @@ def fill_message(message: Message, values: dict[str, Any]) -> list[StampSetter]:
         set_stamps(filler.setters, time.time_ns())
         cdr.encode(message)
     except (AttributeError, TypeError, ValueError, AssertionError, OverflowError) as error:
+        where = _fields_there_are(error) or _in_field(filler)
         raise CommandError(
-            f"Failed to populate field: {error}{_fields_there_are(error) or _in_field(filler)}{_tight_colon(error)}"
+            f"Failed to populate field: {error}{where}{_tight_colon(error)}{_bare_word(error)}"
         ) from None
     return filler.setters
 
@@ -143,6 +144,22 @@ def _tight_colon(error: Exception) -> str:
         return _missing_space(error.name)
     in_place_of_fields = re.match(r"Value '(.*)' is expected to be a dictionary but is a str", str(error))
     return _missing_space(in_place_of_fields[1]) if in_place_of_fields else ""
+
+
+def _bare_word(error: Exception) -> str:
+    """Return a line on the quotes that a field's name needs which YAML reads as a value, as `off`."""
+    holder = getattr(error, "obj", None)
+    if (
+        not isinstance(error, AttributeError)
+        or not isinstance(holder, Message)
+        or isinstance(error.name, str)
+    ):
+        return ""
+    import yaml
+
+    fields = type(holder).get_fields_and_field_types()
+    bare = next((field for field in fields if yaml.safe_load(field) == error.name), None)
+    return f'\nYAML reads a bare {bare} as {error.name}: write "{bare}" with its quotes' if bare else ""
 
 
 def _missing_space(text: Any) -> str:
