@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 
+from tfloom.interfaces.rcl_interfaces.msg import Log
 from tfloom.interfaces.std_msgs.msg import Int32, String
 from tfloom.node import client_library as rclpy
 from tfloom.node.context.context import Context
@@ -255,3 +256,50 @@ def test_a_thread_of_the_pool_is_told_to_wait_otherwise(context: Context, node: 
         "Executor is already spinning, on another thread, which runs what this "
     )
     assert "Await the future in an async callback" in str(text.result())
+
+
+# Two nodes of one name
+
+REGISTERED = (
+    "Publisher already registered for node name: 'twin'. If this is due to multiple nodes with the same name then all "
+    "logs for the logger named 'twin' will go out over the existing publisher. As soon as that node is destroyed the "
+    "next one of that name takes over."
+)
+
+
+def test_two_nodes_of_one_name_warn(
+    make_node: Callable[..., Node], capsys: pytest.CaptureFixture[str]
+) -> None:
+    make_node("twin")
+    make_node("twin", namespace="/elsewhere")
+    make_node("twin", enable_rosout=False)
+    assert warnings(capsys) == []
+    make_node("twin")
+    assert warnings(capsys) == [REGISTERED]
+
+
+def test_a_name_may_be_used_again(make_node: Callable[..., Node], capsys: pytest.CaptureFixture[str]) -> None:
+    make_node("twin").destroy_node()
+    make_node("twin")
+    assert warnings(capsys) == []
+
+
+def test_a_record_of_twins_is_published_once(
+    make_node: Callable[..., Node], spin_until: Callable[..., None], executor: SingleThreadedExecutor
+) -> None:
+    heard: list[str] = []
+    listener = make_node("listener")
+    listener.create_subscription(Log, "/rosout", lambda record: heard.append(record.msg), 100)
+    executor.add_node(listener)
+    first, second = make_node("twin"), make_node("twin")
+
+    def heard_of_twins() -> list[str]:
+        return [text for text in heard if not text.startswith("Publisher")]
+
+    first.get_logger().info("one")
+    second.get_logger().info("two")
+    spin_until(lambda: len(heard_of_twins()) >= 2)
+    first.destroy_node()
+    second.get_logger().info("three")
+    spin_until(lambda: len(heard_of_twins()) >= 3)
+    assert heard_of_twins() == ["one", "two", "three"]

@@ -49,7 +49,7 @@ def _topics(_: argparse.Namespace) -> list[str]:
 
     with graph.joined_participant() as participant:
         graph.wait_until_quiet(participant.graph, MOST_S)
-        names = graph.topic_types(participant.graph.endpoints())
+        names = graph.known_topics(participant.graph.endpoints())
     # Names are valid without their first slash, so they are completed without it, too.
     return [*names, *(name[1:] for name in names)]
 
@@ -60,7 +60,7 @@ def _types_of_topic(args: argparse.Namespace) -> list[str]:
 
     with graph.joined_participant() as participant:
         graph.wait_until_quiet(participant.graph, MOST_S)
-        types = graph.topic_types(participant.graph.endpoints())
+        types = graph.known_topics(participant.graph.endpoints())
     name = args.topic_name or ""
     return types.get(name if name.startswith("/") else f"/{name}", []) or known_interfaces("msg")
 

@@ -48,7 +48,9 @@ def main(args: argparse.Namespace) -> int:
         return 0
     if twins > 1:
         print(
-            f"WARNING: {twins} nodes are called {node.full}; their ends are shown together", file=sys.stderr
+            f'There are {twins} nodes in the graph with the exact name "{node.full}". '
+            "You are seeing information about all of them.",
+            file=sys.stderr,
         )
     print(node.full)
     for title, ends in sections.items():

@@ -1,6 +1,6 @@
 """Which interfaces there are."""
 
-from tfloom.rosidl.runtime import (
+from tfloom.workspace.get_interfaces import (
     get_action_interfaces,
     get_interface_packages,
     get_interface_path,
