@@ -1,11 +1,11 @@
-# Each target is a line or two that a person could type. tools/set_up.py makes .venv where it is missing, and keeps it
-# up to date: each target installs what it needs, and no more.
+# Each target is a line or two that can be typed by hand. tools/set_up.py creates .venv and updates it: each target
+# installs only the packages that it needs.
 PYTHON ?= python3
 VENV ?= .venv
 BIN := $(VENV)/bin
 export PIP_DISABLE_PIP_VERSION_CHECK = 1
 
-# Without PYTHON=… on the command line, an environment that is there keeps its Python.
+# Without PYTHON=… on the command line, an existing environment keeps its Python.
 KEEP := $(if $(filter file,$(origin PYTHON)),--keep-python)
 set_up = @$(PYTHON) -c 'import sys; v = sys.version_info; \
 	sys.exit(v < (3, 10) and "set-up: tfloom needs Python 3.10 or newer, and $(PYTHON) is %d.%d: make PYTHON=python3.12 …" % v[:2])' \
@@ -20,12 +20,12 @@ demo:
 	$(set_up) demo
 	@"$(BIN)/tfloom" demo $(ARGS)
 
-# All that the README promises, in some minutes.
+# Test everything that the README promises, in some minutes.
 test:
 	$(set_up) test
 	@"$(BIN)/python" tools/run_tests.py $(ARGS)
 
-# What is slow by nature: sanitizers, wheels, type checks of users' programs, bare machines, soak.
+# Run the slow tests: sanitizers, wheels, type checks of users' programs, bare machines, soak.
 test-slow:
 	$(set_up) check
 	@"$(BIN)/python" tools/run_tests.py --slow $(ARGS)
@@ -39,27 +39,27 @@ check:
 	"$(BIN)/mypy"
 	"$(BIN)/mypy" tools
 
-# The typed face of the extension, after a change in native/bindings.
+# Generate the type stub of the extension, after a change in native/bindings.
 stub:
 	$(set_up) demo
 	"$(BIN)/python" -m nanobind.stubgen -m tfloom._native -q -o src/tfloom/_native.pyi
 
-# docs/rclpy_api.md, after a change in what is there of ROS's names.
+# Generate docs/rclpy_api.md, after a change of ROS's names or of docs/rclpy_api_missing.txt.
 api:
 	$(set_up) demo
 	"$(BIN)/python" docs/rclpy_api.py
 
-# A library to be measured beside that can't be installed is named, and left out.
+# Peers that cannot be installed are named, and not measured.
 bench:
 	$(set_up) test
 	-$(set_up) bench
 	"$(BIN)/python" -m benchmarks $(ARGS)
 
-# The core tests on each Python 3.10 to 3.14 that this machine has, free-threaded ones too.
+# Run the core tests on each Python 3.10 to 3.14 of this machine, including free-threaded ones.
 matrix:
 	.ci/matrix $(ARGS)
 
-# All that set-up, tests and checks download, in the folder wheels/: for a machine without a network.
+# Collect all downloads of set-up, tests and checks in the folder wheels/, for a machine without a network.
 wheels:
 	$(set_up) wheels
 

@@ -1,1 +1,1 @@
-"""How fast it is, beside its peers in the same run: `python -m benchmarks [ROOM ...]`."""
+"""Benchmarks of tfloom, beside its peers in the same run: `python -m benchmarks [ROOM ...]`."""

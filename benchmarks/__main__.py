@@ -1,4 +1,4 @@
-"""Run the benchmarks of the rooms that are named, or of all: each room is a package here with a `__main__.py`."""
+"""Run the benchmarks of the named rooms, or of all. Each room is a package here with a `__main__.py`."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ HERE = Path(__file__).parent
 
 def main() -> int:
     rooms = sorted(path.parent.name for path in HERE.glob("*/__main__.py"))
-    asked = sys.argv[1:] or rooms
-    if unknown := [room for room in asked if room not in rooms]:
+    requested = sys.argv[1:] or rooms
+    if unknown := [room for room in requested if room not in rooms]:
         print(f"no benchmarks of {', '.join(unknown)}; there are: {', '.join(rooms)}", file=sys.stderr)
         return 2
-    for room in asked:
+    for room in requested:
         print(f"== {room}", flush=True)
         subprocess.run([sys.executable, "-m", f"benchmarks.{room}"], cwd=HERE.parent, check=True)
     return 0

@@ -1,4 +1,4 @@
-"""Where benchmarks meet: ROS_DOMAIN_ID, or a domain that the tests don't use."""
+"""The DDS domain of the benchmarks: ROS_DOMAIN_ID, or a domain that the tests do not use."""
 
 from __future__ import annotations
 

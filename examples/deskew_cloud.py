@@ -1,7 +1,7 @@
-"""From arrays to a deskewed cloud: a lidar that turns while its robot drives, seen with and without the drive.
+"""Deskew a cloud from arrays: a lidar turns while its robot drives, with and without correction for the drive.
 
-Run it with `python examples/deskew_cloud.py`; with matplotlib installed, `--plot deskew.png` draws both clouds, and how
-far each point is off the walls.
+Run it with `python examples/deskew_cloud.py`; with matplotlib installed, `--plot deskew.png` draws both clouds, and
+each point's distance from the walls.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ POINTS = 20_000
 
 
 def drive(buffer: Buffer) -> None:
-    """Store odom_from_base, 200 Hz: 8 m/s ahead on a curve of 1.5 rad/s; and where the lidar is mounted."""
+    """Store odom_from_base at 200 Hz (8 m/s ahead on a curve of 1.5 rad/s), and the lidar's mounting position."""
     seconds = np.arange(-20, 41) / 200
     yaw = 1.5 * seconds
     radius = 8 / 1.5
@@ -30,7 +30,7 @@ def drive(buffer: Buffer) -> None:
 
 
 def sweep(buffer: Buffer) -> tuple[np.ndarray, np.ndarray]:
-    """Return what the lidar measures of the walls of a room, 20 m by 12 m: points (N, 3), and a stamp for each."""
+    """Return the lidar's measurements of a room of 20 m by 12 m: points (N, 3) in the lidar, and a stamp for each."""
     share = np.arange(POINTS) / POINTS
     stamps = START_NS + (share * SWEEP_S * SECOND).astype(np.int64)
     poses = buffer.lookup_many("odom", "lidar", stamps)
@@ -45,12 +45,12 @@ def sweep(buffer: Buffer) -> tuple[np.ndarray, np.ndarray]:
 
 
 def off_the_walls(points: np.ndarray) -> np.ndarray:
-    """Return how far each point in odom is from the nearest wall [m]."""
+    """Return the distance of each point in odom from the nearest wall [m]."""
     return np.abs(np.stack((10 - np.abs(points[:, 0]), 6 - np.abs(points[:, 1])))).min(axis=0)
 
 
 def plot(buffer: Buffer, stamps: np.ndarray, clouds: dict[str, np.ndarray], path: str) -> None:
-    """Draw the clouds from above with the way of the lidar, and each point's error over the sweep."""
+    """Draw the clouds from above with the path of the lidar, and each point's error over the sweep."""
     from matplotlib import pyplot as plt
 
     figure, (room, errors) = plt.subplots(1, 2, figsize=(11, 4.5), layout="constrained")

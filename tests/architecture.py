@@ -1,6 +1,6 @@
-"""The rules of the house, each a function that takes a source tree and returns what breaks the rule, one text each.
+"""The rules of the architecture, each a function that takes a source tree and returns its violations, as texts.
 
-`house` is the folder of a package named `tfloom`, ours or one that a test has planted; `native` is the C++ folder.
+`house` is the folder of a package named `tfloom`, the real one or one made by a test; `native` is the C++ folder.
 """
 
 from __future__ import annotations
@@ -62,13 +62,13 @@ NO_ROOMS = {"__pycache__", "ros_names"}
 
 @lru_cache(maxsize=4)
 def imports(house: Path) -> list[Import]:
-    """Return all imports of a house, of each kind, but for those of the façades."""
+    """Return all imports of a source tree, of each kind, except those of the façades."""
     return [each for each in imports_of_package(house) if "ros_names" not in each.path.parts]
 
 
 @lru_cache(maxsize=4)
 def libraries(house: Path) -> list[tuple[Path, int, str]]:
-    """Return file, line and name of each top-level package that is imported, by `import_module("name…")`, too."""
+    """Return file, line and name of each imported top-level package, `import_module("name…")` included."""
     found = [(each.path, each.line, each.imported.split(".")[0]) for each in imports(house) if not each.level]
     for path in {each.path for each in imports(house)}:
         text = path.read_text("utf-8")
@@ -123,7 +123,7 @@ def node_rooms_point_down(house: Path) -> list[str]:
 
 
 def no_import_of_an_own_top(house: Path) -> list[str]:
-    """A module imports the file that defines a thing, never a package that it is part of itself."""
+    """A module imports the file that defines a name, never a package that contains the module."""
     found = []
     for each in imports(house):
         parts = each.path.relative_to(house.parent).with_suffix("").parts
@@ -140,7 +140,7 @@ def no_relative_import(house: Path) -> list[str]:
 
 
 def no_ros_name(house: Path) -> list[str]:
-    """Nothing inside the house imports a façade, whose names are those of `ros_names/` and of ROS itself."""
+    """No module of the house imports a façade, whose names are those of `ros_names/` and of ROS."""
     names = {path.name for path in (house / "ros_names").glob("*") if path.is_dir()}
     return [
         f"{_where(house, each)}, a ROS name; import it from its room in tfloom"
@@ -187,7 +187,7 @@ def _folders(path: Path) -> set[str]:
 
 
 def each_room_has_its_place(house: Path) -> list[str]:
-    """Each folder of the house stands on a shelf, and each one of node/ in NODE_ROOMS."""
+    """Each folder of the house is on a shelf, and each one of node/ in NODE_ROOMS."""
     named = {room for rooms in SHELVES for room in rooms}
     found = [f"{room}/ stands on no shelf" for room in sorted(_folders(house) - named)]
     found += [f"node/{room}/ has no place" for room in sorted(_folders(house / "node") - set(NODE_ROOMS))]
@@ -195,7 +195,7 @@ def each_room_has_its_place(house: Path) -> list[str]:
 
 
 def nothing_is_named_that_does_not_exist(house: Path) -> list[str]:
-    """Each room of SHELVES and NODE_ROOMS exists, and each library of DOORS comes in through its door."""
+    """Each room of SHELVES and NODE_ROOMS exists, and each library of DOORS is imported by its door."""
     rooms = _folders(house) | {path.stem for path in house.glob("*.pyi")}
     found = [f"SHELVES names {room}" for shelf in SHELVES for room in shelf if room not in rooms]
     found += [

@@ -1,4 +1,4 @@
-"""What every test may ask for: a domain of its own, and programs that end with the test."""
+"""Common fixtures: a DDS domain for each test, and programs that end with the test."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ import pytest
 from tfloom.rmw.cyclone_library import find_library
 from tfloom.rmw.errors import NoBackendError
 
-# By the RTPS port formula, domains up to 100 keep clear of Linux's ephemeral ports; the rest of them is for
-# programs that a person starts while the tests run.
+# By the RTPS port formula, domains up to 100 don't use Linux's ephemeral ports; the rest of them is for programs
+# that are started by hand while the tests run.
 DOMAINS = range(1, 71)
 FIRST_LOCK_PORT = 7400
 TIMEOUT_S = 30.0
@@ -38,9 +38,9 @@ _lock_descriptors: set[int] = set()
 
 
 def pytest_configure() -> None:
-    """Have SIGTERM, which `timeout` sends, end the tests as Ctrl-C does: what they started is ended with them.
+    """Make SIGTERM, which `timeout` sends, end the tests as Ctrl-C does, together with the processes they started.
 
-    A shell's script has what it puts in the background ignore Ctrl-C, and so would the programs that tests start.
+    Background jobs of a shell script ignore Ctrl-C, and so would the programs that tests start.
     """
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -50,10 +50,10 @@ def pytest_configure() -> None:
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Mark the tests that take a domain as `wire`, and skip those marked so where there is no DDS library.
 
-    Their files come first: a whole file goes to one worker, and a long one that started last would run on alone.
+    Their files are first, because a whole file is one worker's, and a long one that started last would run alone.
 
     In the CI such a test, and any other that depends on the clock, has a second try, which the summary names, because
-    a shared machine may stall for seconds. On a desk the first failure counts.
+    a shared machine may stall for seconds. Elsewhere the first failure fails the test.
     """
     for item in items:
         if DOMAIN_FIXTURES & set(getattr(item, "fixturenames", ())):
@@ -78,7 +78,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 def wait_until(condition: Callable[[], object], timeout_s: float = TIMEOUT_S, what: str = "") -> None:
-    """Wait for a condition, looking every few milliseconds; fail the test when it stays false."""
+    """Wait for a condition, checked every few milliseconds; fail the test if it stays false."""
     end = time.monotonic() + timeout_s
     while not condition():
         if time.monotonic() > end:
@@ -102,7 +102,7 @@ def deviations() -> dict[str, dict[str, str]]:
 
 @pytest.fixture
 def planted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    """Give a new package, `planted`, that can be imported in this test alone."""
+    """Return the folder of a new package, `planted`, that can be imported in this test alone."""
     package = tmp_path / "planted"
     package.mkdir()
     (package / "__init__.py").touch()
@@ -114,7 +114,7 @@ def planted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
 
 @pytest.fixture(scope="session", autouse=True)
 def _log_directory(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
-    """Keep log files out of the home directory."""
+    """Write log files to a temporary folder, not to the home directory."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("ROS_LOG_DIR", str(tmp_path_factory.mktemp("log")))
         yield
@@ -122,9 +122,10 @@ def _log_directory(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
 
 @pytest.fixture(autouse=True)
 def _signal_handlers() -> Iterator[None]:
-    """Give SIGINT and SIGTERM back to what handled them before the test.
+    """Restore the handlers of SIGINT and SIGTERM after the test.
 
-    Programs and commands that run in this process leave their handlers, and `init` takes its own for the previous.
+    Programs and commands that run in this process leave their handlers, which a later `init` would take for the
+    previous ones.
     """
     before = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)}
     yield
@@ -138,10 +139,9 @@ def _signal_handlers() -> Iterator[None]:
 def hold_domain() -> Iterator[int]:
     """Hold a DDS domain that no other test on this machine uses, and set ROS_DOMAIN_ID to it.
 
-    The lock is a TCP port of the loopback interface, bound and never listened on. The kernel gives it to one process
-    at a time, whichever worker or neighbour that is, and each program that a test starts inherits it: while a program
-    outlives its test, its domain stays taken. The ports, 7650 to 24900, are below the ephemeral ones, and Cyclone's
-    are of UDP. Where all domains are taken, wait for one.
+    The lock is a bound TCP port of the loopback interface, which only one process on the machine can hold. Each program
+    that a test starts inherits it, so that the domain stays in use while a program outlives its test. The ports, 7650
+    to 24900, are below the ephemeral ones, and Cyclone's are of UDP. If all domains are in use, wait for one.
     """
     with _lock_a_domain() as (domain, lock), pytest.MonkeyPatch.context() as patch:
         patch.setenv("ROS_DOMAIN_ID", str(domain))
@@ -173,7 +173,7 @@ def _lock_a_domain() -> Iterator[tuple[int, socket.socket]]:
 
 @pytest.fixture
 def domain_id(start_program: Callable[..., Program]) -> Iterator[int]:
-    """Give a domain to the test: see `hold_domain`.
+    """Reserve a domain for the test: see `hold_domain`.
 
     The test's own participants are closed before its programs are ended: a writer whose reader was killed would wait
     for its acknowledgements for a second.
@@ -184,13 +184,13 @@ def domain_id(start_program: Callable[..., Program]) -> Iterator[int]:
 
 @pytest.fixture(scope="module")
 def module_domain_id(start_module_program: Callable[..., Program]) -> Iterator[int]:
-    """Give a domain to the tests of a module that ask the same graph and leave it as it was."""
+    """Reserve a domain for the tests of a module that query the same graph and don't change it."""
     with hold_domain() as domain:
         yield domain
 
 
 def _expect_nobody_left(domain: int) -> None:
-    """Fail the test that leaves a participant on its domain: the next test to draw it would meet its nodes."""
+    """Fail a test that leaves a participant on its domain, because a later test there would discover its nodes."""
     wire = sys.modules.get("tfloom.rmw.cyclonedds")
     if wire is None:
         return
@@ -209,7 +209,7 @@ def _locks_go_along() -> dict[str, object]:
 
 
 class Program:
-    """A process under test: its lines as they come, and a sure end."""
+    """A process under test: its output by lines, and methods to end it."""
 
     def __init__(self, command: Sequence[str | Path], **options: object) -> None:
         self.command = [str(part) for part in command]
@@ -235,7 +235,7 @@ class Program:
         return "\n".join(self.lines)
 
     def wait_for(self, text: str, timeout_s: float = TIMEOUT_S) -> None:
-        """Wait until a line holds `text`; fail with all that was printed if the program ends before."""
+        """Wait until a line contains `text`; fail with the whole output if the program ends before."""
         end = time.monotonic() + timeout_s
         while not any(text in line for line in list(self.lines)):
             ended = self.process.poll() is not None
@@ -255,13 +255,13 @@ class Program:
         self.process.send_signal(number)
 
     def pause(self) -> None:
-        """Stop the process with SIGSTOP, and wait until each of its threads stands still."""
+        """Stop the process with SIGSTOP, and wait until all its threads have stopped."""
         self.signal(signal.SIGSTOP)
         _, status = os.waitpid(self.process.pid, os.WUNTRACED)
         assert os.WIFSTOPPED(status), self.output
 
     def end(self) -> None:
-        """End the process and whatever it started."""
+        """End the process and its children."""
         if hasattr(os, "killpg"):
             with suppress(ProcessLookupError):
                 os.killpg(self.process.pid, 9)
@@ -275,9 +275,9 @@ class Program:
 
 
 def python_with(constants: Mapping[str, object], code: str, *words: str | Path) -> list[str | Path]:
-    """Return Python's words by which it runs `code` with `words` as arguments, after replacing module constants.
+    """Return the Python command line that runs `code` with the arguments `words`, after replacing module constants.
 
-    {"tfloom.cli.calls.HINT_S": 1.0}, say: a wait as long as users have it tests no more than a short one.
+    For example {"tfloom.cli.calls.HINT_S": 1.0}, because a wait of full length tests no more than a short one.
     """
     lines = ["import importlib, sys"]
     for constant, value in constants.items():
@@ -292,7 +292,7 @@ def python_with(constants: Mapping[str, object], code: str, *words: str | Path) 
 
 @contextmanager
 def programs() -> Iterator[Callable[..., Program]]:
-    """Give what starts processes, as `start("ros2", "topic", "list")`; they are ended with the block."""
+    """Yield a function that starts processes, as `start("ros2", "topic", "list")`; they are ended with the block."""
     started: list[Program] = []
 
     def start(*command: str | Path, **options: object) -> Program:
@@ -325,9 +325,9 @@ def start_module_program() -> Iterator[Callable[..., Program]]:
 
 @pytest.fixture
 def short_lease(domain_id: int, monkeypatch: pytest.MonkeyPatch) -> float:
-    """Have a killed peer missed after 3 s instead of 10, on the loopback interface as ever; return the lease [s].
+    """Shorten the lease of participants from 10 s to 3 s, on the loopback interface; return it [s].
 
-    Participants of this test have it, and programs that it starts.
+    It applies to participants of this test, and to programs that the test starts.
     """
     from tfloom.rmw.cyclone_config import configuration
 

@@ -2,9 +2,9 @@
 
 Run `python tests/import_graph.py` for the imports of `src/tfloom` and the rings of each room.
 
-Three kinds of imports are kept apart: those that run when the module is loaded, those inside functions, and those
-under `if TYPE_CHECKING:`, which only annotations need. A ring is a set of modules each of which leads to every other
-one (a strongly connected component of more than one module).
+There are three kinds of imports: those that run when the module is loaded, those inside functions, and those under
+`if TYPE_CHECKING:`, which only annotations need. A ring is a set of modules that import one another, directly or
+indirectly (a strongly connected component of more than one module).
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ class Import(NamedTuple):
 
 
 def module_name(path: Path, source: Path) -> str:
-    """Return the dotted name of a file below the folder `source`, which stands on `sys.path`."""
+    """Return the dotted name of a file below the folder `source`, which is on `sys.path`."""
     parts = path.relative_to(source).with_suffix("").parts
     return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
 
@@ -145,7 +145,7 @@ def _components(edges: dict[str, set[str]]) -> Iterator[list[str]]:
 
 
 def room(module: str) -> str:
-    """Return the part of a module's name behind the package's: `node` for `tfloom.node.clock.clock`."""
+    """Return the room of a module: `node` for `tfloom.node.clock.clock`."""
     return module.split(".")[1] if "." in module else ""
 
 

@@ -1,7 +1,7 @@
 """The house's rules: imports point down the shelves, one door for each library, no ROS name inside.
 
-Each rule of `tests/architecture.py` runs over the whole tree and lists all that breaks it; and each one finds a
-violation that is planted in a tree of a few files.
+Each rule of `tests/architecture.py` runs over the whole tree and lists its violations; and each finds a planted
+violation in a tree of a few files.
 """
 
 from __future__ import annotations
@@ -29,13 +29,13 @@ def report(findings: list[str]) -> str:
 
 
 @pytest.mark.parametrize("rule", HOUSE_RULES, ids=name_of)
-def test_the_house_keeps_the_rule(rule: Rule) -> None:
+def test_source_tree_keeps_each_rule(rule: Rule) -> None:
     findings = rule(HOUSE)
     assert not findings, report(findings)
 
 
 @pytest.mark.parametrize("rule", NATIVE_RULES, ids=name_of)
-def test_the_native_code_keeps_the_rule(rule: Rule) -> None:
+def test_native_code_keeps_each_rule(rule: Rule) -> None:
     findings = rule(NATIVE)
     assert not findings, report(findings)
 
@@ -67,7 +67,7 @@ def sound_house(tmp_path: Path) -> Path:
 
 
 @pytest.mark.parametrize("rule", HOUSE_RULES, ids=name_of)
-def test_a_sound_tree_is_accepted(rule: Rule, tmp_path: Path) -> None:
+def test_sound_tree_is_accepted(rule: Rule, tmp_path: Path) -> None:
     assert rule(sound_house(tmp_path)) == []
 
 
@@ -168,13 +168,13 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
 @pytest.mark.parametrize(
     ("rule", "files", "findings"), VIOLATIONS, ids=[rule.__name__ for rule, _, _ in VIOLATIONS]
 )
-def test_a_planted_violation_is_found(
+def test_planted_violation_is_found(
     rule: Rule, files: dict[str, str], findings: list[str], tmp_path: Path
 ) -> None:
     assert sorted(rule(plant(sound_house(tmp_path), files))) == findings
 
 
-def test_a_name_of_nothing_is_found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_name_of_a_missing_room_or_library_is_found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     house = sound_house(tmp_path)
     monkeypatch.setattr(architecture, "SHELVES", [*SHELVES, ["bag"]])
     monkeypatch.setattr(architecture, "NODE_ROOMS", [*NODE_ROOMS, "helpers"])
@@ -208,7 +208,7 @@ NATIVE_VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
 @pytest.mark.parametrize(
     ("rule", "files", "findings"), NATIVE_VIOLATIONS, ids=[rule.__name__ for rule, _, _ in NATIVE_VIOLATIONS]
 )
-def test_a_planted_native_violation_is_found(
+def test_planted_native_violation_is_found(
     rule: Rule, files: dict[str, str], findings: list[str], tmp_path: Path
 ) -> None:
     assert rule(plant(tmp_path, files)) == findings
@@ -216,7 +216,7 @@ def test_a_planted_native_violation_is_found(
 
 def test_each_rule_has_a_planted_violation() -> None:
     planted = [rule for rule, _, _ in VIOLATIONS + NATIVE_VIOLATIONS]
-    planted.append(architecture.nothing_is_named_that_does_not_exist)  # has a test of its own
+    planted.append(architecture.nothing_is_named_that_does_not_exist)  # has a separate test
     assert set(planted) == {*HOUSE_RULES, *NATIVE_RULES}
 
 
@@ -245,6 +245,6 @@ def test_tf2_alone_loads_no_messages_and_no_wire() -> None:
 @pytest.mark.parametrize(
     "arguments", [["--help"], ["topic", "list", "--spin-time", "0.2"]], ids=["help", "topic list"]
 )
-def test_a_quick_command_loads_nothing_heavy(arguments: list[str], domain_id: int) -> None:
+def test_quick_command_loads_no_heavy_module(arguments: list[str], domain_id: int) -> None:
     loaded = modules_loaded_by("-m", "tfloom.cli", *arguments, ROS_DOMAIN_ID=str(domain_id))
     assert not loaded & {"numpy", "pygame", "PIL", "reportlab", "yaml", "asyncio"}

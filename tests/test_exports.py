@@ -1,4 +1,4 @@
-"""`__all__` is what is there, in every module that has one."""
+"""`__all__` lists existing names, in every module that has one."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def has_all(path: Path) -> bool:
 
 
 def broken_exports(folder: Path, package: str) -> Iterator[str]:
-    """Yield what is amiss in the `__all__` of each module under a package's folder."""
+    """Yield the errors in the `__all__` of each module under a package's folder."""
     for path in sorted(folder.rglob("*.py")):
         if "ros_names" in path.parts or not has_all(path):
             continue
@@ -37,7 +37,7 @@ def broken_exports(folder: Path, package: str) -> Iterator[str]:
         yield from (f"{name} has no {each}" for each in exported if not hasattr(module, each))
 
 
-def test_all_names_what_is_there() -> None:
+def test_dunder_all_names_exist() -> None:
     assert any(has_all(path) for path in HOUSE.rglob("*.py"))
     broken = list(broken_exports(HOUSE, "tfloom"))
     assert not broken, "\n".join(broken)
@@ -52,6 +52,6 @@ def test_all_names_what_is_there() -> None:
         ("gone = 1", []),
     ],
 )
-def test_what_is_amiss_is_found(text: str, found: list[str], planted: Path) -> None:
+def test_wrong_dunder_all_is_found(text: str, found: list[str], planted: Path) -> None:
     (planted / "module.py").write_text(text)
     assert list(broken_exports(planted, "planted")) == found

@@ -11,7 +11,7 @@ STUB = Path(__file__).parents[1] / "src" / "tfloom" / "_native.pyi"
 REGENERATE = [sys.executable, "-m", "nanobind.stubgen", "-m", "tfloom._native", "-q", "-o"]
 
 
-def test_the_stub_is_current(tmp_path: Path) -> None:
+def test_stub_is_current(tmp_path: Path) -> None:
     fresh = tmp_path / "_native.pyi"
     subprocess.run([*REGENERATE, str(fresh)], check=True, timeout=120)
     command = "make stub"

@@ -1,4 +1,4 @@
-"""The turtlesim and tf2 tutorial, top to bottom: each program a process of its own, over DDS on loopback."""
+"""The turtlesim and tf2 tutorial from start to end: each program a process, over DDS on loopback."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def workspace(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def in_workspace(workspace: Path, start_program: Callable[..., object]) -> Callable[..., object]:
-    """Start a command as a user does who has sourced the workspace."""
+    """Start a command in the environment of the sourced workspace."""
 
     def start(command: str) -> object:
         line = f"source '{workspace}/install/setup.bash' && exec '{BIN / 'tfloom'}' {command}"
@@ -55,7 +55,7 @@ def in_workspace(workspace: Path, start_program: Callable[..., object]) -> Calla
 
 
 def ros2(*words: str) -> str:
-    """Run a command to its end and return what it printed."""
+    """Run a command to its end and return its output."""
     result = subprocess.run(
         [BIN / "tfloom", *words],
         capture_output=True,
@@ -79,7 +79,7 @@ def run_program(package: str, program: str, *words: str) -> list[str]:
     return ["tfloom", "run", package, program, *words]
 
 
-def test_the_turtle_is_driven_by_keys(
+def test_turtle_is_driven_by_keys(
     domain_id: int, start_program: Callable[..., object], wait_until: Callable[..., None]
 ) -> None:
     turtlesim = start_program(
@@ -112,7 +112,7 @@ def test_the_turtle_is_driven_by_keys(
     assert teleop.wait() == 0
 
 
-def test_the_tutorial(
+def test_tutorial_runs_from_start_to_end(
     domain_id: int,
     tmp_path: Path,
     start_program: Callable[..., object],
@@ -140,7 +140,7 @@ def test_the_tutorial(
     x, y, theta, *_ = pose()
     echo = start_program(*run_program("tf2_ros", "tf2_echo", "world", "turtle1"))
     echo.wait_for(f"- Translation: [{x:.3f}, {y:.3f}, 0.000]")
-    # Beyond a third of a turn, which a turtle on a slow machine gets to, tf2 makes z positive and not w.
+    # Beyond a third of a turn, which a turtle can reach on a slow machine, tf2 makes z positive, not w.
     sign = -1.0 if theta < -math.tau / 3 else 1.0
     echo.wait_for(f"[0.000, 0.000, {sign * math.sin(theta / 2):.3f}, {sign * math.cos(theta / 2):.3f}]")
     row = (math.cos(theta), -math.sin(theta), 0.0, x)
@@ -162,7 +162,7 @@ def test_the_tutorial(
 
 
 @pytest.mark.parametrize("victim", ["turtlesim", "broadcaster"])
-def test_a_killed_program_started_again_brings_the_transform_back(
+def test_restarted_program_restores_the_transform(
     victim: str,
     domain_id: int,
     start_program: Callable[..., object],

@@ -1,4 +1,4 @@
-"""The version has one place, `tfloom.__version__`, and the distributions claim only what was run."""
+"""The version is defined once, in `tfloom.__version__`, and the classifiers match the tested systems."""
 
 from __future__ import annotations
 
@@ -27,14 +27,14 @@ def classifiers() -> list[str]:
         (["-c", "import sys, tfloom_ros2; sys.exit(tfloom_ros2.main())"], "ros2 (tfloom)"),
     ],
 )
-def test_each_command_prints_it(command: list[str], name: str) -> None:
+def test_each_command_prints_the_version(command: list[str], name: str) -> None:
     answer = subprocess.run(
         [sys.executable, *command, "--version"], capture_output=True, text=True, timeout=60, check=False
     )
     assert (answer.returncode, answer.stdout, answer.stderr) == (0, f"{name} {tfloom.__version__}\n", "")
 
 
-def test_it_is_printed_without_loading_the_rooms() -> None:
+def test_version_is_printed_without_loading_the_rooms() -> None:
     code = (
         "import sys\n"
         "from tfloom.cli.main import main\n"
@@ -50,12 +50,12 @@ def test_it_is_printed_without_loading_the_rooms() -> None:
     assert not {"numpy", "importlib.metadata"} & set(loaded.splitlines())
 
 
-def test_it_is_in_the_metadata_of_both_distributions() -> None:
+def test_version_is_in_the_metadata_of_both_distributions() -> None:
     assert version("tfloom") == tfloom.__version__, "run `make setup`"
     assert version("tfloom-ros2") == tfloom.__version__, "run `make setup`"
 
 
-def test_it_is_written_in_one_place_and_in_step_beside_it() -> None:
+def test_version_is_written_once_and_its_copy_matches() -> None:
     own, beside = (
         re.findall(r'^version = "(.*)"$', path.read_text("utf-8"), re.MULTILINE)
         for path in (ROOT / "pyproject.toml", ROOT / "packages" / "tfloom-ros2" / "pyproject.toml")
@@ -65,15 +65,15 @@ def test_it_is_written_in_one_place_and_in_step_beside_it() -> None:
     assert beside == [tfloom.__version__]
 
 
-def test_classifiers_claim_what_the_readme_says_was_run() -> None:
+def test_classifiers_match_the_systems_in_the_readme() -> None:
     text = (ROOT / "README.md").read_text("utf-8")
-    was_run = re.search(r"What has been run: (.*?)\. Not yet run: (.*?)\.\n", text, re.DOTALL)
-    assert was_run
-    run = set(re.findall(r"\b3\.\d+\b", was_run[1]))
+    tested = re.search(r"Tested: (.*?)\. Not yet tested: (.*?)\.\n", text, re.DOTALL)
+    assert tested
+    run = set(re.findall(r"\b3\.\d+\b", tested[1]))
     prefix = "Programming Language :: Python :: "
     named = {each.removeprefix(prefix) for each in classifiers() if each.startswith(f"{prefix}3.")}
     assert named == run
     systems = {each.split(" :: ")[-1] for each in classifiers() if each.startswith("Operating System")}
-    assert systems == {name for name in ("Linux", "MacOS", "Windows") if name.lower() in was_run[1].lower()}
+    assert systems == {name for name in ("Linux", "MacOS", "Windows") if name.lower() in tested[1].lower()}
     assert not any("Free Threading" in each for each in classifiers())
     assert metadata("tfloom").get_all("Project-URL") is None

@@ -1,4 +1,4 @@
-"""The walk: from a key press to a printed line, every room in one process on the in-process wire, with no sleep."""
+"""From a key press to a printed line: every room in one process on the in-process wire, without a sleep."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ TIMEOUT_S = 20.0
 
 
 class Broadcaster(Node):
-    """Turns each pose of turtle1 into a transform from `world`."""
+    """Broadcasts each pose of turtle1 as a transform from `world`."""
 
     def __init__(self) -> None:
         super().__init__("broadcaster")
@@ -59,7 +59,7 @@ def executor(monkeypatch: pytest.MonkeyPatch) -> Iterator[SingleThreadedExecutor
     try_shutdown()
 
 
-def test_from_a_key_press_to_a_printed_line(executor: SingleThreadedExecutor) -> None:
+def test_key_press_leads_to_a_printed_transform(executor: SingleThreadedExecutor) -> None:
     turtlesim, teleop, broadcaster, echo = TurtlesimNode(), TeleopTurtle(), Broadcaster(), Node("echo")
     buffer = Buffer()
     listener = TransformListener(buffer, echo)
@@ -94,7 +94,7 @@ def test_from_a_key_press_to_a_printed_line(executor: SingleThreadedExecutor) ->
     pose = broadcaster.poses[-1]
     stamp_ns, translation, rotation = printed(buffer)
     text = transform_text(stamp_ns, translation, rotation)
-    lines = text.replace("-0.000", "0.000").splitlines()  # of a zero angle the sign is chance
+    lines = text.replace("-0.000", "0.000").splitlines()  # the sign of a zero angle is arbitrary
     assert re.fullmatch(r"At time \d{10}\.\d{9}", lines[0])
     assert lines[1] == f"- Translation: [{pose.x:.3f}, {pose.y:.3f}, 0.000]"
     assert lines[4] == f"- Rotation: in RPY (degree) [0.000, 0.000, {math.degrees(pose.theta):.3f}]"
@@ -105,6 +105,6 @@ def test_from_a_key_press_to_a_printed_line(executor: SingleThreadedExecutor) ->
 
 
 def printed(buffer: Buffer) -> tuple[int, tuple[float, ...], tuple[float, ...]]:
-    """Return what tf2_echo prints: stamp [ns], translation and rotation of the newest transform."""
+    """Return the values that tf2_echo prints: stamp [ns], translation and rotation of the newest transform."""
     newest = buffer.lookup("world", "turtle1", LATEST)
     return newest.stamp_ns, tuple(newest.translation), tuple(newest.rotation_xyzw)

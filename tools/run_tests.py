@@ -1,6 +1,6 @@
 """Run a tier of the tests: `python tools/run_tests.py [--slow] [PYTEST'S ARGUMENTS]`.
 
-A tier runs in two parts: first the few tests that measure time (marked `timing`), alone; then the others, side by side
+A tier runs in two parts: first the few tests that measure time (marked `timing`), alone; then the others, in parallel
 in several processes, because they wait more than they compute.
 """
 
@@ -16,13 +16,13 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 WORKERS_PER_CORE = 2
 MOST_WORKERS = 16
-"""Each worker takes DDS domains from the same 70."""
+"""Limited because all workers use DDS domains from the same 70."""
 NOTHING_SELECTED = 5
 """pytest's exit code when it ran no test."""
 
 
 def workers() -> int:
-    """Return how many processes run tests side by side."""
+    """Return the number of processes that run tests in parallel."""
     return min(MOST_WORKERS, WORKERS_PER_CORE * (os.cpu_count() or 1))
 
 

@@ -1,11 +1,11 @@
-"""Make the virtual environment of a checkout, or bring it up to date: `python3 tools/set_up.py STAGE`.
+"""Create the virtual environment of a checkout, or update it: `python3 tools/set_up.py STAGE`.
 
-Each stage holds the ones before it: `demo` is what the demonstration needs, `test` adds the tests and all extras,
-`check` the linters and type checkers, `bench` the libraries that are measured beside tfloom. A second run looks whether
-anything has changed, and ends at once if not. `wheels` collects all that the stage `check` downloads in a folder, for
-a machine without a network.
+Each stage includes the ones before it: `demo` has the packages for the demonstration, `test` adds those for the tests
+and all extras, `check` the linters and type checkers, `bench` the libraries that are measured beside tfloom. A second
+run checks whether anything has changed, and ends at once if not. `wheels` collects all downloads of the stage `check`
+in a folder, for a machine without a network.
 
-Only the standard library is imported: this runs before anything is installed.
+Only the standard library is imported, because this script runs before anything is installed.
 """
 
 from __future__ import annotations
@@ -31,19 +31,19 @@ from typing import Any
 ROOT = Path(__file__).resolve().parents[1]
 STAGES: dict[str, tuple[list[str], list[str]]] = {
     "demo": (["build"], []),
-    "test": (["test"], ["turtlesim", "transformations", "workspace"]),
+    "test": (["test"], ["turtlesim", "transformations", "workspace", "launch"]),
     "check": (["check"], []),
     "bench": (["bench"], []),
 }
-"""What each stage adds to the one before it: dependency groups, and extras of tfloom."""
+"""The additions of each stage to the one before it: dependency groups, and extras of tfloom."""
 PACKAGE = ROOT / "src" / "tfloom"
 COMMAND = ROOT / "packages" / "tfloom-ros2"
-"""Installed with the stage `test`, whose programs call `ros2`."""
+"""Installed in the stage `test`, because tests call `ros2`."""
 DDS = "cyclonedds"
 OLDEST = (3, 10)
-"""The first Python that tfloom runs on."""
+"""The oldest Python that tfloom supports."""
 RECORD = "tfloom-set-up.json"
-"""File in the environment that says what has been installed, and from which sources."""
+"""File in the environment that records the installed stages, with digests of their sources."""
 NO_NETWORK = (
     "NewConnectionError",
     "NameResolutionError",
@@ -51,7 +51,7 @@ NO_NETWORK = (
     "Failed to establish",
     "ProxyError",
 )
-"""What pip prints when it reaches no package index."""
+"""Texts that pip prints if it reaches no package index."""
 OFFLINE = """\
 pip reaches no package index. Without a network, collect what is needed on a machine of the same kind that has one:
     make wheels
@@ -82,11 +82,11 @@ CXX_20 = (
 
 
 class SetUpError(Exception):
-    """The environment can't be made; the text says what to do."""
+    """The environment cannot be created or updated. The text states what to do."""
 
 
 def main() -> int:
-    """Bring the environment to the stage that the command line names; return the exit code."""
+    """Update the environment to the stage named on the command line; return the exit code."""
     parser = argparse.ArgumentParser(description="Make or update the virtual environment of this checkout.")
     parser.add_argument("stage", choices=[*STAGES, "wheels"])
     parser.add_argument("--venv", type=Path, default=ROOT / ".venv", help="the environment's folder")
@@ -114,11 +114,11 @@ def main() -> int:
 
 
 class Environment:
-    """A virtual environment, and the record of what this script has put into it.
+    """A virtual environment, and the record of the stages installed in it.
 
     Args:
-        folder: Where it is, or will be.
-        without_dds: Leave the DDS library out.
+        folder: Its path, which need not exist.
+        without_dds: Do not install the DDS library.
     """
 
     def __init__(self, folder: Path, without_dds: bool = False) -> None:
@@ -127,14 +127,14 @@ class Environment:
         self._without_dds = without_dds
 
     def bring_to(self, stage: str, keep_python: bool) -> None:
-        """Install what `stage` and the stages before it lack.
+        """Install the missing parts of `stage` and of the stages before it.
 
         Args:
             stage: A key of STAGES.
-            keep_python: Accept the environment's Python, whichever it is.
+            keep_python: Accept an existing environment with another Python.
 
         Raises:
-            SetUpError: a tool is missing, a folder can't be written, or pip failed.
+            SetUpError: a tool is missing, a folder cannot be written, or pip failed.
         """
         started = time.monotonic()
         self.make(keep_python)
@@ -145,7 +145,7 @@ class Environment:
         if any(name == "native" for name, _, _ in missing):
             check_compiler()
         for name, digest, step in missing:
-            # A process that is killed while pip writes leaves packages of which files are missing.
+            # Recorded first, because a process killed while pip writes leaves incomplete packages.
             self._write_record({**done, "unfinished": name})
             try:
                 step()
@@ -158,10 +158,10 @@ class Environment:
             say(f"The environment is ready, after {time.monotonic() - started:.0f} s")
 
     def make(self, keep_python: bool) -> None:
-        """Make the environment with this Python, unless there is one that can be used.
+        """Create the environment with this Python, unless a usable one exists.
 
         Raises:
-            SetUpError: it can't be made.
+            SetUpError: it cannot be created.
         """
         reason = self.why_make(keep_python)
         if reason is None:
@@ -178,7 +178,7 @@ class Environment:
         raise SetUpError(f"can't make {self.folder}: {output.strip()}\n{ELSEWHERE}")
 
     def why_make(self, keep_python: bool) -> str | None:
-        """Return why the environment has to be made, as the end of a sentence; None if there is one to use."""
+        """Return why the environment must be created, as the end of a sentence; None if a usable one exists."""
         try:
             if not os.path.lexists(self.folder) or not any(self.folder.iterdir()):
                 return ""
@@ -201,10 +201,10 @@ class Environment:
         return None
 
     def pip(self, *arguments: str, quietly: bool = False) -> bool:
-        """Run pip in the environment, its messages going to the terminal unless `quietly`; return whether it succeeded.
+        """Run pip in the environment, and return whether it succeeded. Print its messages unless `quietly`.
 
         Raises:
-            SetUpError: pip reached no package index, or failed, unless `quietly`.
+            SetUpError: pip reached no package index, or failed, and `quietly` is false.
         """
         command = [str(self.python), "-I", "-m", "pip", *arguments, "--quiet", "--disable-pip-version-check"]
         offline = False
@@ -219,14 +219,14 @@ class Environment:
         ) as process:
             for line in process.stdout or ():
                 offline |= any(sign in line for sign in NO_NETWORK)
-                if not (quietly or line.startswith("Ignoring ")):  # a requirement of other platforms
+                if not (quietly or line.startswith("Ignoring ")):  # requirements of other platforms
                     print(line, end="", file=sys.stderr, flush=True)
         if process.returncode == 0 or quietly:
             return process.returncode == 0
         raise SetUpError(OFFLINE if offline else "pip failed; its messages are above")
 
     def _version(self) -> tuple[int, int] | None:
-        """Return the version of the environment's Python; None where it or its pip doesn't run."""
+        """Return the version of the environment's Python; None if it or its pip does not run."""
         code = "import sys, pip._internal.cli.main; print(*sys.version_info[:2])"
         try:
             done = subprocess.run(
@@ -240,14 +240,14 @@ class Environment:
         return major, minor
 
     def _steps(self, stage: str, project: Mapping[str, Any]) -> list[tuple[str, str, Callable[[], object]]]:
-        """Return what leads to a stage: for each step its name, a digest of what it depends on, and what does it."""
+        """Return the steps up to a stage, each with its name, a digest of its inputs, and its function."""
         steps: list[tuple[str, str, Callable[[], object]]] = []
         for name in up_to(stage):
             requirements = requirements_of(project, name)
             steps.append((name, digest_of(requirements), partial(self._download, name, requirements)))
             if name == "demo":
                 settings = [project["build-system"], project["project"], project["tool"]["scikit-build"]]
-                # An editable install has a list of the modules: a new or moved one needs a new install.
+                # An editable install lists its modules, so a new or moved one requires a new install.
                 settings.append(sorted(str(path.relative_to(ROOT)) for path in PACKAGE.rglob("*.py")))
                 sources = [
                     PACKAGE / "__init__.py",
@@ -285,7 +285,7 @@ class Environment:
             "--config-settings",
             "cmake.define.TFLOOM_WARNINGS_AS_ERRORS=ON",
         ]
-        # The build tools stay in the environment, so that a second compile does what has changed alone.
+        # Without build isolation, so that a second run compiles only the changed files.
         self.pip("install", *options, "--editable", str(ROOT))
 
     def _install_command(self) -> None:
@@ -304,12 +304,12 @@ class Environment:
 
 
 def say(text: str) -> None:
-    """Print what is being done."""
+    """Print a step."""
     print(f"-- {text}", flush=True)
 
 
 def collect_wheels(folder: Path) -> None:
-    """Put a wheel of all that the stages up to `check` install into a folder, for a machine without a network."""
+    """Collect the wheels of the stages up to `check` in a folder, for a machine without a network."""
     with tempfile.TemporaryDirectory() as scratch:
         environment = Environment(Path(scratch) / "venv")
         environment.make(keep_python=False)
@@ -326,7 +326,7 @@ def up_to(stage: str) -> list[str]:
 
 
 def read_project(python: Path) -> dict[str, Any]:
-    """Return pyproject.toml, read by an environment's Python: before 3.11 its pip has the parser."""
+    """Return pyproject.toml, parsed by an environment's Python; before 3.11, by the parser in its pip."""
     code = (
         "import json, sys\n"
         "if sys.version_info >= (3, 11): import tomllib\n"
@@ -341,7 +341,7 @@ def read_project(python: Path) -> dict[str, Any]:
 
 
 def requirements_of(project: Mapping[str, Any], stage: str) -> list[str]:
-    """Return what a stage adds to the one before it, as requirements for pip."""
+    """Return the additions of a stage to the one before it, as requirements for pip."""
     groups, extras = STAGES[stage]
     own: list[str] = project["project"]["dependencies"] if stage == "demo" else []
     grouped = [each for group in groups for each in project["dependency-groups"][group]]
@@ -363,12 +363,12 @@ def digest_of(values: object, files: Sequence[Path] = ()) -> str:
 
 
 def base_python() -> str:
-    """Return the interpreter that this one's environment was made with, or this one."""
+    """Return the interpreter from which this one's environment was created, or this one."""
     return str(getattr(sys, "_base_executable", None) or sys.executable)
 
 
 def shown(path: Path) -> str:
-    """Return a path as it reads best: relative to the current folder where it is below it."""
+    """Return a path for messages: relative to the current folder if it is below it."""
     with suppress(ValueError):
         return str(path.relative_to(Path.cwd()))
     return str(path)
@@ -377,7 +377,7 @@ def shown(path: Path) -> str:
 def check_compiler() -> None:
     """Raise SetUpError with the package to install if there is no C++20 compiler, or no header of Python."""
     if os.name == "nt":
-        return  # CMake finds Visual Studio by its own ways
+        return  # CMake finds Visual Studio by itself
     compiler = os.environ.get("CXX") or next(filter(shutil.which, ("c++", "g++", "clang++")), None)
     if compiler is None:
         raise SetUpError(
@@ -402,7 +402,7 @@ def check_compiler() -> None:
 
 
 def package_command(commands: Mapping[str, str], otherwise: str) -> str:
-    """Return the command that installs a system package on this system; elsewhere the thing's name."""
+    """Return the command that installs a system package on this system; a description if none is known."""
     if sys.platform == "darwin":
         return commands.get("darwin", otherwise)
     with suppress(OSError, AttributeError):

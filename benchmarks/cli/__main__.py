@@ -1,8 +1,8 @@
-"""How long a command takes to start, as a shell sees it, beside a Python that does nothing.
+"""Measure how long commands take from start to end, beside a Python that does nothing.
 
-A turtlesim runs meanwhile on the same domain; what talks to it must have found it. Each command runs in turn, round by
-round, so that a busy moment of the machine hits all of them; the table gives the median and the fastest of each in
-milliseconds, its CPU time, and the ratio of the medians to `python -c pass`.
+A turtlesim runs meanwhile on the same domain; commands that use it must have discovered it. The commands run in turn,
+round by round, so that other load on the machine affects all of them. The table has the median and the fastest time of
+each in milliseconds, its CPU time, and the ratio of the medians to `python -c pass`.
 """
 
 from __future__ import annotations
@@ -34,9 +34,9 @@ COMMANDS = {
 }
 AIMS_MS = {"tfloom --help": 60, "import rclpy": 100, "tfloom topic list": 500}
 EXPECTED = {"tfloom topic list": "/turtle1/pose\n", "tfloom topic echo --once": "theta:"}
-"""What a command that talks to the turtlesim must print."""
+"""Text in the output of the commands that use the turtlesim."""
 
-# Bytecode is cached, as it is for a user after the first start.
+# Bytecode is cached, as for a user after the first start.
 ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
 ENVIRONMENT["ROS_DOMAIN_ID"] = str(DOMAIN_ID)
 
@@ -48,9 +48,9 @@ class Run(NamedTuple):
 
 @contextlib.contextmanager
 def turtlesim() -> Iterator[None]:
-    """Run a turtlesim without a window; it is up when this begins."""
+    """Run a turtlesim without a window for the block, which begins after it has started."""
     command = [sys.executable, "-m", "tfloom.cli", "run", "turtlesim", "turtlesim_node", "--headless"]
-    # Its lines come through the parent's logger on stderr.
+    # It logs to stderr.
     with subprocess.Popen(command, env=ENVIRONMENT, stderr=subprocess.PIPE, text=True) as process:
         try:
             assert process.stderr is not None
@@ -70,18 +70,18 @@ def cpu_s() -> float:
 
 
 def measure(rounds: int) -> dict[str, list[Run]]:
-    """Return how long each command took.
+    """Return the times of each command.
 
     Raises:
-        RuntimeError: one did not find the turtlesim.
+        RuntimeError: a command did not find the turtlesim.
     """
     runs: dict[str, list[Run]] = {name: [] for name in COMMANDS}
     for turn in range(rounds + 1):
         for name, command in COMMANDS.items():
             start, cpu_start = time.perf_counter(), cpu_s()
-            # No timeout: waiting with one polls, up to 50 ms at a time.
+            # No timeout, because a wait with one polls, up to 50 ms at a time.
             done = subprocess.run(command, check=True, stdout=subprocess.PIPE, env=ENVIRONMENT, text=True)
-            if turn:  # The first round fills caches.
+            if turn:  # The first round is not counted, because it fills caches.
                 runs[name].append(Run((time.perf_counter() - start) * 1e3, (cpu_s() - cpu_start) * 1e3))
             if EXPECTED.get(name, "") not in done.stdout:
                 raise RuntimeError(f"{name} printed no {EXPECTED[name]!r}: {done.stdout!r}")

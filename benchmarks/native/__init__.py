@@ -1,1 +1,1 @@
-"""What each cleverness of the native code buys: with and without it, in the same run."""
+"""Measure the gain of each optimisation in the native code: with and without it, in the same run."""

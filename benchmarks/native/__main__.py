@@ -1,8 +1,8 @@
-"""What each cleverness of the native code buys: `python -m benchmarks native`, or `-m benchmarks.native NAME ...`.
+"""Measure the gain of each optimisation in native/: `python -m benchmarks native`, or `-m benchmarks.native NAME ...`.
 
-The extension is built as it ships and again without each of them (`plain.py`). Two processes, one of each form, take
-turns at the same operation; the median of the ratios of many rounds counts, in CPU time, and both must give the same
-answer.
+The extension is built as it ships, and once more without each of them (`plain.py`). Two processes, one of each form,
+run the same operation in turns. The result is the median of the ratios of many rounds, in CPU time. The answers of both
+must be equal.
 """
 
 from __future__ import annotations
@@ -21,12 +21,11 @@ from benchmarks.native.plain import EDITS, HERE
 STARTS, ROUNDS = 3, 40
 TOLERANCE = 1e-9
 LEAST = 1.10
-"""What buys less goes."""
+"""An optimisation with a smaller ratio is removed."""
 
 ROWS: list[tuple[str, str]] = [
     ("name index", "/tf of 100 frames, a transform"),
     ("prefetch", "/tf of 100 frames, a transform, cold caches"),
-    ("canonical", "lookup, latest, depth 1"),
     ("canonical", "set"),
     ("names before", "set_many, a transform"),
     ("newest links", "lookup, latest, depth 10"),
@@ -42,7 +41,6 @@ ROWS: list[tuple[str, str]] = [
     ("radix order", "lookup_many, shuffled, depth 1"),
     ("message pool", "decode TFMessage x 100"),
     ("message pool", "decode PoseStamped"),
-    ("untracked leaves", "decode TFMessage x 100"),
     ("shared 0 and 1", "decode TFMessage x 100, in a plane"),
     ("shared 0 and 1", "decode PoseStamped"),
     ("ASCII text", "decode JointState of 30"),
@@ -82,7 +80,7 @@ def row(name: str, what: str, without: float, with_it: float, ratio: float | Non
 
 
 def check(name: str, case: str, ours: list[float], plain: list[float]) -> None:
-    """Refuse to compare times of different answers."""
+    """Exit if the answers differ, because then their times cannot be compared."""
     if len(ours) != len(plain) or any(abs(a - b) > TOLERANCE for a, b in zip(ours, plain, strict=True)):
         raise SystemExit(f"'{case}' answers otherwise without '{name}'")
 
@@ -90,7 +88,7 @@ def check(name: str, case: str, ours: list[float], plain: list[float]) -> None:
 def compare(extension: Path, build: Build, name: str, cases: list[str]) -> None:
     plain = build.without(name).module
     times: dict[str, tuple[list[float], list[float]]] = {case: ([], []) for case in cases}
-    for _ in range(STARTS):  # each with addresses of its own
+    for _ in range(STARTS):  # the addresses of code and data differ in each start
         workers = Worker(plain), Worker(extension)
         for case in cases:
             check(name, case, workers[1]("answer", case), workers[0]("answer", case))
@@ -105,12 +103,12 @@ def compare(extension: Path, build: Build, name: str, cases: list[str]) -> None:
             worker.close()
     for case in cases:
         without, with_it = times[case]
-        ratio = median(a / b for a, b in zip(without, with_it, strict=True))  # each pair in the same moment
+        ratio = median(a / b for a, b in zip(without, with_it, strict=True))  # of adjacent pairs
         row(name, f"{case} [ns]", median(without), median(with_it), ratio)
 
 
 def beside_writers(build: Build) -> None:
-    """Measure the lock: what waits for whom is a matter of the clock."""
+    """Measure the lock by the wall clock, because waiting takes no CPU time."""
     programs = program(build, build.without("fair mutex")), program(build)
     measured: tuple[list[list[float]], list[list[float]]] = ([], [])
     for _ in range(9):
@@ -128,16 +126,16 @@ def beside_writers(build: Build) -> None:
 
 def main() -> None:
     known = [*EDITS, "frozen file"]
-    asked = sys.argv[1:] or known
-    if unknown := [name for name in asked if name not in known]:
-        raise SystemExit(f"no cleverness is named {', '.join(unknown)}; there are: {', '.join(known)}")
+    requested = sys.argv[1:] or known
+    if unknown := [name for name in requested if name not in known]:
+        raise SystemExit(f"no optimisation is named {', '.join(unknown)}; there are: {', '.join(known)}")
     build = Build()
     print(f"{'':22} {'':48} {'without':>12} {'with':>12} {'ratio':>7}", flush=True)
-    for name in dict.fromkeys(name for name, _ in ROWS if name in asked):
+    for name in dict.fromkeys(name for name, _ in ROWS if name in requested):
         compare(build.module, build, name, [case for row_name, case in ROWS if row_name == name])
-    if "fair mutex" in asked:
+    if "fair mutex" in requested:
         beside_writers(build)
-    if "frozen file" in asked:
+    if "frozen file" in requested:
         for what, (without, with_it) in frozen.measure().items():
             row("frozen file", f"99 frames of 10,000 samples, {what}", without, with_it)
 

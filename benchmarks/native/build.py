@@ -1,4 +1,4 @@
-"""Builds the extension as it ships, and again without each cleverness: only what an edit touches is compiled anew."""
+"""Build the extension as it ships, and without each optimisation; only files affected by an edit are compiled again."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ CORES = os.cpu_count() or 1
 
 
 class Build:
-    """The build of the extension as it ships, which the others borrow unchanged objects from."""
+    """The build of the extension as it ships. The other builds reuse its unchanged objects."""
 
     def __init__(self) -> None:
         self.folder = FOLDER / "shipped"
         options = {
-            "SKBUILD": "2",  # as scikit-build-core says, so that the extension is built
+            "SKBUILD": "2",  # set by scikit-build-core; CMakeLists.txt builds the extension only if it is set
             "nanobind_DIR": nanobind.cmake_dir(),
             "Python_EXECUTABLE": sys.executable,
             "CMAKE_BUILD_TYPE": "Release",
@@ -45,7 +45,7 @@ class Build:
 
     @cached_property
     def commands(self) -> dict[str, tuple[Path, list[str]]]:
-        """Each object's source and how it is compiled."""
+        """The source and the compiler's command of each object."""
         entries = json.loads((self.folder / "compile_commands.json").read_text("utf-8"))
         found = {}
         for entry in entries:
@@ -56,7 +56,7 @@ class Build:
 
     @cached_property
     def headers(self) -> dict[str, set[str]]:
-        """Each object's files of `native/`, by their paths in it."""
+        """The files in `native/` on which each object depends, as paths relative to it."""
         found: dict[str, set[str]] = {}
         target = ""
         for line in self.ninja("deps").splitlines():
@@ -70,7 +70,7 @@ class Build:
         return found
 
     def without(self, name: str) -> Plain:
-        """Return the extension without `name`, built where it is not up to date."""
+        """Return the extension without `name`; objects that are not up to date are compiled."""
         folder = FOLDER / name.replace(" ", "_")
         changed = write_plain(name, folder / "native")
         objects = {}
@@ -96,14 +96,14 @@ class Build:
 
 
 class Plain:
-    """The objects without one cleverness."""
+    """The objects without one optimisation."""
 
     def __init__(self, build: Build, folder: Path, objects: dict[str, str]) -> None:
         self._build, self._folder, self._objects = build, folder, objects
 
     @property
     def module(self) -> Path:
-        """The extension, linked as the one that ships is, with the objects of its own first."""
+        """The extension, linked like the shipped one, with this build's objects first."""
         build = self._build
         module = self._folder / build.module.name
         command = build.ninja("commands", build.module.name).strip().splitlines()[-1]
@@ -116,7 +116,7 @@ class Plain:
 
 
 def program(build: Build, plain: Plain | None = None) -> Path:
-    """Return `beside_writers`, linked with the core as it ships or with that of `plain`."""
+    """Return the path of `beside_writers`, linked with the shipped core or with that of `plain`."""
     folder = plain._folder if plain else build.folder  # noqa: SLF001  # one module's classes
     objects = list(plain._objects.values()) if plain else []  # noqa: SLF001
     core = [one for one in objects if "/bindings_" not in one]

@@ -1,4 +1,4 @@
-"""Operations that users call, in the situations that the clevernesses are for."""
+"""Operations that users call, in the situations for which the optimisations are made."""
 
 from __future__ import annotations
 
@@ -23,23 +23,23 @@ GID = bytes(16)
 
 class Case(NamedTuple):
     call: Callable[[], object]
-    """Does it `count` times; returns the seconds it took if it measures itself."""
+    """Run the operation `count` times; return the seconds taken if it measures itself."""
     answer: Callable[[], list[float]]
-    """What comes out, for both forms to be compared."""
+    """Return the result of the operation, to be compared between both forms."""
     count: int
 
 
 def lookup(tree: Tree, stamp_ns: int) -> Case:
     look_up = fill(tree).lookup
-    asked = tree.target_frame, tree.source_frame, stamp_ns
+    query = tree.target_frame, tree.source_frame, stamp_ns
     count = 500
 
     def call() -> None:
         for _ in range(count):
-            look_up(*asked)
+            look_up(*query)
 
     def answer() -> list[float]:
-        found = look_up(*asked)
+        found = look_up(*query)
         return [found.stamp_ns, *found.transform.translation, *found.transform.rotation_xyzw]
 
     return Case(call, answer, count)
@@ -72,7 +72,7 @@ def lookup_many(tree: Tree, stamps_ns: NDArray[np.int64]) -> Case:
 
 
 def deskew() -> Case:
-    """Move points of 0.1 s, with the transforms at 100 Hz."""
+    """Deskew points of 0.1 s, with transforms at 100 Hz."""
     tree = chain(2, 100)
     buffer = fill(tree)
     cloud = np.random.default_rng(3).normal(size=(20_000, 3)).astype(np.float32)
@@ -105,7 +105,7 @@ def tf_message(
 
 
 def tf_bytes(edges: list[tuple[str, str]], count: int, *, is_cold: bool = False) -> Case:
-    """Push messages of /tf; `is_cold`: the program uses its processor's caches for other work between them."""
+    """Push messages of /tf; with `is_cold`, other work evicts the processor's caches between them."""
     messages = [cdr.encode(tf_message(edges, START_NS + index * 10_000_000)) for index in range(count)]
     other_work = np.zeros(4_000_000 if is_cold else 0)  # 32 MB
 
@@ -177,7 +177,7 @@ def encode(message: Any, count: int) -> Case:
 
 
 def posts() -> Case:
-    """Post tokens to an executor that has others to work on."""
+    """Post tokens to an executor that is busy with others."""
     queue = ReadyQueue()
     tokens = range(10)
 

@@ -1,4 +1,4 @@
-"""What a frozen file buys: a process's time to its first answer, and the memory it takes, beside storing arrays anew.
+"""Measure the gain of a frozen file: time to a process's first answer, and memory, beside inserting the same arrays.
 
 `python -m benchmarks.native.frozen mapped|stored FOLDER` is one such process.
 """
@@ -24,7 +24,7 @@ TURNS = 7
 
 
 def own_memory() -> int:
-    """Return what the process has written to memory of its own [octets]."""
+    """Return the anonymous memory of the process (RssAnon) [octets]."""
     for line in Path("/proc/self/status").read_text("ascii").splitlines():
         if line.startswith("RssAnon"):
             return int(line.split()[1]) * 1024
@@ -32,7 +32,7 @@ def own_memory() -> int:
 
 
 def start(how: str, folder: Path) -> None:
-    """Print the seconds to the first answer, the memory taken [octets], and the answer."""
+    """Print the time to the first answer [s], the memory used [octets], and the answer."""
     tree = humanoid(1)
     before, begin = own_memory(), perf_counter()
     if how == "mapped":
@@ -49,7 +49,7 @@ def start(how: str, folder: Path) -> None:
 
 
 def measure() -> dict[str, tuple[float, float]]:
-    """Return, for the time [ms] and the memory [MB], what they are without and with a frozen file."""
+    """Return the time [ms] and the memory [MB], each without and with a frozen file."""
     tree = humanoid(RATE_HZ)
     with TemporaryDirectory() as name:
         folder = Path(name)

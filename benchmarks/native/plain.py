@@ -1,7 +1,7 @@
-"""The native code without each of its clevernesses: what is written instead, file by file.
+"""The native code without each of its optimisations, as edits of its files.
 
-An edit replaces a text that occurs once in the file; a whole file is replaced by one in `plain/`. So the code that
-ships has no switches, and `tests/native/test_plain.py` fails as soon as an edit no longer fits it.
+An edit replaces a text that occurs once in the file; a whole file is replaced by one in `plain/`. So the shipped code
+has no switches, and `tests/native/test_plain.py` fails if an edit no longer fits it.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ NATIVE = HERE.parent.parent / "native"
 Edits = list[tuple[str, str]]
 EDITS: dict[str, dict[str, Edits | str]] = {
     "name index": {"tf2/name_index.hpp": "name_index.hpp"},
-    "prefetch": {"tf2/buffer.cpp": [("      prefetch_frames(some);\n", "")]},
+    "prefetch": {"tf2/buffer.cpp": [("      prefetch_frames(group);\n", "")]},
     "chain product": {"tf2/chain.hpp": "chain.hpp", "tf2/chain.cpp": []},
     "newest links": {
         "tf2/frames.hpp": [
@@ -63,7 +63,7 @@ EDITS: dict[str, dict[str, Edits | str]] = {
         "tf2/batch.cpp": [
             (
                 (
-                    "          std::size_t end = climb_between<2>(bracket, i, stamps, out, known, is_first);\n"
+                    "          std::size_t end = compose_between<2>(bracket, i, stamps, out, known, is_first);\n"
                     "          if (end == i) end"
                 ),
                 "          std::size_t end",
@@ -84,7 +84,7 @@ EDITS: dict[str, dict[str, Edits | str]] = {
     "names before": {
         "tf2/buffer.cpp": [
             (
-                "  if (entry.child_frame_id != known.child_frame_id || entry.frame_id != known.frame_id) {",
+                "  if (entry.child_frame_id != last.child_frame_id || entry.frame_id != last.frame_id) {",
                 "  {",
             )
         ]
@@ -93,9 +93,6 @@ EDITS: dict[str, dict[str, Edits | str]] = {
         "bindings/message_memory.cpp": [
             ("#if !defined(Py_GIL_DISABLED) && !defined(PYPY_VERSION)", "#if defined(PYPY_VERSION)")
         ]
-    },
-    "untracked leaves": {
-        "bindings/cdr.cpp": [("#ifndef Py_GIL_DISABLED  // two", "#ifdef PYPY_VERSION  // two")]
     },
     "shared 0 and 1": {
         "bindings/objects.hpp": [
@@ -119,7 +116,7 @@ EDITS: dict[str, dict[str, Edits | str]] = {
     },
     "fair mutex": {"tf2/fair_mutex.hpp": [("#ifdef __GLIBC__\n\nclass", "#ifdef _WIN32\n\nclass")]},
 }
-"""By cleverness: the files, each with its edits or with the name of what stands in its place."""
+"""For each optimisation, its files, each with its edits or with the name of the file in `plain/` that replaces it."""
 
 
 def write_plain(name: str, folder: Path) -> set[str]:
@@ -128,7 +125,7 @@ def write_plain(name: str, folder: Path) -> set[str]:
         text = (NATIVE / path).read_text("utf-8")
         if isinstance(change, str):
             text = (HERE / "plain" / change).read_text("utf-8")
-        elif not change:  # its header is all there is
+        elif not change:  # the plain form needs only the header
             text = f'#include "{path.replace(".cpp", ".hpp")}"\n'
         else:
             for old, new in change:

@@ -1,6 +1,6 @@
-"""A process with one form of the extension: `worker.py EXTENSION` answers and measures the cases it is asked for.
+"""Run cases with one form of the extension: `worker.py EXTENSION`.
 
-A line in is `answer CASE`, `time CASE` or `drop CASE`; a line out is JSON.
+A line on stdin is `answer CASE`, `time CASE` or `drop CASE`; its result is a line of JSON on stdout.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from typing import Any
 
 
 def load(path: str) -> None:
-    """Import the extension from `path` before anything else imports it from where it is installed."""
+    """Import the extension from `path`, before another module imports the installed one."""
     spec = importlib.util.spec_from_file_location("tfloom._native", path)
     assert spec
     assert spec.loader
@@ -23,7 +23,7 @@ def load(path: str) -> None:
 
 
 def seconds(case: Any) -> float:
-    """Return the CPU time that it takes once."""
+    """Return the CPU time of one operation [s]."""
     begin_ns = process_time_ns()
     result = case.call()
     took = result if isinstance(result, float) else (process_time_ns() - begin_ns) / 1e9

@@ -1,7 +1,7 @@
-"""Nodes on loopback, each measurement between processes of its own, beside cyclonedds' own Python API in the same run.
+"""Measure nodes on loopback, between separate processes, beside cyclonedds' Python API in the same run.
 
-The last columns are what rclpy took in a real ROS 2 Jazzy (rmw_cyclonedds, another machine like this one), and what
-we aim at. A ratio above 1 says by how much tfloom is better.
+The last columns are the figures of rclpy in a real ROS 2 Jazzy (rmw_cyclonedds, on a similar machine), and the aims. A
+ratio above 1 means that tfloom is better by that factor.
 """
 
 from __future__ import annotations
@@ -78,17 +78,17 @@ def messages_published() -> None:
 
 
 def listeners() -> None:
-    head("a TransformListener, nobody looks up [% of a core]")
+    head("a TransformListener without lookups [% of a core]")
     for transforms, rate_hz, rclpy, aim in ((50, 100, "14", "0.7"), (1, 1000, "35", "2")):
         taken = listener.measure(transforms, rate_hz)
         for api, each in taken.items():
             if not 0.9 < each.rate_hz / rate_hz < 1.1:
-                print(f"  {api} heard {each.rate_hz:.0f} messages a second, not {rate_hz}: a busy machine")
+                print(f"  {api} received {each.rate_hz:.0f} messages a second, not {rate_hz}: busy machine")
         ours = taken["tfloom"].percent
         name = f"{rate_hz} Hz x {transforms} transforms"
         row(name, ours, taken["cyclonedds"].percent, rclpy=rclpy, aim=aim)
         if "bare C++" in taken:
-            row("  peer: a reader in C++ that drops what it takes", ours, taken["bare C++"].percent)
+            row("  peer: a reader in C++ that drops all samples", ours, taken["bare C++"].percent)
 
 
 def many_timers() -> None:
@@ -118,7 +118,7 @@ def starts() -> None:
 
 
 def idle() -> None:
-    head("what spins and hears nothing [% of a core]")
+    head("idle [% of a core]")
     share = start.measure_idle()
     row("a node; peer: a participant", share["node"], share["cyclonedds"])
     row("a TransformListener; peer: a participant", share["listener"], share["cyclonedds"])
@@ -139,10 +139,10 @@ PARTS: dict[str, Callable[[], None]] = {
 def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.node", description=__doc__)
     parser.add_argument("parts", nargs="*", metavar="part", help=", ".join(PARTS))
-    asked = parser.parse_args().parts or list(PARTS)
-    if unknown := [part for part in asked if part not in PARTS]:
+    requested = parser.parse_args().parts or list(PARTS)
+    if unknown := [part for part in requested if part not in PARTS]:
         parser.error(f"there is no {', '.join(unknown)}; there are: {', '.join(PARTS)}")
-    for part in asked:
+    for part in requested:
         PARTS[part]()
     return 0
 

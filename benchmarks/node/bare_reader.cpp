@@ -1,4 +1,4 @@
-// The least that a reader of /tf takes of a core: it takes each sample on the library's own thread, and drops it.
+// A reader of /tf that takes each sample on the library's thread and drops it, as the lower limit of CPU time.
 // Prints the share of a core [%] and the messages a second.
 #include <atomic>
 #include <chrono>

@@ -1,5 +1,5 @@
-# cyclonedds reads its annotations as types, so they can't be put off: no `from __future__ import annotations`.
-"""Messages of ROS as cyclonedds' own Python API has them."""
+# No `from __future__ import annotations`, because cyclonedds reads the annotations as types.
+"""Messages of ROS as types of cyclonedds' Python API."""
 
 from dataclasses import dataclass
 
@@ -97,6 +97,6 @@ class Response(IdlStruct, typename="bench.Response"):
 
 
 def tf_message(transforms: int, stamp: Time) -> TFMessage:
-    """Return a message like `messages.tf_message`'s."""
+    """Return a message equal to that of `messages.tf_message`."""
     pose = Transform(Vector3(1.5, -0.25, 0.125), Quaternion(0.0, 0.0, 0.6, 0.8))
     return TFMessage([TransformStamped(Header(stamp, "base"), f"joint_{i}", pose) for i in range(transforms)])

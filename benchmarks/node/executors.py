@@ -1,4 +1,4 @@
-"""What is between two callbacks: messages on the wire within the process, through each executor, in one process."""
+"""Measure the time of an executor between callbacks: messages on the wire within one process, through each executor."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ ROUNDS = 5
 
 
 def measure() -> dict[str, float]:
-    """Return CPU time a callback [us] by executor, the best of interleaved rounds."""
+    """Return the CPU time of a callback [us] for each executor, the best of interleaved rounds."""
     program = [sys.executable, str(Path(__file__))]
     output = subprocess.run(program, capture_output=True, text=True, check=True).stdout
     costs: dict[str, float] = json.loads(output)

@@ -1,7 +1,7 @@
-"""What a TransformListener takes of a core while nobody looks anything up, beside a reader in bare C++.
+"""Measure the share of a core of a TransformListener without lookups, beside a reader in C++.
 
-The bare reader, `bare_reader.cpp`, drops what it takes: no listener on this library can take less. cyclonedds' side
-reads the messages in a loop, and stores nothing.
+The reader, `bare_reader.cpp`, drops all samples, so it is the lower limit for a listener on this library. On
+cyclonedds' side, a loop reads the messages, and stores nothing.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ TURNS = 2
 
 class Taken(NamedTuple):
     percent: float
-    """CPU time of the process, its threads included [% of a core]."""
+    """CPU time of the process, with all threads [% of a core]."""
     rate_hz: float
-    """Of the messages that came meanwhile."""
+    """Rate of the messages received meanwhile."""
 
 
 def tfloom() -> Taken:
@@ -108,7 +108,7 @@ def run_bare_reader(program: str) -> Taken:
 
 
 def measure(transforms: int, rate_hz: int) -> dict[str, Taken]:
-    """Return what each takes at this rate: the least of some turns; "bare C++" is missing without a compiler."""
+    """Return the CPU time and rate of each: the minimum of some turns; without a compiler, "bare C++" is missing."""
     taken: dict[str, list[Taken]] = {}
     with tempfile.TemporaryDirectory() as folder, background("sender", "paced", transforms, rate_hz):
         program = compile_bare_reader(folder)

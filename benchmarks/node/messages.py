@@ -1,4 +1,4 @@
-"""What is sent."""
+"""The messages of the measurements."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ SIZES = {"64 kB": 64_000, "1 MB": 1_000_000}
 
 
 def tf_message(transforms: int) -> TFMessage:
-    """Return a message in which most numbers are neither 0 nor 1, as a robot's are."""
+    """Return a message in which most numbers are neither 0 nor 1, as in a robot's messages."""
     return TFMessage(
         transforms=[
             TransformStamped(

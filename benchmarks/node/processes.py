@@ -1,7 +1,7 @@
-"""The processes that a measurement takes, and what both APIs need to meet one another.
+"""The processes of a measurement, and the configuration that both APIs share.
 
-Each end runs in a process of its own, so that CPU time and memory are its own; ends print their results as JSON.
-All traffic stays on the loopback interface, and every process ends with the measurement.
+Each end runs in its own process, so that its CPU time and memory can be measured, and prints its result as JSON. All
+traffic stays on the loopback interface, and every process ends with the measurement.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ LONGEST_S = 60.0
 def start(role: str, *arguments: object) -> subprocess.Popen[str]:
     """Start `python -m benchmarks.node.<role> <arguments>`."""
     environment = os.environ | {"ROS_DOMAIN_ID": str(DOMAIN_ID), "CYCLONEDDS_URI": configuration()}
-    environment.pop("PYTHONDONTWRITEBYTECODE", None)  # a user's second start finds the bytecode of the first
+    environment.pop("PYTHONDONTWRITEBYTECODE", None)  # use cached bytecode, as a user does
     return subprocess.Popen(
         [sys.executable, "-m", f"benchmarks.node.{role}", *map(str, arguments)],
         stdin=subprocess.PIPE,
@@ -41,7 +41,7 @@ def start(role: str, *arguments: object) -> subprocess.Popen[str]:
 
 
 def run(role: str, *arguments: object) -> Any:
-    """Run a role to its end and return what it prints."""
+    """Run a role to its end and return the JSON that it prints."""
     with background(role, *arguments) as process:
         text, _ = process.communicate(timeout=LONGEST_S)
         if process.returncode != 0:
@@ -51,7 +51,7 @@ def run(role: str, *arguments: object) -> Any:
 
 @contextlib.contextmanager
 def background(role: str, *arguments: object) -> Iterator[subprocess.Popen[str]]:
-    """Run a role meanwhile."""
+    """Run a role for the block."""
     process = start(role, *arguments)
     try:
         yield process
@@ -64,23 +64,23 @@ def background(role: str, *arguments: object) -> Iterator[subprocess.Popen[str]]
 
 
 def wait_for(condition: Callable[[], object]) -> None:
-    """Wait until it's true.
+    """Wait until `condition()` is true.
 
     Raises:
-        TimeoutError: it isn't after `LONGEST_S`.
+        TimeoutError: it is false after `LONGEST_S`.
     """
     end = time.monotonic() + LONGEST_S
     while not condition():
         if time.monotonic() > end:
-            raise TimeoutError("the other end has not come")
+            raise TimeoutError("the other end was not discovered")
         time.sleep(0.005)
 
 
-# cyclonedds' own Python API
+# cyclonedds' Python API
 
 
 def cyclone_qos(depth: int | None = 10) -> Any:
-    """Return what ROS asks for: reliable, and the last `depth`, or all."""
+    """Return ROS's quality of service: reliable, and a history of `depth`, or of all samples if None."""
     from cyclonedds.qos import Policy, Qos
 
     history = Policy.History.KeepAll if depth is None else Policy.History.KeepLast(depth)
@@ -99,7 +99,7 @@ def cyclone_writer(
 def cyclone_reader(
     participant: DomainParticipant, topic: str, kind: type, depth: int | None = 10
 ) -> tuple[DataReader, Callable[[int], Any]]:
-    """Return a reader and how to wait for samples of its, of which it takes as many as asked for at most."""
+    """Return a reader, and a function that waits for samples and takes at most as many as its argument."""
     from cyclonedds.core import ReadCondition, SampleState, WaitSet
     from cyclonedds.sub import DataReader
     from cyclonedds.topic import Topic

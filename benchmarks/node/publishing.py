@@ -1,6 +1,6 @@
-"""What it costs to publish: CPU time of the process, its wire's threads included, for each message.
+"""Measure the CPU time of publishing a message: that of the whole process, with the wire's threads.
 
-The receiver, the same for both APIs, takes the bytes off the wire in C++ and drops them.
+The receiver is the same for both APIs: it takes the bytes from the wire in C++ and drops them.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ def receive() -> None:
 
 
 def measure(transforms: int) -> dict[str, float]:
-    """Return the CPU time of a message of each API [us]: the least of some turns."""
+    """Return the CPU time of a message for each API [us]: the minimum of some turns."""
     best = dict.fromkeys(APIS, float("inf"))
     with background("publishing", "receive"):
         for _ in range(TURNS):

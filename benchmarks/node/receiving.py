@@ -1,8 +1,8 @@
-"""Messages a second into a Python callback, from a sender that is faster.
+"""Measure the messages a second that reach a Python callback, from a sender that is faster.
 
-The sender is the same for both APIs: a process that writes serialized bytes on a reliable topic and waits when the
-receiver lags. Beside the rate stands the CPU time that the receiving process takes for a message, which says what
-it could do with cores of its own.
+The sender is the same for both APIs: a process that writes serialized bytes on a reliable topic and waits for a slow
+receiver. The CPU time of the receiving process for a message is measured too, because it gives the rate on an idle
+machine with more cores.
 """
 
 from __future__ import annotations
@@ -22,18 +22,18 @@ from benchmarks.node.processes import (
 )
 
 COUNTS = {"1": (60_000, 5_000), "50": (20_000, 200), "64 kB": (6_000, 50), "1 MB": (200, 5)}
-"""How many messages: to tfloom, and to cyclonedds."""
+"""Number of messages sent to tfloom, and to cyclonedds."""
 TURNS = 2
 
 
 class Received(NamedTuple):
     per_second: float
     cpu_us: float
-    """Of a message."""
+    """CPU time of a message."""
 
 
 class Stopwatch:
-    """Runs from the first message to the last."""
+    """Measures from the first message to the last."""
 
     def start(self) -> None:
         self._begin, self._cpu_begin = time.perf_counter(), time.process_time()
@@ -89,7 +89,7 @@ def cyclonedds(kind: str, count: int) -> Received:
 
 
 def measure(kind: str) -> dict[str, Received]:
-    """Return what each API does: the best of some turns."""
+    """Return the rate and the CPU time of each API: the best of some turns."""
     received: dict[str, list[Received]] = {api: [] for api in APIS}
     for _ in range(TURNS):
         for api, count in zip(APIS, COUNTS[kind], strict=True):

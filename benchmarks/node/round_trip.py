@@ -1,7 +1,7 @@
-"""How long a message takes to another process and back, callbacks on both sides, and how long a service call takes.
+"""Measure the time of a message to another process and back, with callbacks on both sides, and that of a service call.
 
-The two APIs take turns, so that whatever else the machine does hits both. cyclonedds waits in a waitset on both
-sides and has no callbacks or executor to pay for; it has no services, so it exchanges two structs.
+The two APIs run in turns, so that other load on the machine affects both. cyclonedds waits in a waitset on both sides,
+without callbacks and an executor. It has no services, so it exchanges two structs.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from benchmarks.node.processes import (
 WARM_UP = 200
 TURNS = 5
 TRIPS = {"String": (1000, 1000), "64 kB": (300, 5), "1 MB": (40, 1), "service": (500, 500)}
-"""How many a turn: tfloom's, and cyclonedds', which goes through large arrays element by element."""
+"""Trips of a turn: tfloom's, and cyclonedds', which copies large arrays element by element."""
 
 MeasureUs = Callable[[int], list[float]]
 
@@ -94,7 +94,7 @@ def tfloom_sends(node: Any, message: Any) -> MeasureUs:
         ask()
         while len(times) < count:
             executor.spin_once()
-        executor.spin_once(timeout_sec=1.0)  # one answer is still on its way
+        executor.spin_once(timeout_sec=1.0)  # the reply to the last message sent
         return times[:count]
 
     return measure
@@ -106,7 +106,7 @@ def tfloom_calls(node: Any) -> MeasureUs:
 
     client = node.create_client(AddTwoInts, "bench_add")
     if not client.wait_for_service(60.0):
-        raise TimeoutError("the service has not come")
+        raise TimeoutError("the service was not discovered")
 
     def measure(count: int) -> list[float]:
         times = []
@@ -177,7 +177,7 @@ ASKS = {"tfloom": tfloom_asks, "cyclonedds": cyclonedds_asks}
 
 
 def measure(kind: str) -> dict[str, tuple[float, float]]:
-    """Return the median and the 99th percentile of the trips of each API [us]."""
+    """Return the median and the 99th percentile of the trips for each API [us]."""
     times: dict[str, list[float]] = {api: [] for api in APIS}
     with contextlib.ExitStack() as stack:
         asking = {}

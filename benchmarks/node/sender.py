@@ -1,4 +1,4 @@
-"""Sends to whoever listens: at a rate, with stamps that go on by the period, or as fast as the other end takes it."""
+"""Send messages once there is a subscription: at a rate, with stamps that increase by the period, or without pauses."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ FIRST_STAMP_NS = 1_000_000_000_000
 
 
 def paced(transforms: int, rate_hz: int) -> None:
-    """Send a TFMessage on /tf at `rate_hz`; its stamp tells how many have been sent."""
+    """Send a TFMessage on /tf at `rate_hz`; its stamp gives the number of messages sent."""
     import rclpy
     from builtin_interfaces.msg import Time
     from tf2_msgs.msg import TFMessage
@@ -33,7 +33,7 @@ def paced(transforms: int, rate_hz: int) -> None:
 
 
 def flood(message: Any, count: int) -> None:
-    """Send the bytes of one message `count` times on /bench; what isn't taken in time holds the sender up."""
+    """Send the bytes of one message `count` times on /bench; a slow receiver blocks the sender."""
     import rclpy
     from rclpy.qos import HistoryPolicy, QoSProfile
 

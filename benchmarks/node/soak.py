@@ -1,9 +1,10 @@
-"""A soak: three processes come and go, and no message on a reliable topic may be lost to a node that stays.
+"""A soak test: three guest processes join and leave repeatedly, and a permanent node must receive all their messages.
 
-`python -m benchmarks.node.soak --seconds 300` stays itself. Each guest joins, publishes some hundred numbered messages,
-calls a service of the node that stays and hears a topic of its, and leaves: in turn politely, and by SIGKILL once all
-that it sent is acknowledged. Every message must come once, in order. The memory of the process that stays must not
-grow once it has seen some guests. Exit code 1 if something was lost, or memory grew by more than MOST_GROWTH_MB.
+`python -m benchmarks.node.soak --seconds 300` is the permanent process. Each guest joins, publishes some hundred
+numbered messages on a reliable topic, calls a service of the permanent node, subscribes to a topic of it, and leaves:
+alternately by a normal shutdown, and by SIGKILL after all its messages are acknowledged. Every message must be received
+once, in order. After the first guests, the memory of the permanent process must not grow. The exit code is 1 if a
+message was lost, or if memory grew by more than MOST_GROWTH_MB.
 """
 
 from __future__ import annotations
@@ -31,20 +32,23 @@ from benchmarks.domain import DOMAIN_ID
 
 GUESTS = 3
 MESSAGES = (200, 1000)
-"""The least and most a guest publishes in one life."""
+"""The least and the greatest number of messages that a guest publishes."""
 PERIOD_S = 0.002
 CALL_EVERY = 50
 PADDING = "x" * 200
 PATIENCE_S = 60.0
 MOST_GROWTH_MB = 4.0
 WARM_UP = 0.3
-"""The part of the time after which memory should have settled."""
+"""The fraction of the time after which memory should be constant."""
 
 ALL = QoSProfile(history=HistoryPolicy.KEEP_ALL)
 
 
 class Soak:
-    """The node that stays, and its book of what came."""
+    """The permanent node, and its record of the messages received.
+
+    `_lock` guards changes of `_next`, which the executor's thread and the guests' threads make.
+    """
 
     def __init__(self, seconds: float, domain_id: int) -> None:
         self._end = time.monotonic() + seconds
@@ -60,7 +64,7 @@ class Soak:
         self.memory: list[tuple[float, float]] = []
 
     def run(self) -> None:
-        """Stay until the time is over and the last guests have left."""
+        """Run until the time is over and the last guests have left."""
         context = rclpy.Context()
         rclpy.init(context=context, domain_id=self._domain_id)
         node = rclpy.create_node("stayer", context=context)
@@ -95,20 +99,20 @@ class Soak:
 
     def _note_memory(self) -> None:
         now = 1.0 - (self._end - time.monotonic()) / self._seconds
-        with suppress(OSError):  # not Linux: memory isn't looked at
+        with suppress(OSError):  # not on Linux, where memory is not measured
             for line in Path("/proc/self/status").read_text("utf-8").splitlines():
                 if line.startswith("VmRSS:"):
                     self.memory.append((now, int(line.split()[1]) / 1024))
 
     def _host(self, number: int) -> None:
-        """Have one guest after the other come and go."""
+        """Start one guest after the other."""
         for life in count():
             if time.monotonic() >= self._end or self.faults:
                 return
             guest = f"{number}.{life}"
             try:
                 self._live(guest, is_killed=life % 2 == 1)
-            except Exception as error:  # noqa: BLE001  # whatever it is, the soak has failed
+            except Exception as error:  # noqa: BLE001  # any exception is a fault
                 self.faults.append(f"guest {guest}: {type(error).__name__}: {error}")
 
     def _live(self, guest: str, *, is_killed: bool) -> None:
@@ -140,7 +144,7 @@ class Soak:
             self.faults.append(f"guest {guest} ended with {process.returncode}")
 
     def _check(self, guest: str, sent: int) -> None:
-        """All that is acknowledged is here: wait for the callbacks to have seen it."""
+        """Wait until the callback has received all messages, which are acknowledged already."""
         end = time.monotonic() + PATIENCE_S
         while self._next.get(guest, 0) < sent:
             if time.monotonic() > end:
@@ -151,7 +155,7 @@ class Soak:
             del self._next[guest]
 
     def growth_mb(self) -> float:
-        """Return by how much memory has grown since it should have settled; 0 where it can't be told."""
+        """Return the growth of memory after WARM_UP; 0 if it was not measured."""
         early = [size for when, size in self.memory if WARM_UP <= when < WARM_UP + 0.1]
         late = [size for when, size in self.memory if when >= 0.9]
         return median(late) - median(early) if early and late else 0.0
@@ -168,7 +172,7 @@ class Soak:
 
 
 def be_guest(guest: str, domain_id: int) -> None:
-    """Join, publish, call, listen; print how much was sent, and leave when told."""
+    """Join, publish, call and subscribe; print the number of messages sent, and leave after a line on stdin."""
     rclpy.init(domain_id=domain_id)
     node = rclpy.create_node(f"guest_{guest.partition('.')[0]}")
     heard: list[String] = []

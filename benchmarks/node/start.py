@@ -1,4 +1,4 @@
-"""How a program starts, and what a node costs that has nothing to do: time, memory, CPU."""
+"""Measure the start of a program, and the cost of an idle node: time, memory, CPU."""
 
 from __future__ import annotations
 
@@ -18,20 +18,20 @@ IDLE_S = 5.0
 
 
 class Started(NamedTuple):
-    """Times [ms] one after another; memory in use (RSS) [MB]."""
+    """Times of consecutive steps [ms]; resident memory (RSS) [MB]."""
 
     import_ms: float
     init_ms: float
     node_ms: float
     publisher_ms: float
     cpu_ms: float
-    """Of all that."""
+    """CPU time of all steps."""
     python_mb: float
     node_mb: float
 
 
 def resident_mb() -> float:
-    """Return what the process has in memory; NaN where /proc doesn't tell."""
+    """Return the resident memory of the process; NaN without /proc."""
     import os
     from pathlib import Path
 
@@ -87,7 +87,7 @@ def started(times: list[float], cpu_begin: float, python_mb: float) -> Started:
 
 
 def idle(what: str) -> float:
-    """Return the share of a core that a spinning node takes while nothing comes [%]."""
+    """Return the share of a core of a spinning node that receives nothing [%]."""
     import rclpy
 
     rclpy.init()
@@ -103,7 +103,7 @@ def idle(what: str) -> float:
 
 
 def idle_cyclonedds() -> float:
-    """Return the same of a participant and a program that sleeps."""
+    """Return the same for a participant in a program that sleeps."""
     from cyclonedds.domain import DomainParticipant
 
     participant = DomainParticipant(DOMAIN_ID)
@@ -116,7 +116,7 @@ def idle_cyclonedds() -> float:
 
 
 def measure() -> dict[str, Started]:
-    """Return the medians of some starts of each API, each in a fresh process."""
+    """Return the medians of some starts of each API, each in a new process."""
     starts: dict[str, list[Started]] = {api: [] for api in APIS}
     for _ in range(STARTS):
         for api in APIS:
@@ -125,10 +125,10 @@ def measure() -> dict[str, Started]:
 
 
 def measure_idle() -> dict[str, float]:
-    """Return what a node, a listener and a bare participant take while nothing comes [% of a core]."""
+    """Return the shares of a core of an idle node, an idle listener and an idle participant [%]."""
     names = ("node", "listener", "cyclonedds")
     processes = {}
-    with contextlib.ExitStack() as stack:  # none disturbs another: they have nothing to do
+    with contextlib.ExitStack() as stack:  # at the same time: idle processes do not interfere
         for name in names:
             processes[name] = stack.enter_context(background("start", "idle", name))
         return {name: json.loads(process.communicate()[0]) for name, process in processes.items()}

@@ -1,4 +1,4 @@
-"""A thousand timers at 10 Hz: what they take of a core, and by how much they are late; beside asyncio's."""
+"""Measure a thousand timers at 10 Hz: their share of a core and their jitter, beside asyncio's."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ class Kept(NamedTuple):
     percent: float
     """CPU time of the process [% of a core]."""
     p50_ms: float
-    """By how much the time between two calls of a timer misses its period."""
+    """Difference between a timer's period and the time between two of its calls."""
     p99_ms: float
 
 
 class Calls:
-    """Notes when each timer is called."""
+    """Records the calls of each timer."""
 
     def __init__(self) -> None:
         self._last = [0.0] * TIMERS
@@ -58,7 +58,7 @@ def tfloom() -> Kept:
     calls = Calls()
     for number in range(TIMERS):
         node.create_timer(PERIOD_S, lambda number=number: calls.called(number))
-        time.sleep(PERIOD_S / TIMERS / 2)  # not all at once, as in a program
+        time.sleep(PERIOD_S / TIMERS / 2)  # spread over the period, as in a program
 
     def spin(seconds: float) -> None:
         rclpy.spin_until_future_complete(node, rclpy.Future(), timeout_sec=seconds)
@@ -88,7 +88,7 @@ async def _asyncio() -> Kept:
 
 
 def measure() -> dict[str, Kept]:
-    """Return what the timers of each take, and how well they keep their period."""
+    """Return the share of a core and the jitter of the timers of each."""
     return {api: Kept(*run("timers", api)) for api in ("tfloom", "asyncio")}
 
 

@@ -1,1 +1,1 @@
-"""The wire."""
+"""Benchmarks of the wire."""

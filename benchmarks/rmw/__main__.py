@@ -1,6 +1,7 @@
-"""Round trip of 1 kB between two processes on loopback: tfloom's wire, and cyclonedds' own Python API.
+"""Measure the round trip of 1 kB between two processes on loopback: tfloom's wire, and cyclonedds' Python API.
 
-The two take turns, so that whatever else the machine does hits both. Times are from write to the answer's arrival.
+The two run in turns, so that other load on the machine affects both. Times are from the write to the receipt of the
+reply.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ Trip = Callable[[], None]
 
 
 def tfloom_ends(there: str, back: str) -> tuple[Callable[[bytes], None], Callable[[], bytes]]:
-    """Return how to send on one topic and how to wait on the other."""
+    """Return a function that sends on `there`, and one that waits for a sample on `back`."""
     from tfloom._native import ReadyQueue
     from tfloom.rmw.base import NodeName, Topic
     from tfloom.rmw.cyclonedds import open_participant
@@ -46,7 +47,7 @@ def tfloom_ends(there: str, back: str) -> tuple[Callable[[bytes], None], Callabl
 
 
 def cyclonedds_ends(there: str, back: str) -> tuple[Callable[[bytes], None], Callable[[], bytes]]:
-    """Return the same through cyclonedds' readers, writers and waitsets, on a type of its own."""
+    """Return the same for cyclonedds' readers, writers and waitsets, with a type of their own."""
     from cyclonedds.core import ReadCondition, SampleState, WaitSet
     from cyclonedds.domain import DomainParticipant
     from cyclonedds.pub import DataWriter
@@ -86,7 +87,7 @@ def wait_for(condition: Callable[[], object]) -> None:
 
 
 def answer(name: str) -> None:
-    """Send back all that comes, until the parent ends this process."""
+    """Send each sample back, until the parent ends this process."""
     send, receive = ENDS[name](f"{name}_back", f"{name}_there")
     while True:
         send(receive())

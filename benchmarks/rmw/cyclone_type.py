@@ -1,5 +1,5 @@
-# cyclonedds reads its annotations as types, so they can't be put off: no `from __future__ import annotations`.
-"""The payload as cyclonedds' Python API has it."""
+# No `from __future__ import annotations`, because cyclonedds reads the annotations as types.
+"""The payload as a type of cyclonedds' Python API."""
 
 from dataclasses import dataclass
 

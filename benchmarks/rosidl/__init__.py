@@ -1,1 +1,1 @@
-"""Messages."""
+"""Benchmarks of messages."""

@@ -1,6 +1,6 @@
-"""Encode and decode TFMessage beside its peers, large arrays, construction and imports.
+"""Measure encoding and decoding of TFMessage beside its peers, large arrays, construction and imports.
 
-The peers take turns and the best of many turns counts: what else the machine does only ever adds.
+The peers run in turns. The result is the best of many turns, because other load on the machine only adds time.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ TURN_S = 0.01
 
 
 def best(*calls: Callable[[], object]) -> list[float]:
-    """Return the best time of each call [µs], the calls taking turns."""
+    """Return the best time of each call [µs]; the calls run in turns."""
     times = [float("inf")] * len(calls)
     counts = [max(1, int(TURN_S / max(seconds(call, 1), 1e-7))) for call in calls]
     for _ in range(TURNS):
@@ -48,9 +48,9 @@ def table(count: int) -> None:
 
 
 def import_ms(statement: str) -> float:
-    """Return what a statement takes in a fresh interpreter, the best of some, its bytecode being there."""
+    """Return the time of a statement in a new interpreter with cached bytecode [ms], the best of some."""
     code = f"import time; start = time.perf_counter(); {statement}; print(time.perf_counter() - start)"
-    with TemporaryDirectory() as bytecode:  # pip leaves it beside the modules
+    with TemporaryDirectory() as bytecode:  # in an installed package, pip has compiled it
         environment = os.environ | {"PYTHONPYCACHEPREFIX": bytecode, "PYTHONDONTWRITEBYTECODE": ""}
         runs = [
             subprocess.run(

@@ -1,4 +1,4 @@
-"""TFMessage as cyclonedds has it. No postponed annotations here: cyclonedds reads them as they are."""
+"""TFMessage as types of cyclonedds. No postponed annotations here, because cyclonedds reads them as types."""
 
 from dataclasses import dataclass
 

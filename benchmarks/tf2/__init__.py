@@ -1,1 +1,1 @@
-"""Frames over time."""
+"""Benchmarks of frames over time."""

@@ -1,7 +1,7 @@
-"""Lookups, inserts and points: tfloom beside its peers on the same trees in the same run.
+"""Measure lookups, inserts and points: tfloom beside its peers on the same trees in the same run.
 
-Times are of the process's CPU, the best of several turns: what else the machine does only ever adds. Where threads
-share the work, times are by the clock. Peers that are not installed are named as such.
+Times are CPU times of the process, the best of several turns, because other load on the machine only adds time. Where
+threads share the work, times are measured by the wall clock. Peers that are not installed are named.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ from tfloom.tf2_ros.buffer import Buffer as RosBuffer
 TURNS = 7
 CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 TOLERANCE_M = 1e-4
-"""The peers' answers are to be ours; pytransform3d, which interpolates along a screw, is some micrometres off."""
+"""Tolerance of the peers' answers; pytransform3d, which interpolates along a screw, differs by some micrometres."""
 
-# What ROS 2 Jazzy's tf2_py took on a machine of this kind.
+# Times of ROS 2 Jazzy's tf2_py on a machine of this kind.
 JAZZY = "Jazzy's figure"
 JAZZY_LATEST_US = {1: 6.9, 10: 7.1, 50: 11.2}
 JAZZY_HISTORIC_US = 625.0
@@ -43,7 +43,7 @@ JAZZY_CLOUD_MS = 7.6
 def best_s(
     count: int, call: Callable[..., object], *args: object, clock: Callable[[], float] = process_time
 ) -> float:
-    """Return the seconds that `call(*args)` takes, the best of some turns of `count`."""
+    """Return the time of `call(*args)` [s], the best of some turns of `count` calls."""
     times = []
     for _ in range(TURNS):
         start = clock()
@@ -58,7 +58,7 @@ def best_us(count: int, call: Callable[..., object], *args: object) -> float:
 
 
 def row(what: str, value: float, unit: str, peers: dict[str, float] | None = None) -> None:
-    """Print ours, and each peer's in the same unit with how many times ours that is."""
+    """Print tfloom's value, and each peer's in the same unit with its ratio to tfloom's."""
     start = f"{what:58} {value:9.3f} {unit:14}"
     lines = [f"{name:16} {other:10.3f} {other / value:8.1f} x" for name, other in (peers or {}).items()]
     print(start + (lines[0] if lines else ""), flush=True)
@@ -67,10 +67,10 @@ def row(what: str, value: float, unit: str, peers: dict[str, float] | None = Non
 
 
 def check(name: str, ours: object, theirs: object) -> None:
-    """Refuse to compare times of different answers."""
+    """Exit if the answers differ, because then their times cannot be compared."""
     difference = np.abs(np.asarray(ours, float) - np.asarray(theirs, float)).max()
     if not difference < TOLERANCE_M:
-        raise SystemExit(f"{name} answers otherwise: by {difference} m")
+        raise SystemExit(f"the answer of {name} differs by {difference} m")
 
 
 def trees() -> dict[str, Tree]:
@@ -93,11 +93,11 @@ def one_by_one(all_trees: dict[str, Tree], debian: dict[str, Any]) -> None:
         theirs = debian["trees"].get(where, {})
         if theirs:
             check(DEBIAN, moment, theirs["position"])
-        for when, key, stamp, asked in (
+        for when, key, stamp, peer_stamp in (
             ("latest", "latest_us", 0, tree.newest_ns),
             ("middle", "middle_us", tree.middle_ns, tree.middle_ns),
         ):
-            others = {name: best_us(peer.calls, peer.lookup, asked) for name, peer in peers.items()}
+            others = {name: best_us(peer.calls, peer.lookup, peer_stamp) for name, peer in peers.items()}
             row(f"lookup, {when}, {where}", best_us(3000, buffer.lookup, *names, stamp), "µs", others)
             if theirs:
                 others = {DEBIAN: theirs[key]}
@@ -128,7 +128,7 @@ def many() -> None:
             positions = buffer.lookup_many(tree.target_frame, tree.source_frame, asked).positions
             others = {}
             for name, peer in peers.items():
-                step = 1 if name == TransformTree.name else 10 * links  # the slow ones get fewer
+                step = 1 if name == TransformTree.name else 10 * links  # fewer stamps for slow peers
                 part = asked[::step]
                 check(name, positions[::step], peer.lookup_many(part))
                 others[name] = best_s(1, peer.lookup_many, part) * step * per_edge
@@ -152,7 +152,7 @@ def scaling(what: str, buffer: Buffer, tree: Tree, asked: NDArray[np.int64], per
         "ns/edge/stamp",
         {"one core": one * per_edge},
     )
-    # On a busy machine the clock says little; what threads cost each other, their CPU together says.
+    # The sum of the threads' CPU times shows their contention on a busy machine, unlike the wall clock.
     one, every = (best_s(1, look_up, workers) for workers in (1, CORES))
     row(f"{what}, {CORES} cores, their CPU", every * per_edge, "ns/edge/stamp", {"one core": one * per_edge})
 

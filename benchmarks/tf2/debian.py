@@ -1,4 +1,4 @@
-"""Debian's python3-tf2, which is ROS 1 Noetic's core, in the system's own Python: see `debian_tf2.py`."""
+"""Run Debian's python3-tf2, the core of ROS 1 Noetic, in the system's Python: see `debian_tf2.py`."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ LIMIT_S = 120
 
 
 def measure_debian(trees: dict[str, Tree]) -> dict[str, Any]:
-    """Return its times of each tree, and of inserts; or, as `absent`, why there are none."""
+    """Return its times for each tree, and of inserts; or, as `absent`, the reason why there are none."""
     nothing: dict[str, Any] = {"trees": {}}
     if not Path(PYTHON).exists():
         return {**nothing, "absent": f"there is no {PYTHON}"}

@@ -1,7 +1,7 @@
-"""Run by Debian's own Python beside its python3-tf2, ROS 1 Noetic's core: times of lookups and inserts, as JSON.
+"""Measure lookups and inserts with Debian's python3-tf2, the core of ROS 1 Noetic; run by Debian's Python, prints JSON.
 
-On its standard input: a line of JSON with the number of stamps, the edges and the frames to look up, then for each
-tree the stamps (int64) and, edge by edge, rows of x y z and x y z w (float64).
+Standard input has a line of JSON with the number of stamps, the edges and the frames to look up. Then, for each tree,
+follow the stamps (int64) and, edge by edge, rows of x y z and x y z w (float64).
 """
 
 import json

@@ -1,6 +1,6 @@
-"""Who is measured beside tfloom in the same process: transform-tree, pytransform3d, and scipy by hand.
+"""The peers that are measured in the same process as tfloom: transform-tree, pytransform3d, and scipy by hand.
 
-What is looked up is a tree's source frame in its target frame.
+Each looks up a tree's source frame in its target frame.
 """
 
 from __future__ import annotations
@@ -26,11 +26,11 @@ def fill(tree: Tree, buffer: Buffer | None = None) -> Buffer:
 
 
 class UnableError(Exception):
-    """A peer can't look this tree up."""
+    """A peer cannot look up frames in this tree."""
 
 
 class Scipy:
-    """What people write by hand: np.interp for positions, Slerp for rotations, link by link."""
+    """A lookup as written by hand: np.interp for positions, Slerp for rotations, link by link."""
 
     name = "scipy by hand"
     module = "scipy"
@@ -105,7 +105,7 @@ class Pytransform3d:
 
 
 class TransformTree:
-    """transform-tree, whose module is tf_tree: with a plan compiled before, and into an array made before."""
+    """transform-tree, whose module is tf_tree, with a precompiled plan and a preallocated array."""
 
     name = "transform-tree"
     module = "tf_tree"
@@ -113,7 +113,7 @@ class TransformTree:
 
     def __init__(self, tree: Tree) -> None:
         tf_tree = importlib.import_module("tf_tree")
-        # Its default interpolates along a screw: tf2's way is asked for.
+        # By default it interpolates along a screw; "lerpslerp" is tf2's interpolation.
         self.tree = tf_tree.build(tree.edges, capacity=len(tree.stamps_ns), interp="lerpslerp")
         for link, (parent, child) in enumerate(tree.edges):
             wxyz = np.roll(tree.rotations_xyzw[link], 1, axis=1)
@@ -140,7 +140,7 @@ PEERS: list[Any] = [TransformTree, Scipy, Pytransform3d]
 
 
 def peers_of(tree: Tree) -> dict[str, Any]:
-    """Return those that are installed, by name, each filled with the tree; say who can't answer it."""
+    """Return the installed peers by name, each filled with the tree; print which of them cannot look it up."""
     peers = {}
     for peer in PEERS:
         if importlib.util.find_spec(peer.module) is None:

@@ -1,4 +1,4 @@
-"""The trees that all peers are filled with: chains of frames and a humanoid, sampled at a constant rate."""
+"""The trees of the benchmarks: chains of frames and a humanoid, sampled at a constant rate."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ LENGTH_S = 10
 
 
 class Tree(NamedTuple):
-    """Frames whose links all move smoothly, and the two that are asked for."""
+    """Frames whose links all move smoothly, and the two frames to look up."""
 
     edges: list[tuple[str, str]]
-    """(frame_id, child_frame_id) of each."""
+    """(frame_id, child_frame_id) of each link."""
     target_frame: str
     source_frame: str
     stamps_ns: NDArray[np.int64]
-    """(N,) the same for every link."""
+    """(N,), the same for every link."""
     positions: NDArray[np.float64]
     """(edges, N, 3) [m]"""
     rotations_xyzw: NDArray[np.float64]
@@ -27,7 +27,7 @@ class Tree(NamedTuple):
 
     @property
     def middle_ns(self) -> int:
-        """A time in the middle, between two samples."""
+        """A time in the middle of the history, between two samples."""
         count = len(self.stamps_ns)
         return int(self.stamps_ns[count // 2] + self.stamps_ns[count // 2 + 1]) // 2
 
@@ -54,13 +54,13 @@ class Tree(NamedTuple):
 
 
 def chain(depth: int, rate_hz: int) -> Tree:
-    """Return f0 - f1 - … - f`depth`, asked for from one end to the other."""
+    """Return the chain f0 - f1 - … - f`depth`, to be looked up from one end to the other."""
     edges = [(f"f{link}", f"f{link + 1}") for link in range(depth)]
     return _moving(edges, "f0", f"f{depth}", rate_hz)
 
 
 def humanoid(rate_hz: int) -> Tree:
-    """Return a body of a hundred frames, asked for from a finger to a foot."""
+    """Return a body of a hundred frames, to be looked up from a finger to a foot."""
     edges = _limb("pelvis", "spine", 4) + _limb("spine4", "head", 4)
     for side in ("left", "right"):
         edges += _limb("pelvis", f"{side}_leg", 9) + _limb("spine4", f"{side}_arm", 9)

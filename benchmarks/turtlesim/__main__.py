@@ -1,7 +1,7 @@
-"""Turtles that move, draw and publish: how much of a core they take at 62.5 steps a second, how even their poses are.
+"""Measure turtles that move, draw and publish: their share of a core at 62.5 steps a second, and the jitter of poses.
 
-Each number of turtles is a process of its own on DDS. Jitter is by how much the time between two poses of a turtle,
-as they are published, misses 16 ms.
+Each number of turtles is measured in its own process on DDS. Jitter is the difference between 16 ms and the time
+between two published poses of a turtle.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ MEASURED_S = 5.0
 
 
 class CrowdedNode(TurtlesimNode):
-    """Many turtles, each on a circle of its own; notes when it publishes the first one's pose."""
+    """Many turtles, each on its own circle; records the times at which it publishes the first one's pose."""
 
     def __init__(self, count: int) -> None:
         super().__init__()
@@ -42,7 +42,7 @@ class CrowdedNode(TurtlesimNode):
 
 
 def measure(count: int) -> None:
-    """Print what `count` turtles take."""
+    """Print the share of a core and the jitter of `count` turtles."""
     init(args=["--ros-args", "--log-level", "error"])
     node = CrowdedNode(count)
     executor = SingleThreadedExecutor()
@@ -72,7 +72,7 @@ def spin_for(executor: SingleThreadedExecutor, duration_s: float) -> None:
 
 
 def main() -> None:
-    """Measure each number of turtles in a process of its own."""
+    """Measure each number of turtles in its own process."""
     environment = os.environ | {
         "ROS_DOMAIN_ID": str(DOMAIN_ID),
         "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",

@@ -1,6 +1,6 @@
-"""Send a goal to an action, print its feedback and its result; with `cancel_after`, cancel it on the way.
+"""Send a goal to an action, and print its feedback and its result; with `cancel_after`, cancel it before it ends.
 
-`-p order:=10` says how many numbers, `-p cancel_after:=3` after how many of them to cancel (0: never).
+`-p order:=10` sets how many numbers, `-p cancel_after:=3` after how many of them to cancel (0: never).
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ ENDS = {
 
 
 class FibonacciClient(Node):
-    """Wants Fibonacci numbers."""
+    """A client of the action /fibonacci."""
 
     def __init__(self) -> None:
         super().__init__("fibonacci_client")
@@ -35,7 +35,7 @@ class FibonacciClient(Node):
         self.goal_handle: ClientGoalHandle | None = None
 
     def on_feedback(self, message: Any) -> None:
-        """Print how far it is; cancel when it is far enough."""
+        """Print the feedback; cancel the goal after `cancel_after` numbers."""
         sequence = message.feedback.sequence
         self.get_logger().info(f"So far {list(sequence)}")
         if len(sequence) - 2 == self.get_parameter("cancel_after").value and self.goal_handle is not None:
@@ -43,7 +43,7 @@ class FibonacciClient(Node):
             self.goal_handle.cancel_goal_async()
 
     def pursue(self) -> int:
-        """Send the goal and wait for its end; returns the status that the goal ended with."""
+        """Send the goal, wait for its end, and return its final status."""
         log = self.get_logger()
         if not self.client.wait_for_server(timeout_sec=10.0):
             log.error("There is no server")

@@ -1,4 +1,4 @@
-"""Serve an action: compute Fibonacci numbers with feedback, and stop when the client cancels."""
+"""Offer an action that computes Fibonacci numbers with feedback, and stops when the client cancels."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from rclpy.node import Node
 
 
 class FibonacciServer(Node):
-    """Offers the action /fibonacci; it takes its time, so it needs an executor with more than one thread."""
+    """A server of the action /fibonacci; its callback is slow, so it needs an executor with more than one thread."""
 
     def __init__(self) -> None:
         super().__init__("fibonacci_server")
@@ -30,18 +30,18 @@ class FibonacciServer(Node):
         )
 
     def on_goal(self, goal: Fibonacci.Goal) -> GoalResponse:
-        """Accept an order that makes sense."""
+        """Accept a goal whose order is valid."""
         if 0 <= goal.order <= 40:
             return GoalResponse.ACCEPT
         self.get_logger().warning(f"Rejected the order {goal.order}")
         return GoalResponse.REJECT
 
     def on_cancel(self, goal_handle: ServerGoalHandle) -> CancelResponse:
-        """Let any goal be canceled."""
+        """Accept each request to cancel."""
         return CancelResponse.ACCEPT
 
     def execute(self, goal_handle: Any) -> Fibonacci.Result:
-        """Compute a number each tenth of a second."""
+        """Compute a number every 0.1 s."""
         sequence = [0, 1]
         for _ in range(goal_handle.request.order):
             if goal_handle.is_cancel_requested:

@@ -1,4 +1,4 @@
-"""Call a service from a timer's callback, which takes groups and threads, while another timer goes on."""
+"""Call a service from a timer's callback while another timer runs, with callback groups and threads."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from std_srvs.srv import Trigger
 
 
 class SlowServer(Node):
-    """Answers after half a second, and can answer several at once."""
+    """Responds after 0.5 s, to several requests at once."""
 
     def __init__(self) -> None:
         super().__init__("slow_server")
@@ -28,7 +28,7 @@ class SlowServer(Node):
 
 
 class Caller(Node):
-    """Waits for the answer in a callback; a second group keeps the heart beating meanwhile."""
+    """Waits for the response in a callback; a second callback group lets the other timer run meanwhile."""
 
     def __init__(self) -> None:
         super().__init__("caller")

@@ -1,4 +1,4 @@
-"""Run several nodes of one process in one executor, each with a name, a namespace and remapped topics of its own."""
+"""Run several nodes of one process in one executor, each with its own name, namespace and remapped topics."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Source(Node):
 
 
 class Square(Node):
-    """Hands on the square of each number, from `numbers` to `squares`."""
+    """Publishes the square of each number from `numbers` on `squares`."""
 
     def __init__(self, name: str, remappings: dict[str, str]) -> None:
         rules = [word for old, new in remappings.items() for word in ("-r", f"{old}:={new}")]
@@ -38,7 +38,7 @@ class Square(Node):
 
 
 def make_nodes() -> list[Node]:
-    """Return a source and two squares, the second fed by the first."""
+    """Return a source and two squaring nodes; the second one's input is the first one's output."""
     return [
         Source("source"),
         Square("first", {}),

@@ -1,6 +1,6 @@
 """Await one service in the callback of another: coroutines, on one thread.
 
-A coroutine holds its callback group until it ends; so what it awaits is in another group.
+A coroutine occupies its callback group until it ends, so the client that it awaits is in another group.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from rclpy.node import Node
 
 
 class Doubler(Node):
-    """Offers /double_sum, for which it asks /add_two_ints."""
+    """A server of /double_sum, which calls /add_two_ints."""
 
     def __init__(self) -> None:
         super().__init__("doubler")
@@ -32,7 +32,7 @@ class Doubler(Node):
 
 
 class Asker(Node):
-    """Asks /double_sum each half a second."""
+    """Calls /double_sum every 0.5 s."""
 
     def __init__(self) -> None:
         super().__init__("asker")
@@ -52,7 +52,7 @@ class Asker(Node):
 
 
 async def greet(node: Node) -> str:
-    """Run as a task of an executor, beside the callbacks."""
+    """Run as a task of the executor, beside the callbacks."""
     node.get_logger().info("A task greets you")
     return node.get_name()
 

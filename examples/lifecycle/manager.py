@@ -1,4 +1,4 @@
-"""Drive a managed node through its life."""
+"""Change the state of a managed node, through its whole life cycle."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Manager(Node):
         self.getter = self.create_client(GetState, "sensor/get_state")
 
     def change(self, transition: int) -> bool:
-        """Ask for a transition; False if the node can't, or fails in it."""
+        """Request a transition; return False if the node does not have it in its state, or fails in it."""
         request = ChangeState.Request(transition=Transition(id=transition))
         future = self.changer.call_async(request)
         rclpy.spin_until_future_complete(self, future)
@@ -36,14 +36,14 @@ class Manager(Node):
         return response is not None and response.success
 
     def state(self) -> State:
-        """Ask for the state."""
+        """Return the node's state."""
         future = self.getter.call_async(GetState.Request())
         rclpy.spin_until_future_complete(self, future)
         response = future.result()
         return response.current_state if response is not None else State()
 
     def drive(self) -> bool:
-        """Go through all states; False if one could not be reached."""
+        """Go through all states; return False if one is not reached."""
         log = self.get_logger()
         if not (self.changer.wait_for_service(10.0) and self.getter.wait_for_service(10.0)):
             log.error("There is no sensor")

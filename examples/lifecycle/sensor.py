@@ -1,4 +1,4 @@
-"""A managed node: others configure it, switch it on and off, and shut it down."""
+"""A managed node, which other nodes configure, activate, deactivate and shut down."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from std_msgs.msg import Float64
 
 
 class Sensor(LifecycleNode):
-    """Measures while it is active."""
+    """Publishes measurements while it is active."""
 
     def __init__(self) -> None:
         super().__init__("sensor")
@@ -21,7 +21,7 @@ class Sensor(LifecycleNode):
         self.count = 0
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Get all that is needed; a lifecycle publisher is silent until the node is active."""
+        """Create the publisher and the timer; a lifecycle publisher is silent until the node is active."""
         self.publisher = self.create_lifecycle_publisher(Float64, "measured", 10)
         self.timer = self.create_timer(0.1, self.measure)
         self.get_logger().info("Configured")
@@ -36,17 +36,17 @@ class Sensor(LifecycleNode):
         return super().on_deactivate(state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        self.let_go()
+        self.destroy_entities()
         self.get_logger().info("Cleaned up")
         return super().on_cleanup(state)
 
     def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
-        self.let_go()
+        self.destroy_entities()
         self.get_logger().info("Shut down")
         return super().on_shutdown(state)
 
-    def let_go(self) -> None:
-        """Undo what `on_configure` did."""
+    def destroy_entities(self) -> None:
+        """Destroy what `on_configure` created."""
         if self.timer is not None:
             self.destroy_timer(self.timer)
             self.timer = None

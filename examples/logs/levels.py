@@ -1,4 +1,4 @@
-"""Log: five severities, a child with a level of its own, and lines that come once, seldom or not at first."""
+"""Log with five severities, a child logger with its own level, and texts logged once, throttled or not at first."""
 
 from __future__ import annotations
 

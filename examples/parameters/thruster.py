@@ -1,4 +1,4 @@
-"""Declare parameters, describe them, and answer when others set them."""
+"""Declare parameters, describe them, and handle changes by other nodes."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rclpy.parameter import Parameter
 
 
 class Thruster(Node):
-    """Has a thrust between 0 and 10 N, a side to push to, and a serial number that nobody changes."""
+    """A thrust between 0 and 10 N, a side to push to, and a read-only serial number."""
 
     def __init__(self) -> None:
         super().__init__("thruster")
@@ -26,21 +26,21 @@ class Thruster(Node):
         self.get_logger().info(f"Thrust {self.get_parameter('thrust').value} N")
 
     def before_set(self, parameters: list[Parameter]) -> list[Parameter]:
-        """Change what is asked for: a new side starts with little thrust."""
+        """Modify the requested values: a new side starts with little thrust."""
         names = [parameter.name for parameter in parameters]
         if "side" in names and "thrust" not in names:
             return [*parameters, Parameter("thrust", Parameter.Type.DOUBLE, 0.5)]
         return parameters
 
     def on_set(self, parameters: list[Parameter]) -> SetParametersResult:
-        """Accept or refuse; nothing is set yet."""
+        """Accept or reject the values, before they are set."""
         for parameter in parameters:
             if parameter.name == "side" and parameter.value not in ("left", "right"):
                 return SetParametersResult(successful=False, reason=f"there is no side {parameter.value}")
         return SetParametersResult(successful=True)
 
     def after_set(self, parameters: list[Parameter]) -> None:
-        """Act on what is set now."""
+        """Act on the values after they are set."""
         for parameter in parameters:
             self.get_logger().info(f"Now {parameter.name} is {parameter.value}")
 

@@ -14,19 +14,19 @@ from rclpy.task import Future
 
 
 class Tuner(Node):
-    """Sets what the thruster does."""
+    """Sets the thruster's parameters."""
 
     def __init__(self) -> None:
         super().__init__("tuner")
         self.parameters = AsyncParameterClient(self, "thruster")
 
     def finish(self, future: Future[Any]) -> Any:
-        """Spin until an answer is there, and return it."""
+        """Spin until the response is received, and return it."""
         rclpy.spin_until_future_complete(self, future)
         return future.result()
 
     def tune(self) -> bool:
-        """Show what there is, and set it, well and badly; False if the thruster isn't there."""
+        """Print the parameters, and set valid and invalid values; return False if the thruster is not running."""
         log = self.get_logger()
         if not self.parameters.wait_for_services(timeout_sec=10.0):
             log.error("There is no thruster")

@@ -1,4 +1,4 @@
-"""Watch a parameter of another node, wherever it is set from."""
+"""Watch a parameter of another node, whichever node sets it."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rclpy.parameter_event_handler import ParameterEventHandler
 
 
 class Watch(Node):
-    """Tells when the thruster's thrust changes."""
+    """Logs each change of the thruster's thrust."""
 
     def __init__(self) -> None:
         super().__init__("watch")

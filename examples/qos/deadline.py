@@ -1,4 +1,4 @@
-"""Ask for a message each 0.2 s, and be told when one is overdue."""
+"""Request a message every 0.2 s, and get an event when one is late."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ PUNCTUAL = QoSProfile(depth=10, deadline=Duration(seconds=0.2))
 
 
 class Promiser(Node):
-    """Promises a message each 0.2 s, keeps it five times, and takes a break."""
+    """Offers a deadline of 0.2 s, meets it five times, and pauses."""
 
     def __init__(self) -> None:
         super().__init__("promiser")
@@ -38,7 +38,7 @@ class Promiser(Node):
 
 
 class Waiter(Node):
-    """Relies on it."""
+    """Requests the deadline, and logs each event."""
 
     def __init__(self) -> None:
         super().__init__("waiter")

@@ -1,4 +1,4 @@
-"""Meet, and don't: a best-effort publisher, a subscription that fits it and one that asks for more."""
+"""Match a best-effort publisher with a compatible subscription, and see an incompatible one."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from std_msgs.msg import String
 
 
 class Radio(Node):
-    """Sends with best effort."""
+    """Publishes with best effort."""
 
     def __init__(self) -> None:
         super().__init__("radio")
@@ -32,7 +32,7 @@ class Radio(Node):
 
 
 class Listeners(Node):
-    """One takes what comes, the other insists on every word."""
+    """One subscription accepts best effort, the other requests reliability."""
 
     def __init__(self) -> None:
         super().__init__("listeners")

@@ -1,4 +1,4 @@
-"""Keep the last message for those who come late: durability transient local."""
+"""Keep the last message for subscriptions that join late: durability transient local."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class MapMaker(Node):
 
 
 class Tourist(Node):
-    """Comes a second later, and gets it all the same."""
+    """Subscribes a second later, and still receives the map."""
 
     def __init__(self) -> None:
         super().__init__("tourist")

@@ -1,4 +1,4 @@
-"""Call a service with `call_async`, and spin until the answer is there."""
+"""Call a service with `call_async`, and spin until its response is received."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from rclpy.node import Node
 
 
 class AddClient(Node):
-    """Asks /add_two_ints."""
+    """A client of /add_two_ints."""
 
     def __init__(self) -> None:
         super().__init__("add_client")
         self.client = self.create_client(AddTwoInts, "add_two_ints")
 
     def ask(self, a: int, b: int) -> int | None:
-        """Return the sum; None if no answer came."""
+        """Return the sum; None if no response was received."""
         while not self.client.wait_for_service(timeout_sec=1.0):
             if not rclpy.ok():
                 return None

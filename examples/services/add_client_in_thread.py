@@ -12,11 +12,11 @@ from rclpy.node import Node
 
 
 def add_up(node: Node, client: Client, numbers: list[int]) -> int:
-    """Return the sum of `numbers`, one call for each; something else has to spin `node`."""
+    """Return the sum of `numbers`, by one call for each; another thread must spin `node`."""
     total = 0
     for number in numbers:
         response = client.call(AddTwoInts.Request(a=total, b=number))
-        if response is None:  # shut down meanwhile
+        if response is None:  # the context was shut down
             break
         node.get_logger().info(f"{total} + {number} = {response.sum}")
         total = response.sum

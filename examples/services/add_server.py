@@ -1,4 +1,4 @@
-"""Serve: add two integers for whoever asks."""
+"""Offer a service that adds two integers."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from rclpy.node import Node
 
 
 class AddServer(Node):
-    """Offers /add_two_ints."""
+    """A server of /add_two_ints."""
 
     def __init__(self) -> None:
         super().__init__("add_server")

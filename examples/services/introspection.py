@@ -1,4 +1,4 @@
-"""Look on: a service and its client publish what goes and comes, for a third to read."""
+"""Observe a service: server and client publish an event for each request and response."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ KINDS = {
 
 
 class WatchedAdder(Node):
-    """Adds for itself, in the open."""
+    """Calls its own service, with introspection on."""
 
     def __init__(self) -> None:
         super().__init__("watched_adder")
         self.service = self.create_service(
             AddTwoInts, "watched_add", self.on_request, callback_group=MutuallyExclusiveCallbackGroup()
         )
-        group = MutuallyExclusiveCallbackGroup()  # not the timer's, which waits for it
+        group = MutuallyExclusiveCallbackGroup()  # not the timer's, whose callback waits
         self.client = self.create_client(AddTwoInts, "watched_add", callback_group=group)
         for end in (self.service, self.client):
             end.configure_introspection(
@@ -47,7 +47,7 @@ class WatchedAdder(Node):
 
 
 class Watcher(Node):
-    """Prints the events of a service."""
+    """Prints the events of the service."""
 
     def __init__(self) -> None:
         super().__init__("watcher")

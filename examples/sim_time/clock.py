@@ -1,4 +1,4 @@
-"""Be the clock of a simulation: publish /clock, ten simulated seconds in each real one."""
+"""Publish the /clock of a simulation: ten simulated seconds in each real second."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ STEP = Duration(seconds=0.2)
 
 
 class SimulationClock(Node):
-    """Begins at 100 s; steps by a timer on a steady clock, for its own time is the one it makes."""
+    """Starts at 100 s. Its timer uses a steady clock, because the node's own clock follows /clock."""
 
     def __init__(self) -> None:
         super().__init__("simulation_clock")

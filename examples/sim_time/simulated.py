@@ -1,4 +1,4 @@
-"""Live in simulated time: a timer of one second that goes by /clock."""
+"""Use simulated time: a timer of one second that follows /clock."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from rclpy.parameter import Parameter
 
 
 class Simulated(Node):
-    """Ticks each simulated second; other nodes are told by `-p use_sim_time:=true`."""
+    """Logs each simulated second. For other nodes, set the parameter by `-p use_sim_time:=true`."""
 
     def __init__(self) -> None:
         super().__init__(

@@ -1,4 +1,4 @@
-"""Add a frame to another's tree: a carrot that is carried a metre ahead of the robot."""
+"""Add a frame to an existing tree: a carrot one metre ahead of the robot."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from tf2_ros import TransformBroadcaster
 
 
 class FixedFrame(Node):
-    """Broadcasts base to carrot; the offset is the same each time, but may be changed, which a static one isn't."""
+    """Broadcasts base to carrot. The offset is constant here, but may change, unlike that of a static transform."""
 
     def __init__(self) -> None:
         super().__init__("fixed_frame")

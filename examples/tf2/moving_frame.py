@@ -1,4 +1,4 @@
-"""Say again and again where a frame is that moves: a robot that drives on a circle."""
+"""Broadcast a moving frame: a robot that drives on a circle."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class MovingFrame(Node):
         self.timer = self.create_timer(0.02, self.on_timer)
 
     def pose(self, now: Time) -> TransformStamped:
-        """Return where the base is, on the circle around the world's origin, looking ahead."""
+        """Return the base's pose on a circle around the world's origin, facing ahead."""
         angle = TURN_RAD_S * (now - self.start).nanoseconds / 1e9
         heading = angle + math.pi / 2
         transform = TransformStamped()

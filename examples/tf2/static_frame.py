@@ -1,4 +1,4 @@
-"""Say once where a frame is that never moves: the laser on its robot."""
+"""Broadcast a static frame once: the laser on its robot."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from tf2_ros import StaticTransformBroadcaster
 
 
 class StaticFrame(Node):
-    """Broadcasts base to laser: 0.2 m ahead, 0.5 m up, looking back."""
+    """Broadcasts base to laser: 0.2 m ahead, 0.5 m up, facing back."""
 
     def __init__(self) -> None:
         super().__init__("static_frame")

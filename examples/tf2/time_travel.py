@@ -1,4 +1,4 @@
-"""Ask where the base is now as seen from where it was half a second ago: two times, and a frame fixed between them."""
+"""Look up the base's pose now relative to its pose 0.5 s ago: two times, and a fixed frame between them."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from tf2_ros import Buffer, TransformException, TransformListener
 
 
 class TimeTravel(Node):
-    """Looks back five times a second."""
+    """Looks up the base's motion five times a second."""
 
     def __init__(self) -> None:
         super().__init__("time_travel")
@@ -44,7 +44,7 @@ class TimeTravel(Node):
 
 def main(args: list[str] | None = None) -> None:
     rclpy.init(args=args)
-    executor = MultiThreadedExecutor()  # transforms come in while a callback waits for them
+    executor = MultiThreadedExecutor()  # transforms are received while a callback waits for them
     try:
         executor.add_node(TimeTravel())
         executor.spin()

@@ -1,9 +1,9 @@
-"""Ask where a frame is: the latest known, now with a timeout, and for a point."""
+"""Look up a frame: at the latest known time, now with a timeout, and for a point."""
 
 from __future__ import annotations
 
 import rclpy
-import tf2_geometry_msgs  # noqa: F401  # it teaches the buffer what a PointStamped is
+import tf2_geometry_msgs  # noqa: F401  # registers PointStamped with the buffer
 from geometry_msgs.msg import PointStamped
 from rclpy.duration import Duration
 from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
@@ -13,7 +13,7 @@ from tf2_ros import Buffer, TransformException, TransformListener
 
 
 class Where(Node):
-    """Looks five times a second where the laser is in the world."""
+    """Looks up the laser's pose in the world five times a second."""
 
     def __init__(self) -> None:
         super().__init__("where")
@@ -42,7 +42,7 @@ class Where(Node):
 
 def main(args: list[str] | None = None) -> None:
     rclpy.init(args=args)
-    executor = MultiThreadedExecutor()  # transforms come in while a callback waits for them
+    executor = MultiThreadedExecutor()  # transforms are received while a callback waits for them
     try:
         executor.add_node(Where())
         executor.spin()

@@ -1,4 +1,4 @@
-"""Subscribe to a topic, and print what comes."""
+"""Subscribe to a topic, and print each message."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from std_msgs.msg import String
 
 
 class Listener(Node):
-    """Hears what is said on /chatter."""
+    """Logs the messages of /chatter."""
 
     def __init__(self) -> None:
         super().__init__("listener")

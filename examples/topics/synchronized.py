@@ -1,4 +1,4 @@
-"""Bring the messages of two sensors together by their stamps, with message_filters."""
+"""Match the messages of two sensors by their stamps, with message_filters."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from sensor_msgs.msg import FluidPressure, Temperature
 
 
 class Weather(Node):
-    """Measures temperature and pressure, one a little after the other."""
+    """Publishes temperature and pressure, shortly after each other."""
 
     def __init__(self) -> None:
         super().__init__("weather")
@@ -30,7 +30,7 @@ class Weather(Node):
 
 
 class Station(Node):
-    """Prints each temperature with the pressure nearest to it in time."""
+    """Prints each temperature with the pressure nearest in time."""
 
     def __init__(self) -> None:
         super().__init__("station")

@@ -9,7 +9,7 @@ from std_msgs.msg import String
 
 
 class Talker(Node):
-    """Says hello, and counts."""
+    """Publishes a numbered text on /chatter."""
 
     def __init__(self) -> None:
         super().__init__("talker")

@@ -1,4 +1,4 @@
-"""Wait for one message, with no callback, and go on."""
+"""Wait for one message without a callback."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from std_msgs.msg import String
 
 
 def wait(node: Node, seconds: float = 10.0) -> bool:
-    """Log the next message of /chatter; False if none comes in time."""
+    """Log the next message of /chatter; return False if none is received in time."""
     found, message = wait_for_message(String, node, "chatter", time_to_wait=seconds)
     if found:
         node.get_logger().info(f"The next words: {message.data}")

@@ -1,4 +1,4 @@
-// The families of bindings, one file each; module.cpp puts them into tfloom._native.
+// The families of bindings, one file each; module.cpp adds them to tfloom._native.
 #pragma once
 
 #include <nanobind/nanobind.h>

@@ -1,5 +1,5 @@
-// A Python callable that C++ may copy, call and drop on any thread. On a thread that must not wait, calls and drops are
-// deferred.
+// A Python callable that C++ may copy, call and destroy on any thread. On a thread that must not wait for the GIL,
+// calls and the release of the callable are deferred.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -26,13 +26,13 @@ class Callback {
   explicit Callback(nanobind::callable callable)
       : callable_(callable.release().ptr(), [](PyObject* object) {
           if (DeferredQueue* queue = DeferredQueue::current()) {
-            queue->defer([object] { drop(object); });
+            queue->defer([object] { release(object); });
           } else {
-            drop(object);
+            release(object);
           }
         }) {}
 
-  // What the callable raises is reported as unraisable: there's no caller who could take it.
+  // An exception of the callable is reported as unraisable, because no Python caller could handle it.
   template <class... Args>
   void operator()(Args&&... args) const {
     if (DeferredQueue* queue = DeferredQueue::current()) {
@@ -53,7 +53,7 @@ class Callback {
   }
 
  private:
-  static void drop(PyObject* object) {
+  static void release(PyObject* object) {
     if (python_is_ending()) return;
     const nanobind::gil_scoped_acquire gil;
     Py_DECREF(object);

@@ -50,7 +50,7 @@ constexpr std::array<std::pair<const char*, Shape>, 4> shapes{{{"", Shape::singl
                                                                {"bounded", Shape::bounded},
                                                                {"unbounded", Shape::unbounded}}};
 
-// Where the member that __slots__ made for a field lies in the object.
+// Return the offset of the member that __slots__ created for a field [octets].
 Py_ssize_t slot_offset(const nb::handle& type, const std::string& field) {
   const nb::object member = type.attr(("_" + field).c_str());
   if (Py_TYPE(member.ptr()) != &PyMemberDescr_Type) {
@@ -63,17 +63,12 @@ void init_plan(ObjectPlan* self, const nb::type_object& message_class, const std
   new (self) ObjectPlan;
   self->name = name;
   self->type = reinterpret_cast<PyTypeObject*>(message_class.ptr());
-  self->finish();
+  self->update_least_size();
 }
 
-// After the last field: until then nothing needs the pool.
+// Must be called after the last field is added.
 void complete_plan(ObjectPlan& plan) {
   plan.pool.manage(plan.type, plan.fields.size());
-#ifndef Py_GIL_DISABLED  // two threads may assign at once
-  plan.is_leaf = !plan.fields.empty() && std::ranges::all_of(plan.fields, [](const cdr::Field& field) {
-    return field.shape == Shape::single && field.kind != Kind::message;
-  });
-#endif
 }
 
 void add_field(ObjectPlan& plan, const std::string& name, const std::string& kind, const std::string& shape,
@@ -93,7 +88,7 @@ void add_field(ObjectPlan& plan, const std::string& name, const std::string& kin
   slot.empty = empty;
   plan.fields.push_back(std::move(field));
   plan.slots.push_back(std::move(slot));
-  plan.finish();
+  plan.update_least_size();
 }
 
 [[noreturn]] void raise(const nb::object& error_class, const std::string& text, nb::object path, nb::object reason,
@@ -110,7 +105,7 @@ std::string whole_path(const cdr::Plan& plan, const cdr::PathError& error) {
   return std::string(plan.base_name()) + (error.path.empty() ? "" : "." + error.path);
 }
 
-// The bytes object that is written; it starts as large as the last message of the same type.
+// The bytes object into which a message is encoded.
 class BytesStorage {
  public:
   std::span<std::byte> resize(std::size_t size) {
@@ -181,20 +176,20 @@ nb::object decode(const nb::type_object& message_class, const nb::handle& data) 
 
 void bind_cdr(nb::module_& m) {
   bind_message_base(m);
-  nb::class_<ObjectPlan>(m, "Plan", "What the codec knows of a message class: its fields and where they lie.")
-      .def("__init__", &init_plan, "message_class"_a, "name"_a, "Start a plan that has no fields yet.")
+  nb::class_<ObjectPlan>(m, "Plan", "The codec's description of a message class: its fields and their positions.")
+      .def("__init__", &init_plan, "message_class"_a, "name"_a, "Create a plan without fields.")
       .def("add_field", &add_field, "name"_a, "kind"_a, "shape"_a, "count"_a, "string_bound"_a,
            "message_class"_a.none(), "initial"_a.none(), "copies"_a, "empty"_a.none(),
            "Add the next field.\n\n"
-           "`kind` is a primitive's name or 'message', `shape` '', 'array', 'bounded' or 'unbounded'. `initial` is "
-           "its default, which `copies` says to copy for each message. `empty` is a numeric array as it is before "
-           "anything is read into it.");
+           "`kind` is a primitive's name or 'message'; `shape` is '', 'array', 'bounded' or 'unbounded'. `initial` is "
+           "the default; with `copies`, each message gets a copy of it. `empty` is the array that is copied and filled "
+           "when a numeric array is decoded.");
   m.def("complete_plan", &complete_plan, "plan"_a,
-        "Complete a plan after its last field: its class's objects are made and freed by it from now on.");
-  m.def("encode", &encode, "message"_a, "Give a message as encapsulation header and CDR, little-endian, not padded.");
+        "Complete a plan after its last field. From now on it allocates and frees the objects of its class.");
+  m.def("encode", &encode, "message"_a, "Return a message as encapsulation header and CDR, little-endian, not padded.");
   m.def("decode", &decode, "message_class"_a, "data"_a,
         nb::sig("def decode(message_class: type, data: object) -> typing.Any"),
-        "Build a message of `message_class` from encapsulation header and CDR.");
+        "Return a message of `message_class`, decoded from encapsulation header and CDR.");
   m.def(
       "set_message_hooks",
       [](nb::object compile, nb::object convert, nb::object check, nb::object check_names, nb::object encode_error,
@@ -203,7 +198,7 @@ void bind_cdr(nb::module_& m) {
                            std::move(check_names), std::move(encode_error), std::move(decode_error)};
       },
       "compile"_a, "convert"_a, "check"_a, "check_names"_a, "encode_error"_a, "decode_error"_a,
-      "Say how classes are compiled, arrays converted and fields checked, and which errors the codec raises.");
+      "Set the functions that compile classes, convert arrays and check fields, and the errors that the codec raises.");
 }
 
 }  // namespace tfloom::bindings

@@ -53,11 +53,11 @@ nb::list take_samples(SampleQueue& queue) {
 void bind_core(nb::module_& m) {
   m.def("block_gil_reacquire_at_exit", &block_gil_reacquire_at_exit,
         "Block every other thread that reacquires the GIL after a native call, from now on.\n\n"
-        "For the end of the program, because Python would end such threads, and the process with them. Registered "
-        "with `atexit`; calling it again does nothing.");
+        "Called at the end of the program, because Python would end such threads, and the process with them. "
+        "Registered with `atexit`; calling it again does nothing.");
   nb::module_::import_("atexit").attr("register")(m.attr("block_gil_reacquire_at_exit"));
 
-  nb::class_<Sink>(m, "Sink", "Takes serialized samples without Python; see `Reader.feed`.")
+  nb::class_<Sink>(m, "Sink", "A receiver of serialized samples that needs no Python; see `Reader.feed`.")
       .def(
           "push",
           [](Sink& sink, const nb::bytes& data, std::int64_t source_stamp_ns, std::int64_t received_stamp_ns,
@@ -71,21 +71,21 @@ void bind_core(nb::module_& m) {
           "Push one sample: encapsulation header and CDR, stamps [ns since epoch], 16 octets of gid.");
 
   nb::class_<SampleQueue, Sink>(m, "SampleQueue",
-                                "A sink that keeps the newest samples, for Python to take many at once.")
+                                "A sink that stores the newest samples until Python takes them.")
       .def(nb::init<std::size_t>(), "depth"_a)
       .def("take", &take_samples, nb::sig("def take(self) -> list[tuple[bytes, int, int, bytes]]"),
-           "Remove and return all: (data, source stamp, received stamp, gid) each.")
+           "Remove and return all samples, each as (data, source stamp, received stamp, gid).")
       .def("pushed", &SampleQueue::pushed, "Return how many samples have ever been pushed.");
 
   nb::class_<ReadyQueue>(m, "ReadyQueue",
-                         "Tokens of entities that have something to do: any thread posts, one thread waits.")
+                         "A queue of tokens of entities that are ready: any thread may post, one thread waits.")
       .def(nb::init<>())
       .def("post", &ReadyQueue::post, "token"_a, nb::call_guard<ReleasedGil>(),
-           "Post a token. One that is posted again before it is taken is taken once.")
+           "Post a token. A token that is posted again before it is taken is taken once.")
       .def("wait", &wait_for_tokens, "timeout_ns"_a,
            "Wait for tokens and take all of them, in order of first posting.\n\n"
-           "Does not wait with a timeout of 0, waits for ever with a negative one. Empty on a timeout. Releases "
-           "the GIL; a signal's Python handler runs at once, and what it raises is raised here.");
+           "Does not wait if the timeout is 0, and waits without limit if it is negative. Returns an empty list on a "
+           "timeout. Releases the GIL. A signal's Python handler runs at once, and its exception is raised here.");
 }
 
 }  // namespace tfloom::bindings

@@ -18,7 +18,7 @@ using namespace nb::literals;
 namespace tfloom::bindings {
 namespace {
 
-// tfloom.rmw.qos.QoS, field by field.
+// The fields of tfloom.rmw.qos.QoS.
 using QosFields =
     std::tuple<int, int, int, std::int32_t, std::int64_t, std::int64_t, int, std::int64_t>;
 
@@ -81,16 +81,17 @@ template <typename Endpoint>
 void bind_endpoint(nb::class_<Endpoint>& endpoint) {
   endpoint
       .def_prop_ro("gid", [](const Endpoint& self) { return to_bytes(self.gid()); }, "16 octets.")
-      .def("matched_count", &Endpoint::matched_count, "Return how many peers are connected now.")
+      .def("matched_count", &Endpoint::matched_count, "Return how many peers are matched now.")
       .def("matched", &matched<Endpoint>, nb::sig("def matched(self) -> list[tuple[bytes, bytes]]"),
-           "Return the gid and the user data of each peer that is connected now.")
+           "Return the gid and the user data of each peer that is matched now.")
       .def(
           "notify_event",
           [](Endpoint& self, int event, ReadyQueue* queue, ReadyQueue::Token token) {
             self.notify_event(static_cast<dds::Event>(event), queue, token);
           },
           "event"_a, "queue"_a.none(), "token"_a, nb::keep_alive<1, 3>(),
-          "Post `token` to `queue` when `event` (tfloom.rmw.events.Event) may have news; None ends it.")
+          "Post `token` to `queue` when the status of `event` (tfloom.rmw.events.Event) may have changed; None ends "
+          "it.")
       .def("take_event", &take_event<Endpoint>, "event"_a,
            nb::sig("def take_event(self, event: int) -> tuple[int, int, int, int] | None"),
            "Return the fields of the event's status, padded with zeros, or None if nothing has changed.");
@@ -128,14 +129,14 @@ void bind_participant(nb::module_& m) {
             new (self) dds::Participant(dds::Library::open(library_path), domain_id, config, user_text);
           },
           "library_path"_a, "domain_id"_a, "config"_a, "user_data"_a,
-          "Join a domain with the libddsc at `library_path`, Cyclone's XML `config` and `user_data` for all to see.")
+          "Join a domain with the libddsc at `library_path`, Cyclone's XML `config` and the published `user_data`.")
       .def_prop_ro("gid", [](const dds::Participant& self) { return to_bytes(self.gid()); }, "16 octets.")
       .def("close", &dds::Participant::close, ReleaseGil(),
-           "Leave the domain; endpoints and graph are to be closed before. Closing again does nothing.");
+           "Leave the domain, after endpoints and graph are closed. Closing again does nothing.");
 }
 
 void bind_writer(nb::module_& m) {
-  nb::class_<dds::Writer> writer(m, "DdsWriter", "The sending end of a DDS topic.");
+  nb::class_<dds::Writer> writer(m, "DdsWriter", "A writer of a DDS topic.");
   bind_endpoint(writer);
   writer
       .def(
@@ -147,16 +148,16 @@ void bind_writer(nb::module_& m) {
             new (self) dds::Writer(participant, {topic_name, type_name}, to_qos(qos), user_text);
           },
           "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a, "user_data"_a, nb::keep_alive<1, 2>(),
-          "Offer a topic by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS.")
+          "Create a writer of a topic, given by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS.")
       .def("write", &write, "data"_a, "Send a sample: encapsulation header 00 01 xx xx and little-endian CDR.")
-      .def("assert_liveliness", &dds::Writer::assert_liveliness, ReleaseGil(), "Say that this writer is alive.")
+      .def("assert_liveliness", &dds::Writer::assert_liveliness, ReleaseGil(), "Signal that this writer is alive.")
       .def("wait_for_acks", &dds::Writer::wait_for_acks, "timeout_ns"_a, ReleaseGil(),
-           "Wait until all reliable readers have all that was written; False on a timeout.")
+           "Wait until all reliable readers have acknowledged all samples. Return False on a timeout.")
       .def("close", &dds::Writer::close, ReleaseGil(), "Leave the topic. Closing again does nothing.");
 }
 
 void bind_reader(nb::module_& m) {
-  nb::class_<dds::Reader> reader(m, "DdsReader", "The receiving end of a DDS topic.");
+  nb::class_<dds::Reader> reader(m, "DdsReader", "A reader of a DDS topic.");
   bind_endpoint(reader);
   reader
       .def(
@@ -168,19 +169,19 @@ void bind_reader(nb::module_& m) {
             new (self) dds::Reader(participant, {topic_name, type_name}, to_qos(qos), user_text);
           },
           "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a, "user_data"_a, nb::keep_alive<1, 2>(),
-          "Ask for a topic by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS.")
+          "Create a reader of a topic, given by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS.")
       .def("notify", &dds::Reader::notify, "queue"_a.none(), "token"_a, nb::keep_alive<1, 2>(),
-           "Post `token` to `queue` when there is something to take; None ends it.")
+           "Post `token` to `queue` when there are samples to take; None ends it.")
       .def("take", &take, nb::sig("def take(self) -> tuple[bytes, int, int, bytes] | None"),
            "Remove the oldest sample: (data, source stamp, received stamp, gid), or None.")
       .def("feed", &dds::Reader::feed, "sink"_a, nb::keep_alive<1, 2>(), ReleaseGil(),
-           "Push every sample into `sink` from now on, on a thread without Python.")
+           "Push every further sample into `sink`, on a thread without Python.")
       .def("close", &dds::Reader::close, ReleaseGil(),
-           "Leave the topic; neither queue nor sink are touched afterwards. Closing again does nothing.");
+           "Leave the topic. Afterwards neither queue nor sink is used. Closing again does nothing.");
 }
 
 void bind_graph(nb::module_& m) {
-  nb::class_<dds::Graph>(m, "DdsGraph", "What has been discovered on a DDS domain.")
+  nb::class_<dds::Graph>(m, "DdsGraph", "The participants and endpoints discovered on a DDS domain.")
       .def(
           "__init__",
           [](dds::Graph* self, dds::Participant& participant, const std::string& topic_name,
@@ -190,12 +191,12 @@ void bind_graph(nb::module_& m) {
             new (self) dds::Graph(participant, {topic_name, type_name}, to_qos(qos), user_text);
           },
           "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a, "user_data"_a, nb::keep_alive<1, 2>(),
-          "Listen; the names are those of the topic in which participants list their nodes.")
+          "Start to listen. The names are those of the topic in which participants list their nodes.")
       .def("snapshot", &snapshot,
            nb::sig("def snapshot(self) -> tuple[list[tuple[bytes, bytes, bytes]], list[tuple[bytes, bytes, bool, "
                    "bytes, bytes, bytes, tuple[int, int, int, int, int, int, int, int]]]]"),
            "Return participants (gid, user data, node list) and endpoints (gid, participant's gid, whether a writer, "
-           "topic, type, user data, qos), texts as the bytes that came.")
+           "topic, type, user data, qos), texts as the received bytes.")
       .def("changes", &dds::Graph::changes, ReleaseGil(), "Return a number that grows with each change.")
       .def("notify", &dds::Graph::notify, "queue"_a.none(), "token"_a, nb::keep_alive<1, 2>(),
            "Post `token` to `queue` whenever the graph has changed; None ends it.")

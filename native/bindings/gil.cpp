@@ -32,7 +32,8 @@ ReleasedGil::~ReleasedGil() {
 void block_gil_reacquire_at_exit() {
   ending_thread = std::this_thread::get_id();
   ending = true;
-  // Those that asked before they could see it still get in, and must be in before the interpreter refuses them.
+  // Threads that counted themselves before `ending` was set still acquire the GIL. Wait for them, because they must
+  // acquire it before the interpreter ends.
   PyThreadState* state = PyEval_SaveThread();
   while (reacquiring != 0) std::this_thread::sleep_for(std::chrono::microseconds(100));
   PyEval_RestoreThread(state);

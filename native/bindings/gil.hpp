@@ -1,7 +1,7 @@
-// Releases the GIL for a scope, also in threads that outlive the interpreter.
+// Release the GIL for a scope, also in threads that outlive the interpreter.
 //
-// When Python ends, it ends each daemon thread that acquires the GIL by unwinding its stack, which calls
-// std::terminate, because the frames below a binding are noexcept. So from the end on, no thread acquires it.
+// When the interpreter ends, it unwinds the stack of each daemon thread that acquires the GIL. That calls
+// std::terminate, because the stack frames below a binding are noexcept. So no other thread acquires the GIL at exit.
 #pragma once
 
 #include <Python.h>
@@ -19,8 +19,8 @@ class ReleasedGil {
   PyThreadState* state_;
 };
 
-// Block every other thread at the end of its ReleasedGil, for ever. Call it with the interpreter held, on the thread
-// that ends it.
+// From now on, block every other thread for ever at the end of its ReleasedGil. Must be called with the GIL held, on
+// the thread that ends the interpreter.
 void block_gil_reacquire_at_exit();
 
 }  // namespace tfloom::bindings

@@ -43,7 +43,7 @@ nb::object new_message(const ObjectPlan& plan) {
   for (std::size_t i = 0; i < plan.slots.size(); ++i) {
     put(message.ptr(), plan.offsets[i], initial_value(plan, i));
   }
-  MessagePool::finish(message.ptr());
+  MessagePool::track(message.ptr());
   return message;
 }
 
@@ -66,7 +66,7 @@ void init(PyObject* self, PyObject* args, PyObject* kwargs) {
     throw nb::type_error((std::string(Py_TYPE(self)->tp_name) + " takes its fields by keyword").c_str());
   }
   const ObjectPlan& plan = plan_of(Py_TYPE(self));
-  plan.pool.claim(self);
+  plan.pool.tag(self);
   take_check_fields(self, kwargs);
   const bool check = reinterpret_cast<MessageObject*>(self)->check_fields != 0;
   if (check && kwargs != nullptr) message_hooks().check_names(class_of(self), nb::borrow(kwargs));
@@ -84,7 +84,7 @@ void init(PyObject* self, PyObject* args, PyObject* kwargs) {
   }
 }
 
-// What a C function of Python's returns when C++ threw.
+// Turn the current C++ exception into a Python error, and return -1, as a slot function of Python must.
 int fail() noexcept {
   try {
     throw;
@@ -116,11 +116,6 @@ int message_setattro(PyObject* self, PyObject* name, PyObject* value) noexcept {
     } catch (...) {
       return fail();
     }
-  }
-  // A decoded message of numbers and strings: it may hold anything from now on.
-  if (PyType_IS_GC(Py_TYPE(self)) && PyObject_GC_IsTracked(self) == 0) {
-    const nb::ft_object_guard guard{nb::handle(self)};
-    if (PyObject_GC_IsTracked(self) == 0) PyObject_GC_Track(self);
   }
   return PyObject_GenericSetAttr(self, name, value);
 }

@@ -7,10 +7,10 @@
 
 namespace tfloom::bindings {
 
-// Whether messages check what is assigned to their fields where `check_fields` is not given.
+// Whether messages check assignments to their fields if `check_fields` is not given.
 std::atomic<bool>& check_by_default() noexcept;
 
-// Makes `MessageBase` and puts it into the module.
+// Create `MessageBase` and add it to the module.
 void bind_message_base(nanobind::module_& m);
 
 }  // namespace tfloom::bindings

@@ -9,10 +9,10 @@
 namespace tfloom::bindings {
 namespace {
 
-constexpr std::size_t most_kept = 1024;  // for each class
+constexpr std::size_t most_kept = 1024;  // freed objects per class
 
 std::vector<MessagePool*>& pools() {
-  static auto* all = new std::vector<MessagePool*>{nullptr};  // never destroyed: objects may die after it
+  static auto* all = new std::vector<MessagePool*>{nullptr};  // never destroyed, because messages may be freed later
   return *all;
 }
 
@@ -26,7 +26,7 @@ std::size_t slot_count(const PyTypeObject* type) noexcept {
 
 void free_message(PyObject* self);
 
-// The class in whose memory we know our way: the object's own, or the one that its class derives from.
+// Return the managed class of an object: its own class or a base class, whose slots have a known layout.
 PyTypeObject* managed_type(PyObject* self) noexcept {
   PyTypeObject* type = Py_TYPE(self);
   while (type->tp_dealloc != &free_message) type = type->tp_base;
@@ -43,7 +43,7 @@ void release(PyObject* self) {
   Py_DECREF(type);
 }
 
-// tp_dealloc. Python's own for a derived class comes here when it has done its part.
+// The tp_dealloc of managed classes. Python's tp_dealloc of a derived class calls it last.
 void free_message(PyObject* self) {
   PyTypeObject* type = Py_TYPE(self);
   if (type->tp_dealloc != &free_message) {
@@ -51,11 +51,7 @@ void free_message(PyObject* self) {
     release(self);
     return;
   }
-  if (type->tp_finalize != nullptr && PyObject_CallFinalizerFromDealloc(self) < 0) return;  // it lives again
-  if (PyObject_GC_IsTracked(self) == 0) {  // numbers and strings alone: no deep recursion to guard against
-    release(self);
-    return;
-  }
+  if (type->tp_finalize != nullptr && PyObject_CallFinalizerFromDealloc(self) < 0) return;  // resurrected
   PyObject_GC_UnTrack(self);
   Py_TRASHCAN_BEGIN(self, free_message)
   release(self);
@@ -95,20 +91,20 @@ PyObject* MessagePool::make(PyTypeObject* type) {
     if (message == nullptr) throw nanobind::python_error();
     PyObject_GC_UnTrack(message);
   }
-  claim(message);
+  tag(message);
   reinterpret_cast<MessageObject*>(message)->check_fields = check_by_default();
   return message;
 }
 
-void MessagePool::finish(PyObject* whole) noexcept { PyObject_GC_Track(whole); }
+void MessagePool::track(PyObject* object) noexcept { PyObject_GC_Track(object); }
 
-void MessagePool::claim(PyObject* message) const noexcept {
+void MessagePool::tag(PyObject* message) const noexcept {
   if (Py_TYPE(message) == type_) reinterpret_cast<MessageObject*>(message)->pool = number_;
 }
 
 bool MessagePool::keep(PyObject* freed) noexcept {
   if (kept_ == most_kept) return false;
-  *slots_of(freed) = std::exchange(freed_, freed);  // the first slot of each holds the next
+  *slots_of(freed) = std::exchange(freed_, freed);  // the first slot of each object points to the next
   ++kept_;
   return true;
 }

@@ -1,7 +1,7 @@
-// The memory of message objects: freed ones wait in their class's pool for the next message of that class.
+// The memory of message objects: a class's pool keeps freed objects for the next messages of that class.
 //
-// Messages come in hundreds (a TFMessage of 100 transforms is 601 of them), are small, and die together. Python's
-// general way to free an object of a class with __slots__ takes as long as reading the message did. Without the pool,
+// Messages are small, and hundreds are created and freed together (a TFMessage of 100 transforms is 601 objects).
+// Python's general function to free an object of a class with __slots__ takes as long as decoding it. Without the pool,
 // decoding takes 30 % longer, or more: benchmarks/native, "message pool".
 #pragma once
 
@@ -15,10 +15,11 @@ namespace tfloom::bindings {
 struct MessageObject {
   PyObject_HEAD
   char check_fields;
-  std::uint32_t pool;  // number of the pool that it goes to; 0: none
+  std::uint32_t pool;  // number of its pool; 0: none
 };
 
-// The freed objects of one class. Made with the class's plan, and gone with it.
+// The freed objects of one class. It exists as long as the class's plan. All members are guarded by the GIL; without a
+// GIL, pools are empty.
 class MessagePool {
  public:
   MessagePool() = default;
@@ -26,26 +27,27 @@ class MessagePool {
   MessagePool& operator=(const MessagePool&) = delete;
   ~MessagePool();
 
-  // Takes over freeing the objects of a class that has slots for fields and nothing else: no __dict__, no weak
-  // references, no __del__. Another class is left alone, and its objects never come here.
+  // Replace the deallocator of a class that has slots for its fields and nothing else: no __dict__, no weak references,
+  // no __del__. Do nothing for any other class; its objects are not pooled.
   void manage(PyTypeObject* type, std::size_t field_count);
 
-  // A message whose slots are empty; the collector does not know it yet. Throws when there is no memory.
+  // Return a message whose slots are empty and which the garbage collector does not track yet. Throw if there is no
+  // memory.
   PyObject* make(PyTypeObject* type);
-  // Lets the collector know of a message once its slots are filled, or of a list once its items are.
-  static void finish(PyObject* whole) noexcept;
-  // Says that a message that Python made belongs here too.
-  void claim(PyObject* message) const noexcept;
+  // Let the garbage collector track a message whose slots are set, or a list whose items are set.
+  static void track(PyObject* object) noexcept;
+  // Store this pool's number in a message that Python has allocated, if it is of the managed class.
+  void tag(PyObject* message) const noexcept;
 
-  // Keeps the memory of a dead message, unless there is enough already.
+  // Keep the memory of a freed message. Return false if the pool is full.
   bool keep(PyObject* freed) noexcept;
 
  private:
   PyObject* take_freed() noexcept;
 
-  PyTypeObject* type_ = nullptr;  // null: adopted none
+  PyTypeObject* type_ = nullptr;  // the managed class; null: none
   std::uint32_t number_ = 0;
-  PyObject* freed_ = nullptr;
+  PyObject* freed_ = nullptr;  // a linked list
   std::size_t kept_ = 0;
 };
 

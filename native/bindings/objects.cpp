@@ -9,7 +9,7 @@ using cdr::DecodeError;
 using cdr::EncodeError;
 
 MessageHooks& message_hooks() {
-  static auto* hooks = new MessageHooks;  // never destroyed: it may be asked for until Python has ended
+  static auto* hooks = new MessageHooks;  // never destroyed, because messages use it until the interpreter has ended
   return *hooks;
 }
 
@@ -21,7 +21,7 @@ ObjectPlan& plan_of(PyTypeObject* type) {
     throw nb::type_error((std::string(type->tp_name) + " is no message class").c_str());
   }
   if (plan.is_none()) plan = message_hooks().compile(nb::borrow(reinterpret_cast<PyObject*>(type)));
-  return *nb::cast<ObjectPlan*>(plan);  // the class keeps it
+  return *nb::cast<ObjectPlan*>(plan);  // the class keeps it alive
 }
 
 nb::object copy(const nb::object& object) {
@@ -67,14 +67,14 @@ ObjectSink::Value ObjectSink::wide(std::u32string_view text) {
 
 ObjectSink::Value ObjectSink::list(std::uint32_t length) {
   Value list = checked(PyList_New(static_cast<Py_ssize_t>(length)));
-  PyObject_GC_UnTrack(list.ptr());  // nobody may find it while it has holes
+  PyObject_GC_UnTrack(list.ptr());  // until its items are set, because `gc.get_objects` would return it with null items
   return list;
 }
 
 ObjectSink::Value ObjectSink::sequence(const ObjectPlan::Slot& slot, std::span<const std::byte> octets, bool swap) {
   Value array = copy(slot.empty);
   if (octets.empty()) return array;
-  // One copy: the array grows once and takes the octets from the sample.
+  // One copy, from the sample into the array.
   auto* from = const_cast<char*>(reinterpret_cast<const char*>(octets.data()));
   const auto view = checked(PyMemoryView_FromMemory(from, static_cast<Py_ssize_t>(octets.size()), PyBUF_READ));
   array.attr("frombytes")(view);
@@ -84,7 +84,7 @@ ObjectSink::Value ObjectSink::sequence(const ObjectPlan::Slot& slot, std::span<c
 
 namespace {
 
-// "got 'abc' (str)", with a long value cut.
+// Return ", got 'abc' (str)", with a long value cut.
 std::string got(PyObject* value) {
   constexpr std::size_t longest = 60;
   std::string text;
@@ -102,11 +102,12 @@ std::string got(PyObject* value) {
   return ", got " + text + " (" + Py_TYPE(value)->tp_name + ")";
 }
 
-[[noreturn]] void refuse(const std::string& wanted, PyObject* value) {
-  throw EncodeError("must be " + wanted + got(value));
+[[noreturn]] void throw_mismatch(const std::string& expected, PyObject* value) {
+  throw EncodeError("must be " + expected + got(value));
 }
 
-// Errors of the value's own methods (its __float__ raised) pass; Python's "this is no number" becomes ours.
+// Clear TypeError and OverflowError, which the caller replaces by an EncodeError. Rethrow errors of the value's own
+// methods (its __float__ raised).
 void clear_type_error() {
   if (PyErr_ExceptionMatches(PyExc_TypeError) == 0 && PyErr_ExceptionMatches(PyExc_OverflowError) == 0) {
     throw nb::python_error();
@@ -116,7 +117,7 @@ void clear_type_error() {
 
 nb::object as_int(PyObject* value) {
   if (PyLong_Check(value)) return nb::borrow(value);
-  if (PyIndex_Check(value) == 0) refuse("an int", value);
+  if (PyIndex_Check(value) == 0) throw_mismatch("an int", value);
   const auto held = nb::borrow(value);
   auto number = nb::steal(PyNumber_Index(value));
   if (!number.is_valid()) throw nb::python_error();
@@ -126,8 +127,9 @@ nb::object as_int(PyObject* value) {
 }  // namespace
 
 ObjectSource::Held ObjectSource::open(Value value, const cdr::Plan& plan) {
-  PyTypeObject* wanted = static_cast<const ObjectPlan&>(plan).type;
-  if (Py_TYPE(value) != wanted && PyType_IsSubtype(Py_TYPE(value), wanted) == 0) refuse("a " + plan.name, value);
+  PyTypeObject* expected = static_cast<const ObjectPlan&>(plan).type;
+  const bool matches = Py_TYPE(value) == expected || PyType_IsSubtype(Py_TYPE(value), expected) != 0;
+  if (!matches) throw_mismatch("a " + plan.name, value);
   return nb::borrow(value);
 }
 
@@ -135,27 +137,27 @@ bool ObjectSource::boolean(Value value) {
   if (value == Py_True) return true;
   if (value == Py_False) return false;
   const std::string_view type = Py_TYPE(value)->tp_name;
-  if (type != "numpy.bool_" && type != "numpy.bool") refuse("a bool", value);
+  if (type != "numpy.bool_" && type != "numpy.bool") throw_mismatch("a bool", value);
   return PyObject_IsTrue(value) == 1;
 }
 
 std::uint8_t ObjectSource::octet(Value value) {
-  if (!PyBytes_Check(value) || PyBytes_GET_SIZE(value) != 1) refuse("bytes of length 1", value);
+  if (!PyBytes_Check(value) || PyBytes_GET_SIZE(value) != 1) throw_mismatch("bytes of length 1", value);
   return static_cast<std::uint8_t>(PyBytes_AS_STRING(value)[0]);
 }
 
 std::string_view ObjectSource::any_string(Value value) {
-  if (!PyUnicode_Check(value)) refuse("a str", value);
+  if (!PyUnicode_Check(value)) throw_mismatch("a str", value);
   Py_ssize_t size = 0;
   const char* text = PyUnicode_AsUTF8AndSize(value, &size);  // kept by the str
   if (text != nullptr) return {text, static_cast<std::size_t>(size)};
   if (PyErr_ExceptionMatches(PyExc_UnicodeEncodeError) == 0) throw nb::python_error();
   PyErr_Clear();
-  refuse("text without lone surrogates", value);
+  throw_mismatch("text without lone surrogates", value);
 }
 
 std::u32string ObjectSource::wide(Value value) {
-  string(value);  // refuses what is no text
+  string(value);  // throws if it is no text
   const auto size = static_cast<std::size_t>(PyUnicode_GET_LENGTH(value));
   std::u32string text(size, U'\0');
   auto* to = reinterpret_cast<Py_UCS4*>(text.data());
@@ -165,16 +167,16 @@ std::u32string ObjectSource::wide(Value value) {
 
 ObjectSource::Held ObjectSource::open_list(Value value) {
   if (PyList_CheckExact(value) || PyTuple_CheckExact(value)) return nb::borrow(value);
-  if (PyUnicode_Check(value) || PyBytes_Check(value) || PyDict_Check(value)) refuse("a sequence", value);
+  if (PyUnicode_Check(value) || PyBytes_Check(value) || PyDict_Check(value)) throw_mismatch("a sequence", value);
   const auto held = nb::borrow(value);
   auto list = nb::steal(PySequence_Fast(value, ""));
   if (list.is_valid()) return list;
   clear_type_error();
-  refuse("a sequence", value);
+  throw_mismatch("a sequence", value);
 }
 
 ObjectSource::Value ObjectSource::item(const Held& list, std::size_t index) {
-  // The list may have shrunk: an element's own code can do that.
+  // The list may have shrunk, because encoding an element may run any code.
   constexpr auto gone = "is gone: the list changed while it was encoded";
 #ifdef Py_GIL_DISABLED
   if (PyList_Check(list.ptr())) {
@@ -190,12 +192,12 @@ ObjectSource::Value ObjectSource::item(const Held& list, std::size_t index) {
 
 double ObjectSource::real(Value value, double limit) {
   const auto held = nb::borrow(value);
-  const double number = PyFloat_AsDouble(value);  // whatever has __float__ or __index__: an int, numpy's numbers
+  const double number = PyFloat_AsDouble(value);  // accepts __float__ and __index__: an int, numpy's numbers
   if (number == -1.0 && PyErr_Occurred() != nullptr) {
     clear_type_error();
-    refuse("a float", value);
+    throw_mismatch("a float", value);
   }
-  if (std::abs(number) > limit && std::isfinite(number)) refuse("a float within the range of float32", value);
+  if (std::abs(number) > limit && std::isfinite(number)) throw_mismatch("a float within the range of float32", value);
   return number;
 }
 
@@ -205,8 +207,8 @@ std::int64_t ObjectSource::integer(Value value, std::int64_t least, std::int64_t
   const std::int64_t number = PyLong_AsLongLongAndOverflow(exact.is_valid() ? exact.ptr() : value, &overflow);
   if (number == -1 && PyErr_Occurred() != nullptr) throw nb::python_error();
   if (overflow != 0 || number < least || number > greatest) {
-    refuse("an int in [" + std::to_string(least) + ", " + std::to_string(greatest) + "]",
-           exact.is_valid() ? exact.ptr() : value);
+    throw_mismatch("an int in [" + std::to_string(least) + ", " + std::to_string(greatest) + "]",
+                   exact.is_valid() ? exact.ptr() : value);
   }
   return number;
 }
@@ -216,7 +218,7 @@ std::uint64_t ObjectSource::natural(Value value) {
   const std::uint64_t number = PyLong_AsUnsignedLongLong(exact.ptr());
   if (number == static_cast<std::uint64_t>(-1) && PyErr_Occurred() != nullptr) {
     clear_type_error();
-    refuse("an int in [0, 18446744073709551615]", exact.ptr());
+    throw_mismatch("an int in [0, 18446744073709551615]", exact.ptr());
   }
   return number;
 }

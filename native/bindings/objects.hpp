@@ -1,4 +1,4 @@
-// Python messages: their native base class, and the sink and source by which the codec builds and reads them.
+// Python messages: their plans, and the sink and the source by which the codec creates and reads them.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -18,30 +18,27 @@ namespace tfloom::bindings {
 
 namespace nb = nanobind;
 
-// A plan with what it takes to reach and to fill the fields of the Python class.
+// A plan with the positions and defaults of the fields in the Python class.
 struct ObjectPlan : cdr::Plan {
   struct Slot {
     nb::object name;        // interned: "x"
-    nb::object initial;     // the default: shared if immutable, else copied for each message
-    bool copies = false;    // `initial` is mutable
-    bool converts = false;  // a numeric array: what the user gives is converted
+    nb::object initial;     // the default
+    bool copies = false;    // `initial` is mutable, so each message gets a copy
+    bool converts = false;  // a numeric array: a value given by the user is converted
     nb::object empty;       // numeric sequence: an empty array.array of its type; numeric array: zeros
   };
 
-  PyTypeObject* type = nullptr;     // borrowed: the class keeps the plan
+  PyTypeObject* type = nullptr;     // borrowed, because the class owns the plan
   std::vector<Py_ssize_t> offsets;  // of each field's slot in the object
   std::vector<Slot> slots;
-  // Numbers and strings alone: none of its own fields can be in a cycle. If the collector tracks them, decoding
-  // TFMessage x 100 takes 11 % longer: benchmarks/native, "untracked leaves".
-  bool is_leaf = false;
   mutable MessagePool pool;
-  // Of the last message encoded: the next one is likely of that size. Without it, encoding TFMessage x 1 takes 14 %
-  // longer: benchmarks/native, "size hint".
+  // The size of the last message encoded, as a first guess for the next one. Without it, encoding TFMessage x 1 takes
+  // 14 % longer: benchmarks/native, "size hint".
   std::atomic<std::size_t> last_size = 64;
   std::vector<nb::object> nested;  // keeps the plans of nested messages, and their classes, alive
 };
 
-// What the native base class asks of tfloom.rosidl. Kept in the module for as long as Python lives.
+// Functions and classes of tfloom.rosidl that the native base class uses. Set once, and never released.
 struct MessageHooks {
   nb::object compile;       // (class) -> Plan
   nb::object convert;       // (class, name, value) -> numeric array
@@ -52,21 +49,21 @@ struct MessageHooks {
 };
 MessageHooks& message_hooks();
 
-// The plan of a message class, compiled at first use. Raises TypeError for a class that is no message.
+// Return the plan of a message class, compiled at first use. Raise TypeError for a class that is no message class.
 ObjectPlan& plan_of(PyTypeObject* type);
 
 inline PyObject*& slot(PyObject* message, Py_ssize_t offset) noexcept {
   return *reinterpret_cast<PyObject**>(reinterpret_cast<char*>(message) + offset);
 }
 
-// What is in a slot, kept alive; not valid if it's empty. Python assigns to slots with the same guard held, which is
-// nothing where there's a GIL.
+// Return a new reference to the object in a slot; not valid if the slot is empty. Python holds the same guard while it
+// assigns to a slot. With a GIL, the guard does nothing.
 inline nb::object held_slot(PyObject* message, Py_ssize_t offset) {
   const nb::ft_object_guard guard{nb::handle(message)};
   return nb::borrow(slot(message, offset));
 }
 
-// A copy by the object's own `__copy__`.
+// Return a copy, made by the object's `__copy__`, or by a slice for a list.
 nb::object copy(const nb::object& object);
 
 // A view of an object's memory.
@@ -89,7 +86,7 @@ class Buffer {
   Py_buffer view_;
 };
 
-// Builds Python messages; the sink of cdr::Reader.
+// Creates Python messages; the sink of cdr::Reader.
 class ObjectSink {
  public:
   using Value = nb::object;
@@ -101,12 +98,8 @@ class ObjectSink {
     outermost_ = nullptr;
     return nb::steal(static_cast<const ObjectPlan&>(plan).pool.make(type));
   }
-  void finish(Value& message, const cdr::Plan& plan) noexcept {
-    // What holds numbers and strings alone is in no cycle: the collector hears of it when a field is assigned.
-    const auto& known = static_cast<const ObjectPlan&>(plan);
-    if (!known.is_leaf || Py_TYPE(message.ptr()) != known.type) MessagePool::finish(message.ptr());
-  }
-  void finish_list(Value& list) noexcept { MessagePool::finish(list.ptr()); }
+  void finish(Value& message, const cdr::Plan&) noexcept { MessagePool::track(message.ptr()); }
+  void finish_list(Value& list) noexcept { MessagePool::track(list.ptr()); }
   void set(Value& message, const cdr::Plan& plan, std::size_t index, Value value) noexcept {
     slot(message.ptr(), static_cast<const ObjectPlan&>(plan).offsets[index]) = value.release().ptr();
   }
@@ -151,8 +144,8 @@ class ObjectSink {
   }
   static Value sequence(const ObjectPlan::Slot& slot, std::span<const std::byte> octets, bool swap);
 
-  // Most numbers of most transforms are 0 or 1; these need no object of their own. With one,
-  // decoding a PoseStamped takes 18 % longer: benchmarks/native, "shared 0 and 1".
+  // Most numbers of most transforms are 0 or 1, so all messages share one object for each. With a new object for each
+  // number, decoding a PoseStamped takes 18 % longer: benchmarks/native, "shared 0 and 1".
   static PyObject* real(double value) noexcept {
     static PyObject* const zero = PyFloat_FromDouble(0.0);
     static PyObject* const one = PyFloat_FromDouble(1.0);
@@ -162,11 +155,11 @@ class ObjectSink {
     return PyFloat_FromDouble(value);
   }
 
-  PyTypeObject* outermost_;  // the class asked for: the plan's own or one derived from it
+  PyTypeObject* outermost_;  // the class of the outermost message: the plan's class or one derived from it
 };
 
-// Reads Python messages; the source of cdr::Emitter. What it holds is kept alive while it is walked: a number's
-// __float__ may run any code.
+// Reads Python messages; the source of cdr::Emitter. It holds references during the walk, because a number's __float__
+// may run any code.
 class ObjectSource {
  public:
   using Value = PyObject*;
@@ -221,7 +214,7 @@ class ObjectSource {
 
  private:
 #ifdef Py_GIL_DISABLED
-  // Another thread may replace a value while it's read, so all that were read live until the message is.
+  // Another thread may replace a value while it is read, so all values stay referenced until the message is encoded.
   Value hold(nb::object value) {
     held_.push_back(std::move(value));
     return held_.back().ptr();
@@ -239,7 +232,7 @@ class ObjectSource {
     const char kind = view.format == nullptr ? 'B' : format_of(view.format);
     return view.itemsize == sizeof(T) && std::string_view(kinds<T>).find(kind) != std::string_view::npos;
   }
-  static char format_of(const char* format) noexcept;  // '\0': not in host order, or no single number
+  static char format_of(const char* format) noexcept;  // '\0': not in host byte order, or not a single number
 
   template <class T>
   static constexpr const char* kinds = std::is_floating_point_v<T> ? "fd"

@@ -52,7 +52,7 @@ namespace {
 
 using tf2::Query;
 
-// A lookup's answer. The names are the caller's own str objects.
+// The result of a lookup. The names are the str objects passed by the caller.
 struct Answer {
   nb::object frame_id, child_frame_id;
   tf2::StampedTransform transform;
@@ -74,23 +74,23 @@ Answer answer_or_raise(const tf2::Result<tf2::StampedTransform>& result, const N
   return {nb::borrow(target.object), nb::borrow(source.object), *result};
 }
 
-Query full(const NameArgument& target, StampArgument target_stamp, const NameArgument& source,
-           StampArgument source_stamp, const NameArgument& fixed) {
+Query full_query(const NameArgument& target, StampArgument target_stamp, const NameArgument& source,
+                 StampArgument source_stamp, const NameArgument& fixed) {
   return {target.text, source.text, target_stamp.value, source_stamp.value, fixed.text};
 }
 
-Query simple(const NameArgument& target, const NameArgument& source, StampArgument stamp) {
+Query simple_query(const NameArgument& target, const NameArgument& source, StampArgument stamp) {
   return Query::at(target.text, source.text, stamp.value);
 }
 
-std::optional<std::string> reason(const tf2::Error& error) {
+std::optional<std::string> text_or_none(const tf2::Error& error) {
   if (error.code == tf2::Code::ok) return std::nullopt;
   return error.text;
 }
 
 std::chrono::steady_clock::time_point deadline_after(double timeout_s) {
   using Clock = std::chrono::steady_clock;
-  constexpr double longest_s = 1e9;  // some thirty years: for ever
+  constexpr double longest_s = 1e9;  // about thirty years, as a wait without limit
   if (std::isnan(timeout_s)) throw nb::value_error("timeout_s must be a number of seconds, not NaN");
   const std::chrono::duration<double> timeout(std::clamp(timeout_s, 0.0, longest_s));
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(timeout);
@@ -109,7 +109,7 @@ bool wait(const tf2::Buffer& buffer, const Query& query, double timeout_s) {
   }
 }
 
-// For the stub: handle, is_available; severity, text.
+// Signatures for the stub: (handle, is_available) and (severity, text).
 using RequestCallable = nb::typed<nb::callable, void(std::uint64_t, bool)>;
 using LogCallable = nb::typed<nb::callable, void(int, std::string)>;
 
@@ -119,25 +119,25 @@ tf2::Requests::Callback request_callback(nb::callable callable) {
   };
 }
 
-std::optional<tf2::Requests::Handle> pending(tf2::Requests::Handle handle) {
+std::optional<tf2::Requests::Handle> handle_or_none(tf2::Requests::Handle handle) {
   if (handle == tf2::Requests::never) return std::nullopt;
   return handle;
 }
 
 void bind_answer(nb::module_& m) {
-  nb::class_<Answer>(m, "StampedTransform", "A lookup's answer: target_from_source at a time.")
+  nb::class_<Answer>(m, "StampedTransform", "The result of a lookup: target_from_source at a time.")
       .def_prop_ro("stamp_ns", [](const Answer& a) { return a.transform.stamp; }, "Time [ns since epoch].")
       .def_prop_ro("frame_id", [](const Answer& a) { return nb::borrow<nb::str>(a.frame_id); },
-                   "The target frame: data that went through the transform is in it.")
+                   "The target frame, in which transformed data is expressed.")
       .def_prop_ro("child_frame_id", [](const Answer& a) { return nb::borrow<nb::str>(a.child_frame_id); },
                    "The source frame.")
       .def_prop_ro("translation", &translation_of,
                    nb::sig("def translation(self) -> tuple[float, float, float]"),
-                   "Where the source frame's origin is in the target frame [m].")
+                   "Position of the source frame's origin in the target frame [m].")
       .def_prop_ro("rotation_xyzw", &rotation_of,
                    nb::sig("def rotation_xyzw(self) -> tuple[float, float, float, float]"),
                    "Unit quaternion x, y, z, w.")
-      .def_prop_ro("transform", [](const Answer& a) { return a.transform.value; }, "The same as a value to compute with.")
+      .def_prop_ro("transform", [](const Answer& a) { return a.transform.value; }, "The translation and rotation.")
       .def("__repr__", [](const Answer& a) {
         return nb::str("StampedTransform({!r} from {!r}, stamp_ns={}, translation={}, rotation_xyzw={})")
             .format(a.frame_id, a.child_frame_id, a.transform.stamp, translation_of(a), rotation_of(a));
@@ -148,7 +148,7 @@ void bind_queries(nb::class_<BufferHandle>& type) {
   type.def(
           "lookup",
           [](const BufferHandle& self, const NameArgument& target, const NameArgument& source, StampArgument stamp) {
-            return answer_or_raise(self.buffer->lookup(simple(target, source, stamp)), target, source);
+            return answer_or_raise(self.buffer->lookup(simple_query(target, source, stamp)), target, source);
           },
           "target_frame"_a, "source_frame"_a, "stamp_ns"_a = 0,
           "Return target_from_source: the transform that takes data in `source_frame` into `target_frame`.\n\n"
@@ -161,7 +161,7 @@ void bind_queries(nb::class_<BufferHandle>& type) {
           "Returns:\n"
           "    Translation [m] and unit quaternion (x, y, z, w), stamped with the time used.\n\n"
           "Raises:\n"
-          "    LookupException: a frame has never been heard of, or the chain is a loop.\n"
+          "    LookupException: a frame is unknown, or the chain is a loop.\n"
           "    ConnectivityException: the two frames are in different trees.\n"
           "    ExtrapolationException: `stamp_ns` lies outside the stored history.\n"
           "    InvalidArgumentException: a frame's name is empty or starts with a slash.")
@@ -169,43 +169,43 @@ void bind_queries(nb::class_<BufferHandle>& type) {
           "lookup_full",
           [](const BufferHandle& self, const NameArgument& target, StampArgument target_stamp,
              const NameArgument& source, StampArgument source_stamp, const NameArgument& fixed) {
-            return answer_or_raise(self.buffer->lookup(full(target, target_stamp, source, source_stamp, fixed)),
+            return answer_or_raise(self.buffer->lookup(full_query(target, target_stamp, source, source_stamp, fixed)),
                                    target, source);
           },
           "target_frame"_a, "target_stamp_ns"_a, "source_frame"_a, "source_stamp_ns"_a, "fixed_frame"_a,
-          "Return target_from_source across time: the source at its stamp, by way of `fixed_frame`, which is taken "
-          "not to move, into the target at its own.\n\n"
-          "The answer has the target's stamp. Raises as `lookup` does.")
+          "Return target_from_source between two times: from the source at `source_stamp_ns`, through `fixed_frame`, "
+          "which is assumed not to move, to the target at `target_stamp_ns`.\n\n"
+          "The result is stamped with the target's time. Raises as `lookup` does.")
       .def(
           "can",
           [](const BufferHandle& self, const NameArgument& target, const NameArgument& source, StampArgument stamp) {
-            return self.buffer->can(simple(target, source, stamp));
+            return self.buffer->can(simple_query(target, source, stamp));
           },
           "target_frame"_a, "source_frame"_a, "stamp_ns"_a = 0,
-          "Return whether `lookup` with the same arguments would have an answer.")
+          "Return whether `lookup` with the same arguments would succeed.")
       .def(
           "can_full",
           [](const BufferHandle& self, const NameArgument& target, StampArgument target_stamp,
              const NameArgument& source, StampArgument source_stamp, const NameArgument& fixed) {
-            return self.buffer->can(full(target, target_stamp, source, source_stamp, fixed));
+            return self.buffer->can(full_query(target, target_stamp, source, source_stamp, fixed));
           },
           "target_frame"_a, "target_stamp_ns"_a, "source_frame"_a, "source_stamp_ns"_a, "fixed_frame"_a,
-          "Return whether `lookup_full` with the same arguments would have an answer.")
+          "Return whether `lookup_full` with the same arguments would succeed.")
       .def(
           "find_obstacle",
           [](const BufferHandle& self, const NameArgument& target, const NameArgument& source, StampArgument stamp) {
-            return reason(self.buffer->why_not(simple(target, source, stamp)));
+            return text_or_none(self.buffer->check(simple_query(target, source, stamp)));
           },
           "target_frame"_a, "source_frame"_a, "stamp_ns"_a = 0,
-          "Return why `can` is false, in tf2's words, or None.")
+          "Return tf2's text of the reason why `can` is false, or None if it is true.")
       .def(
           "find_obstacle_full",
           [](const BufferHandle& self, const NameArgument& target, StampArgument target_stamp,
              const NameArgument& source, StampArgument source_stamp, const NameArgument& fixed) {
-            return reason(self.buffer->why_not(full(target, target_stamp, source, source_stamp, fixed)));
+            return text_or_none(self.buffer->check(full_query(target, target_stamp, source, source_stamp, fixed)));
           },
           "target_frame"_a, "target_stamp_ns"_a, "source_frame"_a, "source_stamp_ns"_a, "fixed_frame"_a,
-          "Return why `can_full` is false, in tf2's words, or None.")
+          "Return tf2's text of the reason why `can_full` is false, or None if it is true.")
       .def(
           "latest_common_time",
           [](const BufferHandle& self, const NameArgument& target, const NameArgument& source) {
@@ -222,51 +222,52 @@ void bind_waiting(nb::class_<BufferHandle>& type) {
   type.def(
           "wait",
           [](const BufferHandle& self, const NameArgument& target, const NameArgument& source, StampArgument stamp,
-             double timeout_s) { return wait(*self.buffer, simple(target, source, stamp), timeout_s); },
+             double timeout_s) { return wait(*self.buffer, simple_query(target, source, stamp), timeout_s); },
           "target_frame"_a, "source_frame"_a, "stamp_ns"_a = 0, nb::kw_only(), "timeout_s"_a,
-          "Wait until `lookup` has an answer: True. False after `timeout_s`, or as soon as it's clear that none will "
-          "come, as the stamp is older than all that the cache keeps or a name is invalid.\n\n"
-          "Wakes within a millisecond of the transform that was missing. Releases the GIL; signal handlers run, and "
-          "what they raise is raised here.")
+          "Wait until `lookup` would succeed, and return True.\n\n"
+          "Returns False after `timeout_s`, or as soon as it can never succeed because the stamp is older than the "
+          "cache keeps or a name is invalid.\n\n"
+          "Returns within a millisecond after the missing transform is stored. Releases the GIL. Signal handlers run, "
+          "and their exceptions are raised here.")
       .def(
           "wait_full",
           [](const BufferHandle& self, const NameArgument& target, StampArgument target_stamp,
              const NameArgument& source, StampArgument source_stamp, const NameArgument& fixed, double timeout_s) {
-            return wait(*self.buffer, full(target, target_stamp, source, source_stamp, fixed), timeout_s);
+            return wait(*self.buffer, full_query(target, target_stamp, source, source_stamp, fixed), timeout_s);
           },
           "target_frame"_a, "target_stamp_ns"_a, "source_frame"_a, "source_stamp_ns"_a, "fixed_frame"_a,
-          nb::kw_only(), "timeout_s"_a, "Wait until `lookup_full` has an answer; see `wait`.")
+          nb::kw_only(), "timeout_s"_a, "Wait until `lookup_full` would succeed; see `wait`.")
       .def(
           "add_request",
           [](BufferHandle& self, const NameArgument& target, const NameArgument& source, StampArgument stamp,
              const RequestCallable& callback) {
-            return pending(self.buffer->add_request(simple(target, source, stamp), request_callback(callback)));
+            const Query query = simple_query(target, source, stamp);
+            return handle_or_none(self.buffer->add_request(query, request_callback(callback)));
           },
           "target_frame"_a, "source_frame"_a, "stamp_ns"_a, "callback"_a,
           nb::sig("def add_request(self, target_frame: str, source_frame: str, stamp_ns: int, callback: "
                   "collections.abc.Callable[[int, bool], object]) -> int | None"),
-          "Ask to be called when `lookup` has an answer.\n\n"
-          "`callback(handle, is_available)` is called once, on the thread that stored the transform; with False when "
-          "the stamp has become older than the cache keeps.\n\n"
-          "Returns the request's handle; 0 if there is an answer now, and None if there can never be one: then "
-          "nothing is called.")
+          "Call `callback(handle, is_available)` once when `lookup` would succeed.\n\n"
+          "It is called on the thread that stores the transform. `is_available` is False if the stamp has become older "
+          "than the cache keeps.\n\n"
+          "Returns the request's handle; or, without a call, 0 if `lookup` succeeds now and None if it never can.")
       .def(
           "add_request_full",
           [](BufferHandle& self, const NameArgument& target, StampArgument target_stamp, const NameArgument& source,
              StampArgument source_stamp, const NameArgument& fixed, const RequestCallable& callback) {
-            const Query query = full(target, target_stamp, source, source_stamp, fixed);
-            return pending(self.buffer->add_request(query, request_callback(callback)));
+            const Query query = full_query(target, target_stamp, source, source_stamp, fixed);
+            return handle_or_none(self.buffer->add_request(query, request_callback(callback)));
           },
           "target_frame"_a, "target_stamp_ns"_a, "source_frame"_a, "source_stamp_ns"_a, "fixed_frame"_a,
           "callback"_a,
           nb::sig("def add_request_full(self, target_frame: str, target_stamp_ns: int, source_frame: str, "
                   "source_stamp_ns: int, fixed_frame: str, callback: collections.abc.Callable[[int, bool], object]) "
                   "-> int | None"),
-          "Ask to be called when `lookup_full` has an answer; see `add_request`.")
+          "Call `callback(handle, is_available)` once when `lookup_full` would succeed; see `add_request`.")
       .def(
           "cancel_request",
           [](BufferHandle& self, tf2::Requests::Handle handle) { return self.buffer->cancel_request(handle); },
-          "handle"_a, "Forget a request. Returns False if it has been answered, or never was.");
+          "handle"_a, "Cancel a request. Return False if it is completed or unknown.");
 }
 
 void bind_contents(nb::class_<BufferHandle>& type) {
@@ -285,34 +286,34 @@ void bind_contents(nb::class_<BufferHandle>& type) {
           "authority"_a = "", "static"_a = false,
           "Store parent_from_child at a time, or for all times if `static`.\n\n"
           "Args:\n"
-          "    frame_id: The parent frame; one leading slash is dropped, here and from the child.\n"
+          "    frame_id: The parent frame. One leading slash is dropped, here and in the child's name.\n"
           "    child_frame_id: The child frame.\n"
-          "    stamp_ns: When it was so [ns since epoch].\n"
+          "    stamp_ns: Time of the transform [ns since epoch].\n"
           "    translation: x, y, z of the child's origin in the parent [m].\n"
-          "    rotation_xyzw: Quaternion of any length but zero; it's stored with length one.\n"
-          "    authority: Who says so; the listings print it.\n"
-          "    static: Whether it holds at all times.\n\n"
+          "    rotation_xyzw: Quaternion of any length but zero; it is normalised.\n"
+          "    authority: Name of the publisher, for the listings.\n"
+          "    static: Whether it is valid at all times.\n\n"
           "Returns:\n"
-          "    False if it was rejected: a name is missing, both are the same, a number is NaN, the quaternion is "
-          "zero, or it's older than the cache keeps. The reason goes to the log callback.")
+          "    False if it was rejected because a name is missing, both are the same, a number is NaN, the quaternion "
+          "is zero, or it is older than the cache keeps. The log callback is called with the reason.")
       .def(
           "clear", [](BufferHandle& self) { self.buffer->clear(); }, nb::call_guard<ReleasedGil>(),
-          "Forget the history of all moving frames. Static transforms and frames' names stay.")
+          "Clear the history of all moving frames. Static transforms and frames' names stay.")
       .def(
           "ignore_from",
           [](BufferHandle& self, StampArgument stamp, double duration_s) {
             self.buffer->ignore_from(stamp.value, deadline_after(duration_s) - std::chrono::steady_clock::now());
           },
           "stamp_ns"_a, "duration_s"_a,
-          "Reject moving transforms from `stamp_ns` on, without a word, for `duration_s` by the wall clock.\n\n"
-          "After a jump back in time: what was sent before it and comes after it.")
+          "Reject moving transforms from `stamp_ns` on, without logging them, for `duration_s` of real time.\n\n"
+          "For a jump back in time: rejects transforms sent before it and received after it.")
       .def_prop_ro(
           "cache_time_ns",
           [](const BufferHandle& self) -> std::optional<tf2::Stamp> {
             if (self.buffer->cache_time() == tf2::unlimited) return std::nullopt;
             return self.buffer->cache_time();
           },
-          "How far back each frame's history reaches from its newest sample [ns]; None: without limit.")
+          "Length of each frame's history, back from its newest sample [ns]; None: without limit.")
       .def(
           "set_log_callback",
           [](BufferHandle& self, std::optional<LogCallable> callback) {
@@ -323,18 +324,19 @@ void bind_contents(nb::class_<BufferHandle>& type) {
           },
           "callback"_a.none(),
           nb::sig("def set_log_callback(self, callback: collections.abc.Callable[[int, str], object] | None) -> None"),
-          "Set who is told of rejected data: `callback(severity, text)`, severity as in Python's logging.\n\n"
-          "It's called on the thread that brought the data, at most once a second for each frame and kind of "
-          "trouble; the line then says how many were held back. None: nobody.");
+          "Set the function called for rejected data: `callback(severity, text)`, severity as in Python's logging.\n\n"
+          "It is called on the thread that inserts the data, at most once a second for each frame and kind of error; "
+          "the next text then states how many were held back. None: no function.");
 }
 
 void bind_listings(nb::class_<BufferHandle>& type) {
   type.def(
-          "frame_names", [](const BufferHandle& self) { return self.buffer->frame_names(); }, nb::call_guard<ReleasedGil>(),
-          "Return the names of all frames, in order of first mention.")
+          "frame_names", [](const BufferHandle& self) { return self.buffer->frame_names(); },
+          nb::call_guard<ReleasedGil>(), "Return the names of all frames, in order of first mention.")
       .def(
-          "has_frame", [](const BufferHandle& self, const NameArgument& name) { return self.buffer->has_frame(name.text); },
-          "frame_id"_a, "Return whether a frame has been heard of.")
+          "has_frame",
+          [](const BufferHandle& self, const NameArgument& name) { return self.buffer->has_frame(name.text); },
+          "frame_id"_a, "Return whether a frame is known.")
       .def(
           "branches",
           [](const BufferHandle& self, const NameArgument& target, const NameArgument& source, StampArgument stamp) {
@@ -356,7 +358,7 @@ void bind_listings(nb::class_<BufferHandle>& type) {
           },
           "target_frame"_a, "source_frame"_a, "stamp_ns"_a = 0,
           nb::sig("def path(self, target_frame: str, source_frame: str, stamp_ns: int = 0) -> list[str]"),
-          "Return the frames that a lookup goes through, from the source to the target. Raises as `lookup` does.")
+          "Return the frames of a lookup's chain, from the source to the target. Raises as `lookup` does.")
       .def(
           "all_frames_as_string", [](const BufferHandle& self) { return self.buffer->all_frames_as_string(); },
           nb::call_guard<ReleasedGil>(), "Return a line for each frame with a parent.")
@@ -364,11 +366,11 @@ void bind_listings(nb::class_<BufferHandle>& type) {
           "all_frames_as_yaml",
           [](const BufferHandle& self, double now_s) { return self.buffer->all_frames_as_yaml(now_s); },
           "now_s"_a = 0.0, nb::call_guard<ReleasedGil>(),
-          "Return each frame's parent, broadcaster, rate and times as YAML; with its delay if `now_s` is given.")
+          "Return each frame's parent, broadcaster, rate and times as YAML, and its delay if `now_s` is given.")
       .def(
           "all_frames_as_dot",
           [](const BufferHandle& self, double now_s) { return self.buffer->all_frames_as_dot(now_s); },
-          "now_s"_a = 0.0, nb::call_guard<ReleasedGil>(), "Return the tree in graphviz's language.");
+          "now_s"_a = 0.0, nb::call_guard<ReleasedGil>(), "Return the tree in graphviz's DOT language.");
 }
 
 }  // namespace
@@ -384,7 +386,7 @@ void bind_tf2(nb::module_& m) {
         new (self) BufferHandle{std::make_shared<tf2::Buffer>(cache_time.value)};
       },
       "cache_time_ns"_a.none() = tf2::Buffer::default_cache_time,
-      "Make an empty buffer; see `cache_time_ns`.");
+      "Create an empty buffer; see `cache_time_ns`.");
   bind_queries(type);
   bind_waiting(type);
   bind_contents(type);

@@ -1,4 +1,5 @@
-// Arguments that tf2's functions share: a stamp, a frame's name; and how a native error becomes an exception.
+// Argument types of tf2's functions (a stamp, an age, a frame's name), and the conversion of native errors to
+// exceptions.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -11,18 +12,18 @@
 
 namespace tfloom::bindings {
 
-// An int of nanoseconds; one beyond 64 bits is a ValueError that says so.
+// An int of nanoseconds. Raises ValueError if it does not fit into 64 bits.
 struct StampArgument {
   std::int64_t value = 0;
 };
 
-// The same for an age; None, where the argument takes it, is unlimited. std::optional<StampArgument> would not do: its
+// The same for an age; None, if the argument accepts it, means unlimited. Not std::optional<StampArgument>, because its
 // caster must not throw.
 struct AgeArgument {
   std::int64_t value = tf2::unlimited;
 };
 
-// A str, and its UTF-8 for as long as the call.
+// A str, and its UTF-8, valid during the call.
 struct NameArgument {
   nanobind::handle object;
   std::string_view text;

@@ -1,4 +1,4 @@
-// Arrays in and out of a buffer. The Python face makes and checks the arrays; here they're of one kind only.
+// Arrays in and out of a buffer. Python code converts and checks the arrays; these functions accept one kind only.
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/string.h>
@@ -34,7 +34,7 @@ using Points = Array<const T, nb::shape<-1, 3>>;
 template <class T>
 using OutPoints = Array<T, nb::shape<-1, 3>>;
 
-// A row is translation x, y, z and rotation x, y, z, w: just what a Transform holds.
+// A row is translation x, y, z and rotation x, y, z, w, the same layout as a Transform.
 static_assert(sizeof(Transform) == 7 * sizeof(double));
 
 Transform transform_at(const double* row) {
@@ -70,7 +70,7 @@ std::size_t set_many(BufferHandle& self, const NameArgument& frame_id, const Nam
                      const Stamps& stamps, const Rows& rows, const NameArgument& authority) {
   require_equal(stamps.size(), rows.shape(0));
   const ReleasedGil release;
-  constexpr std::size_t chunk_size = 1024;  // inserted under one lock
+  constexpr std::size_t chunk_size = 1024;  // entries inserted under one lock
   std::vector<tf2::Entry> entries;
   std::size_t stored = 0;
   for (std::size_t start = 0; start < stamps.size(); start += chunk_size) {
@@ -95,14 +95,14 @@ nb::tuple samples(const BufferHandle& self, const NameArgument& frame_id, const 
   auto* stamp = static_cast<char*>(stamps.data());
   auto* row = static_cast<char*>(rows.data());
   {
-    const ReleasedGil release;  // Python hasn't seen the two yet
+    const ReleasedGil release;  // no other thread has a reference to the two bytearrays yet
     for (const tf2::Sample& sample : found) {
       std::memcpy(stamp, &sample.stamp, sizeof(Stamp));
       std::memcpy(row, &sample.value, sizeof(Transform));
       stamp += sizeof(Stamp);
       row += sizeof(Transform);
     }
-    std::vector<tf2::Sample>().swap(found);  // which takes its time, too
+    std::vector<tf2::Sample>().swap(found);  // free the memory without the GIL, because that takes long too
   }
   return nb::make_tuple(stamps, rows);
 }
@@ -134,12 +134,12 @@ void deskew(const BufferHandle& self, const NameArgument& fixed, const NameArgum
 template <class T>
 void bind_points(nb::module_& m, nb::class_<BufferHandle>& buffer, const std::string& type) {
   m.def(("move_points_" + type).c_str(), &move_points<T>, "transform"_a, "points"_a, "out"_a,
-        "Write `transform` (7,) of `points` (N, 3) into `out`, which may be `points`.");
+        "Apply `transform` (7,) to `points` (N, 3) and write them into `out`, which may be `points`.");
   buffer.def(("deskew_" + type).c_str(), &deskew<T>, "fixed_frame"_a, "source_frame"_a, "target_from_fixed"_a,
              "stamps_ns"_a, "points"_a, "out"_a, "workers"_a,
-             "Write `points` (N, 3), each of `source_frame` at its of `stamps_ns` (N,), in `fixed_frame` and then moved "
-             "by `target_from_fixed` (7,), into `out`.\n\n"
-             "Raises as `lookup` does for the first stamp without an answer, with its `index`.");
+             "Transform `points` (N, 3) from `source_frame` at `stamps_ns` (N,) into `fixed_frame`, then by "
+             "`target_from_fixed` (7,), and write them into `out`.\n\n"
+             "Raises as `lookup` does for the first stamp that fails, with its `index`.");
 }
 
 void matrices(const Rows& rows, const Array<double, nb::shape<-1, 4, 4>>& out) {
@@ -158,20 +158,20 @@ void matrices(const Rows& rows, const Array<double, nb::shape<-1, 4, 4>>& out) {
 }  // namespace
 
 void bind_tf2_batch(nb::module_& m, nb::class_<BufferHandle>& type) {
-  nb::class_<tf2::Edge>(m, "Edge", "A frame and what a buffer knows of its parent.")
+  nb::class_<tf2::Edge>(m, "Edge", "A frame, its newest parent, and the range of its history.")
       .def_ro("child_frame_id", &tf2::Edge::child_frame_id, "The frame.")
       .def_ro("frame_id", &tf2::Edge::frame_id, "Its parent, by the newest sample.")
-      .def_ro("authority", &tf2::Edge::authority, "Who set it last.")
-      .def_ro("is_static", &tf2::Edge::is_static, "Whether it holds at all times.")
+      .def_ro("authority", &tf2::Edge::authority, "Authority of the last insert.")
+      .def_ro("is_static", &tf2::Edge::is_static, "Whether it is valid at all times.")
       .def_ro("oldest_ns", &tf2::Edge::oldest, "Stamp of the oldest sample [ns since epoch]; 0 if static.")
       .def_ro("newest_ns", &tf2::Edge::newest, "Stamp of the newest sample [ns since epoch]; 0 if static.")
-      .def_ro("sample_count", &tf2::Edge::sample_count, "How many samples there are.");
+      .def_ro("sample_count", &tf2::Edge::sample_count, "Number of samples.");
   type.def("fill_many", &lookup_many, "target_frame"_a, "source_frame"_a, "stamps_ns"_a, "out"_a, "known"_a,
            "strict"_a, "workers"_a,
            "Fill `out` (N, 7) with the transforms at `stamps_ns` (N,), `known` (N,) with whether there is one.\n\n"
-           "`strict`: raises as `lookup` does for the first stamp without an answer, with its `index`.")
+           "With `strict`, raises as `lookup` does for the first stamp that fails, with its `index`.")
       .def("store_many", &set_many, "frame_id"_a, "child_frame_id"_a, "stamps_ns"_a, "rows"_a, "authority"_a,
-           "Store `rows` (N, 7) at `stamps_ns` (N,); returns how many were not rejected.")
+           "Store `rows` (N, 7) at `stamps_ns` (N,). Return how many were stored.")
       .def("samples", &samples, "frame_id"_a, "child_frame_id"_a,
            nb::sig("def samples(self, frame_id: str, child_frame_id: str) -> tuple[bytearray, bytearray]"),
            "Return the stamps (int64) and rows (7 float64 each) stored for an edge, as bytes.")
@@ -183,11 +183,11 @@ void bind_tf2_batch(nb::module_& m, nb::class_<BufferHandle>& type) {
              return self.buffer->remove_frame(name.text);
            },
            "frame_id"_a,
-           "Forget a frame: its name, its transforms and those of its children to it.\n\n"
-           "Returns False if it has never been heard of.")
+           "Remove a frame: its name, its transforms and those of its children to it.\n\n"
+           "Returns False if it is unknown.")
       .def_prop_ro("memory", [](const BufferHandle& self) { return self.buffer->memory(); },
                    nb::call_guard<ReleasedGil>(),
-                   "What all histories take [octets].");
+                   "Memory of all histories [octets].");
   bind_points<float>(m, type, "float32");
   bind_points<double>(m, type, "float64");
   m.def("matrices", &matrices, "rows"_a, "out"_a, "Write the matrices of `rows` (N, 7) into `out` (N, 4, 4).");

@@ -1,4 +1,4 @@
-// The buffer as Python holds it, for the files that bind parts of it.
+// The Python object of a buffer, for the files that bind parts of it.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -9,7 +9,7 @@
 
 namespace tfloom::bindings {
 
-// A sink on another thread holds the same buffer, without Python.
+// Shares the buffer with sinks, which use it on other threads without Python.
 struct BufferHandle {
   std::shared_ptr<tf2::Buffer> buffer;
 };

@@ -1,4 +1,4 @@
-// A buffer frozen to octets, and mapped back.
+// Freezing a buffer to bytes, and mapping such bytes.
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 
@@ -25,7 +25,7 @@ nb::bytes freeze(const BufferHandle& self) {
     const ReleasedGil release;
     octets = self.buffer->freeze();
   }
-  // Python hasn't seen the object yet, so it may be filled without the GIL.
+  // No other thread has a reference to the object yet, so it may be filled without the GIL.
   nb::bytes frozen = nb::steal<nb::bytes>(
       PyBytes_FromStringAndSize(nullptr, static_cast<Py_ssize_t>(octets.size())));
   if (!frozen.is_valid()) throw nb::python_error();
@@ -33,13 +33,13 @@ nb::bytes freeze(const BufferHandle& self) {
   {
     const ReleasedGil release;
     std::memcpy(data, octets.data(), octets.size());
-    std::vector<std::byte>().swap(octets);  // which takes its time, too
+    std::vector<std::byte>().swap(octets);  // free the memory without the GIL, because that takes long too
   }
   return frozen;
 }
 
 void map_frozen(BufferHandle& self, const Octets& data) {
-  const auto owner = std::make_shared<Octets>(data);  // nanobind takes the GIL to let go of it
+  const auto owner = std::make_shared<Octets>(data);  // nanobind acquires the GIL to release it
   const std::span octets(reinterpret_cast<const std::byte*>(owner->data()), owner->size());
   const ReleasedGil release;
   try {
@@ -52,12 +52,12 @@ void map_frozen(BufferHandle& self, const Octets& data) {
 }  // namespace
 
 void bind_tf2_frozen(nb::class_<BufferHandle>& type) {
-  type.def("frozen", &freeze, "Return all that is stored as the bytes of a frozen buffer.")
+  type.def("frozen", &freeze, "Return the whole contents as the bytes of a frozen buffer.")
       .def("map_frozen", &map_frozen, "data"_a,
            nb::sig("def map_frozen(self, data: bytes | memoryview) -> None"),
-           "Take what `frozen` returned in place of all that is stored, and the cache time with it.\n\n"
-           "`data` is not copied, and must not change. Raises ValueError, with nothing changed, where it's no frozen "
-           "buffer.");
+           "Replace the whole contents and the cache time by those of a frozen buffer.\n\n"
+           "`data` is what `frozen` returned. It is not copied, and must not change. Raises ValueError, with nothing "
+           "changed, if it is no frozen buffer.");
 }
 
 }  // namespace tfloom::bindings

@@ -1,5 +1,5 @@
-// geometry_msgs/msg/TransformStamped in and out of a buffer. Messages of our own classes are read and built by their
-// slots; others, of a real ROS install for one, by attribute.
+// geometry_msgs/msg/TransformStamped in and out of a buffer. Messages of tfloom's classes are read and created by their
+// slots; those of other classes, such as a real ROS's, by attribute.
 #include <nanobind/nanobind.h>
 
 #include <array>
@@ -20,18 +20,19 @@ namespace {
 
 constexpr std::int64_t ns_per_s = 1'000'000'000;
 
-// The plans of TransformStamped and of what is in it, with the fields' places in each.
+// The plans of TransformStamped and of its nested messages.
 struct Plans {
   const ObjectPlan &transform_stamped, &header, &time, &transform, &vector3, &quaternion;
 
   static const Plans& get() {
-    // Not a static local, whose lock a thread would hold while `make` runs Python, which lets other threads run.
+    // Not a static local: a thread would hold its lock while `make` runs Python code, which may switch to a thread that
+    // waits for the lock.
     static std::atomic<const Plans*> known{nullptr};
     if (const Plans* plans = known.load(std::memory_order_acquire)) return *plans;
     auto made = std::make_unique<const Plans>(make());
     const Plans* first = nullptr;
     if (!known.compare_exchange_strong(first, made.get())) return *first;
-    return *made.release();  // the classes outlive it: nobody unloads them
+    return *made.release();  // never freed, because the classes exist until the process ends
   }
 
  private:
@@ -46,7 +47,8 @@ struct Plans {
   }
 };
 
-// A field of a message: by its slot in a message of the plan's class, else by its name. Empty if it isn't there.
+// Return a field of a message: by its slot in a message of the plan's class, else by its name. Invalid, with a Python
+// error set, if there is no such attribute.
 nb::object field(nb::handle message, const ObjectPlan& plan, std::size_t index) {
   if (Py_TYPE(message.ptr()) == plan.type) {
     nb::object value = held_slot(message.ptr(), plan.offsets[index]);
@@ -85,7 +87,7 @@ std::int64_t integer(nb::handle value) {
   return number;
 }
 
-// sec·10⁹ + nanosec. A message's numbers can't overflow it; other objects' might.
+// Return sec·10⁹ + nanosec. Checked for overflow, because other classes may hold larger numbers than a message.
 std::int64_t joined(nb::handle sec, nb::handle nanosec) {
   const std::int64_t whole = integer(sec), rest = integer(nanosec);
   if (whole > INT64_MAX / ns_per_s - 1 || whole < INT64_MIN / ns_per_s + 1 || rest < 0 || rest >= 5 * ns_per_s) {
@@ -151,7 +153,7 @@ nb::object build(ObjectSink& sink, const ObjectPlan& plan, const std::array<doub
 nb::object build_message(const tf2::StampedTransform& found, nb::handle target, nb::handle source) {
   const Plans& plans = Plans::get();
   const auto& [p, q] = found.value;
-  // Rounds down: nanosec is not negative.
+  // Round down, because nanosec must not be negative.
   std::int64_t sec = found.stamp / ns_per_s, nanosec = found.stamp % ns_per_s;
   if (nanosec < 0) {
     --sec;
@@ -188,8 +190,8 @@ nb::object message_or_raise(const tf2::Result<tf2::StampedTransform>& found, con
 
 void bind_tf2_messages(nb::class_<BufferHandle>& type) {
   type.def("set_message", &set_message, "transform"_a, "authority"_a, "static"_a = false,
-           "Store a `geometry_msgs/msg/TransformStamped` of any class that has its fields; False if it's rejected.\n\n"
-           "Raises TypeError where one of its parts lacks a member.")
+           "Store a `geometry_msgs/msg/TransformStamped` of any class with its fields. Return False if it is rejected."
+           "\n\nRaises TypeError if a field lacks a member.")
       .def(
           "lookup_message",
           [](const BufferHandle& self, const NameArgument& target, const NameArgument& source, nb::handle time) {
@@ -199,7 +201,7 @@ void bind_tf2_messages(nb::class_<BufferHandle>& type) {
           },
           "target_frame"_a, "source_frame"_a, "time"_a.none(),
           nb::sig("def lookup_message(self, target_frame: str, source_frame: str, time: object) -> typing.Any"),
-          "Return what `lookup` does as a `geometry_msgs/msg/TransformStamped`.\n\n"
+          "Return the result of `lookup` as a `geometry_msgs/msg/TransformStamped`.\n\n"
           "`time` has `nanoseconds`, or `sec` and `nanosec`; TypeError if it has neither.")
       .def(
           "lookup_message_full",
@@ -213,7 +215,7 @@ void bind_tf2_messages(nb::class_<BufferHandle>& type) {
           "target_frame"_a, "target_time"_a.none(), "source_frame"_a, "source_time"_a.none(), "fixed_frame"_a,
           nb::sig("def lookup_message_full(self, target_frame: str, target_time: object, source_frame: str, "
                   "source_time: object, fixed_frame: str) -> typing.Any"),
-          "Return what `lookup_full` does as a `geometry_msgs/msg/TransformStamped`; times as in `lookup_message`.");
+          "Return the result of `lookup_full` as a `geometry_msgs/msg/TransformStamped`; see `lookup_message`.");
 }
 
 }  // namespace tfloom::bindings

@@ -1,4 +1,4 @@
-// The value type: one rigid transform.
+// The value type of one rigid transform.
 #include <nanobind/nanobind.h>
 #include <nanobind/operators.h>
 #include <nanobind/stl/array.h>
@@ -43,13 +43,13 @@ double wrapped(double angle) {  // to (-π, π]
   return angle <= -std::numbers::pi ? angle + 2 * std::numbers::pi : angle;
 }
 
-// By half the sum and half the difference of yaw and roll (E. Bernardes and S. Viollet, "Quaternion to Euler angles
-// conversion", 2022): no digits are lost near ±π/2, as they are in the asin of a matrix's element.
+// Computed from half the sum and half the difference of yaw and roll (E. Bernardes and S. Viollet, "Quaternion to Euler
+// angles conversion", 2022). Unlike the asin of a matrix element, this loses no digits near ±π/2.
 nb::tuple rpy(const Transform& t) {
   const Quaternion& q = t.rotation;
   const double down = std::hypot(q.w + q.y, q.z - q.x), up = std::hypot(q.w - q.y, q.z + q.x);
   const double half_sum = std::atan2(q.z + q.x, q.w - q.y), half_difference = std::atan2(q.z - q.x, q.w + q.y);
-  constexpr double locked = 1e-12;  // gimbal lock: yaw and roll turn about one axis, roll takes all
+  constexpr double locked = 1e-12;  // gimbal lock: yaw and roll turn about the same axis, so yaw is set to 0
   constexpr double right_angle = std::numbers::pi / 2;
   if (up < locked) return nb::make_tuple(wrapped(-2 * half_difference), right_angle, 0.0);
   if (down < locked) return nb::make_tuple(wrapped(2 * half_sum), -right_angle, 0.0);
@@ -102,7 +102,7 @@ Transform from_matrix(const nb::object& matrix) {
     for (std::size_t j = 0; j < 3; ++j) m[3 * i + j] = nb::cast<double>(array.attr("item")(i, j));
     p[i] = nb::cast<double>(array.attr("item")(i, 3));
   }
-  // Rows and columns of length one at right angles, right-handed; a little rounding is put right.
+  // The columns must be orthonormal and right-handed; rounding errors within the tolerance are removed.
   constexpr double tolerance = 1e-4;
   const Vector3 x{m[0], m[3], m[6]}, y{m[1], m[4], m[7]}, z{m[2], m[5], m[8]};
   const auto near = [](const Vector3& a, const Vector3& b) {
@@ -141,19 +141,21 @@ void bind_tf2_transform(nb::module_& m) {
            "rotation_xyzw"_a = nb::make_tuple(0.0, 0.0, 0.0, 1.0),
            nb::sig("def __init__(self, translation: collections.abc.Sequence[float] = (0.0, 0.0, 0.0), "
                    "rotation_xyzw: collections.abc.Sequence[float] = (0.0, 0.0, 0.0, 1.0)) -> None"),
-           "Make one of a position [m] and a quaternion of any length; ValueError if that is zero or not finite.")
+           "Create one from a position [m] and a quaternion of any length.\n\n"
+           "Raises ValueError if the quaternion is zero or not finite.")
       .def_static("from_rpy", &from_rpy, "roll_rad"_a, "pitch_rad"_a, "yaw_rad"_a,
                   "translation"_a = nb::make_tuple(0.0, 0.0, 0.0),
-                  "Make one that turns about the fixed axes x, then y, then z [rad].")
+                  "Create one from rotations about the fixed axes x, then y, then z [rad].")
       .def_static("from_axis_angle", &from_axis_angle, "axis"_a, "angle_rad"_a,
                   "translation"_a = nb::make_tuple(0.0, 0.0, 0.0),
-                  "Make one that turns about `axis`, of any length, by `angle_rad`; ValueError if that is zero.")
+                  "Create one from a rotation about `axis`, of any length, by `angle_rad`.\n\n"
+                  "Raises ValueError if the axis is zero, unless the angle is zero too.")
       .def_static("from_matrix", &from_matrix, "matrix"_a,
-                  "Make one of a matrix (4, 4) or (3, 4); ValueError if it's no rigid transform.")
+                  "Create one from a matrix (4, 4) or (3, 4); raises ValueError if it is no rigid transform.")
       .def_static("from_scipy", &from_scipy, "rotation"_a, "translation"_a = nb::make_tuple(0.0, 0.0, 0.0),
-                  "Make one of a `scipy.spatial.transform.Rotation` and a position [m].")
+                  "Create one from a `scipy.spatial.transform.Rotation` and a position [m].")
       .def_prop_ro("translation", &translation, nb::sig("def translation(self) -> tuple[float, float, float]"),
-                   "Where the child's origin is in the parent [m].")
+                   "Position of the child's origin in the parent [m].")
       .def_prop_ro("rotation_xyzw", &rotation, nb::sig("def rotation_xyzw(self) -> tuple[float, float, float, float]"),
                    "Unit quaternion x, y, z, w.")
       .def_prop_ro("rpy_rad", &rpy, nb::sig("def rpy_rad(self) -> tuple[float, float, float]"),
@@ -170,10 +172,10 @@ void bind_tf2_transform(nb::module_& m) {
            "Return the rotation as a `scipy.spatial.transform.Rotation`.")
       .def("inverse", [](const Transform& t) { return inverse(t); }, "Return child_from_parent.")
       .def("interpolate", &tf2::interpolate, "other"_a, "ratio"_a,
-           "Return what is between this (ratio 0) and `other` (1): position linearly, rotation by slerp.")
+           "Return the transform between this (ratio 0) and `other` (1): position linearly, rotation by slerp.")
       .def("apply", &apply, "point"_a, nb::sig("def apply(self, point: collections.abc.Sequence[float]) -> "
                                                "tuple[float, float, float]"),
-           "Return a point of the child in the parent.")
+           "Return a point, given in the child, in the parent.")
       .def("__matmul__", [](const Transform& a, const Transform& b) { return a * b; }, nb::is_operator(), "other"_a,
            "Return the composition.")
       .def("__eq__", [](const Transform& a, const Transform& b) { return a == b; }, nb::is_operator(), "other"_a,
@@ -185,10 +187,10 @@ void bind_tf2_transform(nb::module_& m) {
              const auto& t = nb::cast<const Transform&>(self);
              return nb::make_tuple(self.type(), nb::make_tuple(translation(t), rotation(t)));
            },
-           nb::sig("def __reduce__(self) -> tuple[object, ...]"), "Return what pickle wants.")
+           nb::sig("def __reduce__(self) -> tuple[object, ...]"), "Return the class and the arguments for pickle.")
       .def("__repr__", [](const Transform& t) {
         return nb::str("Transform(translation={}, rotation_xyzw={})").format(translation(t), rotation(t));
-      }, "Return a call that makes it.");
+      }, "Return a call that creates an equal value.");
 }
 
 }  // namespace tfloom::bindings

@@ -35,21 +35,22 @@ std::size_t insert_cdr(BufferHandle& self, const nb::bytes& data, const NameArgu
 }  // namespace
 
 void bind_tf2_wire(nb::module_& m, nb::class_<BufferHandle>& type) {
-  nb::class_<cdr::TfSink, Sink>(m, "TfSink", "Takes the samples of /tf or /tf_static into a buffer, without Python.")
-      .def_prop_ro("message_count", &cdr::TfSink::message_count, "How many messages have come.")
-      .def_prop_ro("dropped_count", &cdr::TfSink::dropped_count, "How many of them were unreadable, and dropped.");
+  nb::class_<cdr::TfSink, Sink>(m, "TfSink",
+                                "A sink that stores the samples of /tf or /tf_static in a buffer, without Python.")
+      .def_prop_ro("message_count", &cdr::TfSink::message_count, "Number of messages received.")
+      .def_prop_ro("dropped_count", &cdr::TfSink::dropped_count, "Number of unreadable messages, which were dropped.");
   type.def(
           "tf_sink",
           [](const BufferHandle& self, std::string authority, bool is_static) {
             return std::make_unique<cdr::TfSink>(self.buffer, std::move(authority), is_static);
           },
           "authority"_a, "static"_a,
-          "Make a sink for `Reader.feed`: what it takes as `tf2_msgs/msg/TFMessage` is stored here.\n\n"
-          "A message that can't be read is dropped whole, and the log callback is told.")
+          "Return a sink for `Reader.feed` that stores samples of `tf2_msgs/msg/TFMessage` here.\n\n"
+          "An unreadable message is dropped whole, and the log callback is called.")
       .def("insert_cdr", &insert_cdr, "data"_a, "authority"_a = "", "static"_a = false,
            "Store the transforms of a `tf2_msgs/msg/TFMessage`, given as encapsulation header and CDR.\n\n"
            "Returns how many were stored; the others were rejected, as by `set`. Raises ValueError, with nothing "
-           "stored, where the bytes are no such message.");
+           "stored, if the bytes are no such message.");
 }
 
 }  // namespace tfloom::bindings

@@ -1,4 +1,4 @@
-// A reader of CDR bytes that trusts nothing: each read is checked against the bytes that are left.
+// A reader of untrusted CDR bytes: each read is checked against the bytes that are left.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace tfloom::cdr {
 
 static_assert(std::endian::native == std::endian::little || std::endian::native == std::endian::big);
 
-// Fixed-size numbers as CDR writes them. bool is read as std::uint8_t.
+// Numbers of fixed size, as in CDR. A bool is read as std::uint8_t.
 template <class T>
 concept Number = std::is_arithmetic_v<T> && !std::same_as<T, bool> && sizeof(T) <= 8;
 
@@ -37,7 +37,7 @@ class PathError : public std::runtime_error {
   [[nodiscard]] const char* separator() const noexcept { return path.empty() || path.front() == '[' ? "" : "."; }
 };
 
-// Bytes that are no sample of the type. `offset` counts from the first octet of the encapsulation header.
+// Bytes that are not a sample of the type. `offset` counts from the first octet of the encapsulation header.
 class DecodeError : public PathError {
  public:
   DecodeError(std::size_t at, const std::string& reason) : PathError(reason), offset(at) {}
@@ -58,12 +58,13 @@ T swap_bytes(T value) noexcept {
 
 }  // namespace detail
 
-// Plain CDR, version 1 (XCDR1): a number of n octets stands at a multiple of n after the encapsulation header.
+// Plain CDR, version 1 (XCDR1): a number of n octets is aligned to n octets, counted from the end of the encapsulation
+// header.
 class Cursor {
  public:
   static constexpr std::size_t header_size = 4;
 
-  // Reads the encapsulation header. `data` must outlive the cursor and every view that it gives out.
+  // Read the encapsulation header. `data` must outlive the cursor and all views that it returns.
   explicit Cursor(std::span<const std::byte> data) : begin_(data.data()), size_(data.size()) {
     if (size_ < header_size) fail("a sample has a header of 4 bytes, this one ends after " + std::to_string(size_));
     const auto kind = std::to_integer<unsigned>(data[0]) << 8 | std::to_integer<unsigned>(data[1]);
@@ -74,7 +75,7 @@ class Cursor {
 
   [[nodiscard]] std::size_t offset() const noexcept { return at_; }  // from the start of the header
   [[nodiscard]] std::size_t left() const noexcept { return size_ - at_; }
-  [[nodiscard]] bool swaps() const noexcept { return swap_; }  // the sample has the other byte order
+  [[nodiscard]] bool swaps() const noexcept { return swap_; }  // whether the sample has the other byte order
 
   template <Number T>
   T read() {
@@ -83,7 +84,7 @@ class Cursor {
     return swap_ ? detail::swap_bytes(value) : value;
   }
 
-  // Fills `out`. Nothing is read, nor aligned, for no elements.
+  // Fill `out`. If it is empty, the position does not change, not even for alignment.
   template <Number T>
   void read_into(std::span<T> out) {
     if (out.empty()) return;
@@ -92,27 +93,28 @@ class Cursor {
     if (swap_ && sizeof(T) > 1) std::ranges::transform(out, out.begin(), detail::swap_bytes<T>);
   }
 
-  // The octets of `count` numbers of `size` octets, in the sample's byte order. Nothing is aligned for no numbers.
+  // Return the octets of `count` numbers of `size` octets, in the sample's byte order. If `count` is 0, the position
+  // does not change.
   std::span<const std::byte> read_octets(std::uint32_t count, std::size_t size) {
     if (count == 0) return {};
     return {take(size, count * size), count * size};
   }
 
-  // Reads the length of a sequence, each of whose elements takes `least_element_size` octets or more: a length
-  // that the bytes left cannot hold is an error here, before anybody allocates for it.
+  // Read the length of a sequence whose elements take `least_element_size` octets or more each. A length that does not
+  // fit into the bytes left is an error here, so that callers can allocate for it.
   std::uint32_t read_length(std::size_t least_element_size) {
     const auto length = read<std::uint32_t>();
     if (length * std::uint64_t{least_element_size} > left()) fail_length(length);
     return length;
   }
 
-  // Checks that `count` elements of `least_element_size` octets or more can still come.
+  // Check that `count` elements of `least_element_size` octets or more fit into the bytes left.
   void require(std::uint32_t count, std::size_t least_element_size) const {
     if (count * std::uint64_t{least_element_size} > left()) fail_short(at_, count * least_element_size);
   }
 
-  // The view ends before the terminating zero. Not checked for UTF-8. A length of 0, which some writers send for
-  // the empty string, is the empty string.
+  // Return a view that ends before the terminating zero. It is not checked for UTF-8. A length of 0, which some writers
+  // send for the empty string, is the empty string.
   std::string_view read_string() {
     const auto length = read_length(1);
     if (length == 0) return {};

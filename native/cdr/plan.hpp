@@ -1,4 +1,4 @@
-// What the codec knows of a message type: its fields in order, each with what stands on the wire for it.
+// The codec's description of a message type: its fields in order, each with its encoding.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace tfloom::cdr {
 
 enum class Kind : std::uint8_t {
   boolean,
-  octet,  // a `byte`: no number
+  octet,  // a `byte`: not a number
   int8,
   uint8,
   int16,
@@ -35,7 +35,7 @@ enum class Shape : std::uint8_t { single, array, bounded, unbounded };
 
 struct Plan;
 
-// No sample is as large as this [octets]; the product of two sizes up to it does not overflow.
+// An upper limit for sizes [octets]; no sample is as large, and the product of two sizes up to it does not overflow.
 constexpr std::size_t size_limit = 0xffffffff;
 
 struct Field {
@@ -53,15 +53,15 @@ struct Field {
 struct Plan {
   std::string name;  // "geometry_msgs/msg/Twist"
   std::vector<Field> fields;
-  std::size_t least_size = 0;  // [octets], without alignment; set by `finish`
+  std::size_t least_size = 0;  // [octets], without alignment; set by `update_least_size`
 
-  // A message without fields has one octet on the wire.
+  // A message without fields is encoded as one octet.
   [[nodiscard]] bool is_empty() const noexcept { return fields.empty(); }
 
-  void finish() {
+  void update_least_size() {
     least_size = 0;
     for (const Field& field : fields) least_size = std::min(least_size + field.least_size(), size_limit);
-    least_size = std::max<std::size_t>(least_size, 1);  // or a few bytes could claim any number of elements
+    least_size = std::max<std::size_t>(least_size, 1);  // limits the number of elements that a few bytes can declare
   }
 
   // "TransformStamped" of "geometry_msgs/msg/TransformStamped"
@@ -71,7 +71,7 @@ struct Plan {
   }
 };
 
-// Calls `visit` with a value of the number type that stands for a numeric kind (octets and booleans: uint8_t).
+// Call `visit` with a value of the number type of a numeric kind (octets and booleans: uint8_t).
 template <class Visit>
 decltype(auto) with_number_type(Kind kind, Visit&& visit) {
   switch (kind) {
@@ -99,7 +99,7 @@ inline std::size_t Field::least_element_size() const noexcept {
 inline std::size_t Field::least_size() const noexcept {
   if (shape == Shape::single) return least_element_size();
   if (shape != Shape::array) return sizeof(std::uint32_t);
-  // Arrays of arrays can be larger than any memory: it's enough to know that they don't fit.
+  // Arrays of arrays can be larger than any memory. Their sizes are limited, because it is enough that they do not fit.
   return static_cast<std::size_t>(std::min<std::uint64_t>(count * std::uint64_t{least_element_size()}, size_limit));
 }
 

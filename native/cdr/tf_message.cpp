@@ -7,7 +7,7 @@
 namespace tfloom::cdr {
 namespace {
 
-constexpr std::size_t least_transform_size = 4 + 4 + 4 + 4 + 7 * 8;  // two stamps' halves, two lengths, doubles
+constexpr std::size_t least_transform_size = 4 + 4 + 4 + 4 + 7 * 8;  // sec, nanosec, two string lengths, doubles
 constexpr std::size_t most_padding = 7;  // wires pad to 4 or 8
 constexpr std::int64_t ns_per_s = 1'000'000'000;
 
@@ -58,7 +58,7 @@ void TfSink::push(std::span<const std::byte> data, const SampleInfo&) noexcept {
   messages_.fetch_add(1);
   try {
     insert(data);
-  } catch (...) {  // out of memory: nothing that could be said of it
+  } catch (...) {  // out of memory: counted, because a log text would need memory too
     dropped_.fetch_add(1);
   }
 }

@@ -1,4 +1,4 @@
-// tf2_msgs/msg/TFMessage: its bytes straight into a buffer, with no message in between.
+// Decode tf2_msgs/msg/TFMessage directly into a buffer, without message objects.
 #pragma once
 
 #include <atomic>
@@ -14,12 +14,12 @@
 
 namespace tfloom::cdr {
 
-// Appends the message's transforms to `entries`; their names are views into `data`. Throws DecodeError where the
-// bytes are no such message: a name that is not UTF-8 is an error too, as Python could not hold it.
+// Append the message's transforms to `entries`; their names are views into `data`. Throw DecodeError if the bytes are
+// not such a message. A name that is not UTF-8 is an error too, because a Python str cannot hold it.
 void read_tf_message(std::span<const std::byte> data, std::vector<tf2::Entry>& entries);
 
-// Takes the samples of /tf or /tf_static. A message that can't be read is dropped whole, as nobody can tell which
-// part of it is sound; the buffer's log says so.
+// A sink that stores the samples of /tf or /tf_static in a buffer. An unreadable message is dropped whole, because its
+// readable part may be corrupt too; the buffer's log reports it.
 class TfSink final : public Sink {
  public:
   TfSink(std::shared_ptr<tf2::Buffer> buffer, std::string authority, bool is_static)
@@ -27,13 +27,13 @@ class TfSink final : public Sink {
 
   void push(std::span<const std::byte> data, const SampleInfo& info) noexcept override;
 
-  [[nodiscard]] std::uint64_t message_count() const { return messages_.load(); }  // all that came
-  [[nodiscard]] std::uint64_t dropped_count() const { return dropped_.load(); }   // of these, unreadable
+  [[nodiscard]] std::uint64_t message_count() const { return messages_.load(); }  // all messages received
+  [[nodiscard]] std::uint64_t dropped_count() const { return dropped_.load(); }   // those that were unreadable
 
  private:
   void insert(std::span<const std::byte> data);
 
-  const std::shared_ptr<tf2::Buffer> buffer_;
+  const std::shared_ptr<tf2::Buffer> buffer_;  // thread-safe by itself
   const std::string authority_;
   const bool is_static_;
   std::atomic<std::uint64_t> messages_{0};

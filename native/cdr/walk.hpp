@@ -1,25 +1,25 @@
-// Walks a plan over CDR bytes: `Reader` gives what it finds to a sink, `Emitter` writes what a source gives.
+// Walk a plan over CDR bytes: `Reader` passes decoded values to a sink, `Emitter` encodes values from a source.
 //
 // A sink has a type `Value` (movable) and
 //   Value message(const Plan&)                                       an empty message
 //   void set(Value& message, const Plan&, std::size_t index, Value)  its field number `index`
 //   Value boolean(bool)   Value octet(std::uint8_t)   Value number(T)
-//   Value string(std::string_view, std::size_t offset)               may be no UTF-8: throws DecodeError then
+//   Value string(std::string_view, std::size_t offset)               throws DecodeError if it is not UTF-8
 //   Value wide(std::u32string_view)
 //   Value numbers<T>(const Plan&, std::size_t index, Cursor&, std::uint32_t length)
-//                                                                    a numeric array: takes it off the cursor
+//                                                                    reads a numeric array from the cursor
 //   Value list(std::uint32_t length)   void set_item(Value& list, std::uint32_t index, Value)
-//   void finish(Value& message, const Plan&)   void finish_list(Value&)   all fields, all items are set
+//   void finish(Value& message, const Plan&)   void finish_list(Value&)   called after all fields or items are set
 //
-// A source has a type `Value`, which lives until the next call that may run foreign code (`number`, `open_list`), a
-// type `Held`, which keeps what is in it alive, and
+// A source has a type `Value`, valid until the next call that may run user code (`number`, `open_list`); a type `Held`,
+// which keeps its contents alive; and
 //   Value field(const Held& message, const Plan&, std::size_t index)
-//   Held open(Value, const Plan&)                           checks that it is a message of that plan
+//   Held open(Value, const Plan&)                           checks that the value is a message of that plan
 //   bool boolean(Value)   std::uint8_t octet(Value)   T number<T>(Value)
 //   std::string_view string(Value)   std::u32string wide(Value)
-//   bool numbers<T>(Value, visit)                           visit(span of octets), or false: not contiguous
+//   bool numbers<T>(Value, visit)                           calls visit(span of octets); false: not contiguous
 //   Held open_list(Value)   std::size_t length(const Held&)   Value item(const Held&, std::size_t index)
-// and throws EncodeError.
+// Its functions throw EncodeError.
 #pragma once
 
 #include <algorithm>
@@ -46,7 +46,7 @@ class EncodeError : public PathError {
 
 namespace detail {
 
-// Characters of a text that is UTF-8: every octet but the continuations.
+// Return the number of characters of UTF-8: octets that are not continuations.
 inline std::size_t count_characters(std::string_view text) noexcept {
   return static_cast<std::size_t>(
       std::ranges::count_if(text, [](char octet) { return (static_cast<unsigned char>(octet) & 0xc0) != 0x80; }));

@@ -12,7 +12,7 @@ namespace tfloom::cdr {
 inline bool is_high_surrogate(std::uint32_t unit) noexcept { return unit >= 0xd800 && unit < 0xdc00; }
 inline bool is_low_surrogate(std::uint32_t unit) noexcept { return unit >= 0xdc00 && unit < 0xe000; }
 
-// Reads a wstring as code points. Surrogates must stand in pairs.
+// Read a wstring as code points. Surrogates must be in pairs.
 inline std::u32string read_wide(Cursor& in) {
   const auto length = in.read_length(sizeof(std::uint32_t));
   std::u32string text;

@@ -13,7 +13,7 @@
 
 namespace tfloom::cdr {
 
-// Storage: `std::span<std::byte> resize(std::size_t)` keeps what was written and may move it.
+// Storage has `std::span<std::byte> resize(std::size_t)`, which keeps the contents and may move them.
 template <class Storage>
 class Writer {
  public:
@@ -31,7 +31,8 @@ class Writer {
     std::memcpy(reserve(sizeof(T), sizeof(T)), &value, sizeof(T));
   }
 
-  // Numbers in host order, contiguous, not necessarily aligned in memory. Writes nothing for no elements.
+  // Write numbers in host byte order, contiguous and not necessarily aligned in memory. Write nothing if there are
+  // none.
   template <Number T>
   void write_all(std::span<const std::byte> octets) {
     if (octets.empty()) return;
@@ -59,7 +60,7 @@ class Writer {
     return to + gap;
   }
 
-  // A large piece gets just what it needs, so that an image is not followed by as much memory again.
+  // The spare memory is limited, so that writing an image does not double its memory.
   void grow(std::size_t count) {
     const std::size_t spare = std::min<std::size_t>(at_, 65536) + 64;
     memory_ = storage_.resize(at_ + count + spare);

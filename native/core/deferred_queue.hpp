@@ -1,19 +1,20 @@
-// Calls into Python, deferred by a thread that must not wait for it; and the order in which locks are taken.
+// A queue for calls into Python from threads that must not wait for the GIL. This file also defines the order of all
+// locks.
 //
-// A thread that holds one of these locks takes only locks further down:
+// A thread that holds one of these locks acquires only locks with a higher number:
 //
-//  1. Python's GIL. A thread that holds any lock below never asks for the GIL: calls into Python, and the release of
-//     Python objects, come after the lock is released, or are deferred.
+//  1. Python's GIL. A thread that holds any lock below never acquires the GIL: it calls into Python, and releases
+//     Python objects, after it has released the lock, or defers both.
 //  2. dds: Reader::lifecycle_mutex_; the mutexes of the open domains (participant.cpp) and libraries (library.cpp)
-//  3. dds: Reader::feed_mutex_. A listener only tries it, and goes on without it.
-//  4. dds: Graph::mutex_, Peers::mutex_, Events::taken_mutex_, Writer::in_use_: held while libddsc is called
-//  5. libddsc's own locks, which it holds while it calls a listener
-//  6. dds, taken by listeners: Reader::listener_mutex_, Events::mutex_, Feeder::mutex_
+//  3. dds: Reader::feed_mutex_. A listener acquires it by try_lock only.
+//  4. dds: Graph::mutex_, Peers::mutex_, Events::reported_mutex_, Writer::in_use_: held during calls of libddsc
+//  5. libddsc's own locks, which it holds during calls of a listener
+//  6. dds, acquired in listeners: Reader::listener_mutex_, Events::mutex_, Feeder::mutex_
 //  7. tf2: Requests::mutex_, then Buffer::frames_mutex_
-//  8. with nothing taken below them: ReadyQueue::mutex_, SampleQueue::mutex_, Waker::mutex_ (Windows),
+//  8. no other lock is acquired below these: ReadyQueue::mutex_, SampleQueue::mutex_, Waker::mutex_ (Windows),
 //     Buffer::waiting_mutex_, Log::mutex_
 //
-// Two locks of one number are not held together, except where the line says "then".
+// Two locks with the same number are not held together, except where the line says "then".
 #pragma once
 
 #include <functional>
@@ -30,13 +31,13 @@ class DeferredQueue {
   DeferredQueue& operator=(const DeferredQueue&) = delete;
   virtual ~DeferredQueue() = default;
 
-  // Run `work` soon, in order of arrival, on a thread that may wait. Return at once.
+  // Queue `work` and return at once. It runs in order of arrival, on a thread that may block.
   virtual void defer(Work work) = 0;
 
-  // The queue that takes this thread's calls into Python; nullptr: this thread may make them itself.
+  // Return the queue to which this thread defers its calls into Python; nullptr: this thread may make them itself.
   static DeferredQueue* current() noexcept { return current_; }
 
-  // While it lives, this thread's calls go to `queue`.
+  // Make `queue` the current queue of this thread for the lifetime of the scope.
   class Scope {
    public:
     explicit Scope(DeferredQueue& queue) noexcept : before_(std::exchange(current_, &queue)) {}
@@ -49,7 +50,7 @@ class DeferredQueue {
   };
 
  private:
-  inline static thread_local DeferredQueue* current_ = nullptr;  // of each thread its own: no lock
+  inline static thread_local DeferredQueue* current_ = nullptr;  // thread_local: needs no lock
 };
 
 }  // namespace tfloom

@@ -1,4 +1,4 @@
-// Asks the processor for memory that will be wanted soon.
+// Load memory into the processor's cache before it is read.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,8 @@
 
 namespace tfloom {
 
-// Of no effect on what a program computes: any address will do. A line of a cache holds 64 octets or more.
+// A hint only: any address is valid, and the results of the program do not depend on it. A cache line holds 64 octets
+// or more.
 inline void prefetch(const void* address, std::size_t octets = 1) {
   const char* const begin = static_cast<const char*>(address);
   for (std::size_t at = 0; at < octets; at += 64) {

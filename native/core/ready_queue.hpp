@@ -1,4 +1,4 @@
-// The one thing an executor waits for: a queue of tokens of entities that have something to do.
+// The queue on which an executor waits: tokens of entities that are ready.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace tfloom {
 
-// Any thread posts; one thread waits. A token posted again before it is taken is taken once.
+// Any thread may post; one thread waits. A token that is posted again before it is taken is taken once.
 class ReadyQueue {
  public:
   using Token = std::uint64_t;
@@ -19,18 +19,18 @@ class ReadyQueue {
 
   void post(Token token);
 
-  // Moves all posted tokens, in order of first posting, into `tokens`. Waits for the first one: not at all with
-  // a timeout of 0, for ever with a negative one. `interrupted`: a signal handler ran on this thread.
+  // Move all posted tokens, in order of first posting, into `tokens`. If there are none, wait for the first one: up to
+  // `timeout_ns`, or without limit if that is negative. `interrupted`: a signal handler ran on this thread.
   Outcome wait(std::int64_t timeout_ns, std::vector<Token>& tokens);
 
  private:
   bool take(std::vector<Token>& tokens);
 
   std::mutex mutex_;
-  std::vector<Token> order_;  // guarded by mutex_, as are the next two
+  std::vector<Token> order_;  // guarded by mutex_, like the next two
   std::unordered_set<Token> pending_;
-  bool is_waiting_ = false;  // the thread that waits found nothing, and hasn't been woken since
-  Waker waker_;              // for any thread by itself
+  bool is_waiting_ = false;  // the waiting thread found no token, and has not been woken since
+  Waker waker_;              // thread-safe by itself
 };
 
 }  // namespace tfloom

@@ -12,7 +12,7 @@ void SampleQueue::push(std::span<const std::byte> data, const SampleInfo& info) 
   try {
     samples_.push_back({{data.begin(), data.end()}, info});
   } catch (const std::bad_alloc&) {
-    return;  // dropped, and counted
+    return;  // the sample is dropped, but counted
   }
   if (samples_.size() > depth_) samples_.pop_front();
 }

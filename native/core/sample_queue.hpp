@@ -1,4 +1,4 @@
-// A sink that keeps what it is fed until somebody takes it.
+// A sink that stores samples until they are taken.
 #pragma once
 
 #include <cstdint>
@@ -19,16 +19,16 @@ class SampleQueue : public Sink {
 
   explicit SampleQueue(std::size_t depth) : depth_(depth) {}
 
-  // Keeps a copy; the oldest one makes room.
+  // Store a copy. In a full queue, it replaces the oldest sample.
   void push(std::span<const std::byte> data, const SampleInfo& info) noexcept override;
 
-  [[nodiscard]] std::deque<Sample> take();
-  [[nodiscard]] std::uint64_t pushed() const;
+  [[nodiscard]] std::deque<Sample> take();     // remove all samples, oldest first
+  [[nodiscard]] std::uint64_t pushed() const;  // number of samples pushed since construction
 
  private:
   mutable std::mutex mutex_;
   const std::size_t depth_;
-  std::deque<Sample> samples_;  // guarded by mutex_, as is the next
+  std::deque<Sample> samples_;  // guarded by mutex_, like the next
   std::uint64_t pushed_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// A sink takes serialized samples from a wire, on the wire's own threads and without Python.
+// The interface to which a wire passes serialized samples, on the wire's own threads and without Python.
 #pragma once
 
 #include <array>
@@ -23,10 +23,10 @@ class Sink {
   Sink& operator=(const Sink&) = delete;
   virtual ~Sink() = default;
 
-  // Takes one sample: the four octets of encapsulation header, then CDR. `data` is hostile and lives only
-  // during the call. Never throws: a sample that can't be read is counted and dropped. Takes microseconds, as the
-  // thread may be the one that receives for all of the process; calls into Python are
-  // deferred (core/deferred_queue.hpp).
+  // Process one sample: the four octets of encapsulation header, then CDR. `data` is untrusted and valid only during
+  // the call. An unreadable sample is counted and dropped. The call must return within microseconds, because the thread
+  // may be the one that receives all samples of the process; calls into Python are deferred
+  // (core/deferred_queue.hpp).
   virtual void push(std::span<const std::byte> data, const SampleInfo& info) noexcept = 0;
 };
 

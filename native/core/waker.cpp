@@ -20,7 +20,7 @@ using std::chrono::nanoseconds;
 using std::chrono::steady_clock;
 
 Waker::Deadline::Deadline(std::int64_t timeout_ns) {
-  // Past some 146 years the sum overflows; that is "never" too.
+  // The sum overflows for timeouts beyond about 146 years, so these count as no deadline.
   constexpr std::int64_t longest = INT64_MAX / 2;
   if (timeout_ns >= 0 && timeout_ns < longest) end_ = steady_clock::now() + nanoseconds(timeout_ns);
 }
@@ -32,7 +32,7 @@ std::optional<nanoseconds> Waker::Deadline::left() const {
 
 #ifdef _WIN32
 
-// Windows delivers Ctrl-C on a thread of its own, so a long wait looks up now and then.
+// Windows runs Ctrl-C handlers on a separate thread, so a long wait returns at this period to check for signals.
 constexpr std::chrono::milliseconds signal_check_period(50);
 
 Waker::Waker() = default;
@@ -82,7 +82,7 @@ Waker::~Waker() {
 
 void Waker::wake() {
   const std::uint64_t one = 1;
-  // A full pipe or counter is awake already; an interrupted write is tried again.
+  // If the pipe or counter is full, a wake-up is already pending. Only an interrupted write is repeated.
   while (write(write_fd_, &one, sizeof one) < 0 && errno == EINTR) {
   }
 }

@@ -1,4 +1,5 @@
-// Wakes one waiting thread, and lets a signal (Ctrl-C) wake it too: a condition variable can't do the second.
+// Wake one waiting thread from another thread. A signal (Ctrl-C) ends the wait too, unlike that of a condition
+// variable.
 #pragma once
 
 #include <chrono>
@@ -17,8 +18,8 @@ class Waker {
 
   class Deadline {
    public:
-    explicit Deadline(std::int64_t timeout_ns);  // negative: never
-    [[nodiscard]] std::optional<std::chrono::nanoseconds> left() const;  // empty: never; not below zero
+    explicit Deadline(std::int64_t timeout_ns);  // negative: no deadline
+    [[nodiscard]] std::optional<std::chrono::nanoseconds> left() const;  // zero or more; empty: no deadline
 
    private:
     std::optional<std::chrono::steady_clock::time_point> end_;
@@ -29,7 +30,7 @@ class Waker {
   Waker(const Waker&) = delete;
   Waker& operator=(const Waker&) = delete;
 
-  void wake();  // from any thread; wakes that come before the wait are kept, as one
+  void wake();  // from any thread; calls before the wait count as one wake-up, which ends it at once
   Outcome wait(const Deadline& deadline);
 
  private:
@@ -38,7 +39,7 @@ class Waker {
   std::condition_variable condition_;
   bool woken_ = false;  // guarded by mutex_
 #else
-  int read_fd_ = -1;  // both constant once constructed: the kernel orders reads and writes
+  int read_fd_ = -1;  // both constant after construction: the kernel orders reads and writes
   int write_fd_ = -1;
 #endif
 };

@@ -1,4 +1,4 @@
-// The few types of libddsc's C interface (version 11) that cross it by value or are read in place. All else is opaque.
+// The types of libddsc's C interface (version 11) that are passed by value or read in place. All others are opaque.
 #pragma once
 
 #include <cstddef>

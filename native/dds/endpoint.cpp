@@ -3,7 +3,7 @@
 namespace tfloom::dds {
 namespace {
 
-// "One octet at offset 0, and that is all", in the library's marshalling code.
+// The library's marshalling code for a type with one octet at offset 0 and nothing else.
 constexpr std::uint32_t one_octet_ops[] = {0x01010000, 0, 0};
 constexpr std::uint32_t restrict_representations = 1U << 7U;
 constexpr std::uint32_t only_xcdr1 = 1;

@@ -1,4 +1,4 @@
-// What a reader and a writer have in common: a topic of raw CDR in its ROS dress.
+// What a reader and a writer share: a topic of raw CDR under ROS's names.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ struct TopicName {
   std::string type_name;
 };
 
-// Opens a topic whose samples pass as they are. The type that the library is told has one octet, so it checks that
-// there is one and looks no further; no type information goes out, so other vendors compare type names alone.
+// Create a topic whose samples pass unchanged. Its type descriptor declares one octet, so the library checks only that
+// a sample has at least one. It carries no type information, so other vendors compare type names alone.
 Entity create_topic(Participant& participant, const TopicName& topic);
 
 }  // namespace tfloom::dds

@@ -63,12 +63,12 @@ void Events::check(Event event) const {
   throw std::invalid_argument(of_writer_ ? "writers have no such event" : "readers have no such event");
 }
 
-// The changes that the library counts end with each call of a listener, so ours are differences of its totals.
+// The library resets its own counts of changes with each call of a listener, so changes are computed from its totals.
 std::optional<Events::Status> Events::take(Event event, Entity entity) {
   check(event);
-  const std::lock_guard lock(taken_mutex_);
+  const std::lock_guard lock(reported_mutex_);
   const Status now = read(event, entity);
-  Status& before = taken_[index_of(event)];
+  Status& before = reported_[index_of(event)];
   if (now == before) return std::nullopt;
   const Status change{now[0] - before[0], now[1] - before[1], 0, 0};
   before = now;

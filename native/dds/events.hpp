@@ -1,4 +1,4 @@
-// What happens to an endpoint besides data: the statuses of DDS, posted to a queue and taken as counts.
+// The status events of an endpoint in DDS: each is posted to a queue, and its status is taken as counts.
 #pragma once
 
 #include <array>
@@ -21,21 +21,22 @@ class Events {
   // Up to four numbers, in the order of the fields of the event's status in tfloom.rmw.events; a policy by DDS's id.
   using Status = std::array<std::int64_t, 4>;
 
-  // `on_match` is called by the listener whenever a peer connects or leaves.
+  // The listener calls `on_match` whenever a peer is matched or unmatched.
   Events(const Library& library, bool of_writer, std::function<void()> on_match = {})
       : library_(library), of_writer_(of_writer), on_match_(std::move(on_match)) {}
 
-  // Adds the callbacks to the listener that its endpoint is created with.
+  // Add the callbacks to the listener with which the endpoint will be created.
   void listen(Listener_* listener);
 
-  // Posts `token` when `event` may have news, once at the start too; nullptr ends it.
-  // Throws std::invalid_argument for an event of the other kind of endpoint, as does `take`.
+  // Post `token` to `queue` now, and whenever the status of `event` may have changed; nullptr ends this.
+  // Throw std::invalid_argument for an event that this kind of endpoint does not have.
   void notify(Event event, ReadyQueue* queue, ReadyQueue::Token token);
 
-  // Returns the status of `entity`, with the changes since the last call; empty if nothing has changed.
+  // Return the status of `entity`, with the changes since the last call; empty if it has not changed.
+  // Throw std::invalid_argument as `notify` does.
   std::optional<Status> take(Event event, Entity entity);
 
-  // Forgets the queues.
+  // Remove all queues.
   void close();
 
  private:
@@ -54,10 +55,10 @@ class Events {
   const Library& library_;
   bool of_writer_;
   std::function<void()> on_match_;
-  std::mutex mutex_;  // taken by the listener, so it is not held while the library is called
-  std::array<Watcher, event_count> watchers_;  // guarded by mutex_
-  std::mutex taken_mutex_;                     // held while the library is called
-  std::array<Status, event_count> taken_{};    // guarded by taken_mutex_
+  std::mutex mutex_;  // acquired in the listener, so it is not held during calls of the library
+  std::array<Watcher, event_count> watchers_;   // guarded by mutex_
+  std::mutex reported_mutex_;                   // held during calls of the library
+  std::array<Status, event_count> reported_{};  // totals at the last `take`; guarded by reported_mutex_
 };
 
 }  // namespace tfloom::dds

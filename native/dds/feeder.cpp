@@ -23,7 +23,7 @@ void Feeder::schedule(Source& source) {
     const std::lock_guard lock(mutex_);
     enqueue(source);
   }
-  scheduled_.notify_one();  // with the lock given up, else the thread would wake to wait for it
+  scheduled_.notify_one();  // after the lock is released, because the woken thread would wait for it
 }
 
 void Feeder::defer(Work work) {
@@ -34,7 +34,7 @@ void Feeder::defer(Work work) {
   scheduled_.notify_one();
 }
 
-void Feeder::forget(Source& source) {
+void Feeder::cancel(Source& source) {
   std::unique_lock lock(mutex_);
   drained_.wait(lock, [&] { return draining_ != &source; });
   std::erase(waiting_, &source);
@@ -54,7 +54,7 @@ void Feeder::run() {
       deferred_.pop_front();
       lock.unlock();
       work();
-      work = nullptr;  // what it holds is released without the lock
+      work = nullptr;  // destroys what it captured, without the lock
       lock.lock();
       continue;
     }

@@ -1,4 +1,4 @@
-// One thread for what the listeners of the DDS library must not do: whatever may wait.
+// A thread for work that may block, which the listeners of the DDS library must not do.
 #pragma once
 
 #include <condition_variable>
@@ -19,24 +19,25 @@ class Feeder : public DeferredQueue {
     Source& operator=(const Source&) = delete;
     virtual ~Source() = default;
 
-    // Takes some of what waits, on the feeder's thread; true if there may be more.
+    // Process some of the pending data, on the feeder's thread. Return true if there may be more.
     virtual bool drain() = 0;
   };
 
   Feeder();
   ~Feeder() override;
 
-  // Has `source` drained soon. From any thread, a listener's too: it never waits for a drain.
+  // Queue `source` to be drained. May be called from any thread, in a listener too: it returns before the drain.
   void schedule(Source& source);
 
-  // When this returns, `source` isn't being drained and won't be until it is scheduled again.
-  void forget(Source& source);
+  // Remove `source` from the queue and wait until a drain of it has ended. Afterwards it is not drained until it is
+  // scheduled again.
+  void cancel(Source& source);
 
-  // Runs `work` soon. Callers may be in a listener, or hold a lock.
+  // Queue `work`. May be called in a listener, and with a lock held.
   void defer(Work work) override;
 
-  // Runs the deferred work, and ends the thread; sources that are scheduled are left. Not from the feeder's
-  // own thread.
+  // Run the deferred work and end the thread; sources that are still queued are not drained. Must not be called on the
+  // feeder's own thread.
   void stop();
 
  private:
@@ -44,11 +45,11 @@ class Feeder : public DeferredQueue {
   void enqueue(Source& source);
 
   std::mutex mutex_;
-  std::condition_variable scheduled_;  // waits with mutex_, as does the next
+  std::condition_variable scheduled_;  // waits with mutex_, like the next
   std::condition_variable drained_;
-  std::deque<Source*> waiting_;  // guarded by mutex_, as are the next three
+  std::deque<Source*> waiting_;  // sources to drain; guarded by mutex_, like the next three
   std::deque<Work> deferred_;
-  Source* draining_ = nullptr;
+  Source* draining_ = nullptr;  // the source that is being drained
   bool stopping_ = false;
   std::thread thread_;  // started by the constructor, joined by `stop`
 };

@@ -7,9 +7,9 @@
 namespace tfloom::dds {
 namespace {
 
-constexpr std::uint32_t samples_a_take = 64;
+constexpr std::uint32_t samples_per_take = 64;
 constexpr std::size_t header_size = 4;
-constexpr std::size_t early_node_lists = 256;
+constexpr std::size_t most_early_node_lists = 256;  // bounded, because they come from the wire
 
 Gid to_gid(const void* octets) {
   Gid gid;
@@ -19,13 +19,13 @@ Gid to_gid(const void* octets) {
 
 std::string to_string(const char* text) { return text == nullptr ? std::string() : std::string(text); }
 
-// Takes all that waits at a reader of a built-in topic and hands each sample to `receive(sample, is_alive)`.
+// Take all samples of a reader of a built-in topic, and call `receive(sample, is_alive)` for each.
 template <typename Sample, typename Receive>
 void take_all(const Library& library, Entity reader, const Receive& receive) {
   for (;;) {
-    void* samples[samples_a_take]{};
-    SampleState states[samples_a_take];
-    const Result count = library.take(reader, samples, states, samples_a_take, samples_a_take);
+    void* samples[samples_per_take]{};
+    SampleState states[samples_per_take];
+    const Result count = library.take(reader, samples, states, samples_per_take, samples_per_take);
     if (count <= 0) return;
     for (Result i = 0; i < count; ++i) {
       const bool is_alive = states[i].valid_data && states[i].instance_state == alive_instance;
@@ -52,7 +52,7 @@ Graph::~Graph() { close(); }
 Entity Graph::listen(Entity topic, const Qos_* qos) {
   Listener_* listener = library_.create_listener(nullptr);
   library_.lset_data_available_arg(listener, &Graph::on_data_available, this, true);
-  // The participant, not its subscriber: the library reads its built-in topics through a subscriber of its own.
+  // Created on the participant, because the library reads its built-in topics through a subscriber of its own.
   const Entity reader = library_.create_reader(participant_.entity(), topic, qos, listener);
   library_.delete_listener(listener);
   return library_.check(reader, "cannot listen to the graph");
@@ -142,7 +142,7 @@ void Graph::update_node_lists() {
   }
 }
 
-// A node list starts with the GUID of its participant.
+// After its encapsulation header, a node list starts with the GUID of its participant.
 void Graph::put_node_list(std::span<const std::byte> data) {
   if (data.size() < header_size + sizeof(Gid)) return;
   ++changes_;
@@ -152,7 +152,7 @@ void Graph::put_node_list(std::span<const std::byte> data) {
     found->second.node_list.assign(data.begin(), data.end());
     return;
   }
-  if (early_node_lists_.size() >= early_node_lists) early_node_lists_.clear();
+  if (early_node_lists_.size() >= most_early_node_lists) early_node_lists_.clear();
   early_node_lists_[gid].assign(data.begin(), data.end());
 }
 
@@ -166,7 +166,7 @@ void Graph::close() {
   }
   const Entity readers[] = {participant_reader_, writer_reader_, reader_reader_, node_list_reader_};
   for (const Entity reader : readers) library_.set_listener(reader, nullptr);
-  participant_.feeder().forget(*this);
+  participant_.feeder().cancel(*this);
   for (const Entity reader : readers) library_.delete_entity(reader);
   library_.delete_entity(node_list_topic_);
 }

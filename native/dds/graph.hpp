@@ -1,4 +1,4 @@
-// Everything that has been discovered on a domain, this process's own ends included.
+// All participants and endpoints discovered on a domain, including those of this process.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct EndpointInfo {
   Gid gid{};
   Gid participant{};
   bool is_writer = false;
-  std::string topic_name;  // as on the wire, as are the others: hostile bytes
+  std::string topic_name;  // as received, like the next two: untrusted bytes
   std::string type_name;
   std::string user_data;
   Qos qos;
@@ -29,7 +29,7 @@ struct EndpointInfo {
 
 struct ParticipantInfo {
   std::string user_data;
-  std::vector<std::byte> node_list;  // its latest sample of ros_discovery_info, unread; empty if none has come
+  std::vector<std::byte> node_list;  // its latest sample of ros_discovery_info, not decoded; empty: none received
 };
 
 class Graph : private Feeder::Source {
@@ -39,16 +39,16 @@ class Graph : private Feeder::Source {
     std::vector<EndpointInfo> endpoints;
   };
 
-  // Listens from now on. `node_lists` names the topic in which participants list their nodes.
+  // Start to listen. `node_lists` names the topic in which participants list their nodes.
   Graph(Participant& participant, const TopicName& node_lists, const Qos& qos, const std::string& user_data);
   ~Graph() override;
 
   [[nodiscard]] Snapshot snapshot();
 
-  // A number that grows whenever a snapshot would differ.
+  // Return a number that grows with each change of the snapshot.
   [[nodiscard]] std::uint64_t changes();
 
-  // Posts `token` whenever the graph has changed; nullptr ends it.
+  // Post `token` whenever the graph has changed; nullptr ends this.
   void notify(ReadyQueue* queue, ReadyQueue::Token token);
 
   void close();
@@ -57,7 +57,7 @@ class Graph : private Feeder::Source {
   static void on_data_available(Entity, void* self);
   Entity listen(Entity topic, const Qos_* qos);
   bool drain() override;
-  void update();
+  void update();  // requires mutex_ to be held, like the next four
   void update_participants();
   void update_endpoints(Entity reader, bool is_writer);
   void update_node_lists();
@@ -65,15 +65,15 @@ class Graph : private Feeder::Source {
 
   Participant& participant_;
   const Library& library_;
-  std::mutex mutex_;                              // held while the library is called; its listener does not take it
-  std::map<Gid, ParticipantInfo> participants_;  // guarded by mutex_, as are the next six
-  std::map<Gid, std::vector<std::byte>> early_node_lists_;  // of participants that aren't discovered yet
+  std::mutex mutex_;  // held during calls of the library; the listener does not acquire it
+  std::map<Gid, ParticipantInfo> participants_;             // guarded by mutex_, like the next six
+  std::map<Gid, std::vector<std::byte>> early_node_lists_;  // of participants that are not discovered yet
   std::map<Gid, EndpointInfo> endpoints_;
   std::uint64_t changes_ = 0;
   ReadyQueue* queue_ = nullptr;
   ReadyQueue::Token token_ = 0;
   bool closed_ = false;
-  Entity node_list_topic_ = 0;  // constant once constructed, as are the next four
+  Entity node_list_topic_ = 0;  // constant after construction, like the next four
   Entity participant_reader_ = 0;
   Entity writer_reader_ = 0;
   Entity reader_reader_ = 0;

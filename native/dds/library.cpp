@@ -49,7 +49,7 @@ class Resolver {
 
  private:
   std::string path_;
-  void* handle_;  // never closed: its threads may outlive every object of ours
+  void* handle_;  // never closed, because the library's threads may outlive all objects of this process
 };
 
 void resolve_entities(Library& l, const Resolver& resolve) {

@@ -1,4 +1,4 @@
-// libddsc, opened at run time: the shared library that the cyclonedds wheel brings along.
+// libddsc, the shared library inside the cyclonedds wheel, opened at run time.
 #pragma once
 
 #include <stdexcept>
@@ -8,13 +8,13 @@
 
 namespace tfloom::dds {
 
-// The library, or something asked of it, failed.
+// The library could not be opened, or one of its functions returned an error.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-// Every function of libddsc that we call, under its own name without `dds_`.
+// The functions of libddsc that tfloom calls, each under its own name without `dds_` or `ddsi_`.
 struct Library {
   Entity (*create_domain)(std::uint32_t domain_id, const char* config);
   Entity (*create_participant)(std::uint32_t domain_id, const Qos_*, const Listener_*);
@@ -93,11 +93,11 @@ struct Library {
   bool (*qget_lifespan)(const Qos_*, std::int64_t*);
   bool (*qget_liveliness)(const Qos_*, int*, std::int64_t*);
 
-  // Opens the library at `path`, once for each path; it stays open as long as the process runs.
-  // Throws Error where it can't be opened or isn't version 11.
+  // Open the library at `path`, once for each path; it stays open until the process ends.
+  // Throw Error if it cannot be opened or is not version 11.
   static const Library& open(const std::string& path);
 
-  // Returns `result`, or throws Error "<what>: <the library's text>" if it is an error.
+  // Return `result`, or throw Error "<what>: <the library's text>" if it is an error.
   Result check(Result result, const std::string& what) const;
 };
 

@@ -16,11 +16,11 @@ namespace tfloom::dds {
 namespace {
 
 struct OpenDomain {
-  Entity entity = 0;  // 0: opened by other code of the process
-  int users = 0;
+  Entity entity = 0;  // 0: opened by other code in the process
+  int users = 0;      // number of Domain objects
 };
 
-std::mutex domains_mutex;  // held while the library is called
+std::mutex domains_mutex;  // held during calls of the library
 std::map<std::uint32_t, OpenDomain> domains;  // guarded by domains_mutex
 
 std::int64_t process_id() {
@@ -71,7 +71,8 @@ bool Participant::is_forked() const { return process_ != process_id(); }
 
 void Participant::close() {
   if (is_forked()) {
-    // The feeder's thread doesn't exist here, and to destroy a condition that a thread waits for would wait for it.
+    // The feeder's thread does not exist in this process. Its condition variable is not destroyed, because the
+    // destructor would wait for the thread that waited on it.
     static_cast<void>(feeder_.release());
     static_cast<void>(domain_.release());
     return;

@@ -11,8 +11,8 @@
 
 namespace tfloom::dds {
 
-// A domain that was opened with our configuration; open as long as a participant is on it. Where somebody else in
-// this process has opened the domain before, theirs is used.
+// A domain opened with a configuration, until the last participant has left it. If other code in this process has
+// opened the domain before, that one is used.
 class Domain {
  public:
   Domain(const Library& library, std::uint32_t domain_id, const std::string& config);
@@ -27,15 +27,15 @@ class Domain {
 
 class Participant {
  public:
-  // Joins a domain. `config` is Cyclone's XML, `user_data` what others are told (`enclave=/;`).
-  // Throws Error with the library's reason.
+  // Join a domain. `config` is Cyclone's XML; `user_data` is published to all participants (`enclave=/;`).
+  // Throw Error with the library's reason.
   Participant(const Library& library, std::uint32_t domain_id, const std::string& config,
               const std::string& user_data);
   ~Participant();
   Participant(const Participant&) = delete;
   Participant& operator=(const Participant&) = delete;
 
-  // Leaves the domain; the endpoints are to be closed before. Closing again does nothing.
+  // Leave the domain, after all endpoints are closed. Closing again does nothing.
   void close();
 
   [[nodiscard]] const Library& library() const { return library_; }
@@ -45,12 +45,12 @@ class Participant {
   [[nodiscard]] Entity publisher() const { return publisher_; }
   [[nodiscard]] Entity subscriber() const { return subscriber_; }
 
-  // True in a process forked off the one that joined: there libddsc's threads don't exist, and nothing may be asked
-  // of it any more.
+  // Return whether this is a fork of the process that joined. libddsc's threads do not exist in a fork, so its
+  // functions must not be called.
   [[nodiscard]] bool is_forked() const;
 
  private:
-  // All are constant once constructed. `close` is called by one thread, when no endpoint is left.
+  // All are constant after construction. One thread calls `close`, after all endpoints are closed.
   const Library& library_;
   std::int64_t process_;
   std::unique_ptr<Domain> domain_;

@@ -9,7 +9,7 @@
 namespace tfloom::dds {
 namespace {
 
-constexpr std::size_t most_known = 1024;  // some of them gone
+constexpr std::size_t most_known = 1024;  // includes peers that have left
 
 }  // namespace
 

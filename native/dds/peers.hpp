@@ -1,4 +1,4 @@
-// The peers that an endpoint is connected to.
+// The peers with which an endpoint is matched.
 #pragma once
 
 #include <mutex>
@@ -13,26 +13,27 @@ namespace tfloom::dds {
 
 struct Peer {
   Gid gid{};
-  std::string user_data;  // as it came: hostile bytes
+  std::string user_data;  // as received: untrusted bytes
 };
 
 class Peers {
  public:
   Peers(const Library& library, bool of_writer) : library_(library), of_writer_(of_writer) {}
 
-  // Those that `entity` is connected to now.
+  // Return the peers with which `entity` is matched now.
   [[nodiscard]] std::vector<Peer> matched(Entity entity);
   [[nodiscard]] std::size_t matched_count(Entity entity) const;
 
-  // The peer with this handle; zeros if it left before the first look-up.
+  // Return the gid of the peer with this handle; zeros if it left before the first call for it.
   [[nodiscard]] Gid gid(Entity entity, InstanceHandle handle);
 
  private:
-  const Peer* find(Entity entity, InstanceHandle handle);  // nullptr: it has left; lives until the next call
+  // Return the peer, or nullptr if it has left. The result is valid until the next call. Requires mutex_ to be held.
+  const Peer* find(Entity entity, InstanceHandle handle);
 
   const Library& library_;
   bool of_writer_;
-  std::mutex mutex_;  // held while the library is called
+  std::mutex mutex_;  // held during calls of the library
   std::unordered_map<InstanceHandle, Peer> known_;  // guarded by mutex_
 };
 

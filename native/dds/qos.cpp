@@ -37,9 +37,9 @@ QosHandle make_user_data(const Library& l, const std::string& user_data) {
 QosHandle make_writer_qos(const Library& l, const Qos& qos, const std::string& user_data) {
   QosHandle handle = make_endpoint_qos(l, qos, user_data);
   l.qset_lifespan(handle.get(), qos.lifespan_ns);
-  l.qset_writer_data_lifecycle(handle.get(), false);  // a writer that leaves doesn't take back what it wrote
+  l.qset_writer_data_lifecycle(handle.get(), false);  // samples stay valid after their writer has left
   if (qos.durability == Durability::transient_local) {
-    // What a late reader is sent is kept by these numbers, and the default keeps one sample.
+    // These limits define how many samples are kept for late readers; by default it is one.
     l.qset_durability_service(handle.get(), 0, history_kind(qos), depth(qos), unlimited, unlimited, unlimited);
   }
   return handle;

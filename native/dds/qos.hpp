@@ -1,4 +1,4 @@
-// Quality of service between ROS's numbers and libddsc's own object.
+// Conversion of quality of service between ROS's numbers and libddsc's object.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ enum class Liveliness { automatic = 1, manual_by_topic = 3, unknown = 4 };
 
 constexpr std::int64_t infinite_ns = INT64_MAX;
 
-// Numbered as in ROS and in tfloom.rmw.qos; durations in nanoseconds, `infinite_ns` for none.
+// Values numbered as in ROS and in tfloom.rmw.qos; durations in nanoseconds, where `infinite_ns` means no limit.
 struct Qos {
   Reliability reliability = Reliability::reliable;
   Durability durability = Durability::is_volatile;

@@ -7,7 +7,7 @@
 namespace tfloom::dds {
 namespace {
 
-constexpr Result samples_a_turn = 64;  // then others get their turn
+constexpr Result samples_per_batch = 64;  // after a batch, the thread serves other readers
 
 std::int64_t now_ns() {
   using namespace std::chrono;
@@ -39,17 +39,17 @@ void Reader::on_data_available(Entity, void* self) { static_cast<Reader*>(self)-
 
 void Reader::data_available() {
   if (sink_ != nullptr) {
-    feed_here();
+    feed_from_listener();
     return;
   }
-  is_data_new_ = true;
+  may_have_data_ = true;
   const std::lock_guard lock(listener_mutex_);
   if (queue_ != nullptr) queue_->post(token_);
 }
 
-// Samples are often taken when their writer has left, so the feeder learns at once who it is.
+// The feeder looks up a new writer's gid at once, because samples are often taken after their writer has left.
 void Reader::matches_changed() {
-  is_match_new_ = true;
+  has_new_match_ = true;
   participant_.feeder().schedule(*this);
 }
 
@@ -58,7 +58,7 @@ void Reader::notify(ReadyQueue* queue, ReadyQueue::Token token) {
   if (closed_ || sink_ != nullptr) return;
   queue_ = queue;
   token_ = token;
-  if (queue != nullptr && is_data_new_) queue->post(token);
+  if (queue != nullptr && may_have_data_) queue->post(token);
 }
 
 void Reader::feed(Sink* sink) {
@@ -68,9 +68,9 @@ void Reader::feed(Sink* sink) {
     if (closed_) return;
     queue_ = nullptr;
   }
-  participant_.feeder().forget(*this);
+  participant_.feeder().cancel(*this);
   {
-    const std::lock_guard lock(feed_mutex_);  // a sink that was fed before is let go
+    const std::lock_guard lock(feed_mutex_);  // afterwards, no thread pushes into the former sink
     sink_ = sink;
   }
   participant_.feeder().schedule(*this);
@@ -80,9 +80,9 @@ bool Reader::take(const Receive& receive) {
   while (sink_ == nullptr) {
     Serdata_* serdata = nullptr;
     SampleState state{};
-    is_data_new_ = false;  // before the look: what comes during it sets it again
+    may_have_data_ = false;  // before the take, because a sample that arrives during it sets it again
     if (library_.takecdr(entity_, &serdata, 1, &state, 0) <= 0) return false;
-    is_data_new_ = true;  // there may be more
+    may_have_data_ = true;
     const TakenSample sample(library_, serdata);
     if (!state.valid_data) continue;
     receive(sample.data(), {state.source_stamp_ns, now_ns(), peers_.gid(entity_, state.publication)});
@@ -91,26 +91,26 @@ bool Reader::take(const Receive& receive) {
   return false;
 }
 
-// On the library's thread, at the latest moment at which the data is still in the processor's cache: to wake another
-// thread costs more than what most sinks do.
-void Reader::feed_here() {
+// Push on the library's thread, while the data is in the processor's cache. Waking another thread would take longer
+// than most sinks do.
+void Reader::feed_from_listener() {
   const std::unique_lock lock(feed_mutex_, std::try_to_lock);
-  if (!lock || push_some()) participant_.feeder().schedule(*this);
+  if (!lock || push_batch()) participant_.feeder().schedule(*this);
 }
 
 bool Reader::drain() {
-  if (is_match_new_.exchange(false)) static_cast<void>(peers_.matched(entity_));
+  if (has_new_match_.exchange(false)) static_cast<void>(peers_.matched(entity_));
   const std::lock_guard lock(feed_mutex_);
-  return push_some();
+  return push_batch();
 }
 
-bool Reader::push_some() {
+bool Reader::push_batch() {
   const DeferredQueue::Scope scope(participant_.feeder());
   Sink* sink = sink_;
   if (sink == nullptr) return false;
-  Serdata_* serdata[samples_a_turn]{};
-  SampleState states[samples_a_turn];
-  const Result count = library_.takecdr(entity_, serdata, samples_a_turn, states, 0);
+  Serdata_* serdata[samples_per_batch]{};
+  SampleState states[samples_per_batch];
+  const Result count = library_.takecdr(entity_, serdata, samples_per_batch, states, 0);
   const std::int64_t received_ns = now_ns();
   for (Result i = 0; i < count; ++i) {
     const TakenSample sample(library_, serdata[i]);
@@ -118,7 +118,7 @@ bool Reader::push_some() {
     if (!state.valid_data) continue;
     sink->push(sample.data(), {state.source_stamp_ns, received_ns, peers_.gid(entity_, state.publication)});
   }
-  return count == samples_a_turn;
+  return count == samples_per_batch;
 }
 
 std::size_t Reader::matched_count() const { return closed_ ? 0 : peers_.matched_count(entity_); }
@@ -136,8 +136,8 @@ std::optional<Events::Status> Reader::take_event(Event event) {
 void Reader::close() {
   const std::lock_guard lifecycle(lifecycle_mutex_);
   if (closed_.exchange(true) || participant_.is_forked()) return;
-  library_.set_listener(entity_, nullptr);  // returns when no listener runs
-  participant_.feeder().forget(*this);
+  library_.set_listener(entity_, nullptr);  // returns after a running listener has ended
+  participant_.feeder().cancel(*this);
   {
     const std::lock_guard lock(listener_mutex_);
     queue_ = nullptr;

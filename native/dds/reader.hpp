@@ -1,4 +1,4 @@
-// The receiving end of a topic: samples off the wire, for Python to take or fed to a sink.
+// A reader of a topic. Its samples are taken one by one, or fed to a sink.
 #pragma once
 
 #include <atomic>
@@ -26,13 +26,13 @@ class Reader : private Feeder::Source {
   Reader(Participant& participant, const TopicName& topic, const Qos& qos, const std::string& user_data);
   ~Reader() override;
 
-  // Posts `token` when there is something to take, at once if there may be; nullptr ends it.
+  // Post `token` when there are samples to take, at once if there may be some now; nullptr ends this.
   void notify(ReadyQueue* queue, ReadyQueue::Token token);
 
-  // Hands the oldest waiting sample to `receive` and removes it; false if there is none, or the reader is fed.
+  // Remove the oldest sample and pass it to `receive`. Return false if there is none, or if a sink is fed.
   bool take(const Receive& receive);
 
-  // From now on pushes every sample into `sink`, on the library's threads or the feeder's.
+  // Push every further sample into `sink`, on the library's threads or the feeder's.
   void feed(Sink* sink);
 
   [[nodiscard]] std::size_t matched_count() const;
@@ -42,7 +42,7 @@ class Reader : private Feeder::Source {
   void notify_event(Event event, ReadyQueue* queue, ReadyQueue::Token token);
   [[nodiscard]] std::optional<Events::Status> take_event(Event event);
 
-  // Leaves the topic; when it returns, neither queue nor sink will be touched again.
+  // Leave the topic. After it has returned, neither queue nor sink is used.
   void close();
 
  private:
@@ -50,24 +50,24 @@ class Reader : private Feeder::Source {
   void data_available();
   void matches_changed();
   bool drain() override;
-  void feed_here();
-  bool push_some();  // with feed_mutex_ held; true if there may be more
+  void feed_from_listener();
+  bool push_batch();  // requires feed_mutex_ to be held; true: there may be more samples
 
   Participant& participant_;
   const Library& library_;
-  Entity topic_;  // constant once constructed, as are the next two
+  Entity topic_;  // constant after construction, like the next two
   Entity entity_ = 0;
   Gid gid_{};
-  Events events_;  // locks itself, as does the next
+  Events events_;  // thread-safe by itself, like the next
   Peers peers_;
   std::atomic<bool> closed_ = false;
-  std::atomic<bool> is_match_new_ = false;
-  std::atomic<bool> is_data_new_ = false;  // false: nothing waits to be taken
-  std::atomic<Sink*> sink_ = nullptr;  // written with feed_mutex_ held
-  std::mutex feed_mutex_;              // for one thread at a time that feeds; a listener only tries it
-  std::mutex lifecycle_mutex_;         // for one feed or close at a time
-  std::mutex listener_mutex_;          // taken by the listener, so it is held for moments only
-  ReadyQueue* queue_ = nullptr;        // guarded by listener_mutex_, as is the next
+  std::atomic<bool> has_new_match_ = false;
+  std::atomic<bool> may_have_data_ = false;  // false: there are no samples to take
+  std::atomic<Sink*> sink_ = nullptr;        // written with feed_mutex_ held
+  std::mutex feed_mutex_;                    // held by the thread that feeds; a listener acquires it by try_lock only
+  std::mutex lifecycle_mutex_;               // held during `feed` and `close`
+  std::mutex listener_mutex_;                // acquired in the listener, so it is held for short sections only
+  ReadyQueue* queue_ = nullptr;              // guarded by listener_mutex_, like the next
   ReadyQueue::Token token_ = 0;
 };
 

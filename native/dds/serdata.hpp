@@ -1,4 +1,4 @@
-// A serialized sample in libddsc's hands, seen without a copy.
+// A view of a serialized sample that libddsc owns, without a copy.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace tfloom::dds {
 
-// Owns one taken sample; the view lives as long as it does.
+// Holds a reference to one taken sample. The view is valid as long as this object exists.
 class TakenSample {
  public:
   TakenSample(const Library& library, Serdata_* serdata)

@@ -42,7 +42,7 @@ Writer::~Writer() { close(); }
 
 void Writer::write(std::span<const std::byte> data) {
   check_encapsulation(data);
-  // Unpadded, the library would fill up the last word from its heap.
+  // Padded here, because the library would otherwise fill the last word from its heap.
   static constexpr std::byte zeros[alignment]{};
   const std::size_t padding = (alignment - data.size() % alignment) % alignment;
   IoVec parts[2]{};
@@ -87,7 +87,7 @@ bool Writer::wait_for_acks(std::int64_t timeout_ns) {
 
 void Writer::close() {
   if (closed_.exchange(true) || participant_.is_forked()) return;
-  library_.set_listener(entity_, nullptr);  // returns when no listener runs
+  library_.set_listener(entity_, nullptr);  // returns after a running listener has ended
   events_.close();
   library_.delete_entity(entity_);
   const std::unique_lock lock(in_use_);

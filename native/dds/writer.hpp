@@ -1,4 +1,4 @@
-// The sending end of a topic: bytes in, samples on the wire.
+// A writer of a topic. It sends serialized samples.
 #pragma once
 
 #include <atomic>
@@ -22,8 +22,9 @@ class Writer {
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
-  // Sends one sample: the encapsulation header of little-endian CDR, then the CDR. From any thread; may wait for slow
-  // readers of a reliable topic. Throws std::invalid_argument for another header, Error once closed.
+  // Send one sample: the encapsulation header of little-endian CDR, then the CDR. May be called from any thread; may
+  // wait for slow readers of a reliable topic. Throw std::invalid_argument for another header, and Error if the writer
+  // is closed.
   void write(std::span<const std::byte> data);
 
   [[nodiscard]] std::size_t matched_count() const;
@@ -33,26 +34,26 @@ class Writer {
   void notify_event(Event event, ReadyQueue* queue, ReadyQueue::Token token);
   [[nodiscard]] std::optional<Events::Status> take_event(Event event);
 
-  // Tells readers that this writer is alive, as a write does.
+  // Signal to readers that this writer is alive, as a write does.
   void assert_liveliness();
 
-  // Waits until all matched reliable readers have all that was written; false on a timeout.
+  // Wait until all matched reliable readers have acknowledged all samples. Return false on a timeout.
   [[nodiscard]] bool wait_for_acks(std::int64_t timeout_ns);
 
-  // Leaves the topic, when the writes under way have ended; a write that waits for readers ends at once.
+  // Leave the topic after running writes have ended. A write that waits for readers ends at once.
   void close();
 
  private:
   Participant& participant_;
   const Library& library_;
-  Entity topic_;  // constant once constructed, as are the next three
+  Entity topic_;  // constant after construction, like the next three
   Entity entity_ = 0;
-  const Sertype_* type_ = nullptr;  // valid until topic_ is deleted, with in_use_ held alone
+  const Sertype_* type_ = nullptr;  // valid until topic_ is deleted, which requires in_use_ exclusively
   Gid gid_{};
-  Events events_;  // locks itself, as does the next
+  Events events_;  // thread-safe by itself, like the next
   Peers peers_;
   std::atomic<bool> closed_ = false;
-  std::shared_mutex in_use_;  // shared by writes, which use type_; alone for the deletion of topic_
+  std::shared_mutex in_use_;  // shared by writes, which use type_; exclusive for the deletion of topic_
 };
 
 }  // namespace tfloom::dds

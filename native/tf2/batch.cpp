@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t chunk_size = 512;
 
-// One link of the chain, with where its history was read last.
+// One link of the chain, with the position of the last read in its history.
 struct Link {
   const Frame* frame = nullptr;
   FrameId parent = no_parent;
@@ -32,21 +32,21 @@ struct Chain {
 
   void source(FrameId id, const Bracket& link) { source_links.push_back({&frames[id], link.parent}); }
   void target(FrameId id, const Bracket& link) { target_links.push_back({&frames[id], link.parent}); }
-  void forget_source() { source_links.clear(); }
+  void clear_source() { source_links.clear(); }
 };
 
-// Fills as many stamps from `start` on as lie between the same two samples, and returns where it stopped; `start`
-// where they are too far from each other.
+// Compose the link for all stamps from `start` on that lie between the two samples of `bracket`. Return the index of
+// the first other stamp, or `start` if the rotations of the two samples are too far apart for NearSlerp.
 template <std::size_t Terms>
-std::size_t climb_between(const Bracket& bracket, std::size_t start, std::span<const Stamp> stamps,
-                          std::span<Transform> out, std::span<const std::uint8_t> known, bool is_first) {
+std::size_t compose_between(const Bracket& bracket, std::size_t start, std::span<const Stamp> stamps,
+                            std::span<Transform> out, std::span<const std::uint8_t> known, bool is_first) {
   const NearSlerp<Terms> rotation(bracket.older->rotation, bracket.newer->rotation);
   if (!rotation.is_near()) return start;
-  const Vector3 from = bracket.older->translation, way = bracket.newer->translation - from;
-  // Unsigned, as the difference of extreme stamps overflows.
+  const Vector3 from = bracket.older->translation, difference = bracket.newer->translation - from;
+  // Unsigned, because the difference of extreme stamps overflows.
   const auto begin = static_cast<std::uint64_t>(bracket.older_stamp);
   const std::uint64_t span = static_cast<std::uint64_t>(bracket.newer_stamp) - begin;
-  if (span > INT64_MAX) return start;  // below, doubles come of signed numbers, which is faster
+  if (span > INT64_MAX) return start;  // the loop converts signed integers to double, which is faster
   const double per_ns = 1.0 / static_cast<double>(span);
   std::size_t i = start;
   for (; i < stamps.size(); ++i) {
@@ -54,16 +54,16 @@ std::size_t climb_between(const Bracket& bracket, std::size_t start, std::span<c
     if (stamp <= bracket.older_stamp || stamp >= bracket.newer_stamp || stamp == latest) break;
     if (!known[i]) continue;
     const double r = static_cast<double>(static_cast<std::int64_t>(static_cast<std::uint64_t>(stamp) - begin)) * per_ns;
-    const Transform value{from + r * way, rotation.at(r)};
+    const Transform value{from + r * difference, rotation.at(r)};
     out[i] = is_first ? value : value * out[i];
   }
   return i;
 }
 
-// Goes up one branch for all stamps, link by link: the histories are read in order, each once. Where a link has no
-// data, or another parent than the chain was found with, the stamp is given up.
-void climb(std::vector<Link>& links, std::span<const Stamp> stamps, std::span<Transform> out,
-           std::span<std::uint8_t> known) {
+// Compose one branch for all stamps, link by link, so that each history is read once and in order. Clear known[i] where
+// a link has no data at stamps[i], or has another parent than the chain.
+void compose_branch(std::vector<Link>& links, std::span<const Stamp> stamps, std::span<Transform> out,
+                    std::span<std::uint8_t> known) {
   bool is_first = true;
   for (Link& link : links) {
     if (link.frame->kind == Frame::Kind::fixed) {
@@ -72,11 +72,11 @@ void climb(std::vector<Link>& links, std::span<const Stamp> stamps, std::span<Tr
     } else {
       for (std::size_t i = 0; i < stamps.size(); ++i) {
         const Bracket bracket = link.find(stamps[i]);
-        const bool has_company = bracket.newer && i + 1 < stamps.size() && stamps[i + 1] > bracket.older_stamp &&
-                                 stamps[i + 1] < bracket.newer_stamp;
-        if (has_company && bracket.parent == link.parent) {
-          std::size_t end = climb_between<2>(bracket, i, stamps, out, known, is_first);
-          if (end == i) end = climb_between<4>(bracket, i, stamps, out, known, is_first);
+        const bool next_is_between = bracket.newer && i + 1 < stamps.size() && stamps[i + 1] > bracket.older_stamp &&
+                                     stamps[i + 1] < bracket.newer_stamp;
+        if (next_is_between && bracket.parent == link.parent) {
+          std::size_t end = compose_between<2>(bracket, i, stamps, out, known, is_first);
+          if (end == i) end = compose_between<4>(bracket, i, stamps, out, known, is_first);
           if (end > i) {
             i = end - 1;
             continue;
@@ -98,7 +98,7 @@ void climb(std::vector<Link>& links, std::span<const Stamp> stamps, std::span<Tr
 void Buffer::lookup_chunk(std::string_view target, std::string_view source, std::span<const Stamp> stamps,
                           std::span<Transform> out, std::span<std::uint8_t> known) const {
   std::ranges::fill(known, std::uint8_t{0});
-  const Reading lock(frames_mutex_);
+  const ReadLock lock(frames_mutex_);
   Ids ids;
   if (!resolve(Query::at(target, source, latest), ids)) {
     if (target != source) return;
@@ -113,8 +113,8 @@ void Buffer::lookup_chunk(std::string_view target, std::string_view source, std:
     std::array<Transform, chunk_size> to_target;
     const std::span target_side(to_target.data(), stamps.size());
     if (chain.source_links.empty()) std::ranges::fill(out, Transform{});
-    climb(chain.source_links, stamps, out, known);
-    climb(chain.target_links, stamps, target_side, known);
+    compose_branch(chain.source_links, stamps, out, known);
+    compose_branch(chain.target_links, stamps, target_side, known);
     for (std::size_t i = 0; i < stamps.size(); ++i) {
       if (stamps[i] == latest) known[i] = 0;
       if (!known[i]) continue;
@@ -122,7 +122,7 @@ void Buffer::lookup_chunk(std::string_view target, std::string_view source, std:
       out[i].rotation = canonical(out[i].rotation);
     }
   }
-  for (std::size_t i = 0; i < stamps.size(); ++i) {  // one by one where the chain is another
+  for (std::size_t i = 0; i < stamps.size(); ++i) {  // single lookups at stamps where the chain differs
     if (known[i]) continue;
     StampedTransform found;
     if (lookup_at(ids.target, ids.source, stamps[i], found)) continue;
@@ -133,7 +133,7 @@ void Buffer::lookup_chunk(std::string_view target, std::string_view source, std:
 
 namespace {
 
-// Where one thread's part of the stamps starts, and how many there are.
+// The stamps of one thread: the index of the first, and their number.
 struct Part {
   std::size_t start = 0, count = 0;
 
@@ -143,10 +143,10 @@ struct Part {
   }
 };
 
-// Calls work(part) for parts of whole chunks, each on a thread of its own, and this one's too. What one of them throws
-// is thrown here, when all are done.
+// Call work(part) for parts of whole chunks: one on this thread, each other on a new thread. An exception in one of
+// them is rethrown here after all have ended.
 template <class Work>
-void share_out(std::size_t size, unsigned workers, Work&& work) {
+void run_in_parallel(std::size_t size, unsigned workers, Work&& work) {
   const std::size_t chunks = (size + chunk_size - 1) / chunk_size;
   const std::size_t most = 4 * std::max(1u, std::thread::hardware_concurrency());
   const std::size_t parts = std::max<std::size_t>(std::min({std::size_t{workers}, most, chunks}), 1);
@@ -165,7 +165,7 @@ void share_out(std::size_t size, unsigned workers, Work&& work) {
   std::size_t index = 1;
   try {
     for (; index < parts; ++index) threads.emplace_back(run, index);
-  } catch (const std::system_error&) {  // no more threads to be had: the rest is done here
+  } catch (const std::system_error&) {  // no more threads are available: this one processes the other parts
   }
   run(0);
   for (; index < parts; ++index) run(index);
@@ -175,18 +175,18 @@ void share_out(std::size_t size, unsigned workers, Work&& work) {
   }
 }
 
-// A few hundred stamps, in an order in which histories are read from old to new.
+// A few hundred stamps in nearly ascending order.
 struct Chunk {
   std::span<const Stamp> stamps;
   std::size_t start = 0;
-  std::span<const std::uint32_t> order;  // empty: they lie side by side
+  std::span<const std::uint32_t> order;  // indices of the stamps relative to `start`; empty: consecutive
 
-  // Where stamp i lies among all.
+  // The index of stamp i among all stamps.
   [[nodiscard]] std::size_t position(std::size_t i) const { return start + (order.empty() ? i : order[i]); }
 };
 
-// Calls use(chunk) for all stamps, until it returns false. In the order given, a lookup of shuffled stamps of depth 10
-// takes 8 times as long: benchmarks/native, "any order".
+// Call use(chunk) for all stamps, until it returns false. If stamps are looked up in the given order, a lookup of
+// shuffled stamps of depth 10 takes 8 times as long: benchmarks/native, "any order".
 template <class Use>
 void for_each_chunk(std::span<const Stamp> stamps, Use&& use) {
   constexpr std::size_t most_sorted = std::size_t{1} << 22;
@@ -211,7 +211,7 @@ std::optional<FailedStamp> failure_of(const Buffer& buffer, std::string_view tar
                                       std::span<const Stamp> stamps, std::size_t index) {
   if (index == stamps.size()) return std::nullopt;
   const auto again = buffer.lookup(Query::at(target, source, stamps[index]));
-  // An insert in between may have mended it: then the caller is told to try again, by an error without a text.
+  // An insert in between may have added the missing data. An error without a text then makes the caller try again.
   return FailedStamp{index, again ? Error{} : again.error()};
 }
 
@@ -220,7 +220,7 @@ std::optional<FailedStamp> failure_of(const Buffer& buffer, std::string_view tar
 std::optional<FailedStamp> lookup_many(const Buffer& buffer, std::string_view target, std::string_view source,
                                        std::span<const Stamp> stamps, std::span<Transform> out,
                                        std::span<std::uint8_t> known, bool is_strict, unsigned workers) {
-  share_out(stamps.size(), workers, [&](const Part& part) {
+  run_in_parallel(stamps.size(), workers, [&](const Part& part) {
     const auto own_out = part.of(out);
     const auto own_known = part.of(known);
     std::vector<Transform> found;
@@ -269,9 +269,9 @@ template <class T>
 std::optional<FailedStamp> deskew(const Buffer& buffer, std::string_view fixed, std::string_view source,
                                   const Transform& target_from_fixed, std::span<const Stamp> stamps, const T* in,
                                   T* out, unsigned workers) {
-  std::mutex mutex;
+  std::mutex mutex;  // guards `failed` between the workers
   std::size_t failed = stamps.size();
-  share_out(stamps.size(), workers, [&](const Part& part) {
+  run_in_parallel(stamps.size(), workers, [&](const Part& part) {
     std::vector<Transform> found(std::min(chunk_size, part.count));
     std::array<std::uint8_t, chunk_size> is_known;
     std::size_t own_failed = stamps.size();
@@ -285,8 +285,8 @@ std::optional<FailedStamp> deskew(const Buffer& buffer, std::string_view fixed, 
         if (own_failed < stamps.size()) continue;
         const Vector3 point{static_cast<double>(in[3 * at]), static_cast<double>(in[3 * at + 1]),
                             static_cast<double>(in[3 * at + 2])};
-        const Vector3 halfway = rotate(found[i].rotation, point) + found[i].translation;
-        const Vector3 moved = rotate(target_from_fixed.rotation, halfway) + target_from_fixed.translation;
+        const Vector3 in_fixed = rotate(found[i].rotation, point) + found[i].translation;
+        const Vector3 moved = rotate(target_from_fixed.rotation, in_fixed) + target_from_fixed.translation;
         out[3 * at] = static_cast<T>(moved.x);
         out[3 * at + 1] = static_cast<T>(moved.y);
         out[3 * at + 2] = static_cast<T>(moved.z);

@@ -1,4 +1,4 @@
-// Many stamps at once: the transforms of one chain at each of them, and points moved by them.
+// Lookups at many stamps at once: the transforms of one chain at each stamp, and points moved by them.
 #pragma once
 
 #include <cstddef>
@@ -16,10 +16,10 @@ struct FailedStamp {
   Error error;
 };
 
-// Fills out[i] with target_from_source at stamps[i], in any order of stamps, and known[i] with whether there is one;
-// out[i] is left alone where there is none. Ascending stamps are fastest; others are looked up in a near enough order.
-// Returns the first failure if `is_strict`, and then what comes after it may be missing. Each few hundred stamps take
-// the buffer's lock anew, so a result may span an insert. `workers` threads share the stamps.
+// Fill out[i] with target_from_source at stamps[i], and known[i] with whether there is one; where there is none, out[i]
+// is unchanged. Stamps may be in any order. Ascending ones are fastest; others are looked up in nearly ascending order.
+// If `is_strict`, return the first failure; the transforms after it may then be missing. The buffer's lock is acquired
+// again for each few hundred stamps, so an insert may happen in between. `workers` threads share the stamps.
 std::optional<FailedStamp> lookup_many(const Buffer& buffer, std::string_view target, std::string_view source,
                                        std::span<const Stamp> stamps, std::span<Transform> out,
                                        std::span<std::uint8_t> known, bool is_strict, unsigned workers);
@@ -28,8 +28,8 @@ std::optional<FailedStamp> lookup_many(const Buffer& buffer, std::string_view ta
 template <class T>
 void move_points(const Transform& transform, const T* in, T* out, std::size_t count);
 
-// Moves point i from `source` at stamps[i] to `fixed`, and on by target_from_fixed. Returns the first failure; what is
-// in `out` is then of no use. `workers` threads share the points.
+// Move point i from `source` at stamps[i] to `fixed`, then by target_from_fixed. Return the first failure; the contents
+// of `out` are then undefined. `workers` threads share the points.
 template <class T>
 std::optional<FailedStamp> deskew(const Buffer& buffer, std::string_view fixed, std::string_view source,
                                   const Transform& target_from_fixed, std::span<const Stamp> stamps, const T* in,

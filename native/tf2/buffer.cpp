@@ -11,7 +11,7 @@
 namespace tfloom::tf2 {
 namespace {
 
-constexpr std::size_t least_ahead = 4, most_ahead = 64;  // transforms to fetch the memory of at once
+constexpr std::size_t least_prefetched = 4, most_prefetched = 64;  // transforms whose memory is prefetched at once
 
 std::string_view without_slash(std::string_view name) {
   if (name.starts_with('/')) name.remove_prefix(1);
@@ -19,7 +19,7 @@ std::string_view without_slash(std::string_view name) {
 }
 
 bool has_nan(const Transform& t) {
-  // The sum is NaN if one of them is; infinities of both signs make one too, so look closer then.
+  // The sum is NaN if one number is NaN, but also if there are infinities of both signs, so check each number then.
   const auto& [p, q] = t;
   if (!std::isnan(p.x + p.y + p.z + q.x + q.y + q.z + q.w)) return false;
   return std::isnan(p.x) || std::isnan(p.y) || std::isnan(p.z) || std::isnan(q.x) || std::isnan(q.y) ||
@@ -37,13 +37,13 @@ Transform target_from_source(ChainProduct& top_from_target, ChainProduct& top_fr
   return result;
 }
 
-// Composes the links of both branches while they're walked.
-struct Composer {
+// The visitors of `walk`. This one composes the links of both branches.
+struct ChainComposer {
   ChainProduct top_from_source, top_from_target;
 
   void source(FrameId, const Bracket& link) { push(top_from_source, link); }
   void target(FrameId, const Bracket& link) { push(top_from_target, link); }
-  void forget_source() { top_from_source.clear(); }
+  void clear_source() { top_from_source.clear(); }
 
  private:
   static void push(ChainProduct& product, const Bracket& link) {
@@ -51,24 +51,25 @@ struct Composer {
   }
 };
 
-struct Prober {
+// For checks, which need no values.
+struct NoOpVisitor {
   void source(FrameId, const Bracket&) {}
   void target(FrameId, const Bracket&) {}
-  void forget_source() {}
+  void clear_source() {}
 };
 
-struct Namer {
+struct FrameNameCollector {
   const FrameTable& frames;
   Branches branches{};
 
   void source(FrameId id, const Bracket& link) { add(branches.source, id, link); }
   void target(FrameId id, const Bracket& link) { add(branches.target, id, link); }
-  void forget_source() { branches.source.clear(); }
+  void clear_source() { branches.source.clear(); }
 
  private:
   void add(std::vector<std::string>& branch, FrameId id, const Bracket& link) {
     branch.push_back(frames[id].name);
-    branches.top = frames[link.parent].name;  // in the end, that of the last link: the walk goes up to the top
+    branches.top = frames[link.parent].name;  // the last link, at the top of the walk, sets the final value
   }
 };
 
@@ -79,11 +80,11 @@ std::size_t Buffer::set(std::span<const Entry> entries, std::string_view authori
   std::vector<Rejection> rejections;
   {
     const std::unique_lock lock(frames_mutex_);
-    Known known;
-    for (std::size_t begin = 0; begin < entries.size(); begin += most_ahead) {
-      const auto some = entries.subspan(begin, std::min(most_ahead, entries.size() - begin));
-      prefetch_frames(some);
-      for (const Entry& entry : some) stored += insert(entry, authority, is_static, known, rejections) ? 1 : 0;
+    ResolvedNames last;
+    for (std::size_t begin = 0; begin < entries.size(); begin += most_prefetched) {
+      const auto group = entries.subspan(begin, std::min(most_prefetched, entries.size() - begin));
+      prefetch_frames(group);
+      for (const Entry& entry : group) stored += insert(entry, authority, is_static, last, rejections) ? 1 : 0;
     }
   }
   for (const Rejection& rejection : rejections) report(rejection, authority);
@@ -91,14 +92,15 @@ std::size_t Buffer::set(std::span<const Entry> entries, std::string_view authori
   return stored;
 }
 
-// A robot's many frames have left the processor's caches since their last transforms came, each in ten places that
-// lead to one another. Step by step for all of them, they come at the same time, not one after the other. (A
-// history of one frame needs none of it.) Without it, a transform takes 19 % longer: benchmarks/native, "prefetch".
+// The data of a robot's many frames is no longer in the processor's caches when new transforms arrive. For each frame
+// it lies in ten places linked by pointers. Loading one level of pointers for all frames, then the next level, lets the
+// cache misses of different frames overlap. (A history of one frame does not need it.) Without it, a transform takes 19
+// % longer: benchmarks/native, "prefetch".
 void Buffer::prefetch_frames(std::span<const Entry> entries) const {
-  if (entries.size() < least_ahead || entries.front().child_frame_id == entries.back().child_frame_id) return;
-  std::array<const Frame*, most_ahead> frames;
+  if (entries.size() < least_prefetched || entries.front().child_frame_id == entries.back().child_frame_id) return;
+  std::array<const Frame*, most_prefetched> frames;
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    frames[i] = frames_.guess(without_slash(entries[i].child_frame_id));
+    frames[i] = frames_.find_by_hash(without_slash(entries[i].child_frame_id));
     if (frames[i] != nullptr) prefetch(frames[i], sizeof(Frame));
   }
   const auto for_each_history = [&](auto&& visit) {
@@ -116,7 +118,7 @@ void Buffer::prefetch_frames(std::span<const Entry> entries) const {
   for_each_history([](const TimeCache& history) { history.prefetch_ends(); });
 }
 
-bool Buffer::insert(Entry entry, std::string_view authority, bool is_static, Known& known,
+bool Buffer::insert(Entry entry, std::string_view authority, bool is_static, ResolvedNames& last,
                     std::vector<Rejection>& rejections) {
   entry.frame_id = without_slash(entry.frame_id);
   entry.child_frame_id = without_slash(entry.child_frame_id);
@@ -133,18 +135,18 @@ bool Buffer::insert(Entry entry, std::string_view authority, bool is_static, Kno
   if (rejections.size() > before) return false;
   if (!is_static && is_ignored(entry.stamp)) return false;
 
-  // Without the look at the names before, set_many takes 23 % longer: benchmarks/native, "names before".
-  if (entry.child_frame_id != known.child_frame_id || entry.frame_id != known.frame_id) {
-    const FrameId child = frames_.intern(entry.child_frame_id);  // first: names are listed in this order
-    known = {entry.frame_id, entry.child_frame_id, frames_.intern(entry.frame_id), child};
+  // Without the comparison with the previous names, set_many takes 23 % longer: benchmarks/native, "names before".
+  if (entry.child_frame_id != last.child_frame_id || entry.frame_id != last.frame_id) {
+    const FrameId child = frames_.intern(entry.child_frame_id);  // before the parent: names are listed in this order
+    last = {entry.frame_id, entry.child_frame_id, frames_.intern(entry.frame_id), child};
   }
-  const FrameId parent = known.parent, child = known.child;
+  const FrameId parent = last.parent, child = last.child;
   Frame& frame = frames_[child];
   if (!frame.insert({entry.stamp, parent, entry.value}, is_static, cache_time_)) {
     rejections.push_back({entry, Problem::old});
     return false;
   }
-  frames_.note_newest(child);
+  frames_.refresh_newest(child);
   if (frame.authority != authority) frame.authority = authority;
   return true;
 }
@@ -199,7 +201,7 @@ void Buffer::clear() {
   for (FrameId id = 0; id < frames_.size(); ++id) {
     if (!frames_[id].history) continue;
     frames_[id].history->clear();
-    frames_.note_newest(id);
+    frames_.refresh_newest(id);
   }
 }
 
@@ -213,7 +215,7 @@ bool Buffer::resolve(const Query& query, Ids& ids) const {
   const auto fixed = query.fixed ? find_frame(*query.fixed) : target;
   if (!target || !source || !fixed) return false;
   ids = {*target, *source, *fixed};
-  // A stored "//a" is known as "/a", and yet nobody may ask for it.
+  // A frame inserted as "//a" is stored as "/a", but a query must not start with a slash.
   return !query.target.starts_with('/') && !query.source.starts_with('/') &&
          !(query.fixed && query.fixed->starts_with('/'));
 }
@@ -223,7 +225,7 @@ Failure Buffer::lookup_at(FrameId target, FrameId source, Stamp stamp, StampedTr
     out = {stamp == latest ? frames_[target].newest_stamp() : stamp, {}};
     return {};
   }
-  Composer composer;
+  ChainComposer composer;
   if (stamp == latest) {
     const NewestChain chain(frames_, target, source);
     if (chain.failure()) return chain.failure();
@@ -247,12 +249,12 @@ Failure Buffer::check_at(FrameId target, FrameId source, Stamp stamp) const {
     if (chain.failure() || chain.is_uniform()) return chain.failure();
     stamp = chain.stamp();
   }
-  Prober prober;
-  return walk(frames_, target, source, stamp, prober);
+  NoOpVisitor visitor;
+  return walk(frames_, target, source, stamp, visitor);
 }
 
 Result<StampedTransform> Buffer::lookup(const Query& query) const {
-  const Reading lock(frames_mutex_);
+  const ReadLock lock(frames_mutex_);
   if (!query.fixed && query.target == query.source) {
     const auto id = find_frame(query.target);
     const Stamp newest = id ? frames_[*id].newest_stamp() : 0;
@@ -291,15 +293,15 @@ Error Buffer::find_error(const Query& query, const Ids& ids) const {
   return failure ? error_of(failure, ids.fixed, ids.source) : Error{.code = Code::ok};
 }
 
-Error Buffer::why_not(const Query& query) const {
+Error Buffer::check(const Query& query) const {
   if (!query.fixed && query.target == query.source) return {.code = Code::ok};
-  const Reading lock(frames_mutex_);
+  const ReadLock lock(frames_mutex_);
   Ids ids;
   return resolve(query, ids) ? find_error(query, ids) : name_error(query, Phrase::can);
 }
 
 bool Buffer::can(const Query& query) const {
-  const Reading lock(frames_mutex_);
+  const ReadLock lock(frames_mutex_);
   return can_answer(query);
 }
 
@@ -313,7 +315,7 @@ bool Buffer::can_answer(const Query& query) const {
 }
 
 Result<Stamp> Buffer::latest_common_time(std::string_view target, std::string_view source) const {
-  const Reading lock(frames_mutex_);
+  const ReadLock lock(frames_mutex_);
   for (const std::string_view name : {target, source}) {
     if (Error error = name_error_of(name, "get_latest_common_time", Phrase::lookup); error.code != Code::ok) {
       return error;
@@ -326,7 +328,7 @@ Result<Stamp> Buffer::latest_common_time(std::string_view target, std::string_vi
 }
 
 Result<Branches> Buffer::branches(std::string_view target, std::string_view source, Stamp stamp) const {
-  const Reading lock(frames_mutex_);
+  const ReadLock lock(frames_mutex_);
   const Query query = Query::at(target, source, stamp);
   Ids ids;
   if (!resolve(query, ids)) return name_error(query, Phrase::lookup);
@@ -335,11 +337,11 @@ Result<Branches> Buffer::branches(std::string_view target, std::string_view sour
     if (common.failure) return error_of(common.failure, ids.target, ids.source);
     stamp = common.stamp;
   }
-  Namer namer{.frames = frames_, .branches = {.target = {}, .source = {}, .top = std::string(source)}};
-  if (const Failure failure = walk(frames_, ids.target, ids.source, stamp, namer)) {
+  FrameNameCollector names{.frames = frames_, .branches = {.target = {}, .source = {}, .top = std::string(source)}};
+  if (const Failure failure = walk(frames_, ids.target, ids.source, stamp, names)) {
     return error_of(failure, ids.target, ids.source);
   }
-  return std::move(namer.branches);
+  return std::move(names.branches);
 }
 
 }  // namespace tfloom::tf2

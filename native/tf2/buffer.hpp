@@ -1,4 +1,5 @@
-// A tree of frames over time: transforms go in, the transform between any two frames at any known time comes out.
+// A tree of frames over time. It stores transforms and computes the transform between any two frames at any time in the
+// stored history.
 #pragma once
 
 #include <atomic>
@@ -37,8 +38,8 @@ struct StampedTransform {
   Transform value;  // target_from_source
 };
 
-// A query at one time, or with `fixed` set, one that travels in time: the source at its stamp, through the fixed
-// frame, to the target at its own.
+// A query at one time; or, with `fixed` set, a query between two times: from the source at its stamp, through the fixed
+// frame, to the target at its stamp.
 struct Query {
   std::string_view target;
   std::string_view source;
@@ -51,17 +52,17 @@ struct Query {
   }
 };
 
-// The frames whose data a query at one time reads: both ends' branches, from the bottom up to below the top, which is
-// the root or the other end.
+// The frames whose data a query at one time reads: the branches of both ends, each from the bottom up to below the top.
+// The top is the root or the other end.
 struct Branches {
   std::vector<std::string> target, source;
   std::string top;
 
-  // From the source to the target, by way of where the branches meet.
+  // Return the frames from the source to the target, through the frame where the branches meet.
   [[nodiscard]] std::vector<std::string> path() const;
 };
 
-// A frame and what it knows of its parent.
+// A frame, its newest parent, and the range of its history.
 struct Edge {
   std::string child_frame_id, frame_id, authority;  // frame_id: the newest parent
   bool is_static = false;
@@ -69,9 +70,9 @@ struct Edge {
   std::size_t sample_count = 0;
 };
 
-// Thread-safe. Queries share one lock that inserts take alone; both hold it for about a microsecond, so that a lock
-// for each frame would cost more than it frees. Nothing is called while it's held: the log, the waiting threads and
-// the requests' callbacks come after.
+// Thread-safe. Queries share one lock, and inserts hold it exclusively. Both hold it for about a microsecond, so one
+// lock for each frame would cost more than it gains. No callback runs while it is held: the log, the waiting threads
+// and the requests are notified afterwards.
 class Buffer {
  public:
   static constexpr Stamp default_cache_time = 10'000'000'000;
@@ -84,49 +85,49 @@ class Buffer {
   void set_log_callback(LogCallback callback) { log_.set_callback(std::move(callback)); }
   [[nodiscard]] Log& log() { return log_; }
 
-  // Stores what it can and returns how many that were; each rejection is logged. One lock for all of them.
+  // Store the valid entries under one lock, and return their number; each rejection is logged.
   std::size_t set(std::span<const Entry> entries, std::string_view authority, bool is_static);
-  // For a while, rejects moving transforms from this stamp on, without a word: what was sent before a jump back in
-  // time and comes after it.
+  // For `duration`, reject moving transforms from this stamp on, without logging them: those sent before a jump back in
+  // time and received after it.
   void ignore_from(Stamp stamp, std::chrono::nanoseconds duration);
-  void clear();  // empties every history; static transforms, names and authorities stay
+  void clear();  // empty every history; static transforms, names and authorities stay
 
   [[nodiscard]] Result<StampedTransform> lookup(const Query& query) const;
 
-  // One chain at many stamps; see batch.hpp. Takes the lock once: for a few hundred stamps.
+  // Look up one chain at up to a few hundred stamps under one lock; see batch.hpp.
   void lookup_chunk(std::string_view target, std::string_view source, std::span<const Stamp> stamps,
                     std::span<Transform> out, std::span<std::uint8_t> known) const;
 
   [[nodiscard]] bool can(const Query& query) const;
-  [[nodiscard]] Error why_not(const Query& query) const;  // Code::ok if it can
+  [[nodiscard]] Error check(const Query& query) const;  // the error of a lookup; Code::ok if it has an answer
   [[nodiscard]] Result<Stamp> latest_common_time(std::string_view target, std::string_view source) const;
 
-  // Waits until the query can be answered: true; until the deadline, or as soon as no data to come can help: false.
+  // Wait until the query can be answered. `no`: the deadline has passed, or no further data can answer the query.
+  // `interrupted` is returned after each `slice`, so that the caller can check for signals and wait again.
   enum class Waited : std::uint8_t { yes, no, interrupted };
-  // `interrupted` comes every `slice`, for the caller to look whether a signal has come, and to wait again.
   [[nodiscard]] Waited wait(const Query& query, std::chrono::steady_clock::time_point deadline,
                             std::chrono::nanoseconds slice) const;
 
-  // Calls back once, on the thread that inserts: when the query can be answered, or never will be. The frames'
-  // names are copied. Returns 0 if it can be answered now, `Requests::never` if it's too old for the cache.
+  // Call `callback` once, on the thread that inserts, when the query can be answered or can never be answered. The
+  // names of the frames are copied. Return `Requests::now` if it can be answered now, and `Requests::never` if it can
+  // never be: then `callback` is not called.
   Requests::Handle add_request(const Query& query, Requests::Callback callback);
   bool cancel_request(Requests::Handle handle) { return requests_.cancel(handle); }
 
-  // The tree as data.
   [[nodiscard]] std::vector<Edge> edges() const;  // in order of the children's registration
-  // The samples of a frame whose parent is `frame_id`, oldest first; a static transform is one, at stamp 0.
+  // Return the samples of a frame whose parent is `frame_id`, oldest first; a static transform is one, at stamp 0.
   [[nodiscard]] std::vector<Sample> samples(std::string_view frame_id, std::string_view child_frame_id) const;
-  // Forgets a frame: its name, its transforms and those of its children to it. False if it isn't known.
+  // Remove a frame: its name, its transforms and those of its children to it. Return false if it is unknown.
   bool remove_frame(std::string_view name);
   [[nodiscard]] std::size_t memory() const;  // of all histories [octets]
 
-  // All that's stored, as the octets of a frozen buffer; see frozen.hpp.
+  // Return the whole contents as the octets of a frozen buffer; see frozen.hpp.
   [[nodiscard]] std::vector<std::byte> freeze() const;
-  // Takes what was frozen in place of all that's stored, cache time and all. The samples stay where they are, and
-  // `owner` with them, until the buffer goes. Throws FrozenError, with nothing changed, where it's no frozen buffer.
+  // Replace the whole contents and the cache time by those of a frozen buffer. The samples are not copied, and `owner`
+  // keeps their memory valid while the buffer exists. Throw FrozenError, with nothing changed, if `frozen` is invalid.
   void map(std::span<const std::byte> frozen, std::shared_ptr<const void> owner);
 
-  // For people and tools.
+  // Listings.
   [[nodiscard]] std::vector<std::string> frame_names() const;
   [[nodiscard]] bool has_frame(std::string_view name) const;
   [[nodiscard]] Result<Branches> branches(std::string_view target, std::string_view source, Stamp stamp) const;
@@ -135,15 +136,15 @@ class Buffer {
   [[nodiscard]] std::string all_frames_as_dot(double now_s) const;
 
  private:
-  using Reading = std::shared_lock<FairMutex>;
+  using ReadLock = std::shared_lock<FairMutex>;
   enum class Phrase : std::uint8_t { lookup, can };
   enum class Problem : std::uint8_t { self, child_unset, parent_unset, nan, denormalized, old };
   struct Rejection {
     Entry entry;
     Problem problem;
   };
-  // The names of the transform before and their frames: many come of the same.
-  struct Known {
+  // The names of the previous transform and their ids, because consecutive transforms often have the same names.
+  struct ResolvedNames {
     std::string_view frame_id, child_frame_id;
     FrameId parent = no_parent, child = no_parent;
   };
@@ -166,7 +167,7 @@ class Buffer {
   [[nodiscard]] std::string frames_as_string() const;
   [[nodiscard]] bool is_ignored(Stamp stamp);
   void prefetch_frames(std::span<const Entry> entries) const;
-  bool insert(Entry entry, std::string_view authority, bool is_static, Known& known,
+  bool insert(Entry entry, std::string_view authority, bool is_static, ResolvedNames& last,
               std::vector<Rejection>& rejections);
 
   void report(const Rejection& rejection, std::string_view authority);
@@ -175,19 +176,19 @@ class Buffer {
 
   std::atomic<Stamp> cache_time_;  // written in `map` only, with frames_mutex_ held
   mutable FairMutex frames_mutex_;  // shared by queries, exclusive for changes
-  std::shared_ptr<const void> mapped_;  // guarded by frames_mutex_, as are the next three; frames_ may hold views of it
+  std::shared_ptr<const void> mapped_;  // memory that frames_ may view; guarded by frames_mutex_, like the next three
   FrameTable frames_;
   Stamp ignored_from_ = INT64_MAX;
   std::chrono::steady_clock::time_point ignored_until_;
 
-  // A waiter counts itself before it looks at the generation, and an insert grows the generation before it looks
-  // for waiters (both sequentially consistent): one of the two sees the other.
+  // A waiter increments waiters_ before it reads generation_, and an insert increments generation_ before it reads
+  // waiters_. Both are sequentially consistent, so at least one of the two threads sees the other's increment.
   mutable std::atomic<std::uint64_t> generation_{0};
   mutable std::atomic<int> waiters_{0};
-  mutable std::mutex waiting_mutex_;  // guards no member: it orders a waiter's look before the insert's notification
+  mutable std::mutex waiting_mutex_;  // guards no member: it orders a waiter's read before the insert's notification
   mutable std::condition_variable changed_;  // waits with waiting_mutex_
 
-  Requests requests_;  // locks itself, as does the next
+  Requests requests_;  // thread-safe by itself, like the next
   Log log_;
 };
 

@@ -1,4 +1,4 @@
-// The texts of a buffer's errors. Programs and people match on them, so they are tf2's to the letter.
+// The texts of a buffer's errors. They equal tf2's to the letter, because programs and users search for them.
 #include "tf2/buffer.hpp"
 #include "tf2/text.hpp"
 
@@ -7,22 +7,22 @@ namespace {
 
 std::string reason_text(const Failure& failure, const Frame& frame) {
   using Found = Bracket::Found;
-  const std::string asked = time_text(failure.stamp);
+  const std::string requested = time_text(failure.stamp);
   switch (failure.reason) {
     case Found::only_one:
-      return join("Lookup would require extrapolation at time ", asked, ", but only time ",
+      return join("Lookup would require extrapolation at time ", requested, ", but only time ",
                   time_text(frame.newest_stamp()), " is in the buffer");
     case Found::after_newest:
-      return join("Lookup would require extrapolation into the future.  Requested time ", asked,
+      return join("Lookup would require extrapolation into the future.  Requested time ", requested,
                   " but the latest data is at time ", time_text(frame.newest_stamp()));
     case Found::before_oldest:
-      return join("Lookup would require extrapolation into the past.  Requested time ", asked,
+      return join("Lookup would require extrapolation into the past.  Requested time ", requested,
                   " but the earliest data is at time ", time_text(frame.oldest_stamp()));
     case Found::yes:
     case Found::empty:
       break;
   }
-  return "";  // an emptied history: Jazzy has no words for it
+  return "";  // a history emptied by `clear`: Jazzy has no text for it
 }
 
 Code code_of(Bracket::Found reason) {

@@ -1,4 +1,4 @@
-// A buffer's tree as text, laid out as tf2 lays it out.
+// A buffer's tree as text, in tf2's layout.
 #include <algorithm>
 
 #include "tf2/buffer.hpp"
@@ -7,7 +7,7 @@
 namespace tfloom::tf2 {
 namespace {
 
-// What the listings say of a frame that has data.
+// The values that the listings print for a frame with data.
 struct Summary {
   std::string parent, authority;
   double rate_hz = 0.0, newest_s = 0.0, length_s = 0.0;
@@ -20,7 +20,7 @@ struct Summary {
         oldest(frame.oldest_stamp()) {
     constexpr double shortest_s = 1e-4;  // a single sample counts as 10 kHz
     newest_s = seconds(newest);
-    // Unsigned, as the difference of extreme stamps overflows.
+    // Unsigned, because the difference of extreme stamps overflows.
     length_s = static_cast<double>(static_cast<std::uint64_t>(newest) - static_cast<std::uint64_t>(oldest)) / 1e9;
     rate_hz = static_cast<double>(frame.sample_count()) / std::max(length_s, shortest_s);
   }
@@ -29,7 +29,7 @@ struct Summary {
 }  // namespace
 
 std::vector<std::string> Buffer::frame_names() const {
-  const Reading lock(frames_mutex_);
+  const ReadLock lock(frames_mutex_);
   std::vector<std::string> names;
   for (FrameId id = 1; id < frames_.size(); ++id) {
     if (!frames_[id].name.empty()) names.push_back(frames_[id].name);  // a removed frame has none
@@ -38,12 +38,12 @@ std::vector<std::string> Buffer::frame_names() const {
 }
 
 bool Buffer::has_frame(std::string_view name) const {
-  const Reading lock(frames_mutex_);
+  const ReadLock lock(frames_mutex_);
   return frames_.find(name).has_value();
 }
 
 std::string Buffer::all_frames_as_string() const {
-  const Reading lock(frames_mutex_);
+  const ReadLock lock(frames_mutex_);
   return frames_as_string();
 }
 
@@ -58,7 +58,7 @@ std::string Buffer::frames_as_string() const {
 }
 
 std::string Buffer::all_frames_as_yaml(double now_s) const {
-  const Reading lock(frames_mutex_);
+  const ReadLock lock(frames_mutex_);
   if (frames_.size() == 1) return "[]";
   std::string text;
   for (FrameId id = 1; id < frames_.size(); ++id) {
@@ -78,7 +78,7 @@ std::string Buffer::all_frames_as_yaml(double now_s) const {
 }
 
 std::string Buffer::all_frames_as_dot(double now_s) const {
-  const Reading lock(frames_mutex_);
+  const ReadLock lock(frames_mutex_);
   std::string text = "digraph G {\n";
   if (frames_.size() == 1) return text + "\"no tf data recieved\"}";
   for (FrameId id = 1; id < frames_.size(); ++id) {

@@ -1,11 +1,11 @@
-// A buffer's tree as data, and frames taken out of it.
+// A buffer's tree as data, and the removal of frames.
 #include "tf2/buffer.hpp"
 
 namespace tfloom::tf2 {
 
 std::vector<std::string> Branches::path() const {
   std::size_t up = source.size(), down = target.size();
-  while (up > 0 && down > 0 && source[up - 1] == target[down - 1]) --up, --down;  // what's above where they meet
+  while (up > 0 && down > 0 && source[up - 1] == target[down - 1]) --up, --down;  // skip frames above the meeting point
   std::vector<std::string> path(source.begin(), source.begin() + static_cast<std::ptrdiff_t>(up));
   path.push_back(up < source.size() ? source[up] : top);
   for (std::size_t i = down; i > 0; --i) path.push_back(target[i - 1]);
@@ -13,7 +13,7 @@ std::vector<std::string> Branches::path() const {
 }
 
 std::vector<Edge> Buffer::edges() const {
-  const Reading lock(frames_mutex_);
+  const ReadLock lock(frames_mutex_);
   std::vector<Edge> edges;
   for (FrameId id = 1; id < frames_.size(); ++id) {
     const Frame& frame = frames_[id];
@@ -30,7 +30,7 @@ std::vector<Edge> Buffer::edges() const {
 }
 
 std::vector<Sample> Buffer::samples(std::string_view frame_id, std::string_view child_frame_id) const {
-  const Reading lock(frames_mutex_);
+  const ReadLock lock(frames_mutex_);
   std::vector<Sample> samples;
   const auto parent = find_frame(frame_id), child = find_frame(child_frame_id);
   if (!parent || !child) return samples;
@@ -51,15 +51,15 @@ bool Buffer::remove_frame(std::string_view name) {
   const auto removed = find_frame(name);
   if (!removed) return false;
   for (FrameId id = 1; id < frames_.size(); ++id) {
-    frames_[id].forget_parent(*removed, cache_time_);
-    frames_.note_newest(id);
+    frames_[id].remove_parent(*removed, cache_time_);
+    frames_.refresh_newest(id);
   }
   frames_.remove(*removed);
   return true;
 }
 
 std::size_t Buffer::memory() const {
-  const Reading lock(frames_mutex_);
+  const ReadLock lock(frames_mutex_);
   std::size_t octets = 0;
   for (FrameId id = 1; id < frames_.size(); ++id) {
     if (frames_[id].history) octets += frames_[id].history->memory();

@@ -1,4 +1,4 @@
-// How a buffer lets others wait for data: threads on a condition, requests by callback.
+// Waiting for data in a buffer: threads wait on a condition variable, requests are called back.
 #include <algorithm>
 
 #include "tf2/buffer.hpp"
@@ -6,12 +6,13 @@
 namespace tfloom::tf2 {
 namespace {
 
-class Counted {
+// Counts one waiter for its lifetime.
+class WaiterCount {
  public:
-  explicit Counted(std::atomic<int>& count) : count_(count) { ++count_; }
-  Counted(const Counted&) = delete;
-  Counted& operator=(const Counted&) = delete;
-  ~Counted() { --count_; }
+  explicit WaiterCount(std::atomic<int>& count) : count_(count) { ++count_; }
+  WaiterCount(const WaiterCount&) = delete;
+  WaiterCount& operator=(const WaiterCount&) = delete;
+  ~WaiterCount() { --count_; }
 
  private:
   std::atomic<int>& count_;
@@ -30,21 +31,21 @@ Query query_of(const Requests::Request& request) {
 void Buffer::notify_waiters() {
   generation_.fetch_add(1);
   if (waiters_.load() > 0) {
-    { const std::lock_guard lock(waiting_mutex_); }  // a waiter is now either asleep or has seen the new number
+    { const std::lock_guard lock(waiting_mutex_); }  // each waiter now either waits or has read the new generation
     changed_.notify_all();
   }
-  requests_.settle([this](const Requests::Request& request) { return state_of(request); });
+  requests_.complete([this](const Requests::Request& request) { return state_of(request); });
 }
 
 Buffer::Waited Buffer::wait(const Query& query, std::chrono::steady_clock::time_point deadline,
                             std::chrono::nanoseconds slice) const {
   using Clock = std::chrono::steady_clock;
-  const Counted counted(waiters_);
+  const WaiterCount count(waiters_);
   const auto slice_end = std::min(deadline, Clock::now() + slice);
   for (;;) {
     const std::uint64_t seen = generation_.load();
     {
-      const Reading lock(frames_mutex_);
+      const ReadLock lock(frames_mutex_);
       if (can_answer(query)) return Waited::yes;
       if (can_never_answer(query)) return Waited::no;
     }
@@ -74,13 +75,13 @@ bool Buffer::can_never_answer(const Query& query) const {
 
 Requests::State Buffer::state_of(const Requests::Request& request) const {
   const Query query = query_of(request);
-  const Reading lock(frames_mutex_);
+  const ReadLock lock(frames_mutex_);
   if (can_never_answer(query)) return Requests::State::failed;
   return can_answer(query) ? Requests::State::available : Requests::State::pending;
 }
 
 Requests::Handle Buffer::add_request(const Query& query, Requests::Callback callback) {
-  // Added before it's judged: an insert between the two settles it, and then it can't be cancelled any more.
+  // Added before the check, so that an insert between the two completes it; it can then no longer be cancelled.
   const Requests::Handle handle = requests_.add({.handle = 0,
                                                  .target = std::string(query.target),
                                                  .source = std::string(query.source),
@@ -91,7 +92,7 @@ Requests::Handle Buffer::add_request(const Query& query, Requests::Callback call
                                                  .callback = std::move(callback)});
   bool can = false, never = false;
   {
-    const Reading lock(frames_mutex_);
+    const ReadLock lock(frames_mutex_);
     can = can_answer(query);
     never = !can && can_never_answer(query);
   }

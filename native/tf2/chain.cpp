@@ -5,7 +5,7 @@
 namespace tfloom::tf2 {
 namespace {
 
-// Two numbers side by side in one register, where the compiler has a name for that.
+// Two doubles, in one register where the compiler has a vector type.
 #ifdef __GNUC__
 using Two = double __attribute__((vector_size(16)));
 #else
@@ -18,6 +18,7 @@ struct Two {
 };
 #endif
 
+// Two transforms, element by element.
 struct Pair {
   Two px, py, pz, qx, qy, qz, qw;
 
@@ -30,7 +31,8 @@ struct Pair {
         qz{a.rotation.z, b.rotation.z},
         qw{a.rotation.w, b.rotation.w} {}
 
-  // The product with another on the right: this one's translation waits for nothing but a sum.
+  // Replace this pair by its product with `b` on the right. The translation depends on the previous one only through a
+  // sum, which keeps the chain of dependent operations short.
   void append(const Pair& b) {
     const Two cx = qy * b.pz - qz * b.py, cy = qz * b.px - qx * b.pz, cz = qx * b.py - qy * b.px;
     const Two tx = cx + cx, ty = cy + cy, tz = cz + cz;

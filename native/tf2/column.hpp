@@ -1,4 +1,4 @@
-// A column of numbers that is its own, or a view of memory that somebody else keeps until it's written to.
+// A column of values in its own memory, or a view of other memory that is copied before the first write.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ template <class T>
 class Column {
  public:
   Column() = default;
-  explicit Column(std::span<const T> foreign) : data_(foreign.data()), size_(foreign.size()) {}
+  explicit Column(std::span<const T> viewed) : data_(viewed.data()), size_(viewed.size()) {}
   Column(Column&&) noexcept = default;
   Column& operator=(Column&&) noexcept = default;
   Column(const Column&) = delete;
@@ -26,26 +26,26 @@ class Column {
   [[nodiscard]] const T* end() const { return data_ + size_; }
 
   void insert(std::size_t index, const T& value) {
-    own();
+    make_owned();
     owned_.insert(owned_.begin() + static_cast<std::ptrdiff_t>(index), value);
     refresh();
   }
 
   void reserve(std::size_t count) {
-    own();
+    make_owned();
     owned_.reserve(count);
     refresh();
   }
 
   void erase_before(std::size_t index) {
-    own();
+    make_owned();
     owned_.erase(owned_.begin(), owned_.begin() + static_cast<std::ptrdiff_t>(index));
     refresh();
   }
 
-  // Takes away what is from `index` on, into a column with room for `capacity`.
+  // Move the elements from `index` on into a new column that has memory for `capacity` elements.
   [[nodiscard]] Column take_from(std::size_t index, std::size_t capacity) {
-    own();
+    make_owned();
     Column taken;
     taken.owned_.reserve(capacity);
     taken.owned_.assign(owned_.begin() + static_cast<std::ptrdiff_t>(index), owned_.end());
@@ -56,7 +56,7 @@ class Column {
   }
 
  private:
-  void own() {
+  void make_owned() {
     if (data_ == owned_.data()) return;
     owned_.assign(begin(), end());
     refresh();

@@ -1,4 +1,4 @@
-// What a query can fail with: values, not exceptions. The texts are the ones that ROS users search for.
+// The errors of a query, as values. Their texts are those of tf2.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ enum class Code : std::uint8_t {
 struct Error {
   Code code = Code::transform;
   std::string text{};
-  // For a failed extrapolation: what was asked of which frame, and what its history holds.
+  // For a failed extrapolation: the frame, the requested stamp, and the range of the frame's history.
   std::string frame{};
   Stamp requested = 0;
   Stamp oldest = 0;

@@ -1,6 +1,6 @@
-// A shared mutex whose writers get in while readers come and go: std::shared_mutex on glibc lets a few busy readers
-// keep them out for seconds. With that one, two writers at 1 kHz beside two busy readers insert less than half as
-// often, and wait 20 times as long (p99) or more. Lookups gain nothing: benchmarks/native, "fair mutex".
+// A shared mutex that prefers writers. With std::shared_mutex on glibc, a few busy readers can block a writer for
+// seconds: two writers at 1 kHz beside two busy readers insert less than half as often, and wait 20 times as long (p99)
+// or more. Lookups gain nothing: benchmarks/native, "fair mutex".
 #pragma once
 
 #include <shared_mutex>  // on glibc, defines __GLIBC__ too
@@ -26,7 +26,7 @@ class FairMutex {
   FairMutex& operator=(const FairMutex&) = delete;
   ~FairMutex() { pthread_rwlock_destroy(&lock_); }
 
-  // None of these fails on a lock that is sound and not held by the same thread.
+  // None of these fails on an initialised lock that the calling thread does not hold.
   void lock() { pthread_rwlock_wrlock(&lock_); }
   void unlock() { pthread_rwlock_unlock(&lock_); }
   void lock_shared() { pthread_rwlock_rdlock(&lock_); }

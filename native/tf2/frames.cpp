@@ -25,15 +25,15 @@ bool Frame::insert(const Sample& sample, bool is_static, Stamp max_age) {
   return history->insert(sample);
 }
 
-void Frame::forget() {
+void Frame::clear() {
   kind = Kind::root;
   fixed_parent = no_parent;
   history.reset();
   authority.clear();
 }
 
-void Frame::forget_parent(FrameId parent, Stamp max_age) {
-  if (kind == Kind::fixed && fixed_parent == parent) return forget();
+void Frame::remove_parent(FrameId parent, Stamp max_age) {
+  if (kind == Kind::fixed && fixed_parent == parent) return clear();
   if (kind != Kind::moving) return;
   bool has_any = false;
   history->for_each([&](Stamp, FrameId other, const Transform&) { has_any |= other == parent; });
@@ -42,7 +42,7 @@ void Frame::forget_parent(FrameId parent, Stamp max_age) {
   history->for_each([&](Stamp stamp, FrameId other, const Transform& value) {
     if (other != parent) kept->insert({stamp, other, value});
   });
-  if (kept->empty()) return forget();
+  if (kept->empty()) return clear();
   history = std::move(kept);
 }
 
@@ -66,7 +66,7 @@ FrameId FrameTable::intern(std::string_view name) {
 void FrameTable::add_removed() { add(); }
 
 Frame& FrameTable::add() {
-  // Room first, so that the three stay of one length where there's no memory.
+  // Reserve first, so that the three vectors keep equal lengths if an allocation fails.
   if (frames_.size() == frames_.capacity()) {
     const std::size_t room = 2 * frames_.size() + 16;
     newest_.reserve(room);
@@ -80,9 +80,9 @@ Frame& FrameTable::add() {
 }
 
 void FrameTable::remove(FrameId id) {
-  frames_[id]->forget();
+  frames_[id]->clear();
   frames_[id]->name.clear();
-  note_newest(id);
+  refresh_newest(id);
   ids_.clear();
   for (FrameId other = 0; other < frames_.size(); ++other) {
     if (!frames_[other]->name.empty()) ids_.add(frames_[other]->name, other);

@@ -1,4 +1,4 @@
-// Interned frame names, and what each frame has been told about its parent.
+// Interned frame names, and the transforms of each frame to its parent.
 #pragma once
 
 #include <memory>
@@ -19,10 +19,10 @@ struct Frame {
   std::unique_ptr<TimeCache> history;  // of a moving frame
   Kind kind = Kind::root;
   FrameId fixed_parent = no_parent;
-  std::string authority;  // who set it last
+  std::string authority;  // of the last insert
   Transform fixed_value;
 
-  // A static transform holds at any time; a frame that was never a child has no data at any.
+  // A static transform is valid at any time; a frame that was never a child has no data.
   [[nodiscard]] Bracket find(Stamp stamp) const {
     if (kind == Kind::moving) return history->find(stamp);
     if (kind == Kind::root) return {};
@@ -39,34 +39,36 @@ struct Frame {
   [[nodiscard]] Stamp oldest_stamp() const;
   [[nodiscard]] std::size_t sample_count() const;
 
-  // What was stored under the other kind is forgotten. False: too old.
+  // Store a sample. If the frame was of the other kind, its former data is dropped. Return false if it is too old.
   bool insert(const Sample& sample, bool is_static, Stamp max_age);
 
-  void forget_parent(FrameId parent, Stamp max_age);
-  void forget();  // all but the name: it's a root again
+  void remove_parent(FrameId parent, Stamp max_age);  // drop all samples whose parent is `parent`
+  void clear();  // drop everything but the name, which makes it a root
 };
 
-// A frame's newest link to its parent, again: queries of the latest time read these alone, which lie side by side.
-// From the histories, a lookup of depth 10 takes 21 % longer, of a humanoid 57 %: benchmarks/native, "newest links".
+// A copy of a frame's newest link to its parent. Queries of the latest time read only these copies, which are
+// contiguous. From the histories, a lookup of depth 10 takes 21 % longer, and that of a humanoid 57 %:
+// benchmarks/native, "newest links".
 struct Newest {
   Stamp stamp = 0;  // 0: static, or no data
   FrameId parent = no_parent;
   bool moves = false;
 };
 
-// Ids are dense, in order of registration; id 0 stands for "no parent" and has a name that nobody is to use.
+// Ids are dense, in order of registration. Id 0 means "no parent" and has a reserved name.
 class FrameTable {
  public:
   FrameTable();
 
   [[nodiscard]] std::optional<FrameId> find(std::string_view name) const;
-  [[nodiscard]] const Frame* guess(std::string_view name) const {  // most likely the frame; null: likely unknown
-    const FrameId id = ids_.guess(name);
+  // Return the frame whose name has the same hash, without comparing names, or null.
+  [[nodiscard]] const Frame* find_by_hash(std::string_view name) const {
+    const FrameId id = ids_.find_by_hash(name);
     return id == NameIndex::none ? nullptr : frames_[id].get();
   }
   FrameId intern(std::string_view name);
-  void add_removed();  // takes an id as if it had been interned and removed
-  // The id is not used again, as stored samples may hold it. The frame is then nameless.
+  void add_removed();  // use up an id, as if a frame had been interned and removed
+  // The frame has no name afterwards. The id is not used again, because stored samples may hold it.
   void remove(FrameId id);
 
   [[nodiscard]] std::size_t size() const { return frames_.size(); }
@@ -75,8 +77,8 @@ class FrameTable {
 
   [[nodiscard]] const Newest& newest(FrameId id) const { return newest_[id]; }
   [[nodiscard]] const Transform& newest_value(FrameId id) const { return newest_values_[id]; }
-  // To be called after each change of what a frame holds.
-  void note_newest(FrameId id) {
+  // Must be called after each change of a frame's data.
+  void refresh_newest(FrameId id) {
     const Frame& frame = *frames_[id];
     newest_[id] = {frame.newest_stamp(), frame.newest_parent(), frame.kind == Frame::Kind::moving};
     if (const Transform* value = frame.newest_value()) newest_values_[id] = *value;

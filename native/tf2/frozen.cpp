@@ -61,7 +61,7 @@ FrozenFrame record_of(const Frame& frame) {
   return record;
 }
 
-// Takes the parts one after the other, each checked against what is left.
+// Reads the parts in order; each size is checked against the octets that are left.
 class Reader {
  public:
   explicit Reader(std::span<const std::byte> octets) : octets_(octets) {}
@@ -109,7 +109,7 @@ const FrozenHeader& read_header(Reader& in, std::span<const std::byte> octets) {
   return header;
 }
 
-// Reads the texts, and gives every frame its id back.
+// Read the texts, and intern the names so that each frame gets its former id.
 void read_names(Reader& in, std::span<const FrozenFrame> records, std::uint64_t text_size, FrameTable& frames) {
   Reader texts(in.view<std::byte>(text_size, "the text"));
   in.skip_padding();
@@ -197,35 +197,35 @@ std::vector<std::byte> freeze(const FrameTable& frames, Stamp cache_time) {
   return out.take();
 }
 
-Thawed thaw(std::span<const std::byte> frozen) {
+FrozenContents read_frozen(std::span<const std::byte> frozen) {
   Reader in(frozen);
   const FrozenHeader& header = read_header(in, frozen);
   const auto records = in.view<FrozenFrame>(header.frame_count, "the list of frames");
-  Thawed thawed{.cache_time = header.cache_time};
-  read_names(in, records, header.text_size, thawed.frames);
+  FrozenContents contents{.cache_time = header.cache_time};
+  read_names(in, records, header.text_size, contents.frames);
   for (std::size_t i = 0; i < records.size(); ++i) {
-    Frame& frame = thawed.frames[static_cast<FrameId>(i + 1)];
-    read_contents(in, records[i], header.cache_time, thawed.frames.size(), frame);
-    thawed.frames.note_newest(static_cast<FrameId>(i + 1));
+    Frame& frame = contents.frames[static_cast<FrameId>(i + 1)];
+    read_contents(in, records[i], header.cache_time, contents.frames.size(), frame);
+    contents.frames.refresh_newest(static_cast<FrameId>(i + 1));
   }
   if (in.left() > 0) in.fail(join(std::to_string(in.left()), " bytes are left over"));
-  return thawed;
+  return contents;
 }
 
 std::vector<std::byte> Buffer::freeze() const {
-  const Reading lock(frames_mutex_);
+  const ReadLock lock(frames_mutex_);
   return tf2::freeze(frames_, cache_time_);
 }
 
 void Buffer::map(std::span<const std::byte> frozen, std::shared_ptr<const void> owner) {
-  Thawed thawed = thaw(frozen);
+  FrozenContents contents = read_frozen(frozen);
   {
     const std::unique_lock lock(frames_mutex_);
-    std::swap(frames_, thawed.frames);  // what was there goes before its owner does, without the lock
+    std::swap(frames_, contents.frames);
     std::swap(mapped_, owner);
-    cache_time_ = thawed.cache_time;
+    cache_time_ = contents.cache_time;
   }
-  thawed = {};
+  contents = {};  // without the lock; the former frames are destroyed before `owner`, whose memory they may view
   notify_waiters();
 }
 

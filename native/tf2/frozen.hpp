@@ -1,17 +1,16 @@
-// A buffer as octets that can be read where they lie: what `Buffer::freeze` writes and `Buffer::map` reads.
+// The format of a frozen buffer, which `Buffer::freeze` writes and `Buffer::map` reads in place.
 //
 // Version 1, in the byte order of the machine that wrote it; every part starts at a multiple of 8:
 //
 //     header    FrozenHeader
 //     frames    FrozenFrame, one for each frame, in order of registration: the first has id 1
 //     texts     each frame's name, then its authority, in the same order, UTF-8, without zeros between; padded
-//     samples   of each moving frame with any, in the same order: stamps (int64 each), values (seven float64 each:
-//               x y z, then x y z w), parents' ids (uint32 each); padded
+//     samples   of each moving frame that has some, in the same order: stamps (int64 each), values (seven float64
+//               each: x y z, then x y z w), parents' ids (uint32 each); padded
 //
-// Padding is zeros. Nothing follows.
+// Padding is zeros. The samples are the last part.
 //
-// Storing the same arrays anew takes 20 times as long, and 70 MB where mapping takes 1: benchmarks/native,
-// "frozen file".
+// Inserting the same arrays takes 20 times as long, and 70 MB where mapping takes 1: benchmarks/native, "frozen file".
 #pragma once
 
 #include <array>
@@ -32,7 +31,7 @@ struct FrozenHeader {
   static constexpr std::uint32_t expected_version = 1;
 
   std::array<char, 8> magic = expected_magic;
-  std::uint32_t order = expected_order;  // reads otherwise in the other byte order
+  std::uint32_t order = expected_order;  // has another value when read in the other byte order
   std::uint32_t version = expected_version;
   std::uint64_t size = 0;  // of everything [octets]
   std::int64_t cache_time = 0;
@@ -45,7 +44,7 @@ struct FrozenFrame {
   enum class Kind : std::uint32_t { root = 0, fixed = 1, moving = 2, removed = 3 };
 
   Kind kind = Kind::root;
-  FrameId fixed_parent = no_parent;  // of a fixed frame, as is the next
+  FrameId fixed_parent = no_parent;  // of a fixed frame, like the next
   Transform fixed_value{};
   std::uint64_t sample_count = 0;
   std::uint32_t name_size = 0, authority_size = 0;
@@ -57,15 +56,15 @@ class FrozenError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-struct Thawed {
+struct FrozenContents {
   FrameTable frames{};
   Stamp cache_time = 0;
 };
 
 [[nodiscard]] std::vector<std::byte> freeze(const FrameTable& frames, Stamp cache_time);
 
-// Checks all but the samples' numbers: sizes, names, ids, and that stamps ascend. The histories are views of `frozen`.
-// Throws FrozenError.
-[[nodiscard]] Thawed thaw(std::span<const std::byte> frozen);
+// Check sizes, names, ids and that stamps ascend, but not the values of the samples. The histories are views of
+// `frozen`. Throw FrozenError if a check fails.
+[[nodiscard]] FrozenContents read_frozen(std::span<const std::byte> frozen);
 
 }  // namespace tfloom::tf2

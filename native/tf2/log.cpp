@@ -33,7 +33,7 @@ Log::Recent& Log::recent(std::string_view topic, std::string_view frame, Clock::
   if (recent_.size() >= most_remembered) {
     std::erase_if(recent_, [&](const auto& entry) { return now - entry.second.last >= period; });
   }
-  // With too many names in one second, the rest of a topic share one line.
+  // If there are too many names in one second, all further frames of a topic share one entry.
   const bool is_full = recent_.size() >= most_remembered;
   return recent_.try_emplace({std::string(topic), std::string(is_full ? "" : frame)}, never).first->second;
 }

@@ -1,4 +1,4 @@
-// What a buffer has to say about the data it's given: throttled here, so that a flood of bad data is a line a second.
+// A buffer's log of rejected data. It is throttled here, so that a flood of bad data gives one line a second.
 #pragma once
 
 #include <chrono>
@@ -23,7 +23,7 @@ class Log {
  public:
   void set_callback(LogCallback callback);
 
-  // Of each (topic, frame) one line a second; the next one that is let through says how many were not.
+  // Pass on one text a second for each (topic, frame); the next one passed on states how many were held back.
   void report(Severity severity, std::string_view topic, std::string_view frame, std::string text);
 
  private:
@@ -38,7 +38,7 @@ class Log {
   Recent& recent(std::string_view topic, std::string_view frame, Clock::time_point now);
 
   std::mutex mutex_;
-  std::shared_ptr<const LogCallback> callback_;  // guarded by mutex_, as is the next
+  std::shared_ptr<const LogCallback> callback_;  // guarded by mutex_, like the next
   std::map<std::pair<std::string, std::string>, Recent> recent_;
 };
 

@@ -1,4 +1,4 @@
-// Frames' names to their ids: a hash table whose slots lie side by side.
+// A hash table from frame names to ids, with open addressing in one contiguous array.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace tfloom::tf2 {
 
-// The names themselves are stored elsewhere: name_of(id) returns them. With std::unordered_map, a transform of a whole
+// The names are stored by the caller, and name_of(id) returns them. With std::unordered_map, a transform of a whole
 // robot's /tf takes 15 % longer: benchmarks/native, "name index".
 class NameIndex {
  public:
@@ -27,15 +27,15 @@ class NameIndex {
     }
   }
 
-  // Most likely what `find` will say, without a look at any name.
-  [[nodiscard]] std::uint32_t guess(std::string_view name) const {
+  // Return the first id with the hash of `name`, without comparing names. Another name may have the same hash.
+  [[nodiscard]] std::uint32_t find_by_hash(std::string_view name) const {
     const std::uint32_t hash = hash_of(name);
     for (std::size_t i = hash & mask();; i = (i + 1) & mask()) {
       if (slots_[i].id == none || slots_[i].hash == hash) return slots_[i].id;
     }
   }
 
-  // For a name that isn't there.
+  // Add a name that is not in the table.
   void add(std::string_view name, std::uint32_t id) {
     if (2 * (count_ + 1) > slots_.size()) grow();
     place({hash_of(name), id});
@@ -68,7 +68,7 @@ class NameIndex {
     }
   }
 
-  // Names come from the wire: with a seed of the process's own, nobody can choose ones that collide.
+  // Random for each process, because names come from the wire and a sender could otherwise choose names that collide.
   static std::uint64_t seed() {
     static const std::uint64_t value = (std::uint64_t{std::random_device{}()} << 32) | std::random_device{}();
     return value;

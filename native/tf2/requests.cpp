@@ -13,7 +13,7 @@ Requests::Handle Requests::add(Request request) {
 }
 
 bool Requests::cancel(Handle handle) {
-  std::shared_ptr<const Request> cancelled;  // let go of after the lock: its callback may own anything
+  std::shared_ptr<const Request> cancelled;  // destroyed after the lock, because its callback may own anything
   const std::lock_guard lock(mutex_);
   const auto found = std::find_if(requests_.begin(), requests_.end(),
                                   [handle](const auto& request) { return request->handle == handle; });

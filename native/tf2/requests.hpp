@@ -1,4 +1,4 @@
-// Queries that wait for their data, each with a callback: what async lookups and message filters stand on.
+// Queries that wait for their data, each with a callback. Async lookups and message filters use them.
 #pragma once
 
 #include <atomic>
@@ -20,7 +20,7 @@ class Requests {
   static constexpr Handle never = UINT64_MAX;
 
   enum class Outcome : std::uint8_t { available, failed };
-  // Called with no lock held, so it may add, cancel and insert.
+  // Called with no lock held, so it may call `add`, `cancel` and `Buffer::set`.
   using Callback = std::function<void(Handle, Outcome)>;
 
   struct Request {
@@ -35,28 +35,28 @@ class Requests {
   Handle add(Request request);
   bool cancel(Handle handle);
 
-  // Removes each request whose `state_of(request)` is not pending, and calls it back in order of arrival.
+  // Remove each request whose `state_of(request)` is not pending, and call it back in order of arrival.
   template <class StateOf>
-  void settle(StateOf&& state_of) {
+  void complete(StateOf&& state_of) {
     if (count_.load() == 0) return;
-    std::vector<std::pair<std::shared_ptr<const Request>, Outcome>> settled;
+    std::vector<std::pair<std::shared_ptr<const Request>, Outcome>> completed;
     {
       const std::lock_guard lock(mutex_);
       std::erase_if(requests_, [&](const std::shared_ptr<const Request>& request) {
         const State state = state_of(*request);
         if (state == State::pending) return false;
-        settled.emplace_back(request, state == State::available ? Outcome::available : Outcome::failed);
+        completed.emplace_back(request, state == State::available ? Outcome::available : Outcome::failed);
         return true;
       });
       count_.store(requests_.size());
     }
-    for (const auto& [request, outcome] : settled) request->callback(request->handle, outcome);
+    for (const auto& [request, outcome] : completed) request->callback(request->handle, outcome);
   }
 
  private:
-  std::mutex mutex_;  // taken before Buffer::frames_mutex_, which `state_of` takes
+  std::mutex mutex_;  // acquired before Buffer::frames_mutex_, which `state_of` acquires
   std::atomic<std::size_t> count_{0};  // of requests_; written with mutex_ held
-  Handle last_ = 0;                    // guarded by mutex_, as is the next
+  Handle last_ = 0;                    // guarded by mutex_, like the next
   std::vector<std::shared_ptr<const Request>> requests_;
 };
 

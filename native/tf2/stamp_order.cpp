@@ -11,7 +11,7 @@ namespace {
 constexpr unsigned digit_bits = 11;
 constexpr std::size_t digit_count = std::size_t{1} << digit_bits;
 constexpr unsigned key_bits = 2 * digit_bits;
-constexpr std::size_t fewest = 512;  // fewer are sorted by comparing: counting has a price of its own
+constexpr std::size_t fewest = 512;  // fewer stamps are sorted by comparison, because counting has a fixed cost
 
 struct Keyed {
   std::uint32_t key, index;
@@ -26,7 +26,8 @@ void sort_by_digit(std::span<const Keyed> from, std::span<Keyed> to, unsigned sh
 
 }  // namespace
 
-// By comparing, a lookup of shuffled stamps takes 2.4 times as long: benchmarks/native, "radix order".
+// A radix sort. With a sort by comparison, a lookup of shuffled stamps takes 2.4 times as long: benchmarks/native,
+// "radix order".
 std::vector<std::uint32_t> nearly_ascending(std::span<const Stamp> stamps) {
   std::vector<std::uint32_t> order(stamps.size());
   if (stamps.size() < fewest) {
@@ -35,7 +36,7 @@ std::vector<std::uint32_t> nearly_ascending(std::span<const Stamp> stamps) {
     return order;
   }
   const auto [least, most] = std::ranges::minmax(stamps);
-  // Unsigned, as the difference of extreme stamps overflows.
+  // Unsigned, because the difference of extreme stamps overflows.
   const std::uint64_t span = static_cast<std::uint64_t>(most) - static_cast<std::uint64_t>(least);
   const auto span_bits = static_cast<unsigned>(std::bit_width(span));
   const unsigned drop = span_bits > key_bits ? span_bits - key_bits : 0;

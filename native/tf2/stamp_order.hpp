@@ -1,4 +1,4 @@
-// An order in which stamps ascend, near enough for histories to be read from old to new.
+// An order in which stamps nearly ascend, so that histories are read from old to new.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace tfloom::tf2 {
 
-// The indices of all stamps, at most 2³² of them, such that the stamps there ascend but for the smallest differences:
-// those of less than a millionth of their whole span.
+// Return the indices of all stamps in an order in which the stamps ascend, except for differences below a millionth of
+// their whole span. There may be at most 2³² stamps.
 [[nodiscard]] std::vector<std::uint32_t> nearly_ascending(std::span<const Stamp> stamps);
 
 }  // namespace tfloom::tf2

@@ -1,4 +1,4 @@
-// Building texts: numbers print as the reference's do, whatever the program's locale.
+// Formatting of texts. Numbers are printed as the reference prints them, independent of the program's locale.
 #pragma once
 
 #include <locale>

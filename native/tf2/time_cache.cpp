@@ -35,10 +35,10 @@ bool TimeCache::insert(const Sample& sample) {
   const Stamp newest = newest_stamp();
   prune();
   if (!empty() && is_older_than(sample.stamp, max_age_, newest)) return false;
-  Position position = after(sample.stamp);
-  if (holds(sample, position)) return true;
+  Position position = first_after(sample.stamp);
+  if (contains(sample, position)) return true;
   if (blocks_.empty() || (position.block == blocks_.size() - 1 && position.index == block_size)) {
-    blocks_.emplace_back();  // appending leaves full blocks behind
+    blocks_.emplace_back();  // appending starts a new block, so that the blocks before stay full
     if (blocks_.size() > 1) blocks_.back().reserve();
     position = {blocks_.size() - 1, 0};
   } else if (blocks_[position.block].stamps.size() == block_size) {
@@ -55,7 +55,7 @@ bool TimeCache::insert(const Sample& sample) {
   }
   blocks_[position.block].insert(position.index, sample);
   ++size_;
-  note_ends();
+  refresh_ends();
   return true;
 }
 
@@ -87,10 +87,10 @@ Bracket TimeCache::find(Stamp stamp) const {
   if (stamp == first.first_stamp()) {
     return {Found::yes, first.parents[first.begin], &first.values[first.begin], nullptr, 0.0};
   }
-  return before(stamp, after(stamp));
+  return bracket_before(stamp, first_after(stamp));
 }
 
-Bracket TimeCache::before(Stamp stamp, Position newer) const {
+Bracket TimeCache::bracket_before(Stamp stamp, Position newer) const {
   const Block& later = blocks_[newer.block];
   if (newer.index > later.begin) return bracket(stamp, later, newer.index - 1, later, newer.index);
   const Block& earlier = blocks_[newer.block - 1];
@@ -99,8 +99,8 @@ Bracket TimeCache::before(Stamp stamp, Position newer) const {
 
 Bracket TimeCache::search(Stamp stamp, Position& hint) const {
   if (size_ < 2 || stamp == latest || stamp <= oldest_stamp() || stamp >= newest_stamp()) return find(stamp);
-  hint = after(stamp);
-  return before(stamp, hint);
+  hint = first_after(stamp);
+  return bracket_before(stamp, hint);
 }
 
 void TimeCache::view(std::span<const Stamp> stamps, std::span<const FrameId> parents,
@@ -111,10 +111,10 @@ void TimeCache::view(std::span<const Stamp> stamps, std::span<const FrameId> par
                        Column(values.subspan(at, count)), 0});
   }
   size_ = stamps.size();
-  if (size_ > 0) note_ends();
+  if (size_ > 0) refresh_ends();
 }
 
-void TimeCache::note_ends() {
+void TimeCache::refresh_ends() {
   oldest_stamp_ = blocks_.front().first_stamp();
   newest_stamp_ = blocks_.back().stamps.back();
   newest_parent_ = blocks_.back().parents.back();
@@ -138,7 +138,7 @@ std::size_t TimeCache::memory() const {
   return octets;
 }
 
-TimeCache::Position TimeCache::after(Stamp stamp) const {
+TimeCache::Position TimeCache::first_after(Stamp stamp) const {
   if (empty()) return {};
   if (blocks_.back().stamps.back() <= stamp) return {blocks_.size() - 1, blocks_.back().stamps.size()};
   const auto block = std::upper_bound(blocks_.begin(), blocks_.end(), stamp, [](Stamp value, const Block& candidate) {
@@ -149,7 +149,7 @@ TimeCache::Position TimeCache::after(Stamp stamp) const {
   return {static_cast<std::size_t>(block - blocks_.begin()), static_cast<std::size_t>(index)};
 }
 
-bool TimeCache::holds(const Sample& sample, Position end) const {
+bool TimeCache::contains(const Sample& sample, Position end) const {
   for (std::size_t b = end.block + 1; b-- > 0 && b < blocks_.size();) {
     const Block& block = blocks_[b];
     for (std::size_t i = b == end.block ? end.index : block.stamps.size(); i-- > block.begin;) {
@@ -166,8 +166,8 @@ void TimeCache::prune() {
     Block& first = blocks_.front();
     ++first.begin;
     --size_;
-    if (first.live() == 0) blocks_.erase(blocks_.begin());
-    oldest_stamp_ = blocks_.front().first_stamp();  // the newest is never too old, so there is one
+    if (first.size() == 0) blocks_.erase(blocks_.begin());
+    oldest_stamp_ = blocks_.front().first_stamp();  // the newest sample is never too old, so a block is left
   }
 }
 

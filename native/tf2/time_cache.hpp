@@ -1,4 +1,4 @@
-// The history of one frame: samples in order of time, in contiguous blocks.
+// The history of one frame: samples ordered by stamp, in contiguous blocks.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using FrameId = std::uint32_t;
 inline constexpr FrameId no_parent = 0;
 inline constexpr Stamp unlimited = INT64_MAX;
 
-// stamp + age < newest, where the sum may lie beyond the range. Nothing is older than unlimited.
+// Return stamp + age < newest, without overflow of the sum. With an unlimited age, nothing is too old.
 constexpr bool is_older_than(Stamp stamp, Stamp age, Stamp newest) {
   return age != unlimited && stamp <= INT64_MAX - age && stamp + age < newest;
 }
@@ -31,7 +31,7 @@ struct Sample {
   friend bool operator==(const Sample&, const Sample&) = default;
 };
 
-// The stored samples that a query falls on: one, or the two to interpolate between.
+// The stored samples that answer a query: one, or two to interpolate between.
 struct Bracket {
   enum class Found : std::uint8_t { yes, empty, only_one, after_newest, before_oldest };
 
@@ -40,32 +40,33 @@ struct Bracket {
   const Transform* older = nullptr;
   const Transform* newer = nullptr;  // null: `older` is the answer
   double ratio = 0.0;
-  Stamp older_stamp = 0, newer_stamp = 0;  // where there are two
+  Stamp older_stamp = 0, newer_stamp = 0;  // set if there are two
 
   [[nodiscard]] Transform value() const { return newer ? interpolate(*older, *newer, ratio) : *older; }
 };
 
-// Samples ascend by stamp; among equal stamps, in order of arrival. Binary search finds the block, then the sample,
-// so an insert anywhere moves part of one block, and pruning from the old end moves nothing.
+// Samples ascend by stamp; those with equal stamps are in order of arrival. Binary search finds the block, then the
+// sample. An insert moves part of one block at most, and pruning the oldest samples moves none.
 class TimeCache {
  public:
   static constexpr std::size_t block_size = 256;
 
   explicit TimeCache(Stamp max_age) : max_age_(max_age) {}
 
-  // False: older than the newest sample by more than the maximum age, and not stored. What's identical to a stored
-  // sample is not stored again. Pruning goes by what was stored before, so it lags by one insert, as users of
-  // sparse transforms rely on.
+  // Store a sample, unless an identical one is stored. Return false, and store nothing, if it is older than the newest
+  // sample by more than the maximum age. Pruning uses the newest stamp before the insert, so it lags by one insert;
+  // users of sparse transforms rely on that.
   bool insert(const Sample& sample);
 
-  // Two steps ahead of inserts after the newest sample: fetch what leads to the memory they touch, then that.
+  // Two steps to prefetch the memory of an insert after the newest sample: first the blocks' pointers, then the ends of
+  // their columns.
   void prefetch_blocks() const;
   void prefetch_ends() const;
 
-  // The answer's pointers live until the next change. `stamp` of `latest` is the newest sample.
+  // The pointers in the result are valid until the next change. A `stamp` of `latest` finds the newest sample.
   [[nodiscard]] Bracket find(Stamp stamp) const;
 
-  // The same for stamps that mostly ascend: `hint` is where the last one was found, and at first {}. Without it,
+  // The same for stamps that mostly ascend. `hint` is the position of the previous result, and {} at first. Without it,
   // lookup_many takes 23 % longer: benchmarks/native, "search hint".
   struct Position {
     std::size_t block = 0, index = 0;
@@ -73,7 +74,7 @@ class TimeCache {
   [[nodiscard]] Bracket find(Stamp stamp, Position& hint) const {
     if (hint.block < blocks_.size()) {
       const Block& block = blocks_[hint.block];
-      // The sample before must be in the block too, and no stamp of an end is between two samples.
+      // The previous sample must be in the same block, and the stamps of both ends are handled by `search`.
       const std::size_t end = std::min(hint.index + 3, block.stamps.size());
       for (std::size_t index = std::max(hint.index, block.begin + 1); index < end; ++index) {
         if (block.stamps[index] <= stamp) continue;
@@ -85,8 +86,8 @@ class TimeCache {
     return search(stamp, hint);
   }
 
-  // Takes samples where they lie, which must ascend and outlive the cache; they're copied block by block as inserts
-  // come to them. Only for an empty cache.
+  // View samples in place. They must ascend and outlive the cache; an insert copies the block that it changes. The
+  // cache must be empty.
   void view(std::span<const Stamp> stamps, std::span<const FrameId> parents, std::span<const Transform> values);
 
   void clear();
@@ -99,7 +100,7 @@ class TimeCache {
   [[nodiscard]] const Transform* newest_value() const { return newest_value_; }  // null: empty
   [[nodiscard]] std::size_t memory() const;  // octets, without those viewed
 
-  // Calls visit(stamp, parent, transform) for each sample, oldest first.
+  // Call visit(stamp, parent, transform) for each sample, oldest first.
   template <class Visitor>
   void for_each(Visitor&& visit) const {
     for (const Block& block : blocks_) {
@@ -110,32 +111,32 @@ class TimeCache {
   }
 
  private:
-  // A structure of arrays: a search touches stamps only. Full blocks hold 68 octets a sample.
+  // A structure of arrays, so that a search reads stamps only. A full block takes 68 octets a sample.
   struct Block {
     Column<Stamp> stamps;
     Column<FrameId> parents;
     Column<Transform> values;
-    std::size_t begin = 0;  // what is before it has been pruned
+    std::size_t begin = 0;  // the samples before it are pruned
 
     [[nodiscard]] Stamp first_stamp() const { return stamps[begin]; }
-    [[nodiscard]] std::size_t live() const { return stamps.size() - begin; }
+    [[nodiscard]] std::size_t size() const { return stamps.size() - begin; }
     void insert(std::size_t index, const Sample& sample);
     void reserve();
     void drop_pruned();
     [[nodiscard]] Block split();
   };
 
-  [[nodiscard]] Position after(Stamp stamp) const;  // of the first sample later than `stamp`
-  [[nodiscard]] bool holds(const Sample& sample, Position end) const;
-  [[nodiscard]] Bracket before(Stamp stamp, Position newer) const;
+  [[nodiscard]] Position first_after(Stamp stamp) const;  // of the first sample later than `stamp`
+  [[nodiscard]] bool contains(const Sample& sample, Position end) const;
+  [[nodiscard]] Bracket bracket_before(Stamp stamp, Position newer) const;
   [[nodiscard]] Bracket search(Stamp stamp, Position& hint) const;
 
   [[nodiscard]] static Bracket bracket(Stamp stamp, const Block& earlier, std::size_t older, const Block& later,
                                        std::size_t newer) {
     Bracket found{Bracket::Found::yes, earlier.parents[older], &earlier.values[older], nullptr, 0.0};
-    if (later.parents[newer] != found.parent) return found;  // the old parent holds until the new one starts
+    if (later.parents[newer] != found.parent) return found;  // the old parent is valid until the new one's first stamp
     found.newer = &later.values[newer];
-    // Unsigned, as the difference of extreme stamps overflows.
+    // Unsigned, because the difference of extreme stamps overflows.
     found.older_stamp = earlier.stamps[older];
     found.newer_stamp = later.stamps[newer];
     const auto start = static_cast<std::uint64_t>(found.older_stamp);
@@ -144,12 +145,12 @@ class TimeCache {
     return found;
   }
   void prune();
-  void note_ends();
+  void refresh_ends();
 
   Stamp max_age_;
   std::size_t size_ = 0;
   std::vector<Block> blocks_;  // none is empty
-  // The ends again, which most inserts and queries read alone. The pointer is into the last block.
+  // Copies of both ends, because most inserts and queries read nothing else. The pointer is into the last block.
   Stamp newest_stamp_ = 0, oldest_stamp_ = 0;
   FrameId newest_parent_ = no_parent;
   const Transform* newest_value_ = nullptr;

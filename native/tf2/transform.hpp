@@ -1,4 +1,4 @@
-// A rigid transform as seven doubles, and the arithmetic that a frame tree needs.
+// A rigid transform as seven doubles, and the arithmetic for a frame tree.
 #pragma once
 
 #include <array>
@@ -41,14 +41,14 @@ constexpr Quaternion operator*(const Quaternion& a, const Quaternion& b) {
           a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
 }
 
-// v + 2w(u × v) + 2u × (u × v), u the vector part of a unit quaternion.
+// v + 2w(u × v) + 2u × (u × v), where u is the vector part of a unit quaternion.
 constexpr Vector3 rotate(const Quaternion& q, const Vector3& v) {
   const Vector3 u{q.x, q.y, q.z};
   const Vector3 t = 2.0 * cross(u, v);
   return v + q.w * t + cross(u, t);
 }
 
-// Row-major rotation matrix of a quaternion of any length, by the scale 2/‖q‖².
+// Row-major rotation matrix of a quaternion of any length but zero, with the scale 2/‖q‖².
 inline std::array<double, 9> rotation_matrix(const Quaternion& q) {
   const double s = 2.0 / dot(q, q);
   const double xs = q.x * s, ys = q.y * s, zs = q.z * s;
@@ -58,8 +58,8 @@ inline std::array<double, 9> rotation_matrix(const Quaternion& q) {
   return {1.0 - (yy + zz), xy - wz, xz + wy, xy + wz, 1.0 - (xx + zz), yz - wx, xz - wy, yz + wx, 1.0 - (xx + yy)};
 }
 
-// Quaternion of a row-major rotation matrix. Of the two, the one with w > 0 where the trace is positive, else the
-// one whose largest vector component is positive: rotations print with the signs that ROS users know.
+// Quaternion of a row-major rotation matrix. Of the two solutions, return the one with w > 0 if the trace is positive,
+// else the one whose largest vector component is positive. So rotations print with the same signs as in ROS.
 inline Quaternion quaternion_of_matrix(const std::array<double, 9>& m) {
   const double trace = m[0] + m[4] + m[8];
   if (trace > 0.0) {
@@ -82,21 +82,21 @@ inline Quaternion quaternion_of_matrix(const std::array<double, 9>& m) {
 inline Quaternion canonical(const Quaternion& q) {
   const double n = dot(q, q);
   if (std::abs(n - 1.0) < 5e-9) {
-    // By the matrix alone, `set` takes 12 % longer: benchmarks/native, "canonical".
-    const double s = 1.5 - 0.5 * n;  // 1/√n to 1e-17, by its series
-    const auto signed_as = [&](double leading) {
+    // With the way through the matrix alone, `set` takes 12 % longer: benchmarks/native, "canonical".
+    const double s = 1.5 - 0.5 * n;  // 1/√n by its series, with an error of 1e-17
+    const auto with_sign_of = [&](double leading) {
       const double r = std::copysign(s, leading);
       return Quaternion{r * q.x, r * q.y, r * q.z, r * q.w};
     };
-    // The matrix's trace is 4w² - 1, and its diagonal is in the order of the squares: where these are clearly apart,
-    // the matrix would say no more than which number is to be positive.
-    constexpr double apart = 1e-6;
+    // The matrix's trace is 4w² - 1, and its diagonal elements are ordered like the squares of x, y, z. If these differ
+    // by more than the margin, the matrix would only decide which number is positive.
+    constexpr double margin = 1e-6;
     const double xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z, ww = q.w * q.w;
-    if (ww > 0.25 + apart) return signed_as(q.w);
-    if (ww < 0.25 - apart) {
-      if (xx > yy + apart && xx > zz + apart) return signed_as(q.x);
-      if (yy > xx + apart && yy > zz + apart) return signed_as(q.y);
-      if (zz > xx + apart && zz > yy + apart) return signed_as(q.z);
+    if (ww > 0.25 + margin) return with_sign_of(q.w);
+    if (ww < 0.25 - margin) {
+      if (xx > yy + margin && xx > zz + margin) return with_sign_of(q.x);
+      if (yy > xx + margin && yy > zz + margin) return with_sign_of(q.y);
+      if (zz > xx + margin && zz > yy + margin) return with_sign_of(q.z);
     }
   }
   return quaternion_of_matrix(rotation_matrix(q));
@@ -107,8 +107,8 @@ struct SlerpWeights {
   double first, second;
 };
 
-// For near ends the series of sin(rθ)/sin θ in c = cos θ - 1 (D. Eberly, "A Fast and Accurate Algorithm for
-// Computing SLERP", 2011): no trigonometry, and exact where acos loses half of the digits.
+// Coefficients of the series of sin(rθ)/sin θ in c = cos θ - 1, for small angles (D. Eberly, "A Fast and Accurate
+// Algorithm for Computing SLERP", 2011). It needs no trigonometry, and is exact where acos loses half of the digits.
 // With trigonometry, a lookup between samples takes 46 % longer: benchmarks/native, "slerp series".
 struct SlerpSeries {
   static constexpr int longest = 8;
@@ -137,7 +137,7 @@ constexpr SlerpWeights slerp_by_series(double r, double one_minus_cos) {
 }
 
 inline SlerpWeights slerp_weights(double r, double one_minus_cos) {
-  // With so many terms the remainder is below 1e-16.
+  // With these numbers of terms, the remainder is below 1e-16.
   if (one_minus_cos < 1e-4) return slerp_by_series<4>(r, one_minus_cos);  // θ < 0.8°
   if (one_minus_cos < 0.02) return slerp_by_series<8>(r, one_minus_cos);  // θ < 11.5°
   const double c = 1.0 - one_minus_cos;
@@ -146,7 +146,7 @@ inline SlerpWeights slerp_weights(double r, double one_minus_cos) {
   return {std::sin((1.0 - r) * angle) / sine, std::sin(r * angle) / sine};
 }
 
-// The rotation at many ratios between the same two, as the weights are polynomials in r there: for near ends only.
+// The rotations at many ratios between the same two rotations. For small angles, the weights are polynomials in r.
 // Without it, lookup_many and deskew take 50 % longer: benchmarks/native, "near slerp". With four terms alone they take
 // 16 % longer: "near slerp, two terms".
 template <std::size_t Terms>

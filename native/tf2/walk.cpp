@@ -23,34 +23,35 @@ void NewestChain::find(const FrameTable& frames, FrameId target, FrameId source)
     }
     source_[source_count_++] = top;
     top = parent;
-    if (top == target) return settle(frames);
+    if (top == target) return compute_stamp(frames);
   }
   FrameId reached = target;
   for (;;) {
     const FrameId parent = frames.newest(reached).parent;
     if (parent == no_parent) break;
-    if (target_count_ == longest) return meet_below(frames, reached);
+    if (target_count_ == longest) return find_meeting_frame(frames, reached);
     target_[target_count_++] = reached;
     reached = parent;
     if (reached == source) {
       source_count_ = 0;
-      return settle(frames);
+      return compute_stamp(frames);
     }
   }
   if (reached != top) {
     failure_ = {Kind::unconnected, {}, no_parent, 0};
     return;
   }
-  // Both branches go up to the root: what they share lies above where they meet.
+  // Both branches reach the root, so the links that they share are above the frame where they meet.
   while (source_count_ > 0 && target_count_ > 0 && source_[source_count_ - 1] == target_[target_count_ - 1]) {
     --source_count_;
     --target_count_;
   }
-  settle(frames);
+  compute_stamp(frames);
 }
 
-// The way to the root is too long, and what is above where the branches meet isn't asked for: they may do so in time.
-void NewestChain::meet_below(const FrameTable& frames, FrameId top) {
+// The target's branch is longer than the limit. The branches may still meet below it, and links above the meeting frame
+// are not needed.
+void NewestChain::find_meeting_frame(const FrameTable& frames, FrameId top) {
   const std::size_t whole = target_count_;
   for (target_count_ = 1; target_count_ <= whole; ++target_count_) {
     const FrameId id = target_count_ < whole ? target_[target_count_] : top;
@@ -58,14 +59,14 @@ void NewestChain::meet_below(const FrameTable& frames, FrameId top) {
     const auto meeting = std::ranges::find(all, id);
     if (meeting == all.end()) continue;
     source_count_ = static_cast<std::size_t>(meeting - all.begin());
-    settle(frames);
-    is_uniform_ = false;  // a lookup goes all the way, and fails
+    compute_stamp(frames);
+    is_uniform_ = false;  // a lookup must walk the whole branch, and fail
     return;
   }
   failure_ = {Failure::Kind::cycle, {}, top, 0};
 }
 
-void NewestChain::settle(const FrameTable& frames) {
+void NewestChain::compute_stamp(const FrameTable& frames) {
   Stamp common = INT64_MAX, first = 0;
   bool has_moving = false;
   is_uniform_ = true;
@@ -73,7 +74,7 @@ void NewestChain::settle(const FrameTable& frames) {
     for (const FrameId id : links) {
       const Newest& newest = frames.newest(id);
       if (!newest.moves) continue;
-      if (newest.stamp != 0) common = std::min(common, newest.stamp);  // as static frames, stamps of zero don't count
+      if (newest.stamp != 0) common = std::min(common, newest.stamp);  // zero is ignored, like a static frame
       if (!has_moving) first = newest.stamp;
       has_moving = true;
       is_uniform_ &= newest.stamp == first;

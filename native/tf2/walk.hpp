@@ -1,4 +1,5 @@
-// The walk from two frames up to where their branches meet: the heart of every query. Callers hold the frames' lock.
+// The walk from two frames up to the frame where their branches meet. Every query uses it. Callers hold the lock of the
+// frames.
 #pragma once
 
 #include <array>
@@ -9,9 +10,9 @@
 
 namespace tfloom::tf2 {
 
-inline constexpr int longest_chain = 1000;  // links on one side; more is a cycle
+inline constexpr int longest_chain = 1000;  // links on one side; a longer one counts as a cycle
 
-// Why a walk found no path; texts are made from it only when somebody asks.
+// Why a walk found no path. Texts are made from it only on request.
 struct Failure {
   enum class Kind : std::uint8_t { none, extrapolation, unconnected, cycle };
 
@@ -23,8 +24,8 @@ struct Failure {
   explicit operator bool() const { return kind != Kind::none; }
 };
 
-// Walks both branches at one time. visitor.source(id, bracket) and visitor.target(id, bracket) are called for each
-// link, from the bottom up; visitor.forget_source() when the source turns out to lie above the target.
+// Walk both branches at one time. Call visitor.source(id, bracket) and visitor.target(id, bracket) for each link, from
+// the bottom up, and visitor.clear_source() if the source is above the target.
 template <class Visitor>
 Failure walk(const FrameTable& frames, FrameId target, FrameId source, Stamp stamp, Visitor& visitor) {
   using Kind = Failure::Kind;
@@ -35,7 +36,7 @@ Failure walk(const FrameTable& frames, FrameId target, FrameId source, Stamp sta
     if (frame.kind == Frame::Kind::root) break;
     const Bracket bracket = frame.find(stamp);
     if (bracket.found != Bracket::Found::yes) {
-      // The branches may meet below this gap; if they don't, it's the reason.
+      // The branches may meet below this gap. If they do not, it is the reason for the failure.
       gap = {Kind::extrapolation, bracket.found, top, stamp};
       break;
     }
@@ -50,7 +51,7 @@ Failure walk(const FrameTable& frames, FrameId target, FrameId source, Stamp sta
     const Bracket bracket = frame.find(stamp);
     if (bracket.found != Bracket::Found::yes) return {Kind::extrapolation, bracket.found, reached, stamp};
     if (reached == source) {
-      visitor.forget_source();
+      visitor.clear_source();
       return {};
     }
     if (depth >= longest_chain) return {Kind::cycle, {}, reached, stamp};
@@ -62,15 +63,15 @@ Failure walk(const FrameTable& frames, FrameId target, FrameId source, Stamp sta
   return {Kind::unconnected, {}, no_parent, stamp};
 }
 
-// The chain between two different frames by each frame's newest parent, and the newest time at which all of it is
-// known. Zero: all of it is static.
+// The chain between two different frames through each frame's newest parent, and the newest time at which all of it is
+// known. The time is zero if all of it is static.
 class NewestChain {
  public:
   NewestChain(const FrameTable& frames, FrameId target, FrameId source);
 
   [[nodiscard]] const Failure& failure() const { return failure_; }
   [[nodiscard]] Stamp stamp() const { return stamp_; }
-  // Whether each moving link's newest sample is of that time: then their newest values are the answer.
+  // Whether each moving link's newest sample has that stamp. If so, the newest values give the answer.
   [[nodiscard]] bool is_uniform() const { return is_uniform_; }
   // The frames below the one where the branches meet, from the bottom up.
   [[nodiscard]] std::span<const FrameId> source_links() const { return {source_.data(), source_count_}; }
@@ -80,8 +81,8 @@ class NewestChain {
   using Ids = std::array<FrameId, longest_chain + 1>;
 
   void find(const FrameTable& frames, FrameId target, FrameId source);
-  void meet_below(const FrameTable& frames, FrameId top);
-  void settle(const FrameTable& frames);
+  void find_meeting_frame(const FrameTable& frames, FrameId top);
+  void compute_stamp(const FrameTable& frames);
 
   Failure failure_;
   Stamp stamp_ = 0;
@@ -90,7 +91,7 @@ class NewestChain {
   Ids source_, target_;  // not initialised: few are used
 };
 
-// Its time alone.
+// The stamp of a NewestChain.
 struct CommonTime {
   Failure failure;
   Stamp stamp = 0;

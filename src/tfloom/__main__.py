@@ -1,4 +1,4 @@
-"""`python -m tfloom`: the command line for where no script directory is on the path."""
+"""`python -m tfloom`: the command `tfloom`, for where its script isn't on PATH."""
 
 import sys
 

@@ -12,11 +12,13 @@ def block_gil_reacquire_at_exit() -> None:
     """
     Block every other thread that reacquires the GIL after a native call, from now on.
 
-    For the end of the program, because Python would end such threads, and the process with them. Registered with `atexit`; calling it again does nothing.
+    Called at the end of the program, because Python would end such threads, and the process with them. Registered with `atexit`; calling it again does nothing.
     """
 
 class Sink:
-    """Takes serialized samples without Python; see `Reader.feed`."""
+    """
+    A receiver of serialized samples that needs no Python; see `Reader.feed`.
+    """
 
     def push(self, data: bytes, source_stamp_ns: int, received_stamp_ns: int, publisher_gid: bytes) -> None:
         """
@@ -24,33 +26,35 @@ class Sink:
         """
 
 class SampleQueue(Sink):
-    """A sink that keeps the newest samples, for Python to take many at once."""
+    """A sink that stores the newest samples until Python takes them."""
 
     def __init__(self, depth: int) -> None: ...
 
     def take(self) -> list[tuple[bytes, int, int, bytes]]:
-        """Remove and return all: (data, source stamp, received stamp, gid) each."""
+        """
+        Remove and return all samples, each as (data, source stamp, received stamp, gid).
+        """
 
     def pushed(self) -> int:
         """Return how many samples have ever been pushed."""
 
 class ReadyQueue:
     """
-    Tokens of entities that have something to do: any thread posts, one thread waits.
+    A queue of tokens of entities that are ready: any thread may post, one thread waits.
     """
 
     def __init__(self) -> None: ...
 
     def post(self, token: int) -> None:
         """
-        Post a token. One that is posted again before it is taken is taken once.
+        Post a token. A token that is posted again before it is taken is taken once.
         """
 
     def wait(self, timeout_ns: int) -> list[int]:
         """
         Wait for tokens and take all of them, in order of first posting.
 
-        Does not wait with a timeout of 0, waits for ever with a negative one. Empty on a timeout. Releases the GIL; a signal's Python handler runs at once, and what it raises is raised here.
+        Does not wait if the timeout is 0, and waits without limit if it is negative. Returns an empty list on a timeout. Releases the GIL. A signal's Python handler runs at once, and its exception is raised here.
         """
 
 class DdsParticipant:
@@ -58,7 +62,7 @@ class DdsParticipant:
 
     def __init__(self, library_path: str, domain_id: int, config: str, user_data: bytes) -> None:
         """
-        Join a domain with the libddsc at `library_path`, Cyclone's XML `config` and `user_data` for all to see.
+        Join a domain with the libddsc at `library_path`, Cyclone's XML `config` and the published `user_data`.
         """
 
     @property
@@ -67,15 +71,15 @@ class DdsParticipant:
 
     def close(self) -> None:
         """
-        Leave the domain; endpoints and graph are to be closed before. Closing again does nothing.
+        Leave the domain, after endpoints and graph are closed. Closing again does nothing.
         """
 
 class DdsWriter:
-    """The sending end of a DDS topic."""
+    """A writer of a DDS topic."""
 
     def __init__(self, participant: DdsParticipant, topic_name: str, type_name: str, qos: tuple[int, int, int, int, int, int, int, int], user_data: bytes) -> None:
         """
-        Offer a topic by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS.
+        Create a writer of a topic, given by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS.
         """
 
     @property
@@ -83,14 +87,14 @@ class DdsWriter:
         """16 octets."""
 
     def matched_count(self) -> int:
-        """Return how many peers are connected now."""
+        """Return how many peers are matched now."""
 
     def matched(self) -> list[tuple[bytes, bytes]]:
-        """Return the gid and the user data of each peer that is connected now."""
+        """Return the gid and the user data of each peer that is matched now."""
 
     def notify_event(self, event: int, queue: ReadyQueue | None, token: int) -> None:
         """
-        Post `token` to `queue` when `event` (tfloom.rmw.events.Event) may have news; None ends it.
+        Post `token` to `queue` when the status of `event` (tfloom.rmw.events.Event) may have changed; None ends it.
         """
 
     def take_event(self, event: int) -> tuple[int, int, int, int] | None:
@@ -102,22 +106,22 @@ class DdsWriter:
         """Send a sample: encapsulation header 00 01 xx xx and little-endian CDR."""
 
     def assert_liveliness(self) -> None:
-        """Say that this writer is alive."""
+        """Signal that this writer is alive."""
 
     def wait_for_acks(self, timeout_ns: int) -> bool:
         """
-        Wait until all reliable readers have all that was written; False on a timeout.
+        Wait until all reliable readers have acknowledged all samples. Return False on a timeout.
         """
 
     def close(self) -> None:
         """Leave the topic. Closing again does nothing."""
 
 class DdsReader:
-    """The receiving end of a DDS topic."""
+    """A reader of a DDS topic."""
 
     def __init__(self, participant: DdsParticipant, topic_name: str, type_name: str, qos: tuple[int, int, int, int, int, int, int, int], user_data: bytes) -> None:
         """
-        Ask for a topic by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS.
+        Create a reader of a topic, given by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS.
         """
 
     @property
@@ -125,14 +129,14 @@ class DdsReader:
         """16 octets."""
 
     def matched_count(self) -> int:
-        """Return how many peers are connected now."""
+        """Return how many peers are matched now."""
 
     def matched(self) -> list[tuple[bytes, bytes]]:
-        """Return the gid and the user data of each peer that is connected now."""
+        """Return the gid and the user data of each peer that is matched now."""
 
     def notify_event(self, event: int, queue: ReadyQueue | None, token: int) -> None:
         """
-        Post `token` to `queue` when `event` (tfloom.rmw.events.Event) may have news; None ends it.
+        Post `token` to `queue` when the status of `event` (tfloom.rmw.events.Event) may have changed; None ends it.
         """
 
     def take_event(self, event: int) -> tuple[int, int, int, int] | None:
@@ -141,7 +145,7 @@ class DdsReader:
         """
 
     def notify(self, queue: ReadyQueue | None, token: int) -> None:
-        """Post `token` to `queue` when there is something to take; None ends it."""
+        """Post `token` to `queue` when there are samples to take; None ends it."""
 
     def take(self) -> tuple[bytes, int, int, bytes] | None:
         """
@@ -149,24 +153,24 @@ class DdsReader:
         """
 
     def feed(self, sink: Sink) -> None:
-        """Push every sample into `sink` from now on, on a thread without Python."""
+        """Push every further sample into `sink`, on a thread without Python."""
 
     def close(self) -> None:
         """
-        Leave the topic; neither queue nor sink are touched afterwards. Closing again does nothing.
+        Leave the topic. Afterwards neither queue nor sink is used. Closing again does nothing.
         """
 
 class DdsGraph:
-    """What has been discovered on a DDS domain."""
+    """The participants and endpoints discovered on a DDS domain."""
 
     def __init__(self, participant: DdsParticipant, topic_name: str, type_name: str, qos: tuple[int, int, int, int, int, int, int, int], user_data: bytes) -> None:
         """
-        Listen; the names are those of the topic in which participants list their nodes.
+        Start to listen. The names are those of the topic in which participants list their nodes.
         """
 
     def snapshot(self) -> tuple[list[tuple[bytes, bytes, bytes]], list[tuple[bytes, bytes, bool, bytes, bytes, bytes, tuple[int, int, int, int, int, int, int, int]]]]:
         """
-        Return participants (gid, user data, node list) and endpoints (gid, participant's gid, whether a writer, topic, type, user data, qos), texts as the bytes that came.
+        Return participants (gid, user data, node list) and endpoints (gid, participant's gid, whether a writer, topic, type, user data, qos), texts as the received bytes.
         """
 
     def changes(self) -> int:
@@ -197,35 +201,37 @@ def check_fields_by_default(value: bool) -> None:
 
 class Plan:
     """
-    What the codec knows of a message class: its fields and where they lie.
+    The codec's description of a message class: its fields and their positions.
     """
 
     def __init__(self, message_class: type, name: str) -> None:
-        """Start a plan that has no fields yet."""
+        """Create a plan without fields."""
 
     def add_field(self, name: str, kind: str, shape: str, count: int, string_bound: int, message_class: object | None, initial: object | None, copies: bool, empty: object | None) -> None:
         """
         Add the next field.
 
-        `kind` is a primitive's name or 'message', `shape` '', 'array', 'bounded' or 'unbounded'. `initial` is its default, which `copies` says to copy for each message. `empty` is a numeric array as it is before anything is read into it.
+        `kind` is a primitive's name or 'message'; `shape` is '', 'array', 'bounded' or 'unbounded'. `initial` is the default; with `copies`, each message gets a copy of it. `empty` is the array that is copied and filled when a numeric array is decoded.
         """
 
 def complete_plan(plan: Plan) -> None:
     """
-    Complete a plan after its last field: its class's objects are made and freed by it from now on.
+    Complete a plan after its last field. From now on it allocates and frees the objects of its class.
     """
 
 def encode(message: object) -> bytes:
     """
-    Give a message as encapsulation header and CDR, little-endian, not padded.
+    Return a message as encapsulation header and CDR, little-endian, not padded.
     """
 
 def decode(message_class: type, data: object) -> Any:
-    """Build a message of `message_class` from encapsulation header and CDR."""
+    """
+    Return a message of `message_class`, decoded from encapsulation header and CDR.
+    """
 
 def set_message_hooks(compile: object, convert: object, check: object, check_names: object, encode_error: object, decode_error: object) -> None:
     """
-    Say how classes are compiled, arrays converted and fields checked, and which errors the codec raises.
+    Set the functions that compile classes, convert arrays and check fields, and the errors that the codec raises.
     """
 
 class Transform:
@@ -237,32 +243,40 @@ class Transform:
 
     def __init__(self, translation: Sequence[float] = (0.0, 0.0, 0.0), rotation_xyzw: Sequence[float] = (0.0, 0.0, 0.0, 1.0)) -> None:
         """
-        Make one of a position [m] and a quaternion of any length; ValueError if that is zero or not finite.
+        Create one from a position [m] and a quaternion of any length.
+
+        Raises ValueError if the quaternion is zero or not finite.
         """
 
     @staticmethod
     def from_rpy(roll_rad: float, pitch_rad: float, yaw_rad: float, translation: Sequence[float] = (0.0, 0.0, 0.0)) -> Transform:
-        """Make one that turns about the fixed axes x, then y, then z [rad]."""
+        """
+        Create one from rotations about the fixed axes x, then y, then z [rad].
+        """
 
     @staticmethod
     def from_axis_angle(axis: Sequence[float], angle_rad: float, translation: Sequence[float] = (0.0, 0.0, 0.0)) -> Transform:
         """
-        Make one that turns about `axis`, of any length, by `angle_rad`; ValueError if that is zero.
+        Create one from a rotation about `axis`, of any length, by `angle_rad`.
+
+        Raises ValueError if the axis is zero, unless the angle is zero too.
         """
 
     @staticmethod
     def from_matrix(matrix: object) -> Transform:
         """
-        Make one of a matrix (4, 4) or (3, 4); ValueError if it's no rigid transform.
+        Create one from a matrix (4, 4) or (3, 4); raises ValueError if it is no rigid transform.
         """
 
     @staticmethod
     def from_scipy(rotation: object, translation: Sequence[float] = (0.0, 0.0, 0.0)) -> Transform:
-        """Make one of a `scipy.spatial.transform.Rotation` and a position [m]."""
+        """
+        Create one from a `scipy.spatial.transform.Rotation` and a position [m].
+        """
 
     @property
     def translation(self) -> tuple[float, float, float]:
-        """Where the child's origin is in the parent [m]."""
+        """Position of the child's origin in the parent [m]."""
 
     @property
     def rotation_xyzw(self) -> tuple[float, float, float, float]:
@@ -292,11 +306,11 @@ class Transform:
 
     def interpolate(self, other: Transform, ratio: float) -> Transform:
         """
-        Return what is between this (ratio 0) and `other` (1): position linearly, rotation by slerp.
+        Return the transform between this (ratio 0) and `other` (1): position linearly, rotation by slerp.
         """
 
     def apply(self, point: Sequence[float]) -> tuple[float, float, float]:
-        """Return a point of the child in the parent."""
+        """Return a point, given in the child, in the parent."""
 
     def __matmul__(self, other: Transform) -> Transform:
         """Return the composition."""
@@ -308,13 +322,13 @@ class Transform:
         """Return a hash of the numbers."""
 
     def __reduce__(self) -> tuple[object, ...]:
-        """Return what pickle wants."""
+        """Return the class and the arguments for pickle."""
 
     def __repr__(self) -> str:
-        """Return a call that makes it."""
+        """Return a call that creates an equal value."""
 
 class StampedTransform:
-    """A lookup's answer: target_from_source at a time."""
+    """The result of a lookup: target_from_source at a time."""
 
     @property
     def stamp_ns(self) -> int:
@@ -322,7 +336,7 @@ class StampedTransform:
 
     @property
     def frame_id(self) -> str:
-        """The target frame: data that went through the transform is in it."""
+        """The target frame, in which transformed data is expressed."""
 
     @property
     def child_frame_id(self) -> str:
@@ -330,7 +344,7 @@ class StampedTransform:
 
     @property
     def translation(self) -> tuple[float, float, float]:
-        """Where the source frame's origin is in the target frame [m]."""
+        """Position of the source frame's origin in the target frame [m]."""
 
     @property
     def rotation_xyzw(self) -> tuple[float, float, float, float]:
@@ -338,7 +352,7 @@ class StampedTransform:
 
     @property
     def transform(self) -> Transform:
-        """The same as a value to compute with."""
+        """The translation and rotation."""
 
     def __repr__(self) -> str: ...
 
@@ -346,7 +360,7 @@ class Buffer:
     """A tree of frames over time; see `tfloom.tf2.buffer.Buffer`."""
 
     def __init__(self, cache_time_ns: int | None = 10000000000) -> None:
-        """Make an empty buffer; see `cache_time_ns`."""
+        """Create an empty buffer; see `cache_time_ns`."""
 
     def lookup(self, target_frame: str, source_frame: str, stamp_ns: int = 0) -> StampedTransform:
         """
@@ -363,7 +377,7 @@ class Buffer:
             Translation [m] and unit quaternion (x, y, z, w), stamped with the time used.
 
         Raises:
-            LookupException: a frame has never been heard of, or the chain is a loop.
+            LookupException: a frame is unknown, or the chain is a loop.
             ConnectivityException: the two frames are in different trees.
             ExtrapolationException: `stamp_ns` lies outside the stored history.
             InvalidArgumentException: a frame's name is empty or starts with a slash.
@@ -371,24 +385,26 @@ class Buffer:
 
     def lookup_full(self, target_frame: str, target_stamp_ns: int, source_frame: str, source_stamp_ns: int, fixed_frame: str) -> StampedTransform:
         """
-        Return target_from_source across time: the source at its stamp, by way of `fixed_frame`, which is taken not to move, into the target at its own.
+        Return target_from_source between two times: from the source at `source_stamp_ns`, through `fixed_frame`, which is assumed not to move, to the target at `target_stamp_ns`.
 
-        The answer has the target's stamp. Raises as `lookup` does.
+        The result is stamped with the target's time. Raises as `lookup` does.
         """
 
     def can(self, target_frame: str, source_frame: str, stamp_ns: int = 0) -> bool:
-        """Return whether `lookup` with the same arguments would have an answer."""
+        """Return whether `lookup` with the same arguments would succeed."""
 
     def can_full(self, target_frame: str, target_stamp_ns: int, source_frame: str, source_stamp_ns: int, fixed_frame: str) -> bool:
-        """
-        Return whether `lookup_full` with the same arguments would have an answer.
-        """
+        """Return whether `lookup_full` with the same arguments would succeed."""
 
     def find_obstacle(self, target_frame: str, source_frame: str, stamp_ns: int = 0) -> str | None:
-        """Return why `can` is false, in tf2's words, or None."""
+        """
+        Return tf2's text of the reason why `can` is false, or None if it is true.
+        """
 
     def find_obstacle_full(self, target_frame: str, target_stamp_ns: int, source_frame: str, source_stamp_ns: int, fixed_frame: str) -> str | None:
-        """Return why `can_full` is false, in tf2's words, or None."""
+        """
+        Return tf2's text of the reason why `can_full` is false, or None if it is true.
+        """
 
     def latest_common_time(self, target_frame: str, source_frame: str) -> int:
         """
@@ -399,76 +415,80 @@ class Buffer:
 
     def wait(self, target_frame: str, source_frame: str, stamp_ns: int = 0, *, timeout_s: float) -> bool:
         """
-        Wait until `lookup` has an answer: True. False after `timeout_s`, or as soon as it's clear that none will come, as the stamp is older than all that the cache keeps or a name is invalid.
+        Wait until `lookup` would succeed, and return True.
 
-        Wakes within a millisecond of the transform that was missing. Releases the GIL; signal handlers run, and what they raise is raised here.
+        Returns False after `timeout_s`, or as soon as it can never succeed because the stamp is older than the cache keeps or a name is invalid.
+
+        Returns within a millisecond after the missing transform is stored. Releases the GIL. Signal handlers run, and their exceptions are raised here.
         """
 
     def wait_full(self, target_frame: str, target_stamp_ns: int, source_frame: str, source_stamp_ns: int, fixed_frame: str, *, timeout_s: float) -> bool:
-        """Wait until `lookup_full` has an answer; see `wait`."""
+        """Wait until `lookup_full` would succeed; see `wait`."""
 
     def add_request(self, target_frame: str, source_frame: str, stamp_ns: int, callback: Callable[[int, bool], object]) -> int | None:
         """
-        Ask to be called when `lookup` has an answer.
+        Call `callback(handle, is_available)` once when `lookup` would succeed.
 
-        `callback(handle, is_available)` is called once, on the thread that stored the transform; with False when the stamp has become older than the cache keeps.
+        It is called on the thread that stores the transform. `is_available` is False if the stamp has become older than the cache keeps.
 
-        Returns the request's handle; 0 if there is an answer now, and None if there can never be one: then nothing is called.
+        Returns the request's handle; or, without a call, 0 if `lookup` succeeds now and None if it never can.
         """
 
     def add_request_full(self, target_frame: str, target_stamp_ns: int, source_frame: str, source_stamp_ns: int, fixed_frame: str, callback: Callable[[int, bool], object]) -> int | None:
-        """Ask to be called when `lookup_full` has an answer; see `add_request`."""
+        """
+        Call `callback(handle, is_available)` once when `lookup_full` would succeed; see `add_request`.
+        """
 
     def cancel_request(self, handle: int) -> bool:
-        """Forget a request. Returns False if it has been answered, or never was."""
+        """Cancel a request. Return False if it is completed or unknown."""
 
     def set(self, frame_id: str, child_frame_id: str, stamp_ns: int, translation: Sequence[float], rotation_xyzw: Sequence[float], authority: str = '', static: bool = False) -> bool:
         """
         Store parent_from_child at a time, or for all times if `static`.
 
         Args:
-            frame_id: The parent frame; one leading slash is dropped, here and from the child.
+            frame_id: The parent frame. One leading slash is dropped, here and in the child's name.
             child_frame_id: The child frame.
-            stamp_ns: When it was so [ns since epoch].
+            stamp_ns: Time of the transform [ns since epoch].
             translation: x, y, z of the child's origin in the parent [m].
-            rotation_xyzw: Quaternion of any length but zero; it's stored with length one.
-            authority: Who says so; the listings print it.
-            static: Whether it holds at all times.
+            rotation_xyzw: Quaternion of any length but zero; it is normalised.
+            authority: Name of the publisher, for the listings.
+            static: Whether it is valid at all times.
 
         Returns:
-            False if it was rejected: a name is missing, both are the same, a number is NaN, the quaternion is zero, or it's older than the cache keeps. The reason goes to the log callback.
+            False if it was rejected because a name is missing, both are the same, a number is NaN, the quaternion is zero, or it is older than the cache keeps. The log callback is called with the reason.
         """
 
     def clear(self) -> None:
         """
-        Forget the history of all moving frames. Static transforms and frames' names stay.
+        Clear the history of all moving frames. Static transforms and frames' names stay.
         """
 
     def ignore_from(self, stamp_ns: int, duration_s: float) -> None:
         """
-        Reject moving transforms from `stamp_ns` on, without a word, for `duration_s` by the wall clock.
+        Reject moving transforms from `stamp_ns` on, without logging them, for `duration_s` of real time.
 
-        After a jump back in time: what was sent before it and comes after it.
+        For a jump back in time: rejects transforms sent before it and received after it.
         """
 
     @property
     def cache_time_ns(self) -> int | None:
         """
-        How far back each frame's history reaches from its newest sample [ns]; None: without limit.
+        Length of each frame's history, back from its newest sample [ns]; None: without limit.
         """
 
     def set_log_callback(self, callback: Callable[[int, str], object] | None) -> None:
         """
-        Set who is told of rejected data: `callback(severity, text)`, severity as in Python's logging.
+        Set the function called for rejected data: `callback(severity, text)`, severity as in Python's logging.
 
-        It's called on the thread that brought the data, at most once a second for each frame and kind of trouble; the line then says how many were held back. None: nobody.
+        It is called on the thread that inserts the data, at most once a second for each frame and kind of error; the next text then states how many were held back. None: no function.
         """
 
     def frame_names(self) -> list[str]:
         """Return the names of all frames, in order of first mention."""
 
     def has_frame(self, frame_id: str) -> bool:
-        """Return whether a frame has been heard of."""
+        """Return whether a frame is known."""
 
     def branches(self, target_frame: str, source_frame: str, stamp_ns: int = 0) -> tuple[list[str], list[str]]:
         """
@@ -477,7 +497,7 @@ class Buffer:
 
     def path(self, target_frame: str, source_frame: str, stamp_ns: int = 0) -> list[str]:
         """
-        Return the frames that a lookup goes through, from the source to the target. Raises as `lookup` does.
+        Return the frames of a lookup's chain, from the source to the target. Raises as `lookup` does.
         """
 
     def all_frames_as_string(self) -> str:
@@ -485,23 +505,21 @@ class Buffer:
 
     def all_frames_as_yaml(self, now_s: float = 0.0) -> str:
         """
-        Return each frame's parent, broadcaster, rate and times as YAML; with its delay if `now_s` is given.
+        Return each frame's parent, broadcaster, rate and times as YAML, and its delay if `now_s` is given.
         """
 
     def all_frames_as_dot(self, now_s: float = 0.0) -> str:
-        """Return the tree in graphviz's language."""
+        """Return the tree in graphviz's DOT language."""
 
     def fill_many(self, target_frame: str, source_frame: str, stamps_ns: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float64], dict(shape=(None, 7), order='C', device='cpu')], known: Annotated[NDArray[numpy.uint8], dict(shape=(None,), order='C', device='cpu')], strict: bool, workers: int) -> None:
         """
         Fill `out` (N, 7) with the transforms at `stamps_ns` (N,), `known` (N,) with whether there is one.
 
-        `strict`: raises as `lookup` does for the first stamp without an answer, with its `index`.
+        With `strict`, raises as `lookup` does for the first stamp that fails, with its `index`.
         """
 
     def store_many(self, frame_id: str, child_frame_id: str, stamps_ns: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], rows: Annotated[NDArray[numpy.float64], dict(shape=(None, 7), order='C', device='cpu', writable=False)], authority: str) -> int:
-        """
-        Store `rows` (N, 7) at `stamps_ns` (N,); returns how many were not rejected.
-        """
+        """Store `rows` (N, 7) at `stamps_ns` (N,). Return how many were stored."""
 
     def samples(self, frame_id: str, child_frame_id: str) -> tuple[bytearray, bytearray]:
         """
@@ -513,74 +531,74 @@ class Buffer:
 
     def remove_frame(self, frame_id: str) -> bool:
         """
-        Forget a frame: its name, its transforms and those of its children to it.
+        Remove a frame: its name, its transforms and those of its children to it.
 
-        Returns False if it has never been heard of.
+        Returns False if it is unknown.
         """
 
     @property
     def memory(self) -> int:
-        """What all histories take [octets]."""
+        """Memory of all histories [octets]."""
 
     def deskew_float32(self, fixed_frame: str, source_frame: str, target_from_fixed: Annotated[NDArray[numpy.float64], dict(shape=(7), order='C', device='cpu', writable=False)], stamps_ns: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], points: Annotated[NDArray[numpy.float32], dict(shape=(None, 3), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float32], dict(shape=(None, 3), order='C', device='cpu')], workers: int) -> None:
         """
-        Write `points` (N, 3), each of `source_frame` at its of `stamps_ns` (N,), in `fixed_frame` and then moved by `target_from_fixed` (7,), into `out`.
+        Transform `points` (N, 3) from `source_frame` at `stamps_ns` (N,) into `fixed_frame`, then by `target_from_fixed` (7,), and write them into `out`.
 
-        Raises as `lookup` does for the first stamp without an answer, with its `index`.
+        Raises as `lookup` does for the first stamp that fails, with its `index`.
         """
 
     def deskew_float64(self, fixed_frame: str, source_frame: str, target_from_fixed: Annotated[NDArray[numpy.float64], dict(shape=(7), order='C', device='cpu', writable=False)], stamps_ns: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], points: Annotated[NDArray[numpy.float64], dict(shape=(None, 3), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float64], dict(shape=(None, 3), order='C', device='cpu')], workers: int) -> None:
         """
-        Write `points` (N, 3), each of `source_frame` at its of `stamps_ns` (N,), in `fixed_frame` and then moved by `target_from_fixed` (7,), into `out`.
+        Transform `points` (N, 3) from `source_frame` at `stamps_ns` (N,) into `fixed_frame`, then by `target_from_fixed` (7,), and write them into `out`.
 
-        Raises as `lookup` does for the first stamp without an answer, with its `index`.
+        Raises as `lookup` does for the first stamp that fails, with its `index`.
         """
 
     def frozen(self) -> bytes:
-        """Return all that is stored as the bytes of a frozen buffer."""
+        """Return the whole contents as the bytes of a frozen buffer."""
 
     def map_frozen(self, data: bytes | memoryview) -> None:
         """
-        Take what `frozen` returned in place of all that is stored, and the cache time with it.
+        Replace the whole contents and the cache time by those of a frozen buffer.
 
-        `data` is not copied, and must not change. Raises ValueError, with nothing changed, where it's no frozen buffer.
+        `data` is what `frozen` returned. It is not copied, and must not change. Raises ValueError, with nothing changed, if it is no frozen buffer.
         """
 
     def set_message(self, transform: object, authority: str, static: bool = False) -> bool:
         """
-        Store a `geometry_msgs/msg/TransformStamped` of any class that has its fields; False if it's rejected.
+        Store a `geometry_msgs/msg/TransformStamped` of any class with its fields. Return False if it is rejected.
 
-        Raises TypeError where one of its parts lacks a member.
+        Raises TypeError if a field lacks a member.
         """
 
     def lookup_message(self, target_frame: str, source_frame: str, time: object) -> Any:
         """
-        Return what `lookup` does as a `geometry_msgs/msg/TransformStamped`.
+        Return the result of `lookup` as a `geometry_msgs/msg/TransformStamped`.
 
         `time` has `nanoseconds`, or `sec` and `nanosec`; TypeError if it has neither.
         """
 
     def lookup_message_full(self, target_frame: str, target_time: object, source_frame: str, source_time: object, fixed_frame: str) -> Any:
         """
-        Return what `lookup_full` does as a `geometry_msgs/msg/TransformStamped`; times as in `lookup_message`.
+        Return the result of `lookup_full` as a `geometry_msgs/msg/TransformStamped`; see `lookup_message`.
         """
 
     def tf_sink(self, authority: str, static: bool) -> TfSink:
         """
-        Make a sink for `Reader.feed`: what it takes as `tf2_msgs/msg/TFMessage` is stored here.
+        Return a sink for `Reader.feed` that stores samples of `tf2_msgs/msg/TFMessage` here.
 
-        A message that can't be read is dropped whole, and the log callback is told.
+        An unreadable message is dropped whole, and the log callback is called.
         """
 
     def insert_cdr(self, data: bytes, authority: str = '', static: bool = False) -> int:
         """
         Store the transforms of a `tf2_msgs/msg/TFMessage`, given as encapsulation header and CDR.
 
-        Returns how many were stored; the others were rejected, as by `set`. Raises ValueError, with nothing stored, where the bytes are no such message.
+        Returns how many were stored; the others were rejected, as by `set`. Raises ValueError, with nothing stored, if the bytes are no such message.
         """
 
 class Edge:
-    """A frame and what a buffer knows of its parent."""
+    """A frame, its newest parent, and the range of its history."""
 
     @property
     def child_frame_id(self) -> str:
@@ -592,11 +610,11 @@ class Edge:
 
     @property
     def authority(self) -> str:
-        """Who set it last."""
+        """Authority of the last insert."""
 
     @property
     def is_static(self) -> bool:
-        """Whether it holds at all times."""
+        """Whether it is valid at all times."""
 
     @property
     def oldest_ns(self) -> int:
@@ -608,28 +626,30 @@ class Edge:
 
     @property
     def sample_count(self) -> int:
-        """How many samples there are."""
+        """Number of samples."""
 
 def move_points_float32(transform: Annotated[NDArray[numpy.float64], dict(shape=(7), order='C', device='cpu', writable=False)], points: Annotated[NDArray[numpy.float32], dict(shape=(None, 3), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float32], dict(shape=(None, 3), order='C', device='cpu')]) -> None:
     """
-    Write `transform` (7,) of `points` (N, 3) into `out`, which may be `points`.
+    Apply `transform` (7,) to `points` (N, 3) and write them into `out`, which may be `points`.
     """
 
 def move_points_float64(transform: Annotated[NDArray[numpy.float64], dict(shape=(7), order='C', device='cpu', writable=False)], points: Annotated[NDArray[numpy.float64], dict(shape=(None, 3), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float64], dict(shape=(None, 3), order='C', device='cpu')]) -> None:
     """
-    Write `transform` (7,) of `points` (N, 3) into `out`, which may be `points`.
+    Apply `transform` (7,) to `points` (N, 3) and write them into `out`, which may be `points`.
     """
 
 def matrices(rows: Annotated[NDArray[numpy.float64], dict(shape=(None, 7), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float64], dict(shape=(None, 4, 4), order='C', device='cpu')]) -> None:
     """Write the matrices of `rows` (N, 7) into `out` (N, 4, 4)."""
 
 class TfSink(Sink):
-    """Takes the samples of /tf or /tf_static into a buffer, without Python."""
+    """
+    A sink that stores the samples of /tf or /tf_static in a buffer, without Python.
+    """
 
     @property
     def message_count(self) -> int:
-        """How many messages have come."""
+        """Number of messages received."""
 
     @property
     def dropped_count(self) -> int:
-        """How many of them were unreadable, and dropped."""
+        """Number of unreadable messages, which were dropped."""

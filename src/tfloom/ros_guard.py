@@ -1,4 +1,4 @@
-"""The guard of the façades: tfloom's ROS names are not mixed with a real ROS 2's."""
+"""The guard of the façades: refuse to mix tfloom's ROS names with those of a real ROS 2."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ _ROS_NAMES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ros_names
 
 
 def claim(name: str) -> None:
-    """Check that `rclpy` comes from tfloom too, before a façade that needs it is served.
+    """Check that `rclpy` is tfloom's too, so that a façade that needs it can be imported.
 
-    Each façade calls it before its other imports. It loads nothing.
+    Each façade calls this before its other imports. It imports nothing.
 
     Args:
-        name: The façade's own name, for the error's text.
+        name: The façade's own name, for the text of the error.
 
     Raises:
         ImportError: `rclpy` is, or would be, imported from elsewhere, because a real ROS and tfloom in one program have

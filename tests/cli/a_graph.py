@@ -1,4 +1,4 @@
-"""The graph that the recorded commands saw: turtlesim, a talker and a static broadcaster. Ends with its input."""
+"""The graph of the recorded commands: turtlesim, a talker and a static broadcaster. Ends with its input."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The services that the recorded commands called: /spawn gives each name once, /clear does nothing."""
+"""The services that the recorded commands called: /spawn accepts each name once, /clear does nothing."""
 
 from __future__ import annotations
 

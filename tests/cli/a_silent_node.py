@@ -1,4 +1,4 @@
-"""A node that is on the graph and answers nothing: it never spins. It ends with its input."""
+"""A node on the graph that never spins, so it sends no responses. It ends with its input."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""A server of the action that the recorded commands called, made of its services and its feedback topic.
+"""A server of the action that the recorded commands called, built from its services and its feedback topic.
 
-A goal of theta 0 is rejected, one of theta below 0 goes on until it is canceled, every other one succeeds.
+A goal of theta 0 is rejected, one of theta below 0 is executed until it is canceled, any other one succeeds.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The verbs about actions, asked of a server in another process over DDS."""
+"""The verbs about actions, with a server in another process over DDS."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ def server(module_domain_id: int, start_module_program: Callable[..., object]) -
 
 
 @pytest.mark.parametrize("name", ["action_info", "action_type"])
-def test_answers_are_as_recorded(name: str) -> None:
+def test_answers_match_the_recording(name: str) -> None:
     recorded = transcript.golden(name)
     assert transcript.run(*recorded.command) == recorded
 
 
-def test_the_list() -> None:
+def test_list_prints_all() -> None:
     recorded = transcript.golden("action_list_t")
     line = recorded.text.splitlines()[-1]
     assert transcript.run(*recorded.command).text == line
@@ -41,14 +41,14 @@ def masked(text: str) -> str:
     return transcript.mask(re.sub(r"ID: [0-9a-f]{32}", "ID: #", text))
 
 
-def test_a_goal_prints_as_recorded() -> None:
+def test_goal_output_matches_the_recording() -> None:
     recorded = transcript.golden("action_send_goal")
     answer = transcript.run(*recorded.command)
     assert (masked(answer.text), answer.exit_code) == (masked(recorded.text), recorded.exit_code)
     assert "    delta: -2.0\n" in answer.text
 
 
-def test_feedback_prints_as_recorded() -> None:
+def test_feedback_output_matches_the_recording() -> None:
     recorded = transcript.golden("action_send_goal_feedback")
     words = recorded.command[: recorded.command.index("|")]
     answer = transcript.run(*words)
@@ -66,13 +66,13 @@ def test_ctrl_c_cancels_the_goal(server: object, start_program: Callable[..., ob
     assert goal.lines[-2:] == ["Canceling goal...", "Goal canceled."]
 
 
-def test_a_rejected_goal(deviations: dict[str, dict[str, str]]) -> None:
+def test_rejected_goal_gives_exit_code_1(deviations: dict[str, dict[str, str]]) -> None:
     assert "cli-goal-exit-code" in deviations
     answer = transcript.run(*SEND, "{theta: 0.0}")
     assert (answer.text.splitlines()[-1], answer.exit_code) == ("Goal was rejected.", 1)
 
 
-def test_mistakes_are_told() -> None:
+def test_invalid_arguments_give_an_error_message() -> None:
     near = transcript.run("action", "type", "/turtle1/rotate")
     assert near.text.startswith("Unknown action '/turtle1/rotate'\ndid you mean /turtle1/rotate_absolute?")
     wrong = transcript.run("action", "send_goal", "/turtle1/rotate_absolute", "turtlesim/action/Rotate")

@@ -1,4 +1,4 @@
-"""The Tab key: through argcomplete's protocol, and in a real bash in a pseudo-terminal."""
+"""Completion: by argcomplete's protocol, and in real shells in a pseudo-terminal."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ PATIENT = {"tfloom.cli.completion.MOST_S": 10.0, "tfloom.cli.type_names.LIVE_S":
 
 
 def complete(line: str, tmp_path: Path) -> list[str]:
-    """Return what Tab offers at the end of a command line, however busy the machine is."""
+    """Return the completions at the end of a command line, with patience for a busy machine."""
     answer = tmp_path / "answer"
     environment = {
         **os.environ,
@@ -64,7 +64,7 @@ def complete(line: str, tmp_path: Path) -> list[str]:
         ("tfloom action send_goal /nobodys turtlesim/action/Rot", {"turtlesim/action/RotateAbsolute"}),
     ],
 )
-def test_words_and_names(
+def test_verbs_and_names_are_completed(
     line: str, offers: set[str] | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
@@ -138,7 +138,7 @@ def test_values_that_yaml_writes_its_own_way() -> None:
     assert filled == text
 
 
-def test_a_workspaces_programs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_programs_of_a_workspace_are_completed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     program = tmp_path / "lib" / "my_pkg" / "my_program"
     marker = tmp_path / "share" / "ament_index" / "resource_index" / "packages" / "my_pkg"
     for path in (program, marker):
@@ -153,7 +153,7 @@ FREE = {"value", "argv", "parameter_file", "launch_file_name", "launch_arguments
 
 
 @pytest.mark.parametrize("verb", VERBS)
-def test_each_argument_offers_something_or_is_free_text(verb: str) -> None:
+def test_each_argument_has_completions_or_is_free_text(verb: str) -> None:
     for action in VERBS[verb]._actions:
         if (
             not action.option_strings
@@ -164,7 +164,7 @@ def test_each_argument_offers_something_or_is_free_text(verb: str) -> None:
             assert find_offer(verb.split(), action.dest), action.dest
 
 
-def test_lifecycle_nodes_and_what_they_can_be_asked_for(
+def test_lifecycle_nodes_and_their_transitions_are_completed(
     domain_id: int, tmp_path: Path, start_program: Callable[..., object]
 ) -> None:
     start_program("python", Path(__file__).with_name("a_lifecycle_node.py")).wait_for("ready")
@@ -172,7 +172,7 @@ def test_lifecycle_nodes_and_what_they_can_be_asked_for(
     assert complete("tfloom lifecycle set /a_node con", tmp_path) == ["configure"]
 
 
-def test_live_topics_nodes_and_types(
+def test_live_topics_nodes_and_types_are_completed(
     domain_id: int, tmp_path: Path, start_program: Callable[..., object]
 ) -> None:
     start_program("tfloom", "topic", "pub", "-n", "my_node", "/my_topic", "geometry_msgs/msg/Twist").wait_for(
@@ -184,7 +184,7 @@ def test_live_topics_nodes_and_types(
     assert complete("tfloom topic pub /my_topic ", tmp_path) == ["geometry_msgs/msg/Twist"]
 
 
-def test_live_services_actions_and_parameters(
+def test_live_services_actions_and_parameters_are_completed(
     domain_id: int, tmp_path: Path, start_program: Callable[..., object]
 ) -> None:
     start_program("tfloom", "run", "turtlesim", "turtlesim_node").wait_for("Spawning")
@@ -208,7 +208,7 @@ INTERACTIVE = {
 
 
 @pytest.mark.parametrize("name", INTERACTIVE)
-def test_in_a_real_shell(
+def test_completion_works_in_bash(
     name: str,
     domain_id: int,
     tmp_path: Path,
@@ -238,9 +238,9 @@ def test_in_a_real_shell(
     shell.wait_for("is ready")
 
     def is_completed(line: str, whole: str) -> bool:
-        """Press Tab: on a busy machine the graph may not be heard in a second, and Tab is pressed again."""
+        """Press Tab, repeatedly, because on a busy machine discovery may take longer than a second."""
         printed = shell.output.count("it is ")
-        # Control-A goes to the line's begin: the completed line is printed, not run.
+        # Control-A moves to the beginning of the line: the completed line is printed, not run.
         type_keys(f"{line}\t\x01echo 'it is' \x05\n")
         wait_until(lambda: shell.output.count("it is ") > printed)
         return f"it is {whole}" in shell.output
@@ -271,7 +271,7 @@ def test_in_a_real_shell(
         ("tfloom topic pub /x std_msgs/msg/String {da", []),
     ],
 )
-def test_in_a_real_fish(line: str, offers: list[str]) -> None:
+def test_completion_works_in_fish(line: str, offers: list[str]) -> None:
     folder = transcript.PROGRAM.parent
     code = (
         f"set -x PATH '{folder}' $PATH; register-python-argcomplete --shell fish tfloom ros2 | source; "

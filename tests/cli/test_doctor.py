@@ -1,4 +1,4 @@
-"""`doctor`: what it finds amiss, and its exit code."""
+"""`doctor`: its findings, and its exit code."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ def findings(*flags: str, **environment: str) -> tuple[dict[str, dict[str, objec
     return {finding["check"]: finding for finding in json.loads(answer.text)}, answer.exit_code
 
 
-def test_all_is_well(domain_id: int) -> None:
+def test_all_checks_pass_on_a_sound_system(domain_id: int) -> None:
     answer = transcript.run("doctor")
     assert answer.exit_code == 0, answer.text
     assert "domain: domain %d, discovery range LOCALHOST" % domain_id in answer.text  # noqa: UP031
-    assert "a message came through" in answer.text
+    assert "and exchanged a message" in answer.text
     assert answer.text.endswith("\nAll 7 checks passed")
 
 
@@ -36,14 +36,14 @@ def test_all_is_well(domain_id: int) -> None:
         ({"ROS_AUTOMATIC_DISCOVERY_RANGE": "NEAR"}, "domain"),
     ],
 )
-def test_a_setting_that_cannot_be_is_a_failure(environment: dict[str, str], check: str) -> None:
+def test_invalid_setting_is_a_failure(environment: dict[str, str], check: str) -> None:
     found, exit_code = findings(**environment)
     assert exit_code == 1
     assert found[check]["verdict"] == "failed"
     assert found[check]["summary"]
 
 
-def test_a_mixture_with_a_real_ros_is_a_failure(tmp_path: Path) -> None:
+def test_mixture_with_a_real_ros_is_a_failure(tmp_path: Path) -> None:
     (tmp_path / "rclpy").mkdir()
     (tmp_path / "rclpy" / "__init__.py").write_text("")
     found, exit_code = findings(PYTHONPATH=str(tmp_path), RMW_IMPLEMENTATION="tfloom_local")
@@ -53,7 +53,7 @@ def test_a_mixture_with_a_real_ros_is_a_failure(tmp_path: Path) -> None:
     assert findings("-ep", PYTHONPATH=str(tmp_path), RMW_IMPLEMENTATION="tfloom_local")[1] == 0
 
 
-def test_a_real_command_on_the_path_is_a_warning(tmp_path: Path) -> None:
+def test_real_ros2_command_on_the_path_is_a_warning(tmp_path: Path) -> None:
     command = tmp_path / "ros2"
     command.touch(mode=0o755)
     environment = {
@@ -66,7 +66,7 @@ def test_a_real_command_on_the_path_is_a_warning(tmp_path: Path) -> None:
     assert findings("--include-warnings", **environment)[1] == 1
 
 
-def test_reports() -> None:
+def test_report_flags_print_details() -> None:
     environment = {**os.environ, "RMW_IMPLEMENTATION": "tfloom_local", "ROS_DOMAIN_ID": "x"}
     whole = transcript.run("doctor", "--report", env=environment)
     failed = transcript.run("doctor", "--report-failed", env=environment)
@@ -87,7 +87,7 @@ def test_reports() -> None:
         (("bag", "record", "-a"), 1, "Recordings can't be made or played yet."),
     ],
 )
-def test_what_is_not_needed_says_so(words: tuple[str, ...], exit_code: int, said: str) -> None:
+def test_unneeded_commands_print_an_explanation(words: tuple[str, ...], exit_code: int, said: str) -> None:
     answer = transcript.run(*words)
     assert answer.exit_code == exit_code
     assert answer.text.startswith(said)
@@ -104,7 +104,12 @@ def test_what_is_not_needed_says_so(words: tuple[str, ...], exit_code: int, said
             Verdict.OK,
             "eth0 (multicast), lo (no multicast); DDS uses eth0, by multicast",
         ),
-        ("SUBNET", [LO, TUN0], Verdict.WARNING, "tun0 (no multicast); none finds others by multicast"),
+        (
+            "SUBNET",
+            [LO, TUN0],
+            Verdict.WARNING,
+            "tun0 (no multicast); none can discover other machines by multicast",
+        ),
         (
             "SYSTEM_DEFAULT",
             [ETH0, LO],
@@ -115,7 +120,7 @@ def test_what_is_not_needed_says_so(words: tuple[str, ...], exit_code: int, said
         ("SUBNET", [], Verdict.OK, "interfaces that are up: not known on this system"),
     ],
 )
-def test_the_interface_that_is_used(
+def test_used_network_interface_is_reported(
     asked: str, interfaces: list[Interface], verdict: Verdict, said: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for name in ("CYCLONEDDS_URI", "ROS_LOCALHOST_ONLY", "ROS_STATIC_PEERS", "RMW_IMPLEMENTATION"):
@@ -128,7 +133,7 @@ def test_the_interface_that_is_used(
     assert found.summary.endswith(said)
 
 
-def test_a_small_buffer_is_told_beside_the_interfaces(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_small_receive_buffer_is_reported_with_the_interfaces(monkeypatch: pytest.MonkeyPatch) -> None:
     if not Path("/proc/sys/net/core/rmem_max").is_file():
         pytest.skip("needs Linux's /proc")
     monkeypatch.setattr(health, "LARGE_BUFFER", 1 << 60)
@@ -138,11 +143,11 @@ def test_a_small_buffer_is_told_beside_the_interfaces(monkeypatch: pytest.Monkey
     assert "octets at most" in found.summary
 
 
-def test_ranges_that_are_told_as_they_rule() -> None:
+def test_effective_discovery_range_is_reported() -> None:
     environment = {"ROS_AUTOMATIC_DISCOVERY_RANGE": "SUBNET", "ROS_LOCALHOST_ONLY": "1", "CYCLONEDDS_URI": ""}
     found, _ = findings(RMW_IMPLEMENTATION="tfloom_local", **environment)
     assert str(found["domain"]["summary"]).endswith("discovery range LOCALHOST")
     found, _ = findings(
         RMW_IMPLEMENTATION="tfloom_local", ROS_AUTOMATIC_DISCOVERY_RANGE="OFF", CYCLONEDDS_URI=""
     )
-    assert "nobody is met" in str(found["domain"]["advice"])
+    assert "discovery is off" in str(found["domain"]["advice"])

@@ -1,4 +1,4 @@
-"""When discovery counts as over."""
+"""The wait for complete discovery."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tfloom.cli import graph
 
 
 class FakeGraph:
-    """A graph that changes at given times after somebody asks to be told."""
+    """A graph that changes at given times after `notify`."""
 
     def __init__(self, *changes_s: float) -> None:
         self.count = 0
@@ -63,7 +63,9 @@ def waited(changes_s: list[float], most_s: float, whole_from: int = 0) -> float:
     ],
     ids=["nothing", "at once", "one", "a chain", "no end"],
 )
-def test_it_waits_until_nothing_new_comes(changes_s: list[float], most_s: float, at_least_s: float) -> None:
+def test_wait_lasts_until_nothing_new_arrives(
+    changes_s: list[float], most_s: float, at_least_s: float
+) -> None:
     duration = waited(changes_s, most_s)
     # On a busy machine it may wait longer on purpose.
     assert at_least_s <= duration < at_least_s + 0.4 + graph.LATE_MOST_S
@@ -75,14 +77,14 @@ def test_it_waits_until_nothing_new_comes(changes_s: list[float], most_s: float,
     [([0.6], 5.0, 0.6), ([], 5.0, graph.LEAST_S + graph.PATIENCE_S), ([], 0.4, 0.4)],
     ids=["it comes", "it never comes", "for so long at most"],
 )
-def test_it_waits_for_what_is_known_to_be_missing(
+def test_wait_lasts_while_announced_entities_are_missing(
     changes_s: list[float], most_s: float, at_least_s: float
 ) -> None:
     duration = waited(changes_s, most_s, whole_from=1)
     assert at_least_s <= duration < at_least_s + 0.6 + graph.LATE_MOST_S
 
 
-def test_a_machine_that_wakes_late_is_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_wait_is_longer_on_a_busy_machine(monkeypatch: pytest.MonkeyPatch) -> None:
     class LateQueue:
         def wait(self, _: int) -> None:
             time.sleep(0.15)
@@ -98,11 +100,11 @@ def test_a_machine_that_wakes_late_is_waited_for(monkeypatch: pytest.MonkeyPatch
     ("name", "hidden"),
     [("/a/b", False), ("/_a", True), ("/a/_action/status", True), ("/a_b", False), ("/", False)],
 )
-def test_hidden_names(name: str, hidden: bool) -> None:
+def test_names_with_a_leading_underscore_are_hidden(name: str, hidden: bool) -> None:
     assert graph.is_hidden(name) is hidden
 
 
-def test_types_of_topics_are_in_order_and_once() -> None:
+def test_topic_types_are_sorted_and_unique() -> None:
     ends = [
         SimpleNamespace(topic=SimpleNamespace(name=name, type_name=kind))
         for name, kind in [("/b", "p/msg/Z"), ("/a", "p/msg/T"), ("/b", "p/msg/A"), ("/b", "p/msg/Z")]

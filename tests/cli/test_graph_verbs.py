@@ -1,4 +1,4 @@
-"""Questions to the graph, asked by real processes over DDS, against the recorded answers."""
+"""The verbs about the graph, in real processes over DDS, against the recorded output."""
 
 from __future__ import annotations
 
@@ -34,14 +34,14 @@ def recorded_graph(module_domain_id: int, start_module_program: Callable[..., ob
         "node_list",
     ],
 )
-def test_answers_are_as_recorded(
+def test_answers_match_the_recording(
     name: str,
 ) -> None:
     recorded = transcript.golden(name)
     assert transcript.run(*recorded.command) == recorded
 
 
-def test_the_asker_is_not_counted(deviations: dict[str, dict[str, str]]) -> None:
+def test_own_participant_is_not_counted(deviations: dict[str, dict[str, str]]) -> None:
     assert "cli-asker-uncounted" in deviations
     recorded = transcript.golden("topic_list_v")
     answer = transcript.run(*recorded.command)
@@ -49,7 +49,7 @@ def test_the_asker_is_not_counted(deviations: dict[str, dict[str, str]]) -> None
     assert answer.exit_code == recorded.exit_code
 
 
-def test_a_topic_in_detail() -> None:
+def test_topic_info_prints_each_endpoint() -> None:
     recorded = transcript.golden("topic_info_v")
     answer = transcript.run(*recorded.command)
     without_gid = [re.sub(r"GID: [0-9a-f.]+", "GID: #", text) for text in (answer.text, recorded.text)]
@@ -57,19 +57,19 @@ def test_a_topic_in_detail() -> None:
     assert re.search(r"^GID: ([0-9a-f]{2}\.){15}[0-9a-f]{2}$", answer.text, re.MULTILINE)
 
 
-def test_a_misspelt_topic_names_the_nearest() -> None:
+def test_misspelt_topic_gives_the_nearest_names() -> None:
     for verb in ("info", "type"):
         answer = transcript.run("topic", verb, "/turtle1/pos")
         assert answer.exit_code == 1
         assert answer.text.startswith("Unknown topic '/turtle1/pos'\ndid you mean /turtle1/pose")
 
 
-def test_a_list_is_complete_each_time() -> None:
+def test_list_is_complete_on_every_run() -> None:
     whole = transcript.golden("topic_list").text
     assert {transcript.run("topic", "list").text for _ in range(10)} == {whole}
 
 
-def test_json_says_the_same() -> None:
+def test_json_has_the_same_content() -> None:
     topics = json.loads(transcript.run("topic", "list", "--json").text)
     assert [topic["name"] for topic in topics] == transcript.golden("topic_list").text.splitlines()
     pose = next(topic for topic in topics if topic["name"] == "/turtle1/pose")
@@ -85,7 +85,7 @@ def test_json_says_the_same() -> None:
     assert [end["node"] for end in info["publishers"]] == ["/turtlesim"]
 
 
-def test_counts() -> None:
+def test_count_flags_print_numbers() -> None:
     assert transcript.run("node", "list", "-c").text == "3"
     assert transcript.run("topic", "find", "-c", "rcl_interfaces/msg/Log").text == "1"
     hidden = transcript.run("topic", "--include-hidden-topics", "list", "-c")
@@ -93,7 +93,7 @@ def test_counts() -> None:
 
 
 @pytest.mark.parametrize("name", ["/a b", "", "/", "/1a", "a//b", "/a/"])
-def test_a_name_that_is_none_is_told(name: str) -> None:
+def test_invalid_name_gives_an_error_message(name: str) -> None:
     answer = transcript.run("topic", "info", name)
     assert answer.exit_code == 1
     assert answer.text.startswith(f"'{name}' can't be a topic's name")
@@ -106,7 +106,7 @@ def test_a_name_that_is_none_is_told(name: str) -> None:
         (("service", "find", "std_srvs/srv/Emty"), "service", "std_srvs/srv/Empty"),
     ],
 )
-def test_a_type_that_is_none_finds_nothing_and_names_the_nearest(
+def test_unknown_type_finds_nothing_and_gives_the_nearest_types(
     words: tuple[str, ...], what: str, nearest: str, deviations: dict[str, dict[str, str]]
 ) -> None:
     assert "cli-nearest-names" in deviations
@@ -115,7 +115,7 @@ def test_a_type_that_is_none_finds_nothing_and_names_the_nearest(
     assert (answer.text, answer.exit_code) == (said, 0)
 
 
-def test_a_type_that_nobody_uses_finds_nothing() -> None:
+def test_unused_type_finds_nothing() -> None:
     assert transcript.run("topic", "find", "std_msgs/msg/Int64") == (
         ["topic", "find", "std_msgs/msg/Int64"],
         "",

@@ -1,4 +1,4 @@
-"""`--json`: on every verb that lists or shows, and JSON that a strict reader takes."""
+"""`--json`: available on every verb that lists or shows, and valid for a strict parser."""
 
 from __future__ import annotations
 
@@ -76,33 +76,33 @@ def strictly(text: str) -> Any:
     return json.loads(text, parse_constant=refuse)
 
 
-def test_each_verb_has_json_or_its_reason() -> None:
+def test_each_verb_has_json_or_a_stated_reason() -> None:
     with_json = {verb for verb, parser in VERBS.items() if "--json" in parser.flags()}
     assert with_json == {*ASKED, *ELSEWHERE}
     assert set(VERBS) - with_json == {*WITHOUT} & set(VERBS)
 
 
-def test_each_answer_is_json(domain_id: int, start_program: Callable[..., Any]) -> None:
+def test_each_json_output_is_valid(domain_id: int, start_program: Callable[..., Any]) -> None:
     start_program("python", Path(__file__).with_name("a_lifecycle_node.py")).wait_for("ready")
     start_program("tfloom", "run", "turtlesim", "turtlesim_node").wait_for("Spawning turtle [turtle1]")
 
     def ask(verb: str) -> transcript.Transcript:
         return transcript.run(*verb.split(), "--json", *ASKED[verb])
 
-    with ThreadPoolExecutor(AT_A_TIME) as pool:  # most of a verb's time it waits for the graph
+    with ThreadPoolExecutor(AT_A_TIME) as pool:  # most of a verb's time is a wait for the graph
         for verb, answer in zip(ASKED, pool.map(ask, ASKED), strict=True):
             assert answer.exit_code == 0, answer
             assert strictly(answer.text), verb
 
 
-def test_what_json_lacks_is_null() -> None:
+def test_nan_and_infinity_become_null() -> None:
     scan = LaserScan(ranges=[1.5, math.inf, math.nan], range_max=math.inf)
     message = strictly(json_text(scan))
     assert message["ranges"] == [1.5, None, None]
     assert message["range_max"] is None
 
 
-def test_all_that_a_field_can_hold_is_json() -> None:
+def test_each_field_type_converts_to_json() -> None:
     values = {"a": array("d", [1.0]), "b": b"\x01\xff", "v": [Vector3(x=2.0)], "t": ("é", True, None)}
     assert strictly(json_text(values)) == {
         "a": [1.0],

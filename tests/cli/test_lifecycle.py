@@ -1,4 +1,4 @@
-"""The verbs about lifecycle nodes, asked of a node in another process over DDS."""
+"""The verbs about lifecycle nodes, with a node in another process over DDS."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def node(domain_id: int, start_program: Callable[..., object]) -> None:
     start_program("python", Path(__file__).with_name("a_lifecycle_node.py")).wait_for("ready")
 
 
-def test_a_node_changes_its_state() -> None:
+def test_set_changes_the_state_of_a_node() -> None:
     assert transcript.run("lifecycle", "nodes").text == "/a_node"
     assert transcript.run("lifecycle", "nodes", "-c").text == "1"
     assert transcript.run("lifecycle", "get", "/a_node").text == "unconfigured [1]"
@@ -28,7 +28,7 @@ def test_a_node_changes_its_state() -> None:
     assert transcript.run("lifecycle", "set", "/a_node", "2").exit_code == 0
 
 
-def test_mistakes_are_told() -> None:
+def test_invalid_arguments_give_an_error_message() -> None:
     unknown = transcript.run("lifecycle", "set", "/a_node", "activate")
     assert unknown.exit_code == 1
     assert unknown.text == "Unknown transition requested, available ones are:\n- configure [1]"

@@ -1,4 +1,4 @@
-"""The table of verbs: usage, exit codes, and quiet ends."""
+"""The table of verbs: usage, exit codes, and ends without traceback."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ def verb_modules() -> list[str]:
 
 
 @pytest.mark.parametrize("module", verb_modules())
-def test_each_verb_of_the_table_is_a_file_with_its_two_functions(module: str) -> None:
+def test_each_verb_of_the_table_has_a_file_with_both_functions(module: str) -> None:
     verb = import_module(module)
     assert callable(verb.add_arguments)
     assert callable(verb.main)
 
 
-def test_the_page_of_the_commands_names_each_verb_and_no_other() -> None:
+def test_commands_page_lists_exactly_the_verbs() -> None:
     page = (Path(__file__).parents[2] / "docs" / "commands.md").read_text("utf-8")
     first_table = page.split("| word | verbs |\n")[1].split("\n\n")[0]
     rows = [line.strip("|").split("|") for line in first_table.splitlines() if line.startswith("| `")]
@@ -48,12 +48,12 @@ def test_the_page_of_the_commands_names_each_verb_and_no_other() -> None:
         word: set(command.verbs) if isinstance(command, Group) else set()
         for word, command in cli.COMMANDS.items()
     }
-    # That there is no daemon is said without its verbs.
+    # The page states without the verbs that there is no daemon.
     assert named | {"daemon": set()} == table | {"daemon": set()}
 
 
 @pytest.mark.parametrize("word", ["topic", "param", "run", "doctor"])
-def test_flags_that_the_page_names_are_there(word: str) -> None:
+def test_flags_on_the_commands_page_exist(word: str) -> None:
     page = (Path(__file__).parents[2] / "docs" / "commands.md").read_text("utf-8")
     asked = re.findall(rf"`(?:ros2 )?{word} ?(\w*)[^`]*?(--[\w-]+)", page)
     for verb, flag in asked:
@@ -63,7 +63,7 @@ def test_flags_that_the_page_names_are_there(word: str) -> None:
         assert flag in parser.flags(), (word, verb, flag)
 
 
-def test_without_a_verb_there_is_help() -> None:
+def test_no_verb_prints_help() -> None:
     answer = transcript.run()
     assert answer.exit_code == 0
     assert answer.text.startswith(
@@ -74,19 +74,19 @@ def test_without_a_verb_there_is_help() -> None:
         assert f"\n    {word} " in answer.text
 
 
-def test_a_group_without_its_verb_gives_help() -> None:
+def test_group_without_verb_prints_help() -> None:
     answer = transcript.run("topic")
     assert answer.exit_code == 0
     assert answer.text.startswith("usage: ros2 topic [-h] [--include-hidden-topics]\n")
 
 
 @pytest.mark.skipif(sys.version_info >= (3, 12), reason="argparse words it anew in each version")
-def test_a_verb_that_is_none_is_told_as_recorded() -> None:
+def test_unknown_verb_error_matches_the_recording() -> None:
     recorded = transcript.golden("bad_verb")
     assert transcript.run(*recorded.command) == recorded
 
 
-def test_a_flag_that_a_verb_does_not_know_is_told_by_the_top() -> None:
+def test_unknown_flag_of_a_verb_is_reported_by_the_main_parser() -> None:
     answer = transcript.run("topic", "list", "--no-such")
     assert answer.exit_code == 2
     assert answer.text.endswith("ros2: error: unrecognized arguments: --no-such")
@@ -101,19 +101,21 @@ def test_a_flag_that_a_verb_does_not_know_is_told_by_the_top() -> None:
         (("topic", "echo", "--qos-reliability", "relable", "/x"), "reliable"),
     ],
 )
-def test_a_misspelt_verb_flag_or_choice_names_the_nearest(words: tuple[str, ...], near: str) -> None:
+def test_misspelt_verb_flag_or_choice_gives_the_nearest(words: tuple[str, ...], near: str) -> None:
     answer = transcript.run(*words)
     assert answer.exit_code == 2
     assert answer.text.endswith(f"\ndid you mean {near}?")
 
 
-def test_an_unknown_wire_is_a_sentence() -> None:
+def test_unknown_wire_gives_an_error_message() -> None:
     answer = transcript.run("topic", "list", env={**os.environ, "RMW_IMPLEMENTATION": "rmw_none"})
     assert answer.exit_code == 1
     assert answer.text.startswith("RMW_IMPLEMENTATION is 'rmw_none', which is none of: ")
 
 
-def test_ctrl_c_is_quiet(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]) -> None:
+def test_ctrl_c_ends_without_output(
+    monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
     def interrupted(_: object) -> int:
         raise KeyboardInterrupt
 
@@ -124,8 +126,8 @@ def test_ctrl_c_is_quiet(monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureF
 
 @pytest.mark.skipif(os.name != "posix", reason="a process signals itself otherwise elsewhere")
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_a_signal_amid_the_interpreters_end_leaves_the_exit_code(number: int) -> None:
-    """By then the interpreter has given the signals that have handlers their default action."""
+def test_signal_during_interpreter_exit_keeps_the_exit_code(number: int) -> None:
+    """At exit, the interpreter restores the default action of signals that have handlers."""
     code = f"""
 import os, sys
 from tfloom.cli import main
@@ -143,7 +145,7 @@ sys.exit(main.main(prog="ros2"))
     assert done.returncode == 2, done
 
 
-def test_a_command_that_is_terminated_says_goodbye(
+def test_terminated_command_leaves_the_domain(
     domain_id: int, start_program: Callable[..., object], wait_until: Callable[..., None]
 ) -> None:
     program = start_program("tfloom", "topic", "pub", "-n", "a_node", "/x", "std_msgs/msg/Empty")
@@ -156,7 +158,7 @@ def test_a_command_that_is_terminated_says_goodbye(
 
 
 @pytest.mark.skipif(os.name != "posix", reason="a pipe breaks differently elsewhere")
-def test_a_closed_pipe_is_quiet() -> None:
+def test_closed_pipe_ends_without_output() -> None:
     code = "import sys; from tfloom.cli import main; sys.stdin.read(1)\nsys.exit(main.main(['topic', 'list', '-v']))"
     process = subprocess.Popen(
         [sys.executable, "-c", code],
@@ -173,14 +175,14 @@ def test_a_closed_pipe_is_quiet() -> None:
 
 
 @pytest.mark.skipif(os.name != "posix", reason="closes a file descriptor")
-def test_a_closed_output_is_no_crash() -> None:
+def test_closed_output_gives_no_traceback() -> None:
     command = f"exec '{sys.executable}' -m tfloom.cli pkg list >&-"
     done = subprocess.run(["sh", "-c", command], capture_output=True, text=True, timeout=30, check=False)
     assert (done.returncode, done.stderr) == (0, "")
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
-def test_a_full_disk_is_told_in_a_sentence() -> None:
+def test_full_disk_gives_an_error_message() -> None:
     command = f"exec '{sys.executable}' -m tfloom.cli pkg list >/dev/full"
     done = subprocess.run(["sh", "-c", command], capture_output=True, text=True, timeout=30, check=False)
     assert (done.returncode, done.stderr) == (1, "tfloom: No space left on device\n")

@@ -1,4 +1,4 @@
-"""What a command line can hold that nobody meant: every verb answers with a sentence, and none with a traceback."""
+"""Invalid command lines: every verb prints an error message, and none a traceback."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ NUMBERS = ["nan", "-1", "abc", "", "1.5x", "9" * 20 + "x"]
 
 
 def fails(capsys: pytest.CaptureFixture[str], *words: str) -> str:
-    """Run a command line that can't succeed; return what it printed on stderr. An exception is the test's failure."""
+    """Run an invalid command line and return its stderr. An exception fails the test."""
     try:
         code = cli.main(list(words), prog="ros2")
     except SystemExit as end:
@@ -84,7 +84,7 @@ ONE = ["topic info", "topic type", "topic echo", "node info", "service type", "s
 
 
 @pytest.mark.parametrize("verb", ONE)
-def test_names_that_are_none(
+def test_invalid_names_are_rejected(
     verb: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(sys, "stdin", io.StringIO("nope/msg/X\n"))
@@ -93,7 +93,7 @@ def test_names_that_are_none(
 
 
 @pytest.mark.parametrize("verb", ["topic pub", "service call", "service echo", "action send_goal"])
-def test_types_that_are_none(verb: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_unknown_types_are_rejected(verb: str, capsys: pytest.CaptureFixture[str]) -> None:
     for kind in [*NAMES, "os/path/join", "rclpy/msg/X", "std_msgs/action/String", "a/msg/B/c"]:
         if kind or verb != "service echo":
             fails(capsys, *verb.split(), "/x", kind)
@@ -107,7 +107,7 @@ def test_types_that_are_none(verb: str, capsys: pytest.CaptureFixture[str]) -> N
         ("param", "set", "/x", "p"),
     ],
 )
-def test_values_that_are_none(words: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:
+def test_invalid_values_are_rejected(words: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:
     for value in VALUES:
         if value not in {"", "null"} or "pub" not in words:
             fails(capsys, *words, value)
@@ -150,7 +150,7 @@ FLAGS_WITH_NUMBERS = [
 
 
 @pytest.mark.parametrize(("verb", "flag"), FLAGS_WITH_NUMBERS)
-def test_numbers_that_are_none(verb: str, flag: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_invalid_numbers_are_rejected(verb: str, flag: str, capsys: pytest.CaptureFixture[str]) -> None:
     for number in NUMBERS:
         if number == "-1" and flag in {"-r", "--rate"}:
             continue
@@ -160,7 +160,7 @@ def test_numbers_that_are_none(verb: str, flag: str, capsys: pytest.CaptureFixtu
         assert any(name in told for name in VERBS[verb]._option_string_actions[flag].option_strings)
 
 
-def test_there_are_flags_with_numbers() -> None:
+def test_flags_with_numbers_exist() -> None:
     assert {flag for _, flag in FLAGS_WITH_NUMBERS} >= {
         "--timeout",
         "--rate",
@@ -174,14 +174,14 @@ def test_there_are_flags_with_numbers() -> None:
 
 
 @pytest.mark.parametrize("number", ["inf", "1e308", "1e20"])
-def test_for_ever_is_long_enough(number: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_very_long_durations_are_accepted(number: str, capsys: pytest.CaptureFixture[str]) -> None:
     words = ("-1", "-w", "0", "--keep-alive", "0", "--spin-time", number, "--max-wait-time-secs", number)
     lease = ("--qos-liveliness-lease-duration-seconds", number)
     assert cli.main(["topic", "pub", *words, *lease, "/x", "std_msgs/msg/Empty"]) == 0
     assert cli.main(["topic", "list", "--spin-time", number]) == 0
 
 
-def test_a_rate_may_be_as_low_as_it_likes(capsys: pytest.CaptureFixture[str]) -> None:
+def test_very_low_rates_are_accepted(capsys: pytest.CaptureFixture[str]) -> None:
     for rate in ("1e-308", "1e308", "inf"):
         assert cli.main(["topic", "pub", "-r", rate, "-t", "1", "-w", "0", "/x", "std_msgs/msg/Empty"]) == 0
 
@@ -195,11 +195,11 @@ def test_a_rate_may_be_as_low_as_it_likes(capsys: pytest.CaptureFixture[str]) ->
         ("interface", "show", "-"),
     ],
 )
-def test_an_input_that_is_closed_or_no_text(
+def test_closed_or_undecodable_input_is_rejected(
     words: tuple[str, ...], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(sys, "stdin", None)
-    assert fails(capsys, *words) == "there is no input to read: it is closed\n"
+    assert fails(capsys, *words) == "standard input is closed\n"
     monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"\xff\xfe"), "utf-8"))
     assert fails(capsys, *words) == "ros2: octet 0xff of what was read isn't utf-8 text\n"
 
@@ -208,7 +208,7 @@ def test_an_input_that_is_closed_or_no_text(
 @pytest.mark.parametrize(
     "words", [("topic", "list"), ("node", "info", "/x"), ("topic", "echo", "/x"), ("doctor",)]
 )
-def test_a_domain_that_is_none(
+def test_invalid_domain_is_rejected(
     domain: str, words: tuple[str, ...], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("ROS_DOMAIN_ID", domain)
@@ -220,12 +220,12 @@ def test_a_domain_that_is_none(
 
 
 @pytest.mark.parametrize("field", ["", "[0]", "x.", "x..y", ".", "x y", "x,y", "x[a]", "ü]"])
-def test_paths_that_are_none(field: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_invalid_paths_are_rejected(field: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert f"not '{field}'" in fails(capsys, "topic", "echo", "/x", "std_msgs/msg/String", "--field", field)
 
 
 @pytest.mark.parametrize("expression", ["", "m.x >", "import os", "raise", "(", "m = 1", "\x00"])
-def test_expressions_that_are_none(expression: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_invalid_expressions_are_rejected(expression: str, capsys: pytest.CaptureFixture[str]) -> None:
     for verb in ("echo", "hz"):
         told = fails(capsys, "topic", verb, "/x", "--filter", expression)
         assert told.startswith("--filter isn't a Python expression")
@@ -244,7 +244,7 @@ def test_expressions_that_are_none(expression: str, capsys: pytest.CaptureFixtur
         ("--package-format", "2"),
     ],
 )
-def test_packages_that_cannot_be(
+def test_invalid_package_names_are_rejected(
     flags: tuple[str, str], capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     fails(capsys, "pkg", "create", "my_pkg", *flags)

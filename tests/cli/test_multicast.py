@@ -16,12 +16,12 @@ from tfloom.cli.multicast.common import interface
 
 @pytest.fixture
 def port() -> Iterator[str]:
-    """Give a port that no other test uses now."""
+    """Yield a port that no other test uses."""
     with hold_domain() as domain:
         yield str(49150 - domain)
 
 
-def test_a_datagram_comes_through(port: str, start_program: Callable[..., Any]) -> None:
+def test_datagram_is_received(port: str, start_program: Callable[..., Any]) -> None:
     receiver = start_program("tfloom", "multicast", "receive", "--port", port, "--timeout", "30")
     receiver.wait_for("Waiting for UDP multicast datagram...")
     sent = transcript.run("multicast", "send", "--port", port, "--ttl", "0")
@@ -30,12 +30,12 @@ def test_a_datagram_comes_through(port: str, start_program: Callable[..., Any]) 
     assert re.fullmatch(r"Received from 127\.0\.0\.1:\d+: 'Hello World!'", receiver.lines[1])
 
 
-def test_what_never_comes_is_told(port: str) -> None:
+def test_missing_datagram_gives_an_error_message(port: str) -> None:
     answer = transcript.run("multicast", "receive", "--port", port, "--timeout", "0.2")
-    assert (answer.text.splitlines()[1:], answer.exit_code) == (["no datagram came within 0.2 s"], 1)
+    assert (answer.text.splitlines()[1:], answer.exit_code) == (["no datagram arrived within 0.2 s"], 1)
 
 
-def test_what_is_not_for_the_group_is_not_heard(port: str, start_program: Callable[..., Any]) -> None:
+def test_datagram_to_another_address_is_not_received(port: str, start_program: Callable[..., Any]) -> None:
     receiver = start_program("tfloom", "multicast", "receive", "--port", port, "--timeout", "1")
     receiver.wait_for("Waiting")
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
@@ -52,7 +52,7 @@ def test_what_is_not_for_the_group_is_not_heard(port: str, start_program: Callab
         ({"ROS_AUTOMATIC_DISCOVERY_RANGE": "SUBNET", "ROS_LOCALHOST_ONLY": "1"}, "127.0.0.1"),
     ],
 )
-def test_only_the_discovery_range_leads_beyond_this_machine(
+def test_interface_is_loopback_unless_the_discovery_range_is_wider(
     environment: dict[str, str], address: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.delenv("ROS_AUTOMATIC_DISCOVERY_RANGE", raising=False)
@@ -70,7 +70,7 @@ def test_only_the_discovery_range_leads_beyond_this_machine(
         ("receive", "--group", "x"),
     ],
 )
-def test_what_cannot_be_is_refused(words: tuple[str, ...]) -> None:
+def test_invalid_addresses_and_ports_are_rejected(words: tuple[str, ...]) -> None:
     answer = transcript.run("multicast", *words)
     assert answer.exit_code == 2
     assert "must be" in answer.text

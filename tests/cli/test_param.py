@@ -1,4 +1,4 @@
-"""The verbs about parameters, asked of turtlesim over DDS."""
+"""The verbs about parameters, with turtlesim over DDS."""
 
 from __future__ import annotations
 
@@ -21,25 +21,25 @@ def turtlesim(module_domain_id: int, start_module_program: Callable[..., object]
 
 @pytest.fixture
 def turtlesim_to_change(domain_id: int, start_program: Callable[..., object]) -> None:
-    """Start another turtlesim, on a domain of the test's own."""
+    """Start another turtlesim, on a separate domain."""
     start_program(*TURTLESIM).wait_for(SPAWNED)
 
 
 @pytest.mark.parametrize(
     "name", ["param_get", "param_get_bad", "param_set_bad", "param_set_range", "param_describe"]
 )
-def test_answers_are_as_recorded(name: str) -> None:
+def test_answers_match_the_recording(name: str) -> None:
     recorded = transcript.golden(name)
     assert transcript.run(*recorded.command) == recorded
 
 
 @pytest.mark.usefixtures("turtlesim_to_change")
-def test_a_change_is_answered_as_recorded() -> None:
+def test_set_output_matches_the_recording() -> None:
     recorded = transcript.golden("param_set")
     assert transcript.run(*recorded.command) == recorded
 
 
-def test_a_deletion_has_the_nodes_reason(deviations: dict[str, dict[str, str]]) -> None:
+def test_failed_deletion_prints_the_reason_of_the_node(deviations: dict[str, dict[str, str]]) -> None:
     assert "param-delete-text" in deviations
     recorded = transcript.golden("param_delete")
     answer = transcript.run(*recorded.command)
@@ -48,7 +48,7 @@ def test_a_deletion_has_the_nodes_reason(deviations: dict[str, dict[str, str]]) 
     assert transcript.run("param", "get", "--hide-type", "/turtlesim", "background_r").text == "69"
 
 
-def test_lists() -> None:
+def test_lists_print_parameters_of_nodes() -> None:
     recorded = transcript.golden("param_list_node")
     assert transcript.run(*recorded.command) == recorded
     lines = recorded.text.splitlines()
@@ -73,7 +73,7 @@ def test_the_node_is_found_after_prefixes_too(
 
 
 @pytest.mark.usefixtures("turtlesim_to_change")
-def test_a_dump_loads_again(tmp_path: Path) -> None:
+def test_dump_can_be_loaded(tmp_path: Path) -> None:
     dumped = transcript.run("param", "dump", "/turtlesim").text
     recorded = yaml.safe_load(transcript.golden("param_dump").text)["/turtlesim"]["ros__parameters"]
     ours = yaml.safe_load(dumped)["/turtlesim"]["ros__parameters"]
@@ -87,7 +87,7 @@ def test_a_dump_loads_again(tmp_path: Path) -> None:
 
 
 @pytest.mark.usefixtures("turtlesim_to_change")
-def test_wildcards_of_a_file_count_unless_told_otherwise(tmp_path: Path) -> None:
+def test_wildcard_parameters_are_loaded_unless_disabled(tmp_path: Path) -> None:
     file = tmp_path / "parameters.yaml"
     file.write_text("/**:\n  ros__parameters:\n    background_g: 3\n")
     refused = transcript.run("param", "load", "--no-use-wildcard", "/turtlesim", str(file))
@@ -98,7 +98,7 @@ def test_wildcards_of_a_file_count_unless_told_otherwise(tmp_path: Path) -> None
     )
 
 
-def test_mistakes_are_told(tmp_path: Path) -> None:
+def test_invalid_arguments_give_an_error_message(tmp_path: Path) -> None:
     assert transcript.run("param", "list", "/turtlesin").text == "Node not found\ndid you mean /turtlesim?"
     near = transcript.run("param", "get", "/turtlesim", "backgroundr").text
     assert near.startswith("Parameter not set\ndid you mean background_")
@@ -127,7 +127,7 @@ rclpy.spin(node)
 """
 
 
-def test_values_of_every_type_go_round(
+def test_values_of_every_type_survive_set_and_get(
     domain_id: int, tmp_path: Path, start_program: Callable[..., object]
 ) -> None:
     start_program("python", "-c", A_NODE).wait_for("ready")

@@ -1,4 +1,4 @@
-"""What of the verbs about parameters needs no node."""
+"""The parts of the verbs about parameters that need no node."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from tfloom.interfaces.rcl_interfaces.msg import FloatingPointRange, ParameterDe
         ({"a": 1, "a.b": 2, "a.b.c": 3}, {"a": 1, "a.b": 2, "a.b.c": 3}),
     ],
 )
-def test_dots_become_mappings(flat: dict[str, Any], tree: dict[str, Any]) -> None:
+def test_names_with_dots_become_nested_mappings(flat: dict[str, Any], tree: dict[str, Any]) -> None:
     assert nested(flat) == tree
 
 
-def test_constraints_are_listed() -> None:
+def test_constraints_are_printed() -> None:
     limits = FloatingPointRange(from_value=0.5, to_value=2.0)
     descriptor = ParameterDescriptor(
         name="gain", type=3, read_only=True, floating_point_range=[limits], additional_constraints="odd"

@@ -24,7 +24,7 @@ def no_workspace(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize(
     "name", ["pkg_prefix_bad", "interface_show_bad", "interface_show_action", "interface_proto"]
 )
-def test_answers_are_as_recorded(name: str) -> None:
+def test_answers_match_the_recording(name: str) -> None:
     recorded = transcript.golden(name)
     answer = transcript.run(*recorded.command)
     assert (answer.text, answer.exit_code) == (recorded.text, recorded.exit_code)
@@ -37,26 +37,26 @@ def test_answers_are_as_recorded(name: str) -> None:
         ("example_interfaces/action/Fibonacci", "order: 0\n"),
     ],
 )
-def test_proto_prints_what_is_sent(name: str, values: str) -> None:
+def test_proto_prints_the_request_or_goal(name: str, values: str) -> None:
     answer = transcript.run("interface", "proto", "--no-quotes", name)
     assert (answer.text.rstrip(), answer.exit_code) == (values.rstrip(), 0)
 
 
-def test_proto_names_the_nearest_service() -> None:
+def test_proto_of_an_unknown_service_gives_the_nearest() -> None:
     answer = transcript.run("interface", "proto", "turtlesim/srv/Spwn")
     assert answer.text.endswith("\ndid you mean turtlesim/srv/Spawn?")
     assert answer.exit_code == 1
 
 
 @pytest.mark.parametrize("name", ["interface_show_msg", "interface_show_srv"])
-def test_no_comments_leaves_no_hash(name: str, deviations: dict[str, dict[str, str]]) -> None:
+def test_no_comments_removes_all_comments(name: str, deviations: dict[str, dict[str, str]]) -> None:
     assert "cli-no-comments" in deviations
     recorded = transcript.golden(name)
     lines = [line.removesuffix(" #") for line in recorded.text.splitlines() if line != "#"]
     assert transcript.run(*recorded.command).text.splitlines() == lines
 
 
-def test_a_packages_interfaces_are_in_order(deviations: dict[str, dict[str, str]]) -> None:
+def test_interfaces_of_a_package_are_sorted(deviations: dict[str, dict[str, str]]) -> None:
     assert "cli-interface-order" in deviations
     recorded = transcript.golden("interface_package")
     answer = transcript.run(*recorded.command)
@@ -64,7 +64,7 @@ def test_a_packages_interfaces_are_in_order(deviations: dict[str, dict[str, str]
 
 
 @pytest.mark.parametrize("name", ["interface_list_head", "interface_packages_head"])
-def test_what_the_reference_lists_is_listed_where_we_have_it(name: str) -> None:
+def test_reference_interfaces_of_known_packages_are_listed(name: str) -> None:
     recorded = transcript.golden(name)
     words = recorded.command[: recorded.command.index("|")]
     ours = transcript.run(*words).text.splitlines()
@@ -73,7 +73,7 @@ def test_what_the_reference_lists_is_listed_where_we_have_it(name: str) -> None:
     assert ours.index("std_msgs" if "packages" in name else "Messages:") >= 0
 
 
-def test_our_programs_are_listed() -> None:
+def test_own_programs_are_listed() -> None:
     listed = transcript.run("pkg", "executables").text.splitlines()
     assert listed == [
         f"{package} {program}" for package in sorted(index.PROGRAMS) for program in index.PROGRAMS[package]
@@ -84,20 +84,20 @@ def test_our_programs_are_listed() -> None:
     ]
 
 
-def test_a_name_without_its_package_names_the_interfaces_of_that_name() -> None:
+def test_bare_interface_name_gives_the_full_names() -> None:
     answer = transcript.run("interface", "show", "twist")
     assert answer.exit_code == 1
     assert answer.text.endswith("not 'twist'\ndid you mean geometry_msgs/msg/Twist?")
 
 
-def test_turtlesims_programs_are_the_recorded_ones(deviations: dict[str, dict[str, str]]) -> None:
+def test_turtlesim_programs_match_the_recording(deviations: dict[str, dict[str, str]]) -> None:
     assert "turtlesim-multisim" in deviations
     recorded = transcript.golden("pkg_executables")
     listed = transcript.run(*recorded.command).text.splitlines()
     assert [line for line in listed if line != "turtlesim multisim"] == recorded.text.splitlines()
 
 
-def test_packages() -> None:
+def test_packages_are_listed() -> None:
     listed = transcript.run("pkg", "list").text.splitlines()
     assert {"geometry_msgs", "rclpy", "tf2_ros", "turtlesim"} <= set(listed)
     assert listed == sorted(listed)
@@ -107,7 +107,7 @@ def test_packages() -> None:
     assert transcript.run("pkg", "xml", "turtlesim").exit_code == 1
 
 
-def test_a_new_package_builds_and_runs(
+def test_new_package_builds_and_runs(
     tmp_path: Path, start_program: Callable[..., object], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
@@ -123,7 +123,7 @@ def test_a_new_package_builds_and_runs(
     created = transcript.run(*words)
     assert created.exit_code == 0, created.text
     again = transcript.run(*words)
-    assert (again.exit_code, again.text.endswith("is there already; nothing was written")) == (1, True)
+    assert (again.exit_code, again.text.endswith("exists; nothing was written")) == (1, True)
     binaries = Path(sys.executable).parent
     built = subprocess.run(
         [binaries / "colcon", "build"], cwd=tmp_path, capture_output=True, text=True, timeout=120, check=False
@@ -138,7 +138,7 @@ def test_a_new_package_builds_and_runs(
     assert "Traceback" not in node.output
 
 
-def test_a_package_in_another_language_is_refused() -> None:
+def test_cpp_package_is_rejected() -> None:
     answer = transcript.run("pkg", "create", "--build-type", "ament_cmake", "my_pkg")
     assert (answer.exit_code, answer.text) == (
         1,

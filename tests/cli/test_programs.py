@@ -1,4 +1,4 @@
-"""All programs that tfloom brings: however they are stopped they end quietly, and bad arguments get a sentence."""
+"""All programs of tfloom end without traceback when stopped, and reject invalid arguments with a message."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def graph(domain_id: int) -> Iterator[Node]:
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_they_end_quietly(
+def test_programs_end_without_traceback_when_stopped(
     graph: Node, number: int, start_program: Callable[..., Program], wait_until: Callable[..., None]
 ) -> None:
     programs = {
@@ -72,7 +72,7 @@ def test_they_end_quietly(
 
 
 def complaint(package: str, name: str, words: list[str], capsys: pytest.CaptureFixture[str]) -> str:
-    """Return what a program that can't use its words says."""
+    """Return the output of a program that rejects its arguments."""
     before = signal.getsignal(signal.SIGTERM), sys.argv
     try:
         code = run_here(PROGRAMS[package][name], name, words)
@@ -86,7 +86,7 @@ def complaint(package: str, name: str, words: list[str], capsys: pytest.CaptureF
 
 
 @pytest.mark.parametrize(("package", "name"), EVERY)
-def test_words_that_mean_nothing(package: str, name: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_unknown_arguments_are_rejected(package: str, name: str, capsys: pytest.CaptureFixture[str]) -> None:
     text = complaint(package, name, ["--such-nonsense", "x", "y", "z", "--ros-args", "-p", "a:=1"], capsys)
     assert "usage" in text.lower() or "--such-nonsense" in text
 
@@ -100,7 +100,7 @@ def test_words_that_mean_nothing(package: str, name: str, capsys: pytest.Capture
     ],
 )
 @pytest.mark.parametrize(("package", "name"), EVERY)
-def test_ros_arguments_that_make_no_sense(
+def test_malformed_ros_arguments_are_rejected(
     package: str, name: str, words: list[str], text: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     own = RUNNING.get(name, ("", []))[1]
@@ -137,7 +137,7 @@ def test_ros_arguments_that_make_no_sense(
         ("demo_nodes_py", "talker", "use_sim_time:=maybe", "expecting type 'BOOL'"),
     ],
 )
-def test_parameters_that_make_no_sense(
+def test_invalid_parameters_are_rejected(
     package: str,
     name: str,
     parameter: str,
@@ -155,7 +155,7 @@ def test_parameters_that_make_no_sense(
     assert "Traceback" not in program.output
 
 
-def test_the_docs_list_them() -> None:
+def test_docs_list_all_programs() -> None:
     text = (Path(__file__).parents[2] / "docs" / "commands.md").read_text("utf-8")
     rows = [line.split("|") for line in text.splitlines() if line.startswith("| `")]
     listed = {row[1].strip(" `"): set(re.findall("`([^`]+)`", row[2])) for row in rows}
@@ -163,7 +163,7 @@ def test_the_docs_list_them() -> None:
         assert listed[package] == names.keys()
 
 
-def test_tf2_s_programs_are_the_recorded_ones(start_program: Callable[..., Program]) -> None:
+def test_tf2_programs_match_the_recording(start_program: Callable[..., Program]) -> None:
     golden = (Path(__file__).parents[1] / "golden" / "cli" / "pkg_executables_tf2.txt").read_text()
     listed = []
     for package in ("tf2_ros", "tf2_tools"):

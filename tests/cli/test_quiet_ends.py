@@ -1,4 +1,4 @@
-"""Every verb ends quietly when nobody reads on (`| head -1`), and the long ones on Ctrl-C."""
+"""Every verb ends without traceback when its pipe is closed (`| head -1`), and long-running ones on Ctrl-C."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def nodes(module_domain_id: int, start_module_program: Callable[..., Any]) -> No
     start_module_program("tfloom", "run", "turtlesim", "turtlesim_node").wait_for("Spawning turtle [turtle1]")
 
 
-def test_a_closed_pipe(tmp_path: Path) -> None:
+def test_closed_pipe_ends_the_verb(tmp_path: Path) -> None:
     assert {*PRINTING, *SILENT} >= set(VERBS)
     (tmp_path / "parameters.yaml").write_text("/turtlesim:\n  ros__parameters:\n    background_g: 3\n")
 
@@ -85,7 +85,7 @@ def test_a_closed_pipe(tmp_path: Path) -> None:
         _, errors = process.communicate(b"x", timeout=60)
         return process.returncode, transcript.without_waiting(errors.decode())
 
-    with ThreadPoolExecutor(AT_A_TIME) as pool:  # most of a verb's time it waits for the graph
+    with ThreadPoolExecutor(AT_A_TIME) as pool:  # most of a verb's time is a wait for the graph
         ends = dict(zip(PRINTING, pool.map(end_of, PRINTING), strict=True))
     assert ends == dict.fromkeys(PRINTING, (cli.PIPE_CLOSED, ""))
 
@@ -97,7 +97,7 @@ LONG = {
     "topic delay": (("/nobodys",), "WARNING"),
     "topic pub": (("/x", "std_msgs/msg/Empty"), "publishing #1"),
     "service call": (("/nobodys", "std_srvs/srv/Empty"), "waiting for service"),
-    "service echo": (("/clear",), "nobody publishes"),
+    "service echo": (("/clear",), "no publisher of"),
     "action send_goal": (("/nobodys", "turtlesim/action/RotateAbsolute"), "Waiting for an action server"),
     "run": (("turtlesim", "turtlesim_node", "--ros-args", "-r", "__node:=other"), "Spawning"),
 }
@@ -105,7 +105,7 @@ LONG = {
 
 
 @pytest.mark.parametrize("verb", LONG)
-def test_ctrl_c(verb: str, start_program: Callable[..., Any]) -> None:
+def test_ctrl_c_ends_the_verb(verb: str, start_program: Callable[..., Any]) -> None:
     words, printed = LONG[verb]
     program = start_program("tfloom", *verb.split(), *words)
     program.wait_for(printed)
@@ -116,8 +116,8 @@ def test_ctrl_c(verb: str, start_program: Callable[..., Any]) -> None:
     assert not [line for line in program.lines[len(told) :] if "nterrupt" in line or "Error" in line]
 
 
-def test_ctrl_c_at_any_moment() -> None:
-    """The command may be anywhere: importing its verb, joining, listening, leaving."""
+def test_ctrl_c_at_any_time_ends_without_traceback() -> None:
+    """The command may be importing its verb, joining, receiving or leaving."""
     start = "import sys; from tfloom.cli import main; print('main', flush=True); sys.exit(main.main())"
     for step in range(12):
         process = subprocess.Popen(

@@ -1,4 +1,4 @@
-"""The programs that ran when the reference's commands were recorded, ours: turtlesim, a talker, a static transform."""
+"""tfloom's versions of the programs that ran during the recording: turtlesim, a talker, a static transform."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def masked(recorded: transcript.Transcript) -> tuple[str, int]:
     return re.sub(r"publisher_\w{16}", "publisher_NAME", recorded.text), recorded.exit_code
 
 
-def test_lists_are_as_recorded(domain_id: int, start_program: Callable[..., object]) -> None:
+def test_lists_match_the_recording(domain_id: int, start_program: Callable[..., object]) -> None:
     start_program("tfloom", "run", "turtlesim", "turtlesim_node", "--headless").wait_for(
         "Spawning turtle [turtle1]"
     )

@@ -1,4 +1,4 @@
-"""The command `ros2` of the distribution tfloom-ros2: tfloom's, but never beside a real one."""
+"""The command `ros2` of the distribution tfloom-ros2, which refuses to run beside a real one."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ def run(*words: str, path: Path | None = None) -> subprocess.CompletedProcess[st
     )
 
 
-def test_it_is_tflooms_with_its_own_name() -> None:
+def test_ros2_command_is_tfloom_under_its_name() -> None:
     result = run("run", "nope", "x")
     assert (result.returncode, result.stderr) == (1, "Package 'nope' not found\n")
     assert run("topic", "-h").stdout.startswith("usage: ros2 topic ")
 
 
-def test_a_real_one_is_not_stood_in_for(tmp_path: Path) -> None:
+def test_ros2_command_refuses_beside_a_real_one(tmp_path: Path) -> None:
     (tmp_path / "ros2cli").mkdir()
     real = tmp_path / "ros2cli" / "__init__.py"
     real.write_text("")

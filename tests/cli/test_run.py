@@ -1,4 +1,4 @@
-"""`run`: finding a program, and the ends of our own programs and of a workspace's."""
+"""`run`: search for a program, and exit codes of tfloom's and of a workspace's programs."""
 
 from __future__ import annotations
 
@@ -39,12 +39,12 @@ def add_program(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[...
 
 
 @pytest.mark.parametrize("name", ["run_bad_pkg", "run_bad_exe"])
-def test_what_is_not_there_is_told_as_ros2_tells_it(name: str) -> None:
+def test_unknown_package_or_program_error_matches_ros2(name: str) -> None:
     recorded = transcript.golden(name)
     assert transcript.run(*recorded.command) == recorded
 
 
-def test_a_misspelt_package_or_program_names_the_nearest(add_program: Callable[..., Path]) -> None:
+def test_misspelt_package_or_program_gives_the_nearest(add_program: Callable[..., Path]) -> None:
     add_program("my_program", "")
     for words, said in (
         (("turtlesm", "x"), "Package 'turtlesm' not found\ndid you mean turtlesim"),
@@ -83,7 +83,7 @@ def test_a_package_without_programs_is_found(capsys: pytest.CaptureFixture[str])
 
 
 @pytest.mark.parametrize("quote", ["", '"'])
-def test_an_interpreter_with_a_space_in_its_path(
+def test_script_whose_interpreter_path_has_a_space_runs(
     quote: str, add_program: Callable[..., Path], tmp_path: Path
 ) -> None:
     python = tmp_path / "a folder" / "python"
@@ -95,46 +95,46 @@ def test_an_interpreter_with_a_space_in_its_path(
     assert (answer.text, answer.exit_code) == ("runs", 0)
 
 
-def test_arguments_reach_the_program_untouched(add_program: Callable[..., Path]) -> None:
+def test_arguments_reach_the_program_unchanged(add_program: Callable[..., Path]) -> None:
     add_program("show", "import sys; print(sys.argv[1:])")
     words = ["-h", "--prefix", "--ros-args", "-p", "a:=1", "two words", "--", "x"]
     answer = transcript.run("run", "my_pkg", "show", *words)
     assert answer == (answer.command, str(words), 0)
 
 
-def test_the_exit_code_is_the_programs(add_program: Callable[..., Path]) -> None:
+def test_exit_code_is_that_of_the_program(add_program: Callable[..., Path]) -> None:
     add_program("fails", "raise SystemExit(3)")
     answer = transcript.run("run", "my_pkg", "fails")
     assert (answer.text, answer.exit_code) == ("[ros2run]: Process exited with failure 3", 3)
 
 
-def test_the_signal_that_ended_it_is_named(add_program: Callable[..., Path]) -> None:
+def test_signal_that_ended_the_program_is_printed(add_program: Callable[..., Path]) -> None:
     add_program("aborts", "import os; os.abort()")
     answer = transcript.run("run", "my_pkg", "aborts")
     assert (answer.text, answer.exit_code) == ("[ros2run]: Aborted", 250)
 
 
-def test_a_prefix_goes_before_the_program(add_program: Callable[..., Path]) -> None:
+def test_prefix_precedes_the_program(add_program: Callable[..., Path]) -> None:
     path = add_program("show", "")
     path.write_text("#!/bin/sh\n")
     answer = transcript.run("run", "--prefix", "echo 'a b'", "my_pkg", "show", "c")
     assert answer.text == f"a b {path} c"
 
 
-def test_a_workspaces_package_hides_ours(tmp_path: Path, add_program: Callable[..., Path]) -> None:
+def test_workspace_package_takes_precedence(tmp_path: Path, add_program: Callable[..., Path]) -> None:
     (tmp_path / index.RESOURCE_INDEX / "packages" / "turtlesim").touch()
     with pytest.raises(run.CommandError, match="No executable found"):
         run.find_command("turtlesim", "turtlesim_node")
 
 
-def test_one_name_for_two_programs_lists_both(add_program: Callable[..., Path]) -> None:
+def test_ambiguous_program_name_lists_all_paths(add_program: Callable[..., Path]) -> None:
     first, second = add_program("same", ""), add_program("deep/same", "")
     with pytest.raises(run.CommandError) as error:
         run.find_command("my_pkg", "same")
     assert str(error.value) == f"Multiple executables found:\n- {first}\n- {second}"
 
 
-def test_a_program_that_cannot_start_is_a_sentence(add_program: Callable[..., Path]) -> None:
+def test_program_that_cannot_start_gives_an_error_message(add_program: Callable[..., Path]) -> None:
     add_program("broken", "").write_text("#!/no/such/interpreter\n")
     answer = transcript.run("run", "my_pkg", "broken")
     assert answer.exit_code == 1
@@ -154,7 +154,7 @@ while True:
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_a_signal_to_us_is_passed_on(
+def test_signal_is_passed_on_to_the_program(
     number: int, add_program: Callable[..., Path], start_program: Callable[..., object]
 ) -> None:
     add_program("waits", WAITS_FOR_SIGNALS)
@@ -168,7 +168,7 @@ def test_a_signal_to_us_is_passed_on(
 IN_A_TERMINAL = "import pty, sys; pty.spawn(sys.argv[1:])"
 
 
-def test_a_ctrl_c_at_the_terminal_reaches_the_program_once(
+def test_ctrl_c_at_the_terminal_reaches_the_program_once(
     add_program: Callable[..., Path], start_program: Callable[..., object]
 ) -> None:
     add_program("waits", f"import os; print(os.getppid(), flush=True)\n{WAITS_FOR_SIGNALS}")
@@ -186,7 +186,7 @@ def test_a_ctrl_c_at_the_terminal_reaches_the_program_once(
     terminal.process.stdin.write("\x03")
     terminal.process.stdin.flush()
     terminal.wait_for("got SIGINT")
-    # Passed on after the grace, in which a second SIGINT would have been passed on.
+    # Passed on after the grace period, within which a second SIGINT would have been passed on.
     os.kill(int(terminal.lines[0]), signal.SIGTERM)
     terminal.wait_for("got SIGTERM")
     assert terminal.output.count("got SIGINT") == 1
@@ -194,7 +194,7 @@ def test_a_ctrl_c_at_the_terminal_reaches_the_program_once(
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux ends a child with its parent")
-def test_when_we_are_killed_the_program_is_too(
+def test_kill_of_the_command_kills_the_program(
     add_program: Callable[..., Path], start_program: Callable[..., object], wait_until: Callable[..., None]
 ) -> None:
     add_program("waits", f"import os; print(os.getpid(), flush=True)\n{WAITS_FOR_SIGNALS}")
@@ -216,7 +216,7 @@ def test_when_we_are_killed_the_program_is_too(
         ("sys.exit('what went wrong')", 1, "what went wrong\n[ros2run]: Process exited with failure 1\n"),
     ],
 )
-def test_how_our_own_programs_end(
+def test_exit_codes_of_own_programs(
     code: str,
     exit_code: int,
     printed: str,
@@ -240,13 +240,13 @@ def test_how_our_own_programs_end(
 @pytest.mark.parametrize(
     "target", sorted({target for programs in index.PROGRAMS.values() for target in programs.values()})
 )
-def test_each_of_our_programs_is_there(target: str) -> None:
+def test_each_own_program_exists(target: str) -> None:
     module, _, function = target.partition(":")
     assert callable(getattr(import_module(module), function))
 
 
 @pytest.mark.parametrize("package", index.PROGRAMS)
-def test_our_programs_are_in_order(package: str) -> None:
+def test_own_programs_are_sorted(package: str) -> None:
     assert list(index.PROGRAMS[package]) == sorted(index.PROGRAMS[package])
 
 
@@ -259,7 +259,7 @@ def test_our_programs_are_in_order(package: str) -> None:
         (["--params-file", "no.yaml"], "turtlesim_node: Failed to parse ROS arguments: cannot understand"),
     ],
 )
-def test_arguments_that_a_program_cannot_use_are_told_in_a_sentence(
+def test_invalid_program_arguments_give_an_error_message(
     words: list[str], text: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
@@ -271,12 +271,12 @@ def test_arguments_that_a_program_cannot_use_are_told_in_a_sentence(
     assert "Traceback" not in answer.text
 
 
-def test_bytes_that_are_no_text_are_refused() -> None:
+def test_undecodable_arguments_are_rejected() -> None:
     answer = transcript.run("run", "tf2_ros", "tf2_echo", os.fsdecode(b"\xff"), "b")
     assert answer.exit_code == 1
     assert answer.text == "the argument b'\\xff' isn't text in this terminal's encoding"
 
 
-def test_a_prefix_with_an_open_quotation_is_refused() -> None:
+def test_prefix_with_an_open_quotation_is_rejected() -> None:
     answer = transcript.run("run", "--prefix", '"', "turtlesim", "turtlesim_node")
     assert (answer.exit_code, answer.text) == (1, "can't read --prefix '\"': No closing quotation")

@@ -1,4 +1,4 @@
-"""The verbs about services and nodes, asked of a real server over DDS."""
+"""The verbs about services and nodes, with a real server over DDS."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ def server(module_domain_id: int, start_module_program: Callable[..., object]) -
 
 @pytest.fixture
 def server_to_change(domain_id: int, start_program: Callable[..., object]) -> None:
-    """Start another server, on a domain of the test's own."""
+    """Start another server, on a separate domain."""
     start_program("python", A_SERVER).wait_for("ready")
 
 
 @pytest.mark.usefixtures("server_to_change")
-def test_calls_print_as_recorded() -> None:
+def test_call_output_matches_the_recording() -> None:
     for name in ("service_call", "service_call_again", "service_call_empty"):
         recorded = transcript.golden(name)
         answer = transcript.run(*recorded.command)
@@ -38,9 +38,9 @@ def test_calls_print_as_recorded() -> None:
 
 
 @pytest.mark.parametrize("name", ["service_info", "service_find", "service_type"])
-def test_answers_are_as_recorded(name: str) -> None:
+def test_answers_match_the_recording(name: str) -> None:
     recorded = transcript.golden(name)
-    if recorded.exit_code == 2:  # Recorded with a flag that these verbs don't take.
+    if recorded.exit_code == 2:  # Recorded with a flag that these verbs don't have.
         with_flag = transcript.run(*recorded.command, "--no-daemon")
         assert with_flag == ([*recorded.command, "--no-daemon"], recorded.text, 2)
         answer = transcript.run(*recorded.command)
@@ -49,7 +49,7 @@ def test_answers_are_as_recorded(name: str) -> None:
         assert transcript.run(*recorded.command) == recorded
 
 
-def test_the_list() -> None:
+def test_list_prints_all() -> None:
     listed = transcript.run("service", "list", "-t").text.splitlines()
     recorded = transcript.golden("service_list_t").text.splitlines()
     ours = [line for line in listed if "/turtlesim/" not in line and "reset" not in line]
@@ -60,7 +60,7 @@ def test_the_list() -> None:
     assert names == [line.split()[0] for line in listed]
 
 
-def test_a_node_in_detail() -> None:
+def test_node_info_prints_all_endpoints() -> None:
     answer = transcript.run("node", "info", "/turtlesim")
     sections = re.split(r"^  (?=\w)", answer.text, flags=re.MULTILINE)
     recorded = re.split(r"^  (?=\w)", transcript.golden("node_info").text, flags=re.MULTILINE)
@@ -72,13 +72,13 @@ def test_a_node_in_detail() -> None:
     assert as_json["service_servers"]["/clear"] == ["std_srvs/srv/Empty"]
 
 
-def test_a_node_that_is_not_there() -> None:
+def test_unknown_node_gives_an_error_message() -> None:
     recorded = transcript.golden("node_info_bad")
     assert transcript.run(*recorded.command) == recorded
     assert transcript.run("node", "info", "/turtlesin").text.endswith("\ndid you mean /turtlesim?")
 
 
-def test_mistakes_are_told() -> None:
+def test_invalid_arguments_give_an_error_message() -> None:
     assert transcript.run("service", "type", "/spwn").text == "Unknown service '/spwn'\ndid you mean /spawn?"
     wrong_type = transcript.run("service", "call", "/spawn", "turtlesim/srv/Spwn")
     assert wrong_type.text.startswith("The passed service type is invalid\n")
@@ -90,11 +90,13 @@ def test_mistakes_are_told() -> None:
     nobody = transcript.run("service", "call", "--timeout", "0.5", "/reset", "std_srvs/srv/Empty")
     assert nobody.exit_code == 1
     assert (
-        nobody.text == "waiting for service to become available...\nnobody serves /reset: waited 0.5 s for it"
+        nobody.text == "waiting for service to become available...\nno server of /reset: waited 0.5 s for it"
     )
 
 
-def test_requests_come_from_the_input(server_to_change: None, start_program: Callable[..., object]) -> None:
+def test_requests_are_read_from_standard_input(
+    server_to_change: None, start_program: Callable[..., object]
+) -> None:
     program = start_program(
         "tfloom", "service", "call", "--stdin", "/spawn", "turtlesim/srv/Spawn", stdin=subprocess.PIPE
     )
@@ -104,7 +106,7 @@ def test_requests_come_from_the_input(server_to_change: None, start_program: Cal
     assert re.findall(r"Spawn_Response\(name='(\w+)'\)", program.output) == ["a", "b"]
 
 
-def test_a_rate_calls_again(start_program: Callable[..., object]) -> None:
+def test_rate_repeats_the_call(start_program: Callable[..., object]) -> None:
     program = start_program("tfloom", "service", "call", "-r", "20", "/clear", "std_srvs/srv/Empty")
     program.wait_for("response:")
     program.signal(2)
@@ -112,13 +114,13 @@ def test_a_rate_calls_again(start_program: Callable[..., object]) -> None:
     assert "Traceback" not in program.output
 
 
-def test_a_services_events(start_program: Callable[..., object]) -> None:
+def test_service_events_are_printed(start_program: Callable[..., object]) -> None:
     echo = start_program("tfloom", "service", "echo", "/spawn", "--flow-style")
     as_json = start_program("tfloom", "service", "echo", "/spawn", "--json")
 
     def call_until_heard(program: object, *texts: str) -> None:
-        for _ in range(150):  # The graph must be still for a moment, and each call moves it.
-            # A name is given to one turtle only.
+        for _ in range(150):  # The graph must be unchanged for a short time, and each call changes it.
+            # Each name is accepted for one turtle only.
             name = f"heard_{next(numbers)}"
             words = ("service", "call", "/spawn", "turtlesim/srv/Spawn", f"{{x: 2.0, name: {name}}}")
             assert transcript.run(*words).exit_code == 0
@@ -134,19 +136,19 @@ def test_a_services_events(start_program: Callable[..., object]) -> None:
     call_until_heard(as_json, '"response": [{"name": "NAME"}]')
 
 
-def test_events_of_a_service_that_nobody_has() -> None:
+def test_echo_of_an_unknown_service_needs_a_type() -> None:
     answer = transcript.run("service", "echo", "/nope")
     assert (answer.exit_code, answer.text) == (
         1,
-        "Could not determine the type of service '/nope': nobody has it; name its type",
+        "Could not determine the type of service '/nope': it isn't on the graph; pass its type",
     )
 
 
-def test_a_misspelt_service_names_the_nearest_while_it_is_waited_for(
+def test_waiting_for_a_misspelt_service_gives_the_nearest(
     start_program: Callable[..., object],
 ) -> None:
     words = ("service", "call", "/spwn", "turtlesim/srv/Spawn")
     quick = {"tfloom.cli.calls.HINT_S": 1.0}
     call = start_program("python", *transcript.python_words(*words, constants=quick))
     call.wait_for("did you mean /spawn?")
-    assert call.lines[:2] == ["waiting for service to become available...", "nobody serves /spwn yet"]
+    assert call.lines[:2] == ["waiting for service to become available...", "no server of /spwn yet"]

@@ -1,4 +1,4 @@
-"""A node that doesn't answer: the others do, and the user is told what is waited for."""
+"""A node without responses: the verbs report it, and list the responses of the other nodes."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ HERE = Path(__file__).parent
 QUICK = {"tfloom.cli.param.common.TIMEOUT_S": 2.0, "tfloom.cli.lifecycle.common.TIMEOUT_S": 2.5}
 
 
-def test_how_long_users_wait() -> None:
+def test_default_waits_have_their_values() -> None:
     assert (param_common.TIMEOUT_S, lifecycle_common.TIMEOUT_S) == (5.0, 10.0)
 
 
@@ -30,35 +30,38 @@ def silent_node(domain_id: int, start_program: Callable[..., Program]) -> None:
 
 
 @pytest.mark.usefixtures("silent_node")
-def test_lists_hold_those_that_answer(start_program: Callable[..., Program]) -> None:
+def test_lists_contain_the_nodes_that_respond(start_program: Callable[..., Program]) -> None:
     start_program("python", HERE / "a_lifecycle_node.py").wait_for("ready")
     parameters = transcript.run("param", "list", "--filter", "use_sim_time", constants=QUICK)
     assert parameters.text.splitlines() == [
-        "/a_silent_node/list_parameters didn't answer within 2 s",
+        "no response from /a_silent_node/list_parameters within 2 s",
         "/a_node:",
         "  use_sim_time",
     ]
     states = transcript.run("lifecycle", "get", constants=QUICK)
     assert states.text.splitlines() == [
-        "/a_silent_node/get_state didn't answer within 2.5 s",
+        "no response from /a_silent_node/get_state within 2.5 s",
         "/a_node: unconfigured [1]",
     ]
     assert parameters.exit_code == states.exit_code == 0
 
 
 @pytest.mark.usefixtures("silent_node")
-def test_nobody_answers() -> None:
+def test_no_response_gives_an_error_message() -> None:
     answer = transcript.run("param", "list", constants=QUICK)
-    assert (answer.text, answer.exit_code) == ("/a_silent_node/list_parameters didn't answer within 2 s", 1)
+    assert (answer.text, answer.exit_code) == (
+        "no response from /a_silent_node/list_parameters within 2 s",
+        1,
+    )
 
 
 @pytest.mark.usefixtures("silent_node")
 @pytest.mark.skipif(os.name != "posix", reason="needs a pseudo-terminal")
-def test_a_terminal_sees_what_is_waited_for(start_program: Callable[..., Program]) -> None:
+def test_terminal_gets_a_message_about_the_wait(start_program: Callable[..., Program]) -> None:
     words = ("service", "call", "--timeout", "1.2", "/silence", "std_srvs/srv/Empty")
     piped = transcript.run(*words).text
     assert "to answer" not in piped
     command = [str(transcript.PROGRAM), *words]
     shown = start_program("python", "-c", f"import pty; pty.spawn({command})")
-    shown.wait_for("waiting for /silence to answer")
-    shown.wait_for("/silence didn't answer within 1.2 s")
+    shown.wait_for("waiting for a response from /silence")
+    shown.wait_for("no response from /silence within 1.2 s")

@@ -1,4 +1,4 @@
-"""`topic echo` hears what `topic pub` says, process to process over DDS, and prints it as recorded."""
+"""`topic echo` prints the messages of `topic pub`, process to process over DDS, as recorded."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ TRANSIENT = ("--qos-durability", "transient_local")
 def publish_with(
     start_program: Callable[..., Program], topic: str, kind: str, values: str, *flags: str
 ) -> Program:
-    """Publish values on a topic from a process of its own, ten times a second."""
+    """Publish values on a topic from a separate process, ten times a second."""
     program = start_program("tfloom", "topic", "pub", "-r", "10", *flags, topic, kind, values)
     program.wait_for("publishing #1")
     return program
@@ -43,25 +43,25 @@ def publish_with(
 
 @pytest.fixture
 def publish(domain_id: int, start_program: Callable[..., Program]) -> Callable[..., Program]:
-    """Publish on a domain of the test's own: `publish(topic, kind, values, *flags)`."""
+    """Publish on a separate domain: `publish(topic, kind, values, *flags)`."""
     return partial(publish_with, start_program)
 
 
 @pytest.fixture(scope="module")
 def pose(module_domain_id: int, start_module_program: Callable[..., Program]) -> None:
-    """Have POSE published."""
+    """Publish POSE during the test."""
     publish_with(start_module_program, "/turtle1/pose", "turtlesim/msg/Pose", POSE)
 
 
 @pytest.fixture(scope="module")
 def camera(module_domain_id: int, start_module_program: Callable[..., Program]) -> None:
-    """Have CAMERA published, for late listeners too."""
+    """Publish CAMERA during the test, for late subscriptions too."""
     publish_with(start_module_program, "/tf_static", "tf2_msgs/msg/TFMessage", CAMERA, *TRANSIENT)
 
 
 @pytest.fixture(scope="module")
 def log(module_domain_id: int, start_module_program: Callable[..., Program]) -> None:
-    """Have LOG published."""
+    """Publish LOG during the test."""
     publish_with(start_module_program, "/rosout", "rcl_interfaces/msg/Log", LOG)
 
 
@@ -77,13 +77,13 @@ def log(module_domain_id: int, start_module_program: Callable[..., Program]) -> 
         "topic_echo_noarr",
     ],
 )
-def test_messages_print_as_recorded(name: str) -> None:
+def test_messages_match_the_recording(name: str) -> None:
     recorded = transcript.golden(name)
     assert transcript.run(*recorded.command) == recorded
 
 
 @pytest.mark.parametrize("name", ["topic_echo_bad", "topic_echo_badtype"])
-def test_mistakes_begin_as_recorded(name: str, domain_id: int, deviations: dict[str, dict[str, str]]) -> None:
+def test_errors_begin_as_recorded(name: str, domain_id: int, deviations: dict[str, dict[str, str]]) -> None:
     assert "cli-nearest-names" in deviations
     recorded = transcript.golden(name)
     answer = transcript.run(*recorded.command)
@@ -91,12 +91,12 @@ def test_mistakes_begin_as_recorded(name: str, domain_id: int, deviations: dict[
     assert answer.text.startswith(recorded.text)
 
 
-def test_a_misspelt_topic_or_type_names_the_nearest(pose: None) -> None:
+def test_misspelt_topic_or_type_gives_the_nearest(pose: None) -> None:
     assert transcript.run("topic", "echo", "/turtle/pose").text.endswith("\ndid you mean /turtle1/pose?")
     assert "turtlesim/msg/Pose" in transcript.run("topic", "echo", "/x", "turtlesim/msg/Poze").text
 
 
-def test_it_waits_for_a_topic_whose_type_is_given(
+def test_echo_with_a_type_waits_for_the_topic(
     domain_id: int, start_program: Callable[..., object], publish: Callable[..., object]
 ) -> None:
     echo = start_program("tfloom", "topic", "echo", "--once", "/tf_static", "tf2_msgs/msg/TFMessage")
@@ -117,7 +117,7 @@ def test_it_waits_for_a_topic_whose_type_is_given(
     assert "frame_id: world" in echo.output
 
 
-def test_what_was_published_before_is_heard_from_every_transient_publisher(
+def test_earlier_messages_of_all_transient_publishers_are_received(
     publish: Callable[..., object],
 ) -> None:
     flags = (*TRANSIENT, "--times", "1", "-w", "0", "--keep-alive", "60")
@@ -131,7 +131,7 @@ def test_what_was_published_before_is_heard_from_every_transient_publisher(
     assert sorted(answer.text.splitlines()) == [str(number) for number in range(7)]
 
 
-def test_messages_are_chosen_by_a_filter(pose: None) -> None:
+def test_filter_selects_messages(pose: None) -> None:
     words = ("topic", "echo", "/turtle1/pose")
     assert transcript.run(*words, "--once", "--csv", "--filter", "m.x > 5").exit_code == 0
     assert transcript.run(*words, "--timeout", "0.5", "--filter", "m.x < 5").text == ""
@@ -146,7 +146,7 @@ def test_messages_are_chosen_by_a_filter(pose: None) -> None:
     assert transcript.run(*words, "--filter", "m.x >").text.startswith("--filter isn't a Python expression")
 
 
-def test_a_field_inside_an_array(camera: None) -> None:
+def test_field_path_with_an_index_selects_an_element(camera: None) -> None:
     words = ("topic", "echo", "--once", "/tf_static", "--field")
     assert transcript.run(*words, "transforms[0].transform.translation.z").text == "3.0\n---"
     assert (
@@ -160,20 +160,20 @@ def test_a_field_inside_an_array(camera: None) -> None:
     assert wrong.text.endswith("there are: stamp, frame_id")
 
 
-def test_forms_for_programs(camera: None) -> None:
+def test_csv_and_json_are_printed(camera: None) -> None:
     words = ("topic", "echo", "--once", "/tf_static")
     message = json.loads(transcript.run(*words, "--json").text)
     assert message["transforms"][0]["transform"]["translation"] == {"x": 1.0, "y": 2.0, "z": 3.0}
     assert transcript.run(*words, "--raw").text.startswith("b'\\x00\\x01\\x00\\x00\\x01\\x00\\x00\\x00")
 
 
-def test_no_message_in_time_is_told(domain_id: int) -> None:
+def test_timeout_without_message_gives_an_error_message(domain_id: int) -> None:
     answer = transcript.run("topic", "echo", "--once", "--timeout", "0.5", "/x", "std_msgs/msg/Empty")
     assert answer.exit_code == 1
     assert answer.text.endswith("no message on /x within 0.5 s")
 
 
-def test_arrays_and_strings_are_cut_where_asked(publish: Callable[..., object]) -> None:
+def test_arrays_and_strings_are_truncated_as_requested(publish: Callable[..., object]) -> None:
     values = f"{{data: {'x' * 200}}}"
     publish("/long", "std_msgs/msg/String", values)
     words = ("topic", "echo", "--once", "/long")
@@ -186,7 +186,7 @@ def test_arrays_and_strings_are_cut_where_asked(publish: Callable[..., object]) 
 INFO = ["publication_sequence_number", "received_timestamp", "reception_sequence_number", "source_timestamp"]
 
 
-def test_what_is_known_of_a_message_comes_before_it(pose: None) -> None:
+def test_message_info_is_printed_before_the_message(pose: None) -> None:
     words = ("topic", "echo", "--once", "--include-message-info", "/turtle1/pose")
     info, message, _ = transcript.run(*words).text.split("---")
     assert list(yaml.safe_load(info)) == INFO
@@ -199,7 +199,7 @@ def test_what_is_known_of_a_message_comes_before_it(pose: None) -> None:
     assert as_json["message"]["theta"] == 0.0
 
 
-def test_several_fields(camera: None, deviations: dict[str, dict[str, str]]) -> None:
+def test_several_fields_are_printed(camera: None, deviations: dict[str, dict[str, str]]) -> None:
     assert "echo-several-fields" in deviations
     words = ("topic", "echo", "--once", "/tf_static", "--field", "transforms[0].child_frame_id",
              "--field", "transforms[0].transform.translation")  # fmt: skip
@@ -214,13 +214,13 @@ def test_several_fields(camera: None, deviations: dict[str, dict[str, str]]) -> 
     }
 
 
-def test_a_filter_sees_the_field(pose: None) -> None:
+def test_filter_receives_the_selected_field(pose: None) -> None:
     words = ("topic", "echo", "/turtle1/pose", "--field", "x", "--filter")
     assert transcript.run(*words, "m > 5", "--once").text == "5.544444561004639\n---"
     assert transcript.run(*words, "m < 5", "--timeout", "0.5").text == ""
 
 
-def test_raw_bytes_go_through_a_filter_and_into_json(pose: None) -> None:
+def test_raw_bytes_work_with_filter_and_json(pose: None) -> None:
     words = ("topic", "echo", "/turtle1/pose", "--raw")
     assert transcript.run(*words, "--filter", "m.x < 5", "--timeout", "0.5").text == ""
     raw = bytes.fromhex(json.loads(transcript.run(*words, "--once", "--json").text))
@@ -232,13 +232,15 @@ def test_raw_bytes_go_through_a_filter_and_into_json(pose: None) -> None:
     )
 
 
-def test_what_is_no_field_is_none(pose: None) -> None:
+def test_unknown_field_is_rejected(pose: None) -> None:
     answer = transcript.run("topic", "echo", "--once", "/turtle1/pose", "--field", "__class__")
     assert answer.exit_code == 1
     assert answer.text.endswith("there are: x, y, theta, linear_velocity, angular_velocity")
 
 
-def test_the_end_of_timeout_comes_in_a_flood(domain_id: int, start_program: Callable[..., object]) -> None:
+def test_timeout_ends_during_a_flood_of_messages(
+    domain_id: int, start_program: Callable[..., object]
+) -> None:
     flood = start_program("tfloom", "topic", "pub", "-r", "1e9", "-p", "0", "/x", "std_msgs/msg/Empty")
     flood.wait_for("beginning")
     assert transcript.run("topic", "echo", "--timeout", "1", "/x", timeout_s=20).exit_code == 0
@@ -271,7 +273,7 @@ class LossyReader:
 
 
 @pytest.mark.parametrize("flags", [[], ["--no-lost-messages"]])
-def test_lost_messages_are_told(
+def test_lost_messages_are_reported(
     flags: list[str],
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
@@ -288,7 +290,7 @@ def test_lost_messages_are_told(
     assert told in err if not flags else err == ""
 
 
-def test_a_type_that_is_not_the_topics_is_told(pose: None) -> None:
+def test_mismatched_type_is_reported(pose: None) -> None:
     answer = transcript.run("topic", "echo", "/turtle1/pose", "std_msgs/msg/Empty", "--timeout", "1")
     assert answer.text == (
         "WARNING: /turtle1/pose is published as turtlesim/msg/Pose, not as std_msgs/msg/Empty"

@@ -1,4 +1,4 @@
-"""`topic pub`: what it prints, when it ends, and what it says about mistakes."""
+"""`topic pub`: its output, its end, and its error messages."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import transcript
 from tests.conftest import Program
 
 
-def test_once_waits_for_a_subscription_and_prints_as_recorded(
+def test_once_waits_for_a_subscription_and_matches_the_recording(
     domain_id: int, start_program: Callable[..., object]
 ) -> None:
     echo = start_program("tfloom", "topic", "echo", "--once", "/turtle1/cmd_vel", "geometry_msgs/msg/Twist")
@@ -22,13 +22,13 @@ def test_once_waits_for_a_subscription_and_prints_as_recorded(
     assert echo.lines[:2] == ["linear:", "  x: 0.5"]
 
 
-def test_times_prints_as_recorded(domain_id: int) -> None:
+def test_times_output_matches_the_recording(domain_id: int) -> None:
     recorded = transcript.golden("topic_pub_times")
     assert transcript.run(*recorded.command) == (recorded.command, recorded.text.rstrip("\n"), 0)
 
 
 @pytest.mark.parametrize("name", ["topic_pub_badfield", "topic_pub_badvalue", "topic_pub_badtype"])
-def test_mistakes_begin_as_recorded(name: str, domain_id: int, deviations: dict[str, dict[str, str]]) -> None:
+def test_errors_begin_as_recorded(name: str, domain_id: int, deviations: dict[str, dict[str, str]]) -> None:
     assert "cli-nearest-names" in deviations
     recorded = transcript.golden(name)
     answer = transcript.run(*recorded.command)
@@ -36,7 +36,7 @@ def test_mistakes_begin_as_recorded(name: str, domain_id: int, deviations: dict[
     assert answer.text.splitlines()[: recorded.text.count("\n") + 1] == recorded.text.splitlines()
 
 
-def test_a_field_that_is_not_there_names_those_that_are(domain_id: int) -> None:
+def test_unknown_field_lists_the_existing_fields(domain_id: int) -> None:
     answer = transcript.run("topic", "pub", "/x", "geometry_msgs/msg/Twist", "{linear: {q: 1}}")
     assert answer.text.endswith("\nVector3 has: x, y, z")
 
@@ -54,15 +54,15 @@ def test_a_field_that_is_not_there_names_those_that_are(domain_id: int) -> None:
         ("sensor_msgs/msg/JointState", "{name: [a, b], position: [1, b]}", "position[1]"),
     ],
 )
-def test_a_value_that_does_not_fit_names_its_field(
-    type_name: str, values: str, field: str, domain_id: int
-) -> None:
+def test_unfitting_value_names_its_field(type_name: str, values: str, field: str, domain_id: int) -> None:
     answer = transcript.run("topic", "pub", "/x", type_name, values)
     assert answer.exit_code == 1
     assert answer.text.splitlines()[1:] == [f"in the field {field}"]
 
 
-def test_mistaken_yaml_is_shown_at_its_place(domain_id: int, deviations: dict[str, dict[str, str]]) -> None:
+def test_malformed_yaml_is_shown_with_its_position(
+    domain_id: int, deviations: dict[str, dict[str, str]]
+) -> None:
     assert "cli-yaml-mistake" in deviations
     recorded = transcript.golden("topic_pub_badyaml")
     answer = transcript.run(*recorded.command)
@@ -74,19 +74,19 @@ def test_mistaken_yaml_is_shown_at_its_place(domain_id: int, deviations: dict[st
     )
 
 
-def test_a_value_that_is_no_mapping_is_told(domain_id: int) -> None:
+def test_value_that_is_not_a_mapping_is_rejected(domain_id: int) -> None:
     answer = transcript.run("topic", "pub", "/x", "std_msgs/msg/String", "hi")
     assert answer.exit_code == 1
     assert answer.text == "The passed value needs to be a dictionary in YAML format, not 'hi'"
 
 
-def test_a_rate_that_is_none_is_told(domain_id: int) -> None:
+def test_invalid_rate_is_rejected(domain_id: int) -> None:
     answer = transcript.run("topic", "pub", "-r", "0", "/x", "std_msgs/msg/String")
     assert (answer.exit_code, answer.text) == (1, "rate must be greater than zero")
 
 
 @pytest.mark.timing
-def test_the_rate_is_kept(domain_id: int, start_program: Callable[..., object]) -> None:
+def test_publishing_keeps_its_rate(domain_id: int, start_program: Callable[..., object]) -> None:
     start = time.monotonic()
     program = start_program(
         "tfloom", "topic", "pub", "-r", "50", "-t", "100", "-w", "0", "/x", "std_msgs/msg/Empty"
@@ -96,12 +96,12 @@ def test_the_rate_is_kept(domain_id: int, start_program: Callable[..., object]) 
     assert program.output.count("publishing #") == 100
 
 
-def test_each_nth_is_printed(domain_id: int) -> None:
+def test_every_nth_message_is_printed(domain_id: int) -> None:
     words = ("topic", "pub", "-t", "6", "-r", "100", "-w", "0", "-p", "3", "/x", "std_msgs/msg/Empty")
     assert re.findall(r"#(\d+)", transcript.run(*words).text) == ["3", "6"]
 
 
-def test_headers_and_times_are_of_now(domain_id: int) -> None:
+def test_auto_headers_and_now_times_have_the_present_time(domain_id: int) -> None:
     now = int(time.time())
     words = ("topic", "pub", "-t", "1", "-w", "0", "/x", "geometry_msgs/msg/PointStamped", "{header: auto}")
     stamped = re.search(r"Time\(sec=(\d+), nanosec=", transcript.run(*words).text)
@@ -111,7 +111,7 @@ def test_headers_and_times_are_of_now(domain_id: int) -> None:
     assert transcript.run(*words).exit_code == 1
 
 
-def test_values_come_from_the_input(domain_id: int, start_program: Callable[..., object]) -> None:
+def test_values_are_read_from_standard_input(domain_id: int, start_program: Callable[..., object]) -> None:
     import subprocess
 
     program = start_program(
@@ -123,7 +123,7 @@ def test_values_come_from_the_input(domain_id: int, start_program: Callable[...,
     assert re.findall(r"data='(\w+)'", program.output) == ["one", "two"]
 
 
-def test_waiting_for_too_long_is_told(domain_id: int) -> None:
+def test_too_long_a_wait_is_reported(domain_id: int) -> None:
     answer = transcript.run("topic", "pub", "-1", "--max-wait-time-secs", "1.2", "/x", "std_msgs/msg/Empty")
     assert answer.exit_code == 1
     assert answer.text == (
@@ -132,12 +132,12 @@ def test_waiting_for_too_long_is_told(domain_id: int) -> None:
     )
 
 
-def test_a_name_for_the_node(domain_id: int, start_program: Callable[..., object]) -> None:
+def test_node_name_can_be_set(domain_id: int, start_program: Callable[..., object]) -> None:
     start_program("tfloom", "topic", "pub", "-n", "my_node", "/x", "std_msgs/msg/Empty").wait_for("#1")
     assert transcript.run("node", "list").text == "/my_node"
 
 
-def test_ends_that_do_not_meet_are_told_why_on_both_sides(
+def test_incompatible_endpoints_are_reported_on_both_sides(
     domain_id: int, start_program: Callable[..., Program]
 ) -> None:
     echo = start_program(
@@ -158,7 +158,7 @@ def test_ends_that_do_not_meet_are_told_why_on_both_sides(
 
 
 @pytest.mark.parametrize("name", ["a b", "", "1st"])
-def test_a_node_name_that_is_none_is_refused(name: str) -> None:
+def test_invalid_node_name_is_rejected(name: str) -> None:
     answer = transcript.run("topic", "pub", "-n", name, "/x", "std_msgs/msg/String")
     assert answer.exit_code == 1
     assert answer.text.startswith("Invalid node name: ")
@@ -170,7 +170,7 @@ def test_a_node_name_that_is_none_is_refused(name: str) -> None:
         (
             "/turtle1/cmdvel",
             "geometry_msgs/msg/Twist",
-            ["nobody subscribes to /turtle1/cmdvel yet", "did you mean /turtle1/cmd_vel?"],
+            ["no subscription of /turtle1/cmdvel yet", "did you mean /turtle1/cmd_vel?"],
         ),
         (
             "/turtle1/cmd_vel",
@@ -179,7 +179,7 @@ def test_a_node_name_that_is_none_is_refused(name: str) -> None:
         ),
     ],
 )
-def test_why_nobody_listens_is_told(
+def test_reason_for_missing_subscriptions_is_printed(
     name: str,
     type_name: str,
     said: list[str],
@@ -199,7 +199,7 @@ def test_why_nobody_listens_is_told(
     assert [line for line in program.lines if not line.startswith("Waiting for at least")] == said
 
 
-def test_a_rate_prints_as_recorded(domain_id: int, start_program: Callable[..., Program]) -> None:
+def test_rate_output_matches_the_recording(domain_id: int, start_program: Callable[..., Program]) -> None:
     recorded = transcript.golden("topic_pub_rate")
     program = start_program("tfloom", *recorded.command)
     program.wait_for("publishing #5")

@@ -14,7 +14,7 @@ from tfloom.cli.topic import bw, rates
 QUICK = {"tfloom.cli.topic.rates.REPORT_S": 0.4, "tfloom.cli.sim_time.PATIENCE_S": 0.4}
 
 
-def test_how_often_users_have_a_report() -> None:
+def test_report_period_has_its_default() -> None:
     assert rates.REPORT_S == 1.0
 
 
@@ -31,7 +31,7 @@ def listen(domain_id: int, start_program: Callable[..., Program]) -> Callable[..
 
 
 @pytest.mark.timing
-def test_hz_has_the_recorded_form(listen: Callable[..., object]) -> None:
+def test_hz_output_matches_the_recording(listen: Callable[..., object]) -> None:
     program = listen("hz")
     recorded = transcript.golden("topic_hz").text.splitlines()[:2]
     program.wait_for("window: ")
@@ -41,11 +41,11 @@ def test_hz_has_the_recorded_form(listen: Callable[..., object]) -> None:
     assert 40 < float(program.lines[0].split()[-1]) < 60
 
 
-def test_hz_counts_what_a_filter_lets_through(listen: Callable[..., object]) -> None:
+def test_hz_counts_filtered_messages(listen: Callable[..., object]) -> None:
     listen("hz", "--filter", "m.frame_id == 'none'").wait_for("no new messages")
 
 
-def test_bw_has_the_recorded_form(listen: Callable[..., object]) -> None:
+def test_bw_output_matches_the_recording(listen: Callable[..., object]) -> None:
     program = listen("bw", kind="turtlesim/msg/Pose")
     recorded = transcript.golden("topic_bw").text.splitlines()
     program.wait_for("Message size")
@@ -58,7 +58,7 @@ def test_bw_has_the_recorded_form(listen: Callable[..., object]) -> None:
     assert float(size[1]) == 0.02
 
 
-def test_delay_measures_from_the_headers_stamp(listen: Callable[..., object]) -> None:
+def test_delay_is_measured_from_the_header_stamp(listen: Callable[..., object]) -> None:
     program = listen("delay", kind="geometry_msgs/msg/PointStamped", values="{header: auto}")
     program.wait_for("window: ")
     assert 0 <= float(program.lines[0].removeprefix("average delay: ")) < 0.5
@@ -71,9 +71,7 @@ def test_delay_needs_a_header(domain_id: int, listen: Callable[..., object]) -> 
     assert program.output == recorded.text
 
 
-def test_a_topic_that_is_not_there_yet_is_waited_for(
-    domain_id: int, start_program: Callable[..., object]
-) -> None:
+def test_verb_waits_for_a_missing_topic(domain_id: int, start_program: Callable[..., object]) -> None:
     program = start_program("python", *transcript.python_words("topic", "hz", "/late", constants=QUICK))
     program.wait_for("WARNING: topic [/late] does not appear to be published yet")
     start_program("tfloom", "topic", "pub", "-r", "50", "/late", "std_msgs/msg/Empty")
@@ -88,17 +86,17 @@ def test_a_topic_that_is_not_there_yet_is_waited_for(
         ([1e6, 3e6], 2.0, "2.00 MB/s from 2 messages"),
     ],
 )
-def test_the_unit_follows_the_rate(sizes: list[float], duration_s: float, first: str) -> None:
+def test_unit_depends_on_the_rate(sizes: list[float], duration_s: float, first: str) -> None:
     assert bw.bandwidth_text(sizes, duration_s).splitlines()[0] == first
 
 
-def test_spread() -> None:
+def test_spread_of_values() -> None:
     assert rates.spread([1.0, 3.0]) == (2.0, 1.0, 3.0, 1.0)
 
 
 @pytest.fixture
 def simulated_time(domain_id: int, start_program: Callable[..., object]) -> int:
-    """Let /clock stand at 5000 s."""
+    """Publish the constant time 5000 s on /clock."""
     values = "{clock: {sec: 5000}}"
     clock = start_program("tfloom", "topic", "pub", "-r", "50", "/clock", "rosgraph_msgs/msg/Clock", values)
     clock.wait_for("beginning")
@@ -120,7 +118,7 @@ def test_delay_measures_by_simulated_time(simulated_time: int, listen: Callable[
     assert program.lines[0] == "average delay: 10.000"
 
 
-def test_hz_counts_by_simulated_time_unless_told_else(
+def test_hz_uses_simulated_time_unless_wall_time_is_requested(
     simulated_time: int, listen: Callable[..., object]
 ) -> None:
     listen("hz", "-s").wait_for("average rate: inf")
@@ -129,7 +127,7 @@ def test_hz_counts_by_simulated_time_unless_told_else(
     assert "inf" not in wall.lines[0]
 
 
-def test_simulated_time_that_nobody_tells_is_waited_for(
+def test_verb_waits_for_missing_simulated_time(
     domain_id: int, start_program: Callable[..., object], listen: Callable[..., object]
 ) -> None:
     listen("hz", "-s").wait_for("waiting for the time on /clock")

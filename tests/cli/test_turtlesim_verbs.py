@@ -1,4 +1,4 @@
-"""What the recorded commands asked of turtlesim, asked of ours over DDS."""
+"""The recorded commands about turtlesim, run with tfloom's turtlesim over DDS."""
 
 from __future__ import annotations
 
@@ -19,25 +19,25 @@ def turtlesim_to_ask(module_domain_id: int, start_module_program: Callable[..., 
 
 @pytest.fixture
 def turtlesim(domain_id: int, start_program: Callable[..., object]) -> object:
-    """Start another turtlesim, on a domain of the test's own."""
+    """Start another turtlesim, on a separate domain."""
     program = start_program(*TURTLESIM)
     program.wait_for(SPAWNED)
     return program
 
 
-def test_the_node_in_detail() -> None:
+def test_node_info_of_turtlesim() -> None:
     recorded = transcript.golden("node_info")
     answer = transcript.run(*recorded.command)
     assert (answer.text, answer.exit_code) == (recorded.text.rstrip("\n"), recorded.exit_code)
 
 
-def test_its_services() -> None:
+def test_services_of_turtlesim() -> None:
     recorded = transcript.golden("service_list_t")
     its_own = [line for line in recorded.text.splitlines() if not re.match("/(static|talker)", line)]
     assert transcript.run(*recorded.command).text.splitlines() == its_own
 
 
-def test_calls_print_as_recorded(turtlesim: object) -> None:
+def test_call_output_matches_the_recording(turtlesim: object) -> None:
     for name in ("service_call", "service_call_again", "service_call_empty"):
         recorded = transcript.golden(name)
         answer = transcript.run(*recorded.command)
@@ -52,7 +52,7 @@ def test_calls_print_as_recorded(turtlesim: object) -> None:
 
 
 @pytest.mark.parametrize("name", ["action_info", "action_type"])
-def test_its_action(name: str) -> None:
+def test_action_of_turtlesim(name: str) -> None:
     recorded = transcript.golden(name)
     assert transcript.run(*recorded.command) == recorded
 
@@ -61,7 +61,7 @@ def masked(text: str) -> str:
     return transcript.mask(re.sub(r"ID: [0-9a-f]{32}", "ID: #", text))
 
 
-def test_a_goal_turns_the_turtle(turtlesim: object) -> None:
+def test_goal_turns_the_turtle(turtlesim: object) -> None:
     recorded = transcript.golden("action_send_goal")
     answer = transcript.run(*recorded.command)
     assert (masked(answer.text), answer.exit_code) == (masked(recorded.text), 0)

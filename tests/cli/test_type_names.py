@@ -1,4 +1,4 @@
-"""The types that a mistyped name may have meant."""
+"""Suggestions for a mistyped type name."""
 
 from __future__ import annotations
 
@@ -26,16 +26,16 @@ from tfloom.workspace.interfaces import known_interfaces
         ("RotateAbsolut", "action", "turtlesim/action/RotateAbsolute"),
     ],
 )
-def test_the_nearest_comes_first(name: str, kind: str, first: str) -> None:
+def test_nearest_type_is_first(name: str, kind: str, first: str) -> None:
     assert nearest_types(name, known_interfaces(kind))[0] == first
 
 
 @pytest.mark.parametrize("name", ["no_such/msg/Type", "tf", "", "/"])
-def test_what_is_far_from_all_is_not_guessed(name: str) -> None:
+def test_distant_names_have_no_suggestion(name: str) -> None:
     assert did_you_mean_type(name, "srv") == ""
 
 
-def test_what_is_live_comes_before_what_is_familiar() -> None:
+def test_live_types_precede_familiar_ones() -> None:
     assert did_you_mean_type("Pose", "msg", {"turtlesim/msg/Pose"}).startswith(
         "\ndid you mean turtlesim/msg/Pose, geometry_msgs/msg/Pose or "
     )
@@ -50,7 +50,7 @@ def test_what_is_live_comes_before_what_is_familiar() -> None:
         (("service", "call", "/s", "Emty"), "std_srvs/srv/Empty"),
     ],
 )
-def test_the_graph_is_asked(
+def test_types_on_the_graph_are_suggested(
     words: tuple[str, ...], meant: str, domain_id: int, start_program: Callable[..., object]
 ) -> None:
     start_program("tfloom", "topic", "pub", "/other", "example_interfaces/msg/String").wait_for("#1")

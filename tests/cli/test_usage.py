@@ -1,4 +1,4 @@
-"""Each flag that ros2's verbs take is taken here, too."""
+"""Each flag of ros2's verbs is accepted here, too."""
 
 from __future__ import annotations
 
@@ -37,12 +37,12 @@ VERBS = parsers(build_parser("ros2", COMMANDS))
 RECORDED = [verb for verb in USAGES if verb in VERBS and USAGES[verb]]
 
 
-def test_each_verb_of_ros2_is_here_or_has_its_reason() -> None:
+def test_each_ros2_verb_exists_or_has_a_stated_reason() -> None:
     assert set(USAGES) - set(VERBS) == set(NOT_HERE)
 
 
 @pytest.mark.parametrize("verb", RECORDED)
-def test_each_flag_of_ros2_is_taken(verb: str) -> None:
+def test_each_ros2_flag_is_accepted(verb: str) -> None:
     usage = USAGES[verb]
     assert usage is not None
     flags = set(re.findall(r"(?<![\w-])--?[a-zA-Z][\w-]*", usage))
@@ -50,10 +50,10 @@ def test_each_flag_of_ros2_is_taken(verb: str) -> None:
 
 
 @pytest.mark.parametrize("verb", RECORDED)
-def test_each_argument_is_taken_in_its_place(verb: str) -> None:
+def test_each_positional_argument_is_accepted(verb: str) -> None:
     usage = USAGES[verb]
     assert usage is not None
-    usage = usage.split(" Call `")[0]  # The slot of words that may follow.
+    usage = usage.split(" Call `")[0]  # The placeholder of the following words.
     positional = re.sub(r"\[-[^\]]*\]|^ros2 ", "", usage).removeprefix(verb).split()
     ours = VERBS[verb].format_usage().removeprefix(f"usage: ros2 {verb}").split()
     names = [word for word in positional if re.fullmatch(r"\[?\w+\]?", word)]
@@ -62,7 +62,7 @@ def test_each_argument_is_taken_in_its_place(verb: str) -> None:
 
 
 @pytest.mark.parametrize("verb", VERBS)
-def test_each_argument_is_explained(verb: str) -> None:
+def test_each_argument_has_help(verb: str) -> None:
     for action in VERBS[verb]._actions:
         assert action.help, f"{verb}: {action.dest} has no help"
     assert VERBS[verb].description

@@ -1,4 +1,4 @@
-"""Recorded answers of the reference's commands, and ours to compare with them."""
+"""Recorded output of the reference's commands, and tfloom's to compare with it."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def golden(name: str) -> Transcript:
 
 
 def python_words(*words: str, constants: Mapping[str, float] = NO_CONSTANTS) -> list[str | Path]:
-    """Return Python's words by which it runs the command with ros2's name, as `python_with` does."""
+    """Return the Python command line that runs the command under ros2's name; see `python_with`."""
     return python_with(constants, "from tfloom.cli.main import main; sys.exit(main(prog='ros2'))", *words)
 
 
@@ -47,9 +47,9 @@ def run(
     timeout_s: float = 60.0,
     constants: Mapping[str, float] = NO_CONSTANTS,
 ) -> Transcript:
-    """Run the command with ros2's name and return what it printed on both streams together.
+    """Run the command under ros2's name and return its output on both streams together.
 
-    `constants` as `python_with` takes them.
+    `constants` as for `python_with`.
     """
     result = subprocess.run(
         [sys.executable, *python_words(*words, constants=constants)],
@@ -65,10 +65,10 @@ def run(
 
 
 def without_waiting(text: str) -> str:
-    """Leave out what a call says when it waits longer than a second, as it may on a busy machine."""
+    """Remove the message of a call that waits longer than a second, as it may on a busy machine."""
     return text.removeprefix("waiting for service to become available...\n")
 
 
 def mask(text: str) -> str:
-    """Put `#` for each number."""
+    """Replace each number with `#`."""
     return re.sub(r"-?\d+(\.\d+)?(e[-+]?\d+)?", "#", text)

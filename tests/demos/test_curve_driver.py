@@ -1,4 +1,4 @@
-"""The driver keeps a simulated turtle on its figure."""
+"""The driver and a simulated turtle: the turtle stays on the figure."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from tfloom.demos.turtle_tf2_py.curve_driver import CENTRE_M, LEAD_S, PERIOD_S, 
 from tfloom.turtlesim.world import STEP_S, WallHit, World
 
 
-def test_the_figure_is_closed_and_inside_the_world() -> None:
+def test_figure_is_closed_and_inside_the_world() -> None:
     assert figure(0.0) == (CENTRE_M, CENTRE_M)
     assert figure(PERIOD_S) == pytest.approx(figure(0.0))
     for i in range(1000):
         assert all(0.9 < number < 10.2 for number in figure(i * PERIOD_S / 1000))
 
 
-def test_the_turtle_stays_on_it() -> None:
+def test_turtle_stays_on_the_figure() -> None:
     world = World()
     turtle = world.turtles["turtle1"]
     worst = 0.0

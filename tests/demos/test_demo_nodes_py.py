@@ -1,4 +1,4 @@
-"""The programs of demo_nodes_py as processes over DDS, against what the reference's print."""
+"""The programs of demo_nodes_py as processes over DDS, against the reference's output."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def start(start_program: Start, domain_id: int) -> Start:
 
 
 def main_of(name: str) -> str:
-    """Return the code that runs a program in Python."""
+    """Return the Python code that runs a program."""
     return f"from tfloom.demos.demo_nodes_py.{name} import main; sys.exit(main(sys.argv[1:]))"
 
 
@@ -47,12 +47,12 @@ def masked(lines: list[str]) -> list[str]:
 
 
 def said(lines: list[str], node: str) -> list[str]:
-    """What one node has logged, without stamps."""
+    """Return the log of one node, without stamps."""
     return [line.split(f"[{node}]: ", 1)[1] for line in lines if f"[{node}]: " in line]
 
 
 def end(*programs: Program, number: int = signal.SIGINT) -> None:
-    """Stop programs, and see that they end well and say nothing of it."""
+    """Stop programs, and check that they end with 0 and without a traceback."""
     for program in programs:
         program.signal(number)
     for program in programs:
@@ -60,13 +60,13 @@ def end(*programs: Program, number: int = signal.SIGINT) -> None:
         assert "Traceback" not in program.output
 
 
-def test_they_are_listed(start_program: Start) -> None:
+def test_programs_are_listed(start_program: Start) -> None:
     listed = start_program("tfloom", "pkg", "executables", "demo_nodes_py")
     assert listed.wait() == 0
     assert listed.lines == [f"demo_nodes_py {name}" for name in NAMES]
 
 
-def test_a_talker_is_heard(start: Start, start_quick: Start) -> None:
+def test_listener_logs_the_messages_of_the_talker(start: Start, start_quick: Start) -> None:
     listeners = [start(name) for name in ("listener", "listener_qos", "listener_serialized")]
     talker = start_quick("talker", {"PERIOD_S": 0.3})
     golden = (GOLDEN / "talker_log.txt").read_text().splitlines()[1:-1]
@@ -83,7 +83,7 @@ def test_a_talker_is_heard(start: Start, start_quick: Start) -> None:
     end(serialized, number=signal.SIGTERM)
 
 
-def test_a_reliable_talker_that_ends_by_itself(start: Start, start_quick: Start) -> None:
+def test_reliable_talker_ends_after_its_messages(start: Start, start_quick: Start) -> None:
     listener = start("listener_qos", "--reliable", "-n", "1")
     listener.wait_for("Reliable listener")
     talker = start_quick("talker_qos", {"PERIOD_S": 0.4}, "--reliable", "--number_of_cycles", "2")
@@ -98,7 +98,7 @@ def test_a_reliable_talker_that_ends_by_itself(start: Start, start_quick: Start)
 
 
 @pytest.mark.parametrize("name", ["add_two_ints_client", "add_two_ints_client_async"])
-def test_two_and_three(start: Start, name: str) -> None:
+def test_clients_log_the_sum_of_two_and_three(start: Start, name: str) -> None:
     client = start(name)
     client.wait_for("service not available, waiting again...")
     server = start("add_two_ints_server")
@@ -110,13 +110,13 @@ def test_two_and_three(start: Start, name: str) -> None:
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_a_client_in_vain_can_be_stopped(start: Start, number: int) -> None:
+def test_client_without_server_can_be_stopped(start: Start, number: int) -> None:
     client = start("add_two_ints_client")
     client.wait_for("service not available, waiting again...")
     end(client, number=number)
 
 
-def test_events_of_company(start: Start) -> None:
+def test_matched_events_are_logged(start: Start) -> None:
     program = start("matched_event_detect")
     assert program.wait(60) == 0
     lines = said(program.lines, "matched_event_detection_node")
@@ -132,7 +132,7 @@ def test_events_of_company(start: Start) -> None:
     ]
 
 
-def test_levels_by_service(start: Start) -> None:
+def test_logger_levels_are_set_by_service(start: Start) -> None:
     program = start("use_logger_service")
     assert program.wait(60) == 0
     levels = {"default": 0, "debug": 10, "warn": 30, "error": 40}
@@ -148,7 +148,7 @@ def test_levels_by_service(start: Start) -> None:
     ]
 
 
-def test_parameters_of_another_node(start: Start, start_quick: Start) -> None:
+def test_parameters_of_another_node_are_set_and_read(start: Start, start_quick: Start) -> None:
     lonely = start_quick("async_param_client", {"PATIENCE_S": 0.3})
     assert lonely.wait() == 1
     assert lonely.lines[0] == (
@@ -193,7 +193,7 @@ def test_parameters_of_another_node(start: Start, start_quick: Start) -> None:
     end(blackboard)
 
 
-def test_a_parameter_that_sets_another(
+def test_setting_one_parameter_sets_another(
     start: Start, start_program: Start, wait_until: Callable[..., None]
 ) -> None:
     def is_there() -> bool:
@@ -212,7 +212,7 @@ def test_a_parameter_that_sets_another(
     end(node)
 
 
-def test_traffic_that_can_be_heard(
+def test_service_events_are_published(
     start: Start, start_program: Start, wait_until: Callable[..., None]
 ) -> None:
     def tells(event: str) -> bool:
@@ -237,13 +237,13 @@ def test_traffic_that_can_be_heard(
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_words_that_mean_nothing(start_program: Start, name: str) -> None:
+def test_unknown_arguments_are_rejected(start_program: Start, name: str) -> None:
     program = start_program("tfloom", "run", "demo_nodes_py", name, "loudly")
     assert program.wait() == 2
     assert f"{name}: error: unrecognized arguments: loudly" in program.lines
 
 
-def test_the_facade_leads_to_them() -> None:
+def test_facade_exports_the_programs() -> None:
     from demo_nodes_py.services.add_two_ints_server import AddTwoIntsServer
     from demo_nodes_py.topics import listener, talker
 

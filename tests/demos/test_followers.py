@@ -1,4 +1,4 @@
-"""turtle2 follows: turtlesim, broadcasters and a follower as processes, over DDS, as the tutorials start them."""
+"""turtle2 as a follower: turtlesim, broadcasters and a follower as processes, over DDS, as in the tutorials."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ QUICK = {f"{FOLLOWING}.PERIOD_S": 0.1, f"{FOLLOWING}.TURN_GAIN": 4.0, f"{FOLLOWI
 
 
 def quick(name: str, *words: str) -> list[str]:
-    """Return Python's words by which it runs a program that follows, quickly."""
+    """Return the Python command line that runs a follower with a short period."""
     main = f"from tfloom.demos.turtle_tf2_py.{name} import main; sys.exit(main(sys.argv[1:]))"
     return ["python", *python_with(QUICK, main, *words)]
 
 
 class Observer:
-    """Hears where turtle2 is, and moves turtle1."""
+    """Subscribes to the pose of turtle2, and moves turtle1."""
 
     def __init__(self) -> None:
         init(args=[])
@@ -82,7 +82,7 @@ def start_turtles(observer: Observer, start_program: Callable[..., Any]) -> Call
     return start
 
 
-def test_it_follows_a_carrot_beside_the_turtle(
+def test_follower_reaches_the_fixed_frame(
     observer: Observer,
     start_turtles: Callable[[], None],
     start_program: Callable[..., Any],
@@ -95,7 +95,7 @@ def test_it_follows_a_carrot_beside_the_turtle(
     observer.spin_until(lambda: observer.distance_to(CENTRE, CENTRE + 2.0) < 0.3, wait_until)
 
 
-def test_it_travels_in_time(
+def test_follower_uses_the_past_pose(
     observer: Observer,
     start_turtles: Callable[[], None],
     start_program: Callable[..., Any],

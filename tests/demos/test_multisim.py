@@ -1,4 +1,4 @@
-"""Two turtlesims in two namespaces, over DDS, and their end."""
+"""Two turtlesims in two namespaces, over DDS."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ NAMESPACES = ("turtlesim1", "turtlesim2")
 
 
 class User:
-    """Sees both turtles, and commands one."""
+    """Subscribes to the poses of both turtles, and commands one."""
 
     def __init__(self) -> None:
         init(args=[])
@@ -33,7 +33,7 @@ class User:
         self._executor.add_node(self._node)
 
     def sees(self, condition: Callable[[], object]) -> Callable[[], object]:
-        """Return the condition as one that is looked at after what has come is taken in."""
+        """Return a condition that is evaluated after waiting messages were received."""
 
         def look() -> object:
             self._executor.spin_once(timeout_sec=0.01)
@@ -58,7 +58,7 @@ def user(domain_id: int) -> Iterator[User]:
     user.end()
 
 
-def test_each_has_its_turtle(
+def test_each_turtlesim_has_its_turtle(
     user: User, start_program: Callable[..., Any], wait_until: Callable[..., None]
 ) -> None:
     start_program(*MULTISIM)
@@ -77,7 +77,7 @@ def test_each_has_its_turtle(
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
-def test_they_end_with_it(
+def test_turtlesims_end_with_the_program(
     user: User, start_program: Callable[..., Any], wait_until: Callable[..., None], number: int
 ) -> None:
     program = start_program(*MULTISIM)
@@ -88,7 +88,7 @@ def test_they_end_with_it(
     assert "Traceback" not in program.output
 
 
-def test_what_is_wrong_is_said(domain_id: int, start_program: Callable[..., Any]) -> None:
+def test_invalid_arguments_are_reported(domain_id: int, start_program: Callable[..., Any]) -> None:
     program = start_program(*MULTISIM, "--headles_s")
     assert program.wait() == 2
     assert "multisim: error: unrecognized arguments: --headles_s" in program.lines

@@ -1,4 +1,4 @@
-"""`tfloom demo`: it shows, draws, and leaves nothing behind however it ends."""
+"""`tfloom demo`: its output and drawing, and that no process is left at any end."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ DRAWN = "The tree of frames is drawn in "
 
 @pytest.fixture
 def mark(monkeypatch: pytest.MonkeyPatch) -> str:
-    """A variable by which all processes of the demonstration can be found."""
+    """An environment variable that marks all processes of the demonstration."""
     if sys.platform != "linux":
         pytest.skip("processes are found in /proc, which Linux has")
     value = str(uuid.uuid4())
@@ -27,7 +27,7 @@ def mark(monkeypatch: pytest.MonkeyPatch) -> str:
 
 
 def read(path: Path) -> bytes:
-    """What a file under /proc holds; nothing once its process has ended."""
+    """Return the content of a file under /proc; empty if its process has ended."""
     try:
         return path.read_bytes()
     except OSError:
@@ -35,7 +35,7 @@ def read(path: Path) -> bytes:
 
 
 def alive(mark: str) -> dict[int, str]:
-    """Commands of the processes that have the mark, by process id."""
+    """Return the commands of the marked processes, by process id."""
     return {
         int(folder.name): read(folder / "cmdline").replace(b"\0", b" ").decode()
         for folder in Path("/proc").glob("[0-9]*")
@@ -43,7 +43,9 @@ def alive(mark: str) -> dict[int, str]:
     }
 
 
-def test_it_shows_draws_and_ends(start_program: Callable[..., Any], tmp_path: Path, mark: str) -> None:
+def test_demonstration_prints_draws_and_ends(
+    start_program: Callable[..., Any], tmp_path: Path, mark: str
+) -> None:
     demo = start_program("tfloom", "demo", "--seconds", "1", cwd=tmp_path)
     assert demo.wait(60.0) == 0
     assert f"{DRAWN}{tmp_path / 'frames.pdf'}" in demo.lines
@@ -73,11 +75,13 @@ def test_no_process_is_left(
     assert "Traceback" not in demo.output
 
 
-def test_a_program_that_ends_is_told(start_program: Callable[..., Any], tmp_path: Path, mark: str) -> None:
+def test_program_that_ends_unexpectedly_is_reported(
+    start_program: Callable[..., Any], tmp_path: Path, mark: str
+) -> None:
     demo = start_program("tfloom", "demo", cwd=tmp_path)
     demo.wait_for("At time")
     (driver,) = (process for process, command in alive(mark).items() if "curve_driver" in command)
     os.kill(driver, signal.SIGKILL)
     assert demo.wait() == 1
-    assert "driver ended by itself with exit code -9" in demo.output
+    assert "driver ended unexpectedly with exit code -9" in demo.output
     assert alive(mark) == {}

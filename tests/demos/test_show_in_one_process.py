@@ -1,4 +1,4 @@
-"""`tfloom demo` where there is no DDS: the same demonstration, on threads of one process."""
+"""`tfloom demo` without DDS: the same demonstration, on threads of one process."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ CHOSEN = (
     "and other terminals can't join in."
 )
 MISSING = re.compile(
-    r"The library cyclonedds \(version 11\), which speaks DDS, is missing for Python 3\.\d+ on \S+ \S+, "
+    r"The library cyclonedds \(version 11\), which implements DDS, is missing for Python 3\.\d+ on \S+ \S+, "
     r"so all programs run within this process, and other terminals can't join in\."
 )
 Start = Callable[..., Any]
@@ -37,7 +37,7 @@ def local(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture
 def without_library(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Have programs find another cyclonedds first: a module with no library beside it, so none is installed."""
+    """Put another cyclonedds first on the path, a module without the library, so that none is found."""
     folder = tmp_path / "first on the path"
     folder.mkdir()
     (folder / "cyclonedds.py").touch()
@@ -45,13 +45,15 @@ def without_library(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("RMW_IMPLEMENTATION", raising=False)
 
 
-def test_it_shows_draws_and_ends(start_program: Start, tmp_path: Path, without_library: None) -> None:
+def test_demonstration_prints_draws_and_ends(
+    start_program: Start, tmp_path: Path, without_library: None
+) -> None:
     demo = start_program("tfloom", "demo", "--seconds", "1", cwd=tmp_path)
     assert demo.wait(60.0) == 0, demo.output
     assert MISSING.fullmatch(demo.lines[2])
     assert "ROS_DOMAIN_ID" not in demo.output
     assert f"The tree of frames is drawn in {tmp_path / 'frames.pdf'}" in demo.lines
-    assert demo.lines[-1] == f"What the turtles drew is in {tmp_path / 'turtles.png'}"
+    assert demo.lines[-1] == f"The picture of the turtles is in {tmp_path / 'turtles.png'}"
     first = next(i for i, line in enumerate(demo.lines) if line.startswith("At time"))
     echoed = "\n".join(demo.lines[first : first + 9])
     number = r" ?-?\d+\.\d{3}"
@@ -72,7 +74,7 @@ def test_it_shows_draws_and_ends(start_program: Start, tmp_path: Path, without_l
 
 @pytest.mark.skipif(sys.platform != "linux", reason="counts the process's children in /proc")
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_a_signal_ends_its_one_process(
+def test_signal_ends_the_process(
     start_program: Start, tmp_path: Path, local: None, number: signal.Signals
 ) -> None:
     demo = start_program("tfloom", "demo", cwd=tmp_path)
@@ -84,22 +86,22 @@ def test_a_signal_ends_its_one_process(
     demo.signal(number)
     assert demo.wait() == 0
     assert demo.lines[-2:] == [
-        f"What the turtles drew is in {tmp_path / 'turtles.png'}",
+        f"The picture of the turtles is in {tmp_path / 'turtles.png'}",
         "The demonstration has ended.",
     ]
     assert "Traceback" not in demo.output
 
 
-def test_a_program_that_fails_is_named(start_program: Start, tmp_path: Path, local: None) -> None:
+def test_failing_program_is_named(start_program: Start, tmp_path: Path, local: None) -> None:
     (tmp_path / "frames.pdf").mkdir()
     demo = start_program("tfloom", "demo", cwd=tmp_path)
     assert demo.wait(60.0) == 1
-    assert "view_frames ended by itself with exit code 1" in demo.lines
+    assert "view_frames ended unexpectedly with exit code 1" in demo.lines
     assert re.search(r"\[view_frames\]: can't write .*frames.pdf: Is a directory", demo.output)
     assert "Traceback" not in demo.output
 
 
-def test_an_exception_in_a_program_is_told_with_its_name(
+def test_exception_in_a_program_is_printed_with_its_name(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "a_broken_program.py").write_text("def main(args):\n    raise ValueError(args[0])\n")
@@ -114,7 +116,7 @@ def test_an_exception_in_a_program_is_told_with_its_name(
     ):
         show.run(None)
     first, second, *_, last = str(caught.value).splitlines()
-    assert first == "driver ended by itself with exit code 1"
+    assert first == "driver ended unexpectedly with exit code 1"
     assert second == "Traceback (most recent call last):"
     assert last == "ValueError: no fuel"
     assert capsys.readouterr().err == ""
@@ -134,7 +136,7 @@ def test_an_exception_in_a_program_is_told_with_its_name(
         ("print('out'); print('err', file=sys.stderr)", 0, ["out", "err"]),
     ],
 )
-def test_a_program_ends_as_a_process_would(
+def test_program_exit_codes_match_those_of_a_process(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
     wait_until: Callable[..., None],
@@ -153,9 +155,7 @@ def test_a_program_ends_as_a_process_would(
     assert list(program.log) == lines == log
 
 
-def test_a_program_that_is_asked_before_it_has_begun_ends_too(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_program_ends_if_requested_before_its_start(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "a_slow_starter.py").write_text(
         "from threading import Event\n"
         "from tfloom.node.client_library import create_node, spin\n"
@@ -169,13 +169,13 @@ def test_a_program_that_is_asked_before_it_has_begun_ends_too(
     with thread_starter() as start:
         program = start(["a_slow_starter:main"], None)
         assert isinstance(program, ThreadProgram)
-        program.ask_to_end()
+        program.request_end()
         sys.modules["a_slow_starter"].may_begin.set()
         program.end(10.0)
     assert program.exit_code() == 7
 
 
-def test_processes_where_the_library_is(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_processes_are_used_if_the_library_is_installed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("RMW_IMPLEMENTATION", raising=False)
     monkeypatch.setattr("tfloom.rmw.cyclone_library.find_library", lambda: "libddsc.so")
     assert reason_for_one_process() == ""
@@ -183,7 +183,7 @@ def test_processes_where_the_library_is(monkeypatch: pytest.MonkeyPatch) -> None
     assert f"{reason_for_one_process()}, so all" in CHOSEN
 
 
-def test_the_environment_and_the_streams_are_given_back(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_environment_and_streams_are_restored(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("RMW_IMPLEMENTATION", raising=False)
     monkeypatch.setenv("ROS_DOMAIN_ID", "5")
     before = dict(os.environ), sys.stdout, sys.stderr

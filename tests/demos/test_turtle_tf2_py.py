@@ -1,4 +1,4 @@
-"""The tutorials' nodes, in this process and with no network."""
+"""The tutorials' nodes, in this process, without a network."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 
 
 class Stage:
-    """A demo's node and one that hears what it sends."""
+    """A demo's node, and a node that receives its messages."""
 
     def __init__(self, make: Callable[[], Node], args: list[str]) -> None:
         init(args=args)
@@ -87,7 +87,7 @@ def turn(transform: TransformStamped) -> tuple[float, float, float, float]:
     return rotation.x, rotation.y, rotation.z, rotation.w
 
 
-def test_a_turtle_s_pose_becomes_a_transform(start: Callable[..., Stage]) -> None:
+def test_pose_of_a_turtle_becomes_a_transform(start: Callable[..., Stage]) -> None:
     stage = start(FramePublisher, "-p", "turtlename:=turtle2")
     stage.ear.create_publisher(Pose, "/turtle2/pose", 1).publish(Pose(x=1.0, y=2.0, theta=math.pi / 2))
     transform = stage.first()
@@ -97,21 +97,21 @@ def test_a_turtle_s_pose_becomes_a_transform(start: Callable[..., Stage]) -> Non
     assert transform.header.stamp.sec > 0
 
 
-def test_a_carrot_beside_the_turtle(start: Callable[..., Stage]) -> None:
+def test_fixed_frame_is_beside_the_turtle(start: Callable[..., Stage]) -> None:
     transform = start(FixedFrameBroadcaster).first()
     assert ends(transform) == ("turtle1", "carrot1")
     assert where(transform) == (0.0, 2.0, 0.0)
     assert turn(transform) == (0.0, 0.0, 0.0, 1.0)
 
 
-def test_a_carrot_around_the_turtle(start: Callable[..., Stage]) -> None:
+def test_dynamic_frame_circles_the_turtle(start: Callable[..., Stage]) -> None:
     transform = start(DynamicFrameBroadcaster).first()
     assert ends(transform) == ("turtle1", "carrot1")
     side = 10.0 if transform.header.stamp.sec % 2 == 0 else -10.0
     assert where(transform) == pytest.approx((0.0, side, 0.0), abs=1e-4)
 
 
-def test_a_frame_that_stays(start: Callable[..., Stage]) -> None:
+def test_static_frame_is_broadcast(start: Callable[..., Stage]) -> None:
     transform = start(lambda: StaticFramePublisher("shelf", [1.0, 2.0, 3.0, 0.0, 0.0, math.pi])).first()
     assert ends(transform) == ("world", "shelf")
     assert where(transform) == (1.0, 2.0, 3.0)
@@ -122,12 +122,14 @@ def test_a_frame_that_stays(start: Callable[..., Stage]) -> None:
     ("words", "code"),
     [([], 1), (["world", *"123456"], 2), (["shelf", *"12345"], 1), (["shelf", *"12345", "far"], 1)],
 )
-def test_a_frame_that_makes_no_sense(words: list[str], code: int, capsys: pytest.CaptureFixture[str]) -> None:
+def test_invalid_static_frame_is_rejected(
+    words: list[str], code: int, capsys: pytest.CaptureFixture[str]
+) -> None:
     assert static_turtle_tf2_broadcaster.main(words) == code
     assert capsys.readouterr().err
 
 
-def test_a_turtle_s_pose_becomes_a_point(start: Callable[..., Stage]) -> None:
+def test_pose_of_a_turtle_becomes_a_point(start: Callable[..., Stage]) -> None:
     stage = start(PointPublisher)
     points: list[PointStamped] = []
     stage.ear.create_subscription(PointStamped, "/turtle3/turtle_point_stamped", points.append, 1)

@@ -1,4 +1,4 @@
-"""The tutorial's walk with our own programs: keys, turtlesim, broadcaster, tf2_echo, each a process, over DDS."""
+"""The tutorial with tfloom's programs: keys, turtlesim, broadcaster, tf2_echo, each a process, over DDS."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ BLOCK = re.compile(
 
 
 class Echo:
-    """What tf2_echo has printed last."""
+    """Return the last transform that tf2_echo has printed."""
 
     def __init__(self, program: Any) -> None:
         self.program = program
@@ -58,7 +58,7 @@ def start(domain_id: int, start_program: Callable[..., Any]) -> Iterator[Callabl
 
 @pytest.fixture
 def press(domain_id: int, start_program: Callable[..., Any]) -> Iterator[Callable[[bytes], int]]:
-    """Press a key of a teleop on a terminal of its own."""
+    """Press a key in the terminal of a teleop."""
     ours, theirs = pty.openpty()
     program = start_program("tfloom", "run", "turtlesim", "turtle_teleop_key", stdin=theirs)
     program.wait_for("'Q' to quit.")
@@ -67,7 +67,7 @@ def press(domain_id: int, start_program: Callable[..., Any]) -> Iterator[Callabl
     os.close(theirs)
 
 
-def test_the_frame_follows_the_keys(
+def test_frame_follows_the_keys(
     start: Callable[[str], Any], wait_until: Callable[..., None], press: Callable[[bytes], int]
 ) -> None:
     start("turtlesim")
@@ -88,7 +88,7 @@ def test_the_frame_follows_the_keys(
 
 
 @pytest.mark.parametrize("victim", PROGRAMS)
-def test_each_may_be_killed_and_started_again(
+def test_each_program_can_be_killed_and_restarted(
     start: Callable[[str], Any], wait_until: Callable[..., None], victim: str
 ) -> None:
     programs = {name: start(name) for name in PROGRAMS}

@@ -1,4 +1,4 @@
-"""Each example's nodes on the in-process wire: what they log is what their docstrings promise."""
+"""Each example's nodes on the in-process wire: they log what their docstrings state."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ WaitUntil = Callable[..., None]
 
 
 class Log:
-    """What has been logged so far."""
+    """Return the log so far."""
 
     def __init__(self, capsys: pytest.CaptureFixture[str]) -> None:
         self.capsys = capsys
@@ -49,7 +49,7 @@ def started(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
 
 
 def end() -> None:
-    """End this life of the library, with all its nodes."""
+    """Shut the default context down, with all its nodes."""
     context = rclpy.get_default_context()
     rclpy.try_shutdown()
     context.destroy()
@@ -57,7 +57,7 @@ def end() -> None:
 
 @pytest.fixture
 def spin() -> Iterator[Callable[..., None]]:
-    """Spin nodes on threads of their own, until the test ends."""
+    """Spin nodes on separate threads, until the test ends."""
     executors: list[MultiThreadedExecutor] = []
     threads: list[threading.Thread] = []
     errors: list[BaseException] = []
@@ -79,7 +79,7 @@ def spin() -> Iterator[Callable[..., None]]:
         threads[-1].start()
 
     yield start
-    rclpy.get_default_context().try_shutdown()  # ends calls that callbacks are in
+    rclpy.get_default_context().try_shutdown()  # ends the calls that callbacks wait in
     for executor in executors:
         executor.shutdown(10.0)
     for thread in threads:
@@ -166,7 +166,7 @@ SCENES = {
 
 
 @pytest.mark.parametrize("scene", SCENES)
-def test_nodes_that_spin(
+def test_examples_that_spin_log_their_lines(
     scene: str, load_example: Load, spin: Callable[..., None], log: Log, wait_until: WaitUntil
 ) -> None:
     makers, patterns = SCENES[scene]
@@ -186,7 +186,7 @@ def test_nodes_that_spin(
         assert not re.search(absent[scene], log.text, re.MULTILINE)
 
 
-def test_a_message_is_waited_for(load_example: Load, spin: Callable[..., None], log: Log) -> None:
+def test_example_waits_for_a_message(load_example: Load, spin: Callable[..., None], log: Log) -> None:
     waiter = rclpy.create_node("waiter")
     wait = load_example("topics/wait_once.py").wait
     assert not wait(waiter, 0.01)
@@ -195,12 +195,12 @@ def test_a_message_is_waited_for(load_example: Load, spin: Callable[..., None], 
     assert log.has(r"Nobody said anything for 0\.01 s", r"\[waiter\]: The next words: Hello \d")
 
 
-def test_a_service_is_called(load_example: Load, spin: Callable[..., None]) -> None:
+def test_example_calls_a_service(load_example: Load, spin: Callable[..., None]) -> None:
     spin(load_example("services/add_server.py").AddServer())
     assert load_example("services/add_client.py").AddClient().ask(2, 3) == 5
 
 
-def test_a_service_is_called_while_a_thread_spins(load_example: Load, spin: Callable[..., None]) -> None:
+def test_example_calls_a_service_while_a_thread_spins(load_example: Load, spin: Callable[..., None]) -> None:
     example = load_example("services/add_client_in_thread.py")
     node = rclpy.create_node("caller")
     client = node.create_client(load_example("services/add_server.py").AddTwoInts, "add_two_ints")
@@ -209,7 +209,7 @@ def test_a_service_is_called_while_a_thread_spins(load_example: Load, spin: Call
     assert example.add_up(node, client, [1, 2, 3, 4]) == 10
 
 
-def test_parameters_are_set_and_watched(
+def test_example_sets_and_watches_parameters(
     load_example: Load, spin: Callable[..., None], log: Log, wait_until: WaitUntil
 ) -> None:
     spin(load_example("parameters/thruster.py").Thruster(), load_example("parameters/watch.py").Watch())
@@ -236,7 +236,7 @@ def test_parameters_are_set_and_watched(
         (["order:=-1"], 0, "The goal was rejected"),
     ],
 )
-def test_a_goal_is_pursued(
+def test_example_sends_a_goal(
     parameters: list[str], status: int, last: str, load_example: Load, spin: Callable[..., None], log: Log
 ) -> None:
     end()
@@ -248,7 +248,7 @@ def test_a_goal_is_pursued(
     assert status != 4 or log.has(r"So far \[0, 1, 1\]")
 
 
-def test_a_node_is_managed(load_example: Load, spin: Callable[..., None], log: Log) -> None:
+def test_example_manages_a_lifecycle_node(load_example: Load, spin: Callable[..., None], log: Log) -> None:
     spin(load_example("lifecycle/sensor.py").Sensor())
     assert load_example("lifecycle/manager.py").Manager().drive()
     states = re.findall(r"\[manager\]: The sensor is (\w+)", log.text if log.has("finalized") else "")
@@ -256,7 +256,7 @@ def test_a_node_is_managed(load_example: Load, spin: Callable[..., None], log: L
     assert log.has(r"It measured \d+\.0", r"\[sensor\]: Deactivated after [1-9]\d* measurements")
 
 
-def test_a_frame_is_carried_along(
+def test_example_transforms_to_a_moving_frame(
     load_example: Load, spin: Callable[..., None], wait_until: WaitUntil
 ) -> None:
     node = load_example("tf2/fixed_frame.py").FixedFrame()

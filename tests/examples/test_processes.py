@@ -1,4 +1,4 @@
-"""Each example as a user runs it: processes of their own over DDS on loopback, and a clean end of each."""
+"""Each example as a user runs it: processes over DDS on loopback, with a clean end of each."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import pytest
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
-# Programs that run until they are told to end, and what each prints in the end.
+# Programs that run until a signal, and the last output of each.
 SPINNING: dict[str, dict[str, list[str]]] = {
     "topics": {
         "topics/talker.py": [r"\[talker\]: I say: Hello 2$"],
@@ -62,7 +62,7 @@ SPINNING: dict[str, dict[str, list[str]]] = {
     "logs": {"logs/levels.py": [r"Only the first time: 1$", r"Each second: (9|1\d)$"]},
 }
 
-# Programs that end by themselves, what they need beside them, and what they print.
+# Programs that end without a signal, the programs that they need, and their output.
 ENDING: dict[str, tuple[list[str], list[str], list[str]]] = {
     "wait once": (["topics/talker.py"], ["topics/wait_once.py"], [r"The next words: Hello \d+$"]),
     "call": (["services/add_server.py"], ["services/add_client.py"], [r"2 \+ 3 = 5$"]),
@@ -97,7 +97,7 @@ def has(program: object, *patterns: str) -> bool:
 
 
 def end_well(number: signal.Signals, *programs: object) -> None:
-    """Tell programs to end by a signal: they end with 0 and without a word of Python's."""
+    """Send a signal to programs, and check that they end with 0 and without a traceback."""
     for program in programs:
         program.signal(number)
     assert [program.wait() for program in programs] == [0] * len(programs), programs[0].output
@@ -107,7 +107,7 @@ def end_well(number: signal.Signals, *programs: object) -> None:
 
 
 @pytest.mark.parametrize("scene", SPINNING)
-def test_programs_that_spin(
+def test_spinning_programs_end_on_a_signal(
     scene: str, domain_id: int, start_program: Start, wait_until: Callable[..., None]
 ) -> None:
     programs = {start_program("python", EXAMPLES / path): lines for path, lines in SPINNING[scene].items()}
@@ -123,7 +123,7 @@ def test_programs_that_spin(
 
 
 @pytest.mark.parametrize("scene", ENDING)
-def test_programs_that_end(scene: str, domain_id: int, start_program: Start) -> None:
+def test_finite_programs_end_with_their_output(scene: str, domain_id: int, start_program: Start) -> None:
     others, (path, *words), lines = ENDING[scene]
     servers = [start_program("python", EXAMPLES / other) for other in others]
     for node in filter(None, map(UNASKED.get, others)):
@@ -147,7 +147,7 @@ def test_programs_that_end(scene: str, domain_id: int, start_program: Start) -> 
         "lifecycle/manager.py",
     ],
 )
-def test_a_program_that_waits_in_vain_ends_well(
+def test_waiting_program_ends_cleanly(
     path: str, number: signal.Signals, domain_id: int, start_program: Start, wait_until: Callable[..., None]
 ) -> None:
     program = start_program("python", EXAMPLES / path)

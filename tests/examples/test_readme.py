@@ -1,4 +1,4 @@
-"""examples/README.md has each example, in its own words, and commands that can be run."""
+"""examples/README.md lists each example with the summary of its docstring, and commands that exist."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ PROGRAMS = [
 
 
 @pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.relative_to(EXAMPLES).as_posix())
-def test_each_program_has_its_row(program: Path) -> None:
+def test_each_program_has_a_row(program: Path) -> None:
     name = program.relative_to(EXAMPLES).as_posix()
     first_line = ast.get_docstring(ast.parse(program.read_text("utf-8"))).splitlines()[0]
     assert f"| [`{name}`]({name}) | {first_line} |" in README.splitlines()
 
 
 @pytest.mark.parametrize("package", PACKAGES, ids=lambda path: path.name)
-def test_each_package_is_named(package: Path) -> None:
+def test_each_package_is_listed(package: Path) -> None:
     assert f"](./{package.name}/)" in README or f"]({package.name}/)" in README
 
 
-def test_what_is_named_is_there() -> None:
+def test_listed_files_exist() -> None:
     links = re.findall(r"\]\(([^)#:]+)\)", README)
     commands = re.findall(r"^python (\S+\.py)", README, re.MULTILINE)
     assert links
@@ -40,8 +40,8 @@ def test_what_is_named_is_there() -> None:
     assert not missing
 
 
-def test_a_program_has_nothing_of_tfloom_in_it() -> None:
-    """They are programs for a ROS 2 like any other; those that show tfloom's own API say so."""
+def test_examples_import_ros_names_only() -> None:
+    """They run on any ROS 2; those that show tfloom's own API are marked."""
     own = [
         path.relative_to(EXAMPLES).as_posix()
         for path in EXAMPLES.rglob("*.py")

@@ -1,6 +1,6 @@
-// Threads that post, wait, feed and leave at once, as a wire's listeners, executors and readers do. Ends with 0 if no
-// sample was lost, none came after its source had been forgotten, and all that was deferred was run; the sanitizer
-// watches the rest.
+// Threads that post, wait, feed and cancel at once, as a wire's listeners, executors and readers do. Returns 0 if no
+// sample was lost, none was drained after its source had been cancelled, and all deferred work was run; the sanitizer
+// checks the rest.
 #include <atomic>
 #include <cstdio>
 #include <memory>
@@ -34,7 +34,7 @@ class Reader : public Feeder::Source {
  public:
   Reader(Feeder& feeder, SampleQueue& sink, ReadyQueue& queue) : feeder_(feeder), sink_(sink), queue_(queue) {}
   ~Reader() override {
-    feeder_.forget(*this);
+    feeder_.cancel(*this);
     is_gone_ = true;
   }
 
@@ -45,7 +45,7 @@ class Reader : public Feeder::Source {
 
  private:
   bool drain() override {
-    check(!is_gone_, "a source was drained after it had been forgotten");
+    check(!is_gone_, "a source was drained after it had been cancelled");
     for (int i = 0; i < 3; ++i) {
       if (waiting_ == 0) return false;
       --waiting_;

@@ -1,4 +1,4 @@
-"""The fuzzer of the codec, for a short while; its corpus are the bytes that a real ROS 2 wrote.
+"""The fuzzer of the codec, for a short time; its corpus are bytes that a real ROS 2 wrote.
 
 By hand and for longer: `python -m tests.native.test_fuzz_cdr SECONDS`.
 """
@@ -43,7 +43,7 @@ SHAPES = ["", "array", "bounded", "unbounded"]
 
 
 def plan_bytes(cls: type[Message]) -> bytes:
-    """Return a class's plan as fuzz_cdr.cpp reads it: the messages in it first."""
+    """Return a class's plan in the format of fuzz_cdr.cpp, nested messages first."""
     order: list[type[Message]] = []
 
     def visit(each: type[Message]) -> None:
@@ -98,7 +98,7 @@ def fuzz(folder: Path, seconds: float) -> subprocess.CompletedProcess[str]:
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the sanitizers here are GCC's and Clang's")
-def test_no_bytes_break_the_codec(tmp_path: Path) -> None:
+def test_fuzzed_bytes_never_break_the_codec(tmp_path: Path) -> None:
     done = fuzz(tmp_path, 3.0)
     assert done.returncode == 0, done.stdout + done.stderr
     counts = re.search(r"(\d+) of (\d+) seeds read; (\d+) inputs, (\d+) read, (\d+) refused", done.stdout)

@@ -1,4 +1,4 @@
-"""The C++ programs of this folder, built with sanitizers on the core's own sources and run."""
+"""The C++ programs of this folder, built with sanitizers from the core's sources and run."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def build(folder: Path, sanitize: str, programs: list[str]) -> None:
 
 @pytest.mark.skipif(sys.platform == "win32", reason="MSVC has no ThreadSanitizer")
 @pytest.mark.parametrize("sanitize", ["thread", "address,undefined"])
-def test_the_core_under_sanitizers(sanitize: str, tmp_path: Path) -> None:
+def test_core_passes_under_sanitizers(sanitize: str, tmp_path: Path) -> None:
     build(tmp_path, sanitize, PROGRAMS)
     environment = {
         **os.environ,

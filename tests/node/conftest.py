@@ -1,4 +1,4 @@
-"""Nodes on the in-process wire, each test with a context of its own."""
+"""Nodes on the in-process wire, with a separate context for each test."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def executor(context: Context) -> Iterator[SingleThreadedExecutor]:
 
 @pytest.fixture
 def spin_until(executor: SingleThreadedExecutor) -> Callable[..., None]:
-    """Spin until a condition holds; fail the test when it stays false."""
+    """Spin until a condition is true; fail the test if it stays false."""
     import time
 
     def spin(condition: Callable[[], object], timeout_s: float = 30.0) -> None:

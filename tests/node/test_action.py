@@ -1,4 +1,4 @@
-"""Actions: goals accepted, refused, cancelled, failed; feedback, states and results."""
+"""Actions: goals accepted, rejected, cancelled, aborted; feedback, states and results."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def fibonacci(goal_handle: ServerGoalHandle) -> Fibonacci.Result:
 
 
 class Gated:
-    """An execute callback that waits until it is let go on, and obeys a cancel."""
+    """An execute callback that waits until it is released or cancelled."""
 
     def __init__(self, executor: SingleThreadedExecutor) -> None:
         self.gates: list[Future[None]] = []
@@ -76,7 +76,7 @@ class Gated:
         return Fibonacci.Result(sequence=[goal_handle.request.order])
 
 
-def test_a_goal_from_end_to_end(
+def test_goal_is_accepted_executed_and_returns_its_result(
     server_node: Node, client: ActionClient, finish: Finish, spin_until: Callable[..., None]
 ) -> None:
     ActionServer(server_node, Fibonacci, "fibonacci", fibonacci)
@@ -96,7 +96,7 @@ def test_a_goal_from_end_to_end(
     assert feedback == [[0, 1, 1], [0, 1, 1, 2], [0, 1, 1, 2, 3], [0, 1, 1, 2, 3, 5]]
 
 
-def test_a_goal_may_be_refused(server_node: Node, client: ActionClient, finish: Finish) -> None:
+def test_goal_can_be_rejected(server_node: Node, client: ActionClient, finish: Finish) -> None:
     def judge(goal: Fibonacci.Goal) -> GoalResponse:
         return GoalResponse.ACCEPT if goal.order < 10 else GoalResponse.REJECT
 
@@ -105,7 +105,7 @@ def test_a_goal_may_be_refused(server_node: Node, client: ActionClient, finish: 
     assert finish(client.send_goal_async(Fibonacci.Goal(order=1))).accepted
 
 
-def test_an_id_is_taken_once(
+def test_goal_id_in_use_is_rejected(
     server_node: Node, client: ActionClient, executor: SingleThreadedExecutor, finish: Finish
 ) -> None:
     ActionServer(server_node, Fibonacci, "fibonacci", Gated(executor))
@@ -128,7 +128,7 @@ def test_several_goals_at_once_end_in_any_order(
         assert list(finish(results[number]).result.sequence) == [number]
 
 
-def test_cancelling(
+def test_accepted_cancel_ends_the_goal(
     server_node: Node, client: ActionClient, executor: SingleThreadedExecutor, finish: Finish
 ) -> None:
     gated = Gated(executor)
@@ -150,7 +150,7 @@ def test_cancelling(
     assert unknown.return_code == CancelGoal.Response.ERROR_UNKNOWN_GOAL_ID
 
 
-def test_cancelling_by_time_and_all(
+def test_goals_are_cancelled_by_time_or_all(
     server_node: Node, client: ActionClient, executor: SingleThreadedExecutor, finish: Finish
 ) -> None:
     server = ActionServer(
@@ -169,7 +169,7 @@ def test_cancelling_by_time_and_all(
     server.destroy()
 
 
-def test_cancelling_is_refused_by_default(
+def test_cancel_is_rejected_by_default(
     server_node: Node, client: ActionClient, executor: SingleThreadedExecutor, finish: Finish
 ) -> None:
     ActionServer(server_node, Fibonacci, "fibonacci", Gated(executor))
@@ -177,7 +177,7 @@ def test_cancelling_is_refused_by_default(
     assert finish(handle.cancel_goal_async()).return_code == CancelGoal.Response.ERROR_REJECTED
 
 
-def test_what_fails_is_aborted(
+def test_failing_execute_callback_aborts_the_goal(
     server_node: Node, client: ActionClient, finish: Finish, capsys: pytest.CaptureFixture[str]
 ) -> None:
     def fails(goal_handle: ServerGoalHandle) -> Fibonacci.Result:
@@ -193,7 +193,7 @@ def test_what_fails_is_aborted(
     assert "Goal state not set, assuming aborted" in capsys.readouterr().err
 
 
-def test_states_only_change_as_they_may(
+def test_invalid_state_transitions_raise(
     server_node: Node, client: ActionClient, finish: Finish, spin_until: Callable[..., None]
 ) -> None:
     kept: list[ServerGoalHandle] = []
@@ -215,7 +215,7 @@ def test_states_only_change_as_they_may(
         goal.abort()
 
 
-def test_results_are_kept_for_a_time(
+def test_results_expire_after_the_timeout(
     server_node: Node, client: ActionClient, finish: Finish, spin_until: Callable[..., None]
 ) -> None:
     server = ActionServer(server_node, Fibonacci, "fibonacci", fibonacci, result_timeout=0.02)
@@ -225,7 +225,7 @@ def test_results_are_kept_for_a_time(
     assert finish(handle.get_result_async()).status == GoalStatus.STATUS_UNKNOWN
 
 
-def test_waiting_in_threads(make_node: Callable[..., Node], context: Context) -> None:
+def test_blocking_calls_work_with_threads(make_node: Callable[..., Node], context: Context) -> None:
     server, caller = make_node("threaded_server"), make_node("caller")
     ActionServer(server, Fibonacci, "fibonacci", fibonacci)
     client = ActionClient(caller, Fibonacci, "fibonacci")
@@ -244,7 +244,7 @@ def test_waiting_in_threads(make_node: Callable[..., Node], context: Context) ->
             thread.join(10)
 
 
-def test_bad_input(node: Node, client: ActionClient) -> None:
+def test_invalid_arguments_raise(node: Node, client: ActionClient) -> None:
     with pytest.raises(TypeError, match=r"Expected .*Fibonacci_Goal.*, got .*Fibonacci_Result"):
         client.send_goal_async(Fibonacci.Result())
     with pytest.raises(NoTypeSupportImportedException):
@@ -255,7 +255,7 @@ def test_bad_input(node: Node, client: ActionClient) -> None:
     client.destroy()
 
 
-def test_the_graph_knows_actions(server_node: Node, client: ActionClient, node: Node) -> None:
+def test_actions_are_on_the_graph(server_node: Node, client: ActionClient, node: Node) -> None:
     ActionServer(server_node, Fibonacci, "fibonacci", fibonacci)
     expected = [("/fibonacci", ["example_interfaces/action/Fibonacci"])]
     assert get_action_names_and_types(node) == expected

@@ -19,18 +19,18 @@ from tfloom.node.values.exceptions import RCLError
 from tfloom.node.values.scalars import parse_value
 
 
-def test_what_is_not_for_ros_is_left() -> None:
+def test_other_arguments_are_unchanged() -> None:
     line = ["prog", "a", "--ros-args", "-p", "x:=1", "--", "b", "--ros-args", "-r", "a:=b"]
     assert remove_ros_args(line) == ["prog", "a", "b"]
 
 
-def test_node_and_namespace() -> None:
+def test_node_name_and_namespace_are_remapped() -> None:
     parsed = parse_arguments(["--ros-args", "-r", "__node:=bob", "--remap", "__ns:=/here"])
     assert parsed.node_name("alice") == "bob"
     assert parsed.namespace("alice", "/") == "/here"
 
 
-def test_a_rule_for_one_node_leaves_the_others() -> None:
+def test_rule_for_one_node_does_not_apply_to_others() -> None:
     parsed = parse_arguments(["--ros-args", "-r", "alice:__node:=bob", "-r", "alice:a:=b"])
     assert parsed.node_name("alice") == "bob"
     assert parsed.node_name("carol") == "carol"
@@ -84,7 +84,7 @@ def test_topics_and_services_are_remapped_by_their_full_names() -> None:
         ("[!!binary AQ==, !!binary Ag==]", [b"\x01", b"\x02"]),
     ],
 )
-def test_values_are_read_as_ros_reads_them(text: str, value: object) -> None:
+def test_values_are_parsed_by_the_rules_of_ros(text: str, value: object) -> None:
     found = parse_value(text)
     assert found == value
     assert type(found) is type(value)
@@ -92,7 +92,7 @@ def test_values_are_read_as_ros_reads_them(text: str, value: object) -> None:
     assert parsed.parameter_overrides("/any/node") == {"x": value}
 
 
-def test_the_later_value_wins_and_a_node_can_be_named() -> None:
+def test_last_value_takes_precedence_and_a_node_can_be_named() -> None:
     parsed = parse_arguments(["--ros-args", "-p", "x:=1", "-p", "x:=2", "-p", "bob:x:=3", "-p", "bob:y:=4"])
     assert parsed.parameter_overrides("/alice") == {"x": 2}
     assert parsed.parameter_overrides("/ns/bob") == {"x": 3, "y": 4}
@@ -117,12 +117,12 @@ def test_the_later_value_wins_and_a_node_can_be_named() -> None:
         (["-e", "robot"], "enclave must be absolute"),
     ],
 )
-def test_bad_arguments_say_what_is_wrong(arguments: list[str], text: str) -> None:
+def test_invalid_arguments_raise_with_the_reason(arguments: list[str], text: str) -> None:
     with pytest.raises(RCLInvalidROSArgsError, match=text):
         parse_arguments(["--ros-args", *arguments])
 
 
-def test_unknown_arguments_are_all_named() -> None:
+def test_all_unknown_arguments_are_named() -> None:
     with pytest.raises(UnknownROSArgsError, match=r"\['--nope', 'x'\]"):
         parse_arguments(["--ros-args", "--nope", "x"])
 
@@ -145,7 +145,7 @@ SWITCHES = [
 
 
 @pytest.mark.parametrize("flag", FLAGS)
-def test_each_flag_takes_its_value_or_says_what_it_wants(flag: str, tmp_path: Path) -> None:
+def test_each_flag_takes_its_value_or_names_the_expected_one(flag: str, tmp_path: Path) -> None:
     good, bad = FLAGS[flag]
     if good is None:
         (tmp_path / "p.yaml").write_text("/**:\n  ros__parameters:\n    x: 1\n")
@@ -158,14 +158,14 @@ def test_each_flag_takes_its_value_or_says_what_it_wants(flag: str, tmp_path: Pa
 
 
 @pytest.mark.parametrize("switch", SWITCHES)
-def test_each_switch_is_taken(switch: str) -> None:
+def test_each_switch_is_accepted(switch: str) -> None:
     attribute = switch.removeprefix("--enable-").removeprefix("--disable-").replace("-", "_")
     parsed = parse_arguments(["prog", "--ros-args", switch])
     assert getattr(parsed, attribute) is switch.startswith("--enable")
     assert parsed.rest == ["prog"]
 
 
-def test_a_log_configuration_is_refused_where_it_would_be_used() -> None:
+def test_log_configuration_file_is_rejected_at_init() -> None:
     line = ["prog", "--ros-args", "--log-config-file", "spdlog.conf"]
     context = Context()
     with pytest.raises(
@@ -177,7 +177,7 @@ def test_a_log_configuration_is_refused_where_it_would_be_used() -> None:
     context.destroy()
 
 
-def test_log_levels() -> None:
+def test_log_levels_are_parsed() -> None:
     parsed = parse_arguments(["--ros-args", "--log-level", "debug", "--log-level", "a.b:=ERROR"])
     assert parsed.log_levels == [("", LoggingSeverity.DEBUG), ("a.b", LoggingSeverity.ERROR)]
 
@@ -201,7 +201,7 @@ ns:
 """
 
 
-def test_a_parameter_file_is_read_by_node(tmp_path: Path) -> None:
+def test_parameter_file_is_read_per_node(tmp_path: Path) -> None:
     path = tmp_path / "p.yaml"
     path.write_text(FILE)
     parsed = parse_arguments(["--ros-args", "--params-file", str(path), "-p", "last:=1"])
@@ -233,9 +233,7 @@ def test_a_parameter_file_is_read_by_node(tmp_path: Path) -> None:
         ("/ns/.*", False),
     ],
 )
-def test_a_pattern_of_a_parameter_file_is_for_some_nodes(
-    tmp_path: Path, pattern: str, is_meant: bool
-) -> None:
+def test_pattern_of_a_parameter_file_matches_some_nodes(tmp_path: Path, pattern: str, is_meant: bool) -> None:
     path = tmp_path / "p.yaml"
     path.write_text(f"{pattern}:\n  ros__parameters:\n    x: 1\n")
     parsed = parse_arguments(["--ros-args", "--params-file", str(path)])
@@ -251,10 +249,10 @@ def test_a_pattern_of_a_parameter_file_is_for_some_nodes(
         ("a: {ros__parameters: {x: [1, a]}}", "list of 'x' must be of one scalar type"),
         ("a: {ros__parameters: {x: [[1]]}}", "list of 'x' must be of one scalar type"),
         ("a: [", r"p\.yaml: it is no valid YAML: expected the node content, .* at line 1, column 5"),
-        ("a: &x {ros__parameters: {x: *x}}", "an alias in it holds itself"),
+        ("a: &x {ros__parameters: {x: *x}}", "an alias in it contains itself"),
     ],
 )
-def test_a_bad_parameter_file_says_what_and_where(content: str, text: str, tmp_path: Path) -> None:
+def test_malformed_parameter_file_raises_with_the_place(content: str, text: str, tmp_path: Path) -> None:
     path = tmp_path / "p.yaml"
     path.write_text(content)
     with pytest.raises(RCLInvalidROSArgsError, match=text):

@@ -21,7 +21,7 @@ def ros_time(seconds: float) -> Time:
     return Time(seconds=seconds, clock_type=ClockType.ROS_TIME)
 
 
-def test_the_kind_decides_the_class() -> None:
+def test_clock_type_determines_the_class() -> None:
     assert isinstance(Clock(clock_type=ClockType.ROS_TIME), ROSClock)
     assert not isinstance(Clock(), ROSClock)
     assert Clock(clock_type=ClockType.STEADY_TIME).now().clock_type is ClockType.STEADY_TIME
@@ -29,7 +29,7 @@ def test_the_kind_decides_the_class() -> None:
         Clock(clock_type=1)  # type: ignore[arg-type]
 
 
-def test_simulated_time_shows_while_it_is_on() -> None:
+def test_simulated_time_is_returned_while_active() -> None:
     clock = ROSClock()
     clock.set_ros_time_override(ros_time(5))
     assert clock.now().nanoseconds > 10**18
@@ -39,7 +39,7 @@ def test_simulated_time_shows_while_it_is_on() -> None:
     assert clock.now().nanoseconds > 10**18
 
 
-def test_jumps_are_told_by_threshold() -> None:
+def test_jump_callbacks_are_called_by_threshold() -> None:
     clock = ROSClock()
     clock.set_ros_time_override(ros_time(10))
     heard: list[tuple[str, float]] = []
@@ -64,7 +64,7 @@ def test_jumps_are_told_by_threshold() -> None:
     assert not heard
 
 
-def test_bad_thresholds_and_callbacks() -> None:
+def test_invalid_thresholds_and_callbacks_raise() -> None:
     with pytest.raises(ValueError, match="positive"):
         JumpThreshold(min_forward=Duration(), min_backward=None)
     with pytest.raises(ValueError, match="negative"):
@@ -75,7 +75,7 @@ def test_bad_thresholds_and_callbacks() -> None:
         Clock().create_jump_callback(ANY, post_callback=5)  # type: ignore[arg-type]
 
 
-def test_sleeping(context: Context) -> None:
+def test_sleep_lasts_until_its_time(context: Context) -> None:
     clock = Clock(clock_type=ClockType.STEADY_TIME)
     before = clock.now()
     assert clock.sleep_for(Duration(seconds=0.01), context)
@@ -94,7 +94,7 @@ def sleeper(clock: Clock, until: Time, context: Context) -> tuple[threading.Thre
     return thread, results
 
 
-def test_sleeping_by_simulated_time(context: Context) -> None:
+def test_sleep_by_simulated_time(context: Context) -> None:
     clock = ROSClock()
     clock.set_ros_time_override(ros_time(1))
     clock.set_ros_time_is_active(True)
@@ -105,7 +105,7 @@ def test_sleeping_by_simulated_time(context: Context) -> None:
 
 
 @pytest.mark.parametrize("end", ["shutdown", "source"])
-def test_sleep_ends_early(end: str, context: Context) -> None:
+def test_sleep_ends_early_at_shutdown_or_clock_change(end: str, context: Context) -> None:
     clock = ROSClock()
     clock.set_ros_time_is_active(True)
     thread, results = sleeper(clock, ros_time(10**9), context)

@@ -1,4 +1,4 @@
-"""Contexts: one life each."""
+"""Contexts: initialisation, shutdown, signals, and their nodes."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from tfloom.node.parameters.exceptions import InvalidParameterTypeException
 from tfloom.node.values.exceptions import ExternalShutdownException, NotInitializedException, RCLError
 
 
-def test_one_life(context: Context) -> None:
+def test_context_is_initialised_and_shut_down_once(context: Context) -> None:
     assert context.ok()
     with pytest.raises(RuntimeError, match="only be called once"):
         context.init([])
@@ -37,7 +37,7 @@ def test_one_life(context: Context) -> None:
         Context().shutdown()
 
 
-def test_callbacks_of_shutdown(context: Context) -> None:
+def test_shutdown_calls_the_callbacks(context: Context) -> None:
     called: list[str] = []
 
     class Listener:
@@ -59,7 +59,7 @@ def test_callbacks_of_shutdown(context: Context) -> None:
         context.on_shutdown(5)  # type: ignore[arg-type]
 
 
-def test_the_default_context_lives_again_and_again() -> None:
+def test_default_context_is_replaced_after_shutdown() -> None:
     for _ in range(3):
         rclpy.init(args=[])
         assert rclpy.ok()
@@ -71,7 +71,7 @@ def test_the_default_context_lives_again_and_again() -> None:
     rclpy.try_shutdown()
 
 
-def test_programs_on_threads_of_their_own_share_no_defaults(wait_until: Callable[..., None]) -> None:
+def test_threads_with_own_defaults_share_none(wait_until: Callable[..., None]) -> None:
     process = rclpy.get_default_context(), rclpy.get_global_executor()
     both_run = threading.Barrier(2, timeout=20.0)
     contexts = {name: Context() for name in ("one", "two")}
@@ -106,14 +106,14 @@ def test_programs_on_threads_of_their_own_share_no_defaults(wait_until: Callable
     assert (rclpy.get_default_context(), rclpy.get_global_executor()) == process
 
 
-def test_arguments_of_the_program(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_arguments_default_to_those_of_the_program(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("sys.argv", ["prog", "--ros-args", "--log-level", "warn", "-r", "__node:=given"])
     with Context() as context, Node("own", context=context) as node:
         assert node.get_name() == "given"
         assert get_logger_effective_level("given").name == "WARN"
 
 
-def test_bad_arguments_leave_the_context_unborn() -> None:
+def test_invalid_arguments_leave_the_context_uninitialised() -> None:
     context = Context()
     with pytest.raises(RCLInvalidROSArgsError):
         context.init(["--ros-args", "-p", "x"])
@@ -122,7 +122,7 @@ def test_bad_arguments_leave_the_context_unborn() -> None:
     context.destroy()
 
 
-def test_the_domain(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_domain_comes_from_the_environment_or_the_argument(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("ROS_DOMAIN_ID", "17")
     one, two = Context(), Context()
     one.init([])
@@ -136,7 +136,7 @@ def test_the_domain(monkeypatch: pytest.MonkeyPatch) -> None:
     two.destroy()
 
 
-def test_the_wire_is_left_with_the_last_node_after_shutdown(
+def test_participant_closes_with_the_last_node_after_shutdown(
     context: Context, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     node = Node("last", context=context)
@@ -150,7 +150,7 @@ def test_the_wire_is_left_with_the_last_node_after_shutdown(
     watching.destroy()
 
 
-def test_init_may_stand_in_a_with() -> None:
+def test_init_is_a_context_manager() -> None:
     before = signal.getsignal(signal.SIGTERM)
     with rclpy.init(args=["prog"]) as begun:
         assert rclpy.ok()
@@ -169,19 +169,19 @@ def test_init_may_stand_in_a_with() -> None:
 
 
 @pytest.mark.parametrize("options", [SignalHandlerOptions(number) for number in range(4)])
-def test_init_handles_the_signals_it_is_asked_to(options: SignalHandlerOptions) -> None:
+def test_init_handles_the_selected_signals(options: SignalHandlerOptions) -> None:
     with rclpy.init(args=[], signal_handler_options=options):
         assert get_current_signal_handlers_options() == options
     assert get_current_signal_handlers_options() == SignalHandlerOptions.NO
 
 
-def test_a_context_of_a_programs_own_leaves_signals_alone() -> None:
+def test_other_contexts_handle_no_signals_by_default() -> None:
     before = signal.getsignal(signal.SIGINT)
     with rclpy.init(args=[], context=Context()):
         assert signal.getsignal(signal.SIGINT) is before
 
 
-def test_spinning_functions() -> None:
+def test_spin_functions_run_callbacks() -> None:
     rclpy.init(args=[])
     node = rclpy.create_node("spun")
     ticks: list[int] = []
@@ -199,8 +199,8 @@ def test_spinning_functions() -> None:
     node.destroy_node()
 
 
-def test_init_after_ctrl_c() -> None:
-    """As in a notebook, where nobody calls shutdown after it."""
+def test_init_succeeds_after_ctrl_c() -> None:
+    """As in a notebook, where shutdown isn't called after Ctrl-C."""
     rclpy.init(args=[])
     with pytest.raises(KeyboardInterrupt):
         signal.raise_signal(signal.SIGINT)
@@ -212,8 +212,8 @@ def test_init_after_ctrl_c() -> None:
     rclpy.shutdown()
 
 
-def test_a_node_that_nobody_holds_leaves_the_graph(context: Context) -> None:
-    """As in a notebook, where a cell that makes a node is run again."""
+def test_unreferenced_node_leaves_the_graph(context: Context) -> None:
+    """As in a notebook, where a cell that creates a node is run again."""
 
     class Talker(Node):
         def __init__(self, fail: bool = False) -> None:
@@ -248,14 +248,14 @@ def test_a_node_that_nobody_holds_leaves_the_graph(context: Context) -> None:
         assert sorted(watcher.get_node_names()) == ["talker", "watcher"]
 
 
-def test_a_node_that_could_not_be_made_leaves_the_graph(context: Context) -> None:
+def test_failed_node_creation_leaves_nothing_on_the_graph(context: Context) -> None:
     with Node("watcher", context=context) as watcher:
         with pytest.raises(InvalidParameterTypeException):
             Node("bad", context=context, cli_args=["--ros-args", "-p", "use_sim_time:=5"])
         assert watcher.get_node_names() == ["watcher"]
 
 
-def test_a_node_that_a_signal_forestalls_raises_what_spin_would(context: Context) -> None:
+def test_node_creation_after_a_signal_raises_external_shutdown(context: Context) -> None:
     context.interrupt()
     with pytest.raises(ExternalShutdownException, match="a signal has shut the context down") as caught:
         Node("late", context=context)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from typing import Any
 
@@ -9,8 +10,12 @@ import pytest
 
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.node.executing.event_handler import (
+    EventHandler,
+    IncompatibleTypeInfo,
     PublisherEventCallbacks,
     QoSEventHandler,
+    QoSPublisherEventType,
+    QoSSubscriptionEventType,
     SubscriptionEventCallbacks,
     UnsupportedEventTypeError,
 )
@@ -22,7 +27,9 @@ from tfloom.node.values.duration import Duration
 SpinUntil = Callable[..., None]
 
 
-def test_peers_come_and_go(node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil) -> None:
+def test_matched_events_count_peers(
+    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
+) -> None:
     seen: list[Any] = []
     executor.add_node(node)
     publisher = node.create_publisher(
@@ -39,7 +46,7 @@ def test_peers_come_and_go(node: Node, executor: SingleThreadedExecutor, spin_un
     node.destroy_publisher(publisher)
 
 
-def test_incompatible_qos_is_warned_of_with_both_sides(
+def test_warning_about_incompatible_qos_has_both_policies(
     node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil, capsys: pytest.CaptureFixture[str]
 ) -> None:
     executor.add_node(node)
@@ -65,7 +72,7 @@ def test_incompatible_qos_is_warned_of_with_both_sides(
     )
 
 
-def test_a_callback_or_a_refusal_takes_the_warnings_place(
+def test_callback_or_opt_out_replaces_the_warning(
     node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil, capsys: pytest.CaptureFixture[str]
 ) -> None:
     seen: list[Any] = []
@@ -79,12 +86,12 @@ def test_a_callback_or_a_refusal_takes_the_warnings_place(
     assert "incompatible" not in capsys.readouterr().err
 
 
-def test_an_event_that_no_wire_tells_of(node: Node) -> None:
+def test_unsupported_event_raises(node: Node) -> None:
     with pytest.raises(UnsupportedEventTypeError, match="incompatible_type"):
         PublisherEventCallbacks(incompatible_type=print)
 
 
-def test_an_end_whose_events_the_wire_does_not_know_is_not_made(node: Node) -> None:
+def test_endpoint_with_unsupported_events_is_not_created(node: Node) -> None:
     with pytest.raises(UnsupportedEventTypeError, match="DEADLINE_MISSED"):
         node.create_publisher(String, "numbers", 1, event_callbacks=PublisherEventCallbacks(deadline=print))
     with pytest.raises(UnsupportedEventTypeError, match="MESSAGE_LOST"):
@@ -103,7 +110,7 @@ def test_acknowledgements_and_liveliness(node: Node) -> None:
     publisher.assert_liveliness()
 
 
-def test_best_available_follows_the_publishers(
+def test_best_available_matches_the_publishers(
     node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
 ) -> None:
     heard: list[str] = []
@@ -118,7 +125,7 @@ def test_best_available_follows_the_publishers(
     assert info.qos_profile.reliability is ReliabilityPolicy.BEST_EFFORT
 
 
-def test_the_old_name_of_event_handlers_warns(node: Node) -> None:
+def test_deprecated_name_of_event_handler_warns(node: Node) -> None:
     publisher = node.create_publisher(String, "chatter", 10)
     [watcher, *_] = publisher.event_handlers
     with pytest.warns(DeprecationWarning, match="use EventHandler instead"):
@@ -131,4 +138,81 @@ def test_the_old_name_of_event_handlers_warns(node: Node) -> None:
     with pytest.warns(DeprecationWarning, match="use EventHandler instead"):
 
         class Mine(QoSEventHandler):
-            """A program's own."""
+            """A derived class of a program."""
+
+
+def test_handler_accepts_rclpys_event_type_and_a_handle(
+    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
+) -> None:
+    seen: list[Any] = []
+    publisher = node.create_publisher(String, "chatter", 10)
+    handler = EventHandler(
+        callback_group=node.default_callback_group,
+        callback=seen.append,
+        event_type=QoSPublisherEventType.RCL_PUBLISHER_MATCHED,
+        parent_impl=publisher.handle,
+    )
+    node.add_waitable(handler)
+    executor.add_node(node)
+    node.create_subscription(String, "chatter", print, 10)
+    spin_until(lambda: seen)
+    assert seen[0].current_count == 1
+    node.remove_waitable(handler)
+    with pytest.raises(ValueError, match="is no waitable of this node"):
+        node.remove_waitable(handler)
+    assert handler.event_type is QoSPublisherEventType.RCL_PUBLISHER_MATCHED
+
+
+@pytest.mark.parametrize(
+    ("event_type", "error", "text"),
+    [
+        (QoSPublisherEventType.RCL_PUBLISHER_INCOMPATIBLE_TYPE, UnsupportedEventTypeError, "another type"),
+        (
+            QoSSubscriptionEventType.RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE,
+            UnsupportedEventTypeError,
+            "another type",
+        ),
+        (4, TypeError, "QoSPublisherEventType or QoSSubscriptionEventType, not 4"),
+    ],
+)
+def test_handler_names_the_event_that_it_cannot_watch(
+    node: Node, event_type: Any, error: type[Exception], text: str
+) -> None:
+    publisher = node.create_publisher(String, "chatter", 10)
+    with pytest.raises(error, match=text):
+        EventHandler(
+            callback_group=node.default_callback_group,
+            callback=print,
+            event_type=event_type,
+            parent_impl=publisher.handle,
+        )
+
+
+def test_event_types_have_rclpys_numbers() -> None:
+    # as in a real Jazzy: rclpy.event_handler.QoSPublisherEventType.__members__
+    assert {each.name: int(each) for each in QoSPublisherEventType} == {
+        "RCL_PUBLISHER_OFFERED_DEADLINE_MISSED": 0,
+        "RCL_PUBLISHER_LIVELINESS_LOST": 1,
+        "RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS": 2,
+        "RCL_PUBLISHER_INCOMPATIBLE_TYPE": 3,
+        "RCL_PUBLISHER_MATCHED": 4,
+    }
+    assert {each.name: int(each) for each in QoSSubscriptionEventType} == {
+        "RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED": 0,
+        "RCL_SUBSCRIPTION_LIVELINESS_CHANGED": 1,
+        "RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS": 2,
+        "RCL_SUBSCRIPTION_MESSAGE_LOST": 3,
+        "RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE": 4,
+        "RCL_SUBSCRIPTION_MATCHED": 5,
+    }
+    assert IncompatibleTypeInfo(total_count=2, total_count_change=1).total_count_change == 1
+
+
+def test_deprecated_name_of_the_module_warns() -> None:
+    sys.modules.pop("rclpy.qos_event", None)
+    sys.modules.pop("tfloom.node.executing.qos_event", None)
+    with pytest.warns(UserWarning, match="importing 'qos_event' is deprecated; import 'event_handler'"):
+        import rclpy.qos_event
+    import rclpy.event_handler
+
+    assert rclpy.qos_event.PublisherEventCallbacks is rclpy.event_handler.PublisherEventCallbacks

@@ -1,4 +1,4 @@
-"""The events executor: what comes first runs first."""
+"""The events executor: callbacks run in the order of their events."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def test_timers_run_in_the_order_of_their_deadlines(node: Node, context: Context
     assert order == by_deadline
 
 
-def test_what_an_error_left_undone_is_done_by_the_next_spin(node: Node, context: Context) -> None:
+def test_rest_of_a_pass_runs_in_the_next_spin_after_an_error(node: Node, context: Context) -> None:
     ran: list[str] = []
 
     def fail() -> None:
@@ -77,8 +77,8 @@ def test_what_an_error_left_undone_is_done_by_the_next_spin(node: Node, context:
     assert ran == ["second"]
 
 
-def test_an_exclusive_group_waits_for_the_end_of_a_coroutine(node: Node, context: Context) -> None:
-    """One thread alone doesn't keep two callbacks apart: a coroutine lets others in while it waits."""
+def test_exclusive_group_waits_for_the_end_of_a_coroutine(node: Node, context: Context) -> None:
+    """Even on one thread, other callbacks run while a coroutine waits."""
     order: list[str] = []
     with EventsExecutor(context=context) as executor:
         gate: Future[None] = Future(executor=executor)
@@ -104,7 +104,7 @@ def test_an_exclusive_group_waits_for_the_end_of_a_coroutine(node: Node, context
     assert order == ["begun", "ended", "other"]
 
 
-def test_another_thread_cannot_spin_it_meanwhile(node: Node, context: Context) -> None:
+def test_second_spinning_thread_raises(node: Node, context: Context) -> None:
     with EventsExecutor(context=context) as executor:
         executor.add_node(node)
         begun = threading.Event()
@@ -124,7 +124,7 @@ def test_another_thread_cannot_spin_it_meanwhile(node: Node, context: Context) -
         assert not thread.is_alive()
 
 
-def test_rclpy_s_names_for_it_load_nothing_heavy() -> None:
+def test_facade_of_events_executor_loads_no_heavy_module() -> None:
     code = (
         "import sys, rclpy, rclpy.experimental\n"
         "from rclpy.experimental.events_executor import EventsExecutor\n"
@@ -142,7 +142,7 @@ def test_rclpy_s_names_for_it_load_nothing_heavy() -> None:
     ("number", "error"),
     [(signal.SIGINT, "KeyboardInterrupt"), (signal.SIGTERM, "ExternalShutdownException")],
 )
-def test_signals_end_its_spin(start_program: Callable[..., Program], number: int, error: str) -> None:
+def test_signals_end_the_spin(start_program: Callable[..., Program], number: int, error: str) -> None:
     code = (
         "import rclpy\n"
         "from rclpy.experimental import EventsExecutor\n"

@@ -1,4 +1,4 @@
-"""Executors: order and fairness, tasks, threads, errors and ends."""
+"""Executors: order and fairness, tasks, threads, errors and shutdown."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from tfloom.node.values.exceptions import ExternalShutdownException
 SpinUntil = Callable[..., None]
 
 
-def test_a_busy_topic_does_not_starve_the_others(
+def test_busy_topic_does_not_starve_the_others(
     node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
 ) -> None:
     order: list[str] = []
@@ -48,7 +48,7 @@ def test_a_timer_runs_between_messages(
     spin_until(lambda: len(ticks) == 5)
 
 
-def test_entities_may_come_and_go_while_it_spins(
+def test_entities_can_be_added_and_removed_during_a_spin(
     node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
 ) -> None:
     publisher = node.create_publisher(Int32, "numbers", 10)
@@ -69,7 +69,7 @@ def test_entities_may_come_and_go_while_it_spins(
     assert (first, second) == ([1], [3])
 
 
-def test_entities_may_go_from_another_thread(context: Context, make_node: Callable[..., Node]) -> None:
+def test_entities_can_be_removed_on_another_thread(context: Context, make_node: Callable[..., Node]) -> None:
     node = make_node()
     publisher = node.create_publisher(Int32, "numbers", 10)
     with SingleThreadedExecutor(context=context) as executor:
@@ -98,7 +98,7 @@ def test_entities_may_go_from_another_thread(context: Context, make_node: Callab
     assert not errors
 
 
-def test_an_error_in_a_callback_comes_out_of_spin_and_the_node_goes_on(
+def test_callback_error_is_raised_by_spin_and_the_node_continues(
     node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
 ) -> None:
     calls: list[int] = []
@@ -125,7 +125,7 @@ def test_spin_once_returns_after_its_timeout(node: Node, executor: SingleThreade
     assert 0.05 <= time.monotonic() - start < 5.0
 
 
-def test_a_future_ends_a_spin(node: Node, executor: SingleThreadedExecutor) -> None:
+def test_completed_future_ends_a_spin(node: Node, executor: SingleThreadedExecutor) -> None:
     future: Future[int] = Future()
     node.create_timer(0.001, lambda: future.set_result(5))
     executor.add_node(node)
@@ -134,7 +134,7 @@ def test_a_future_ends_a_spin(node: Node, executor: SingleThreadedExecutor) -> N
     executor.spin_until_future_complete(Future(), timeout_sec=0.01)
 
 
-def test_a_future_set_on_another_thread_ends_a_spin(node: Node, executor: SingleThreadedExecutor) -> None:
+def test_future_completed_on_another_thread_ends_a_spin(node: Node, executor: SingleThreadedExecutor) -> None:
     future: Future[str] = Future()
     executor.add_node(node)
     threading.Timer(0.01, lambda: future.set_result("x")).start()
@@ -142,7 +142,7 @@ def test_a_future_set_on_another_thread_ends_a_spin(node: Node, executor: Single
     assert future.result() == "x"
 
 
-def test_coroutines_wait_without_holding_the_executor(
+def test_waiting_coroutines_do_not_block_the_executor(
     node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
 ) -> None:
     future: Future[int] = Future(executor=executor)
@@ -164,7 +164,7 @@ def test_coroutines_wait_without_holding_the_executor(
     assert task.result() == 42
 
 
-def test_an_async_callback_keeps_its_group_until_its_end(
+def test_async_callback_occupies_its_group_until_completion(
     node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
 ) -> None:
     gate: Future[None] = Future(executor=executor)
@@ -190,7 +190,7 @@ def test_an_async_callback_keeps_its_group_until_its_end(
     assert ended == [0, 1, 2]
 
 
-def test_a_reentrant_group_lets_async_callbacks_overlap(
+def test_async_callbacks_of_a_reentrant_group_overlap(
     node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
 ) -> None:
     gate: Future[None] = Future(executor=executor)
@@ -210,7 +210,7 @@ def test_a_reentrant_group_lets_async_callbacks_overlap(
 
 
 @pytest.mark.timing
-def test_a_waiting_coroutine_takes_no_time(node: Node, executor: SingleThreadedExecutor) -> None:
+def test_waiting_coroutine_uses_no_cpu_time(node: Node, executor: SingleThreadedExecutor) -> None:
     gate: Future[None] = Future(executor=executor)
 
     async def waits() -> None:
@@ -224,7 +224,7 @@ def test_a_waiting_coroutine_takes_no_time(node: Node, executor: SingleThreadedE
     gate.set_result(None)
 
 
-def test_an_error_in_a_task_comes_out_of_spin(executor: SingleThreadedExecutor) -> None:
+def test_task_error_is_raised_by_spin(executor: SingleThreadedExecutor) -> None:
     def fails() -> None:
         raise ValueError("mine")
 
@@ -252,7 +252,7 @@ def test_shutting_the_context_down_ends_a_spin_on_another_thread(context: Contex
     assert not thread.is_alive()
 
 
-def test_a_callback_that_shuts_down_ends_the_spin_quietly(
+def test_shutdown_in_a_callback_ends_the_spin_without_error(
     context: Context, node: Node, executor: SingleThreadedExecutor
 ) -> None:
     node.create_timer(0.0, context.shutdown)
@@ -261,7 +261,7 @@ def test_a_callback_that_shuts_down_ends_the_spin_quietly(
     assert not context.ok()
 
 
-def test_an_executor_that_is_shut_down_takes_no_node(context: Context, node: Node) -> None:
+def test_executor_rejects_nodes_after_shutdown(context: Context, node: Node) -> None:
     executor = SingleThreadedExecutor(context=context)
     executor.add_node(node)
     assert executor.shutdown()
@@ -271,7 +271,7 @@ def test_an_executor_that_is_shut_down_takes_no_node(context: Context, node: Nod
         executor.add_node(node)
 
 
-def test_a_node_moves_from_executor_to_executor(context: Context, node: Node) -> None:
+def test_node_moves_between_executors(context: Context, node: Node) -> None:
     with SingleThreadedExecutor(context=context) as one, SingleThreadedExecutor(context=context) as two:
         assert one.add_node(node)
         assert not one.add_node(node)
@@ -303,7 +303,7 @@ def test_two_threads_cannot_spin_one_executor(context: Context, node: Node) -> N
         thread.join(10)
 
 
-def test_threads_run_what_groups_allow(context: Context, node: Node) -> None:
+def test_threads_run_callbacks_that_groups_admit(context: Context, node: Node) -> None:
     together = threading.Barrier(2)
     done = [Future(), Future()]
     for future in done:
@@ -350,7 +350,7 @@ def test_threads_keep_a_group_exclusive(context: Context, node: Node) -> None:
     assert (calls, most) == (60, 1)
 
 
-def test_an_error_on_a_thread_comes_out_of_spin(context: Context, node: Node) -> None:
+def test_error_on_a_pool_thread_is_raised_by_spin(context: Context, node: Node) -> None:
     def fails() -> None:
         raise KeyError("mine")
 

@@ -1,4 +1,4 @@
-"""`import rclpy`: it is this room, quickly, and never beside a real ROS."""
+"""`import rclpy`: exports, import time, and the guard against a real ROS."""
 
 from __future__ import annotations
 
@@ -16,13 +16,14 @@ MODULES = sorted(
 )
 
 
+@pytest.mark.filterwarnings("ignore:importing 'qos_event'")
 @pytest.mark.parametrize("name", MODULES)
-def test_each_module_re_exports_the_room(name: str) -> None:
+def test_each_facade_module_re_exports_its_room(name: str) -> None:
     module = importlib.import_module(name)
-    for each in getattr(module, "__all__", []):
+    for each in getattr(module, "__all__", [each for each in dir(module) if not each.startswith("_")]):
         thing = getattr(module, each)
         defined_in = getattr(thing, "__module__", "tfloom.node")
-        assert str(defined_in).startswith(("tfloom.", "typing", "builtins")), each
+        assert str(defined_in).startswith(("tfloom.", "typing", "builtins", "collections.abc")), each
 
 
 def run(code: str, *options: str) -> subprocess.CompletedProcess[str]:
@@ -31,14 +32,39 @@ def run(code: str, *options: str) -> subprocess.CompletedProcess[str]:
     )
 
 
-def test_importing_it_loads_nothing_heavy() -> None:
+def test_messages_are_available_after_importing_their_package_alone() -> None:
+    result = run(
+        "import std_msgs, turtlesim; print(std_msgs.msg.Bool(data=True), turtlesim.srv.Spawn); std_msgs.srv"
+    )
+    assert result.stdout.startswith("std_msgs.msg.Bool(data=True) <class"), result.stderr
+    assert "AttributeError: module 'std_msgs' has no attribute 'srv'" in result.stderr
+
+
+def test_deferred_name_is_imported_on_first_use() -> None:
+    code = (
+        "import sys, rclpy.client, rclpy.node, tf2_ros\n"
+        "late = 'tfloom.node.executing.executor', 'tfloom.node.action.client', 'tfloom.interfaces.sensor_msgs.msg'\n"
+        "print([each in sys.modules for each in late])\n"
+        "from rclpy.node import Executor\n"
+        "from tf2_ros import ActionClient, MsgStamped\n"
+        "print([each in sys.modules for each in late])\n"
+        "print(Executor is rclpy.executors.Executor, 'Executor' in vars(rclpy.node))\n"
+        "rclpy.node.Nope\n"
+    )
+    result = run(code)
+    lines = result.stdout.splitlines()
+    assert lines == ["[True, False, False]", "[True, True, True]", "True True"], result.stderr
+    assert "AttributeError: module 'rclpy.node' has no attribute 'Nope'" in result.stderr
+
+
+def test_import_loads_no_heavy_module() -> None:
     heavy = ["numpy", "yaml", "asyncio", "inspect", "dataclasses", "logging", "argparse", "subprocess"]
     code = f"import sys, rclpy, rclpy.node, rclpy.executors; print([m for m in {heavy} if m in sys.modules])"
     result = run(code)
     assert result.stdout.strip() == "[]", result.stderr
 
 
-def test_beside_a_real_ros_a_facade_refuses(tmp_path: Path) -> None:
+def test_facade_beside_a_real_ros_raises_import_error(tmp_path: Path) -> None:
     (tmp_path / "rclpy").mkdir()
     (tmp_path / "rclpy" / "__init__.py").write_text("")
     code = f"import sys; sys.path.insert(0, {str(tmp_path)!r}); from tfloom.ros_guard import claim; claim('tf2_ros')"
@@ -49,12 +75,12 @@ def test_beside_a_real_ros_a_facade_refuses(tmp_path: Path) -> None:
     assert str(tmp_path) in last
 
 
-def test_the_guard_lets_our_own_pass() -> None:
+def test_guard_accepts_tflooms_rclpy() -> None:
     assert run("import rclpy; from tfloom.ros_guard import claim; claim('tf2_ros')").returncode == 0
     assert run("from tfloom.ros_guard import claim; claim('tf2_ros')").returncode == 0
 
 
-def test_modules_are_there_after_importing_rclpy_alone() -> None:
+def test_submodules_are_available_after_import_rclpy() -> None:
     result = run(
         "import rclpy; print(rclpy.time.Time(), rclpy.executors.ExternalShutdownException.__name__); rclpy.nope"
     )

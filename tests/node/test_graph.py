@@ -1,4 +1,4 @@
-"""What a node sees of the graph, on both wires."""
+"""A node's queries of the graph, on both wires."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def context(
     context.destroy()
 
 
-def test_names_as_the_wire_has_them(make_node: MakeNode) -> None:
+def test_no_demangle_returns_dds_names(make_node: MakeNode) -> None:
     node = make_node("me", namespace="/here", start_parameter_services=False)
     node.create_publisher(String, "chatter", 10)
     node.create_subscription(String, "chatter", lambda msg: None, 10)
@@ -67,7 +67,7 @@ def test_enclaves_are_on_the_graph(context: Context, make_node: MakeNode) -> Non
         guarded_context.destroy()
 
 
-def test_waiting_for_a_node(make_node: MakeNode) -> None:
+def test_wait_for_node_returns_when_the_node_appears(make_node: MakeNode) -> None:
     node = make_node("me", namespace="/here")
     assert node.wait_for_node("/here/me", timeout=1.0)
     assert node.wait_for_node("here/me", timeout=0.0)
@@ -78,8 +78,8 @@ def test_waiting_for_a_node(make_node: MakeNode) -> None:
     thread.join()
 
 
-def test_a_topic_may_have_its_own_name_on_the_wire(make_node: MakeNode) -> None:
-    """As programs of other DDS users have it: without ROS's prefix, and apart from a ROS topic of that name."""
+def test_topic_can_avoid_ros_namespace_conventions(make_node: MakeNode) -> None:
+    """As in other DDS programs: without ROS's prefix, and separate from a ROS topic of that name."""
     node = make_node()
     native = QoSProfile(
         depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL, avoid_ros_namespace_conventions=True
@@ -103,7 +103,7 @@ def test_a_topic_may_have_its_own_name_on_the_wire(make_node: MakeNode) -> None:
     assert publisher.topic_name == "/sensor"
 
 
-def test_an_endpoint_may_be_described_by_hand() -> None:
+def test_endpoint_info_can_be_constructed() -> None:
     kinds = TopicEndpointTypeEnum
     mine = TopicEndpointInfo(node_name="talker", endpoint_type=kinds.PUBLISHER, endpoint_gid=[1] * 16)
     assert mine == TopicEndpointInfo(node_name="talker", endpoint_type=kinds.PUBLISHER, endpoint_gid=[1] * 16)

@@ -26,7 +26,7 @@ SUCCESS, FAILURE, ERROR = TransitionCallbackReturn
 
 
 class Managed(LifecycleNode):
-    """Does in each transition what it was told to, and notes it."""
+    """Returns a configured result in each transition, and records the calls."""
 
     def __init__(self, context: Context) -> None:
         super().__init__("managed", context=context)
@@ -59,7 +59,7 @@ def managed(context: Context) -> Iterator[Managed]:
         yield node
 
 
-def test_the_way_there_and_back(managed: Managed) -> None:
+def test_transitions_lead_to_active_and_back(managed: Managed) -> None:
     assert managed.trigger_configure() is SUCCESS
     assert managed.trigger_activate() is SUCCESS
     assert managed.trigger_deactivate() is SUCCESS
@@ -74,7 +74,7 @@ def test_the_way_there_and_back(managed: Managed) -> None:
         managed.trigger_configure()
 
 
-def test_a_failure_leads_back(managed: Managed) -> None:
+def test_failed_transition_returns_to_the_previous_state(managed: Managed) -> None:
     managed.plan = {"on_configure": FAILURE}
     assert managed.trigger_configure() is FAILURE
     with pytest.raises(RCLError, match="from state unconfigured"):
@@ -84,7 +84,7 @@ def test_a_failure_leads_back(managed: Managed) -> None:
 @pytest.mark.parametrize(
     ("answer", "state"), [(SUCCESS, "unconfigured"), (FAILURE, "finalized"), (ERROR, "finalized")]
 )
-def test_an_error_is_handled(
+def test_error_in_a_transition_calls_on_error(
     answer: TransitionCallbackReturn, state: str, managed: Managed, capsys: pytest.CaptureFixture[str]
 ) -> None:
     managed.plan = {"on_activate": ValueError("mine"), "on_error": answer}
@@ -96,7 +96,7 @@ def test_an_error_is_handled(
         managed.trigger_activate()
 
 
-def test_its_publishers_are_silent_until_it_is_active(
+def test_lifecycle_publishers_publish_only_while_active(
     managed: Managed, executor: SingleThreadedExecutor, spin_until: Callable[..., None]
 ) -> None:
     heard: list[str] = []
@@ -116,7 +116,7 @@ def test_its_publishers_are_silent_until_it_is_active(
     assert managed.destroy_lifecycle_publisher(publisher)
 
 
-def test_others_change_and_watch_it(
+def test_services_change_the_state_and_events_report_it(
     managed: Managed, node: Node, executor: SingleThreadedExecutor, spin_until: Callable[..., None]
 ) -> None:
     executor.add_node(managed)

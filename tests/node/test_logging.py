@@ -33,7 +33,7 @@ def lines(capsys: Capture) -> list[str]:
     return captured.err.splitlines()
 
 
-def test_the_console_format(capsys: Capture) -> None:
+def test_console_format_is_that_of_ros(capsys: Capture) -> None:
     logging.get_logger("talker").info('Publishing: "Hello World: 0"')
     (line,) = lines(capsys)
     assert re.fullmatch(r'\[INFO\] \[\d{10}\.\d{9}\] \[talker\]: Publishing: "Hello World: 0"', line)
@@ -48,7 +48,7 @@ def test_each_severity_has_its_name(name: str, capsys: Capture) -> None:
     assert line.startswith(f"[{'WARN' if name == 'warning' else name.upper()}]")
 
 
-def test_levels_hold_for_the_names_below(capsys: Capture) -> None:
+def test_levels_apply_to_child_loggers(capsys: Capture) -> None:
     child = logging.get_logger("a").get_child("b")
     assert child.name == "a.b"
     assert not child.debug("no")
@@ -64,15 +64,15 @@ def test_levels_hold_for_the_names_below(capsys: Capture) -> None:
     assert len(lines(capsys)) == 1
 
 
-def test_a_format_of_ones_own(monkeypatch: pytest.MonkeyPatch, capsys: Capture) -> None:
+def test_console_format_can_be_set(monkeypatch: pytest.MonkeyPatch, capsys: Capture) -> None:
     monkeypatch.setenv(
         "RCUTILS_CONSOLE_OUTPUT_FORMAT", "{severity}|{name}|{message}|{function_name}|{nope}|{"
     )
     logging.get_logger("x").info("a {name} b")
-    assert lines(capsys) == ["INFO|x|a {name} b|test_a_format_of_ones_own|{nope}|{"]
+    assert lines(capsys) == ["INFO|x|a {name} b|test_console_format_can_be_set|{nope}|{"]
 
 
-def test_escapes_in_a_format_are_control_characters_and_those_in_messages_stay(
+def test_escapes_are_expanded_in_formats_and_kept_in_messages(
     monkeypatch: pytest.MonkeyPatch, capsys: Capture
 ) -> None:
     monkeypatch.setenv("RCUTILS_CONSOLE_OUTPUT_FORMAT", r"\x1b[1m{name}\x1b[0m\t{message}\n \q{line_number")
@@ -80,7 +80,7 @@ def test_escapes_in_a_format_are_control_characters_and_those_in_messages_stay(
     assert lines(capsys) == ["\x1b[1mx\x1b[0m\t" + r"a\nb", r" \q{line_number"]
 
 
-def test_colour_and_stdout_when_asked(monkeypatch: pytest.MonkeyPatch, capsys: Capture) -> None:
+def test_colour_and_stdout_on_request(monkeypatch: pytest.MonkeyPatch, capsys: Capture) -> None:
     monkeypatch.setenv("RCUTILS_COLORIZED_OUTPUT", "1")
     monkeypatch.setenv("RCUTILS_LOGGING_USE_STDOUT", "1")
     logging.get_logger("x").error("red")
@@ -113,7 +113,7 @@ def test_throttle_by_a_clock() -> None:
     assert said(log) == [0, 2]
 
 
-def test_bad_options() -> None:
+def test_invalid_options_raise() -> None:
     logger = logging.get_logger("x")
     with pytest.raises(TypeError, match='"nope" is not one of the recognized logging options'):
         logger.info("x", nope=1)
@@ -132,7 +132,7 @@ def test_bad_options() -> None:
         logging.get_logging_severity_from_string("loud")
 
 
-def test_a_closed_stream_is_no_error(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_closed_stream_raises_no_error(monkeypatch: pytest.MonkeyPatch) -> None:
     import io
 
     stream = io.StringIO()
@@ -141,7 +141,7 @@ def test_a_closed_stream_is_no_error(monkeypatch: pytest.MonkeyPatch) -> None:
     assert logging.get_logger("x").info("into the void")
 
 
-def test_the_log_directory(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_log_directory_follows_the_environment(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("ROS_LOG_DIR", "/logs")
     assert str(logging.get_logging_directory()) == "/logs"
     monkeypatch.delenv("ROS_LOG_DIR")
@@ -149,7 +149,7 @@ def test_the_log_directory(monkeypatch: pytest.MonkeyPatch) -> None:
     assert str(logging.get_logging_directory()) == "/home/ros/log"
 
 
-def test_the_first_line_imports_no_pathlib() -> None:
+def test_first_log_line_does_not_import_pathlib() -> None:
     code = """
 import sys, rclpy, rclpy.logging
 before = set(sys.modules)
@@ -163,7 +163,7 @@ print(sorted({"pathlib", "urllib.parse", "ipaddress"} & set(sys.modules) - befor
     assert result.stdout == "[]\n"
 
 
-def test_records_go_to_a_file_too(tmp_path: Path, capsys: Capture) -> None:
+def test_records_are_also_written_to_a_file(tmp_path: Path, capsys: Capture) -> None:
     arguments = ["--ros-args", "--log-file-name", "mine", "--disable-stdout-logs"]
     context = Context()
     context.init(arguments)
@@ -175,7 +175,7 @@ def test_records_go_to_a_file_too(tmp_path: Path, capsys: Capture) -> None:
     assert re.fullmatch(r"\[INFO\] \[\d{10}\.\d{9}\] \[x\]: kept\n", path.read_text())
 
 
-def test_no_file_without_a_record_or_where_none_is_wanted(tmp_path: Path) -> None:
+def test_no_log_file_without_records_or_if_disabled(tmp_path: Path) -> None:
     for arguments in ([], ["--ros-args", "--disable-external-lib-logs"]):
         context = Context()
         context.init(arguments)
@@ -185,7 +185,7 @@ def test_no_file_without_a_record_or_where_none_is_wanted(tmp_path: Path) -> Non
     assert not (tmp_path / "log").exists()
 
 
-def test_a_directory_that_cannot_be_is_told_once(
+def test_unusable_log_directory_is_reported_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture
 ) -> None:
     (tmp_path / "file").touch()
@@ -204,7 +204,7 @@ def test_many_threads_write_one_log_file(monkeypatch: pytest.MonkeyPatch, tmp_pa
 
     class SlowToOpen(LogFile):
         def _open(self) -> object:
-            time.sleep(0.01)  # a second thread would open one, too
+            time.sleep(0.01)  # a second thread would open another file
             opened.append(self)
             return super()._open()
 
@@ -221,7 +221,7 @@ def test_many_threads_write_one_log_file(monkeypatch: pytest.MonkeyPatch, tmp_pa
     assert len(opened) == 1
 
 
-def test_a_node_whose_context_is_gone_does_not_keep_its_namesake_from_logging(capsys: Capture) -> None:
+def test_node_of_an_ended_context_does_not_block_logging_of_its_namesake(capsys: Capture) -> None:
     with Context() as context:
         Node("talker", context=context)
     with Context() as context:
@@ -231,7 +231,7 @@ def test_a_node_whose_context_is_gone_does_not_keep_its_namesake_from_logging(ca
         node.destroy_node()
 
 
-def test_what_is_no_unicode_is_logged_with_escapes(
+def test_lone_surrogates_are_logged_as_escapes(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, make_node: Callable[..., Node], capsys: Capture
 ) -> None:
     heard: list[str] = []

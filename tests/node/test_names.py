@@ -1,4 +1,4 @@
-"""Valid names, and what relative ones stand for."""
+"""Validation and expansion of names."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ from tfloom.node.values.names import (
         ("a/{namespace}", "/ns/a//ns"),
     ],
 )
-def test_names_are_expanded(name: str, full: str) -> None:
+def test_relative_names_are_expanded(name: str, full: str) -> None:
     assert expand_topic_name(name, "me", "/ns") == full
 
 
-def test_the_root_is_no_prefix() -> None:
+def test_root_namespace_adds_no_prefix() -> None:
     assert expand_topic_name("chatter", "me", "/") == "/chatter"
     assert expand_topic_name("~/x", "me", "/") == "/me/x"
 
@@ -55,7 +55,7 @@ def test_the_root_is_no_prefix() -> None:
         ("~a", 1, "not followed by a forward slash"),
     ],
 )
-def test_a_bad_topic_name_says_where(name: str, index: int, text: str) -> None:
+def test_invalid_topic_name_error_has_the_index(name: str, index: int, text: str) -> None:
     with pytest.raises(InvalidTopicNameException, match=text) as caught:
         validate_topic_name(name)
     assert caught.value.invalid_index == index
@@ -65,33 +65,33 @@ def test_a_bad_topic_name_says_where(name: str, index: int, text: str) -> None:
 
 
 @pytest.mark.parametrize("name", ["chatter", "/a/b_c", "~/x", "~", "{node}/a", "a/_hidden"])
-def test_good_topic_names(name: str) -> None:
+def test_valid_topic_names_are_accepted(name: str) -> None:
     assert validate_topic_name(name)
 
 
 @pytest.mark.parametrize("name", ["", "a", "/a/", "/a//b", "/1", "/a-b", "/" + "a" * 300])
-def test_bad_full_names(name: str) -> None:
+def test_invalid_full_names_are_rejected(name: str) -> None:
     with pytest.raises(InvalidTopicNameException):
         validate_full_topic_name(name)
 
 
 @pytest.mark.parametrize("name", ["", "a/b", "1a", "a b", "ä", "a" * 256])
-def test_bad_node_names(name: str) -> None:
+def test_invalid_node_names_are_rejected(name: str) -> None:
     with pytest.raises(InvalidNodeNameException):
         validate_node_name(name)
 
 
 @pytest.mark.parametrize("name", ["", "a", "/a/", "/a//b", "/1", "/a b", "/" + "a" * 245])
-def test_bad_namespaces(name: str) -> None:
+def test_invalid_namespaces_are_rejected(name: str) -> None:
     with pytest.raises(InvalidNamespaceException):
         validate_namespace(name)
 
 
-def test_an_unknown_substitution_is_refused() -> None:
+def test_unknown_substitution_is_rejected() -> None:
     with pytest.raises(InvalidTopicNameException, match=r"unknown substitution '\{robot\}'"):
         expand_topic_name("/{robot}/x", "me", "/")
 
 
-def test_hidden_names() -> None:
+def test_names_with_a_leading_underscore_are_hidden() -> None:
     assert topic_or_service_is_hidden("/a/_b/c")
     assert not topic_or_service_is_hidden("/a/b_")

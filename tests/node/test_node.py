@@ -1,4 +1,4 @@
-"""Nodes: what they create, what others see, and how they end."""
+"""Nodes: their entities, their names on the graph, and their destruction."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from tfloom.rosidl import cdr
 MakeNode = Callable[..., Node]
 
 
-def test_a_message_goes_round(
+def test_published_message_reaches_the_callback(
     node: Node, executor: SingleThreadedExecutor, spin_until: Callable[..., None]
 ) -> None:
     heard: list[str] = []
@@ -46,7 +46,7 @@ def test_a_message_goes_round(
     assert heard == ["a", "b", "c"]
 
 
-def test_a_callback_may_ask_for_the_stamps(
+def test_callback_with_two_arguments_receives_the_stamps(
     node: Node, executor: SingleThreadedExecutor, spin_until: Callable[..., None]
 ) -> None:
     infos: list[dict[str, int]] = []
@@ -59,7 +59,7 @@ def test_a_callback_may_ask_for_the_stamps(
     assert before_ns <= infos[0]["source_timestamp"] <= infos[0]["received_timestamp"]
 
 
-def test_any_callable_with_a_fitting_signature_will_do(node: Node) -> None:
+def test_any_callable_with_a_fitting_signature_is_accepted(node: Node) -> None:
     class Callable2:
         def __call__(self, msg: String, info: dict[str, int]) -> None: ...
 
@@ -69,7 +69,7 @@ def test_any_callable_with_a_fitting_signature_will_do(node: Node) -> None:
 
     for callback in (
         print,
-        max,  # which doesn't tell what it takes
+        max,  # a built-in without a signature
         [].append,
         partial(three, 1, 2),
         partial(three, 1),
@@ -82,7 +82,7 @@ def test_any_callable_with_a_fitting_signature_will_do(node: Node) -> None:
     assert node.count_subscribers("chatter") == 7
 
 
-def test_raw_bytes_both_ways(
+def test_raw_bytes_are_published_and_received(
     node: Node, executor: SingleThreadedExecutor, spin_until: Callable[..., None]
 ) -> None:
     heard: list[bytes] = []
@@ -97,7 +97,7 @@ def test_raw_bytes_both_ways(
 @pytest.mark.parametrize(
     "data", [b"", b"\x00\x01\x00\x00", b"\x00\x01\x00\x00\xff\xff\xff\xff", b"\x09" * 40]
 )
-def test_a_message_that_cannot_be_read_is_dropped_with_one_warning(
+def test_undecodable_message_is_dropped_with_one_warning(
     node: Node,
     executor: SingleThreadedExecutor,
     spin_until: Callable[..., None],
@@ -120,7 +120,7 @@ def test_a_message_that_cannot_be_read_is_dropped_with_one_warning(
     )
 
 
-def test_a_sink_gets_the_bytes_and_no_callback_runs(node: Node, executor: SingleThreadedExecutor) -> None:
+def test_sink_receives_the_bytes_and_no_callback_runs(node: Node, executor: SingleThreadedExecutor) -> None:
     publisher = node.create_publisher(String, "chatter", 10)
     subscription = node.create_subscription(String, "chatter", lambda msg: pytest.fail("called"), 10)
     executor.add_node(node)
@@ -133,14 +133,14 @@ def test_a_sink_gets_the_bytes_and_no_callback_runs(node: Node, executor: Single
 
 
 @pytest.mark.parametrize("bad", [5, None, str, "std_msgs/msg/String"])
-def test_only_message_classes_are_types(node: Node, bad: object) -> None:
+def test_only_message_classes_are_accepted_as_types(node: Node, bad: object) -> None:
     with pytest.raises(NoTypeSupportImportedException):
         node.create_publisher(bad, "chatter", 10)  # type: ignore[arg-type]
     with pytest.raises(NoTypeSupportImportedException):
         node.create_subscription(bad, "chatter", print, 10)  # type: ignore[arg-type]
 
 
-def test_bad_publishing(node: Node) -> None:
+def test_publishing_invalid_messages_raises(node: Node) -> None:
     publisher = node.create_publisher(String, "chatter", 10)
     with pytest.raises(TypeError, match=r"Expected .*String.*, got .*Int32"):
         publisher.publish(Int32())
@@ -193,7 +193,7 @@ def test_parameters_override_qos(make_node: MakeNode) -> None:
     assert node.has_parameter("qos_overrides./chatter.publisher_two.deadline")
 
 
-def test_waiting_for_one_message(make_node: MakeNode) -> None:
+def test_wait_for_message_returns_the_next_message(make_node: MakeNode) -> None:
     listener, talker = make_node("listener"), make_node("talker")
     publisher = talker.create_publisher(String, "chatter", qos_profile_rosout_default)
     publisher.publish(String(data="kept"))
@@ -206,7 +206,7 @@ def test_waiting_for_one_message(make_node: MakeNode) -> None:
     assert listener.count_subscribers("chatter") == 0
 
 
-def test_names_come_from_the_arguments_too(make_node: MakeNode) -> None:
+def test_node_arguments_remap_names(make_node: MakeNode) -> None:
     node = make_node("alice", namespace="a/b", cli_args=["--ros-args", "-r", "__node:=bob", "-r", "in:=out"])
     assert node.get_name() == "bob"
     assert node.get_namespace() == "/a/b"
@@ -217,7 +217,7 @@ def test_names_come_from_the_arguments_too(make_node: MakeNode) -> None:
     assert node.resolve_service_name("~/s") == "/a/b/bob/s"
 
 
-def test_the_programs_arguments_hold_unless_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_global_arguments_apply_unless_disabled(monkeypatch: pytest.MonkeyPatch) -> None:
     context = Context()
     context.init(["program", "--ros-args", "-r", "__ns:=/there"])
     with Node("one", context=context) as one, Node("two", context=context, use_global_arguments=False) as two:
@@ -226,14 +226,14 @@ def test_the_programs_arguments_hold_unless_refused(monkeypatch: pytest.MonkeyPa
     context.destroy()
 
 
-def test_bad_names_are_refused(make_node: MakeNode) -> None:
+def test_invalid_names_are_rejected(make_node: MakeNode) -> None:
     with pytest.raises(InvalidNodeNameException):
         make_node("a/b")
     with pytest.raises(InvalidNamespaceException):
         make_node("a", namespace="/b/")
 
 
-def test_a_node_needs_a_context(context: Context) -> None:
+def test_node_requires_an_initialised_context(context: Context) -> None:
     with pytest.raises(NotInitializedException):
         Node("early", context=Context())
     context.shutdown()
@@ -241,7 +241,7 @@ def test_a_node_needs_a_context(context: Context) -> None:
         Node("late", context=context)
 
 
-def test_the_graph_shows_what_every_node_has(make_node: MakeNode) -> None:
+def test_graph_has_the_built_in_endpoints_of_a_node(make_node: MakeNode) -> None:
     one = make_node("one")
     two = make_node("two", namespace="/ns", enable_rosout=False)
     two.create_subscription(String, "chatter", print, qos_profile_sensor_data)
@@ -269,7 +269,7 @@ def test_the_graph_shows_what_every_node_has(make_node: MakeNode) -> None:
     assert not one.wait_for_node("three", timeout=0.0)
 
 
-def test_log_records_go_to_rosout(
+def test_log_records_are_published_on_rosout(
     make_node: MakeNode, executor: SingleThreadedExecutor, spin_until: Callable[..., None]
 ) -> None:
     node, other = make_node("talker", namespace="/ns"), make_node("other")
@@ -281,7 +281,7 @@ def test_log_records_go_to_rosout(
     spin_until(lambda: len(heard) == 2)
     first = heard[0]
     assert (first.level, first.name, first.msg) == (30, "ns.talker", "mind the gap")
-    assert first.function == "test_log_records_go_to_rosout"
+    assert first.function == "test_log_records_are_published_on_rosout"
     assert first.file == __file__
     assert first.line > 0
     assert first.stamp.sec > 1_600_000_000
@@ -317,7 +317,7 @@ def test_destroying_leaves_the_graph(make_node: MakeNode) -> None:
         _ = subscription.handle
 
 
-def test_publishing_after_shutdown_is_refused(node: Node, context: Context) -> None:
+def test_publishing_after_shutdown_raises(node: Node, context: Context) -> None:
     publisher = node.create_publisher(String, "chatter", 10)
     context.shutdown()
     with pytest.raises(RCLError, match="context is invalid"):
@@ -325,7 +325,7 @@ def test_publishing_after_shutdown_is_refused(node: Node, context: Context) -> N
     node.destroy_node()
 
 
-def test_a_subclass_may_use_any_name_of_its_own(context: Context, executor: SingleThreadedExecutor) -> None:
+def test_subclass_can_use_any_attribute_names(context: Context, executor: SingleThreadedExecutor) -> None:
     class Mine(Node):
         def __init__(self) -> None:
             super().__init__("mine", context=context)
@@ -345,11 +345,11 @@ def test_a_subclass_may_use_any_name_of_its_own(context: Context, executor: Sing
         assert node.executor is executor
 
 
-def test_depth_stands_for_a_history(node: Node) -> None:
+def test_integer_qos_is_a_history_depth(node: Node) -> None:
     assert node.create_publisher(String, "chatter", 7).qos_profile == QoSProfile(depth=7)
 
 
-def test_a_destroyed_node_creates_nothing(node: Node) -> None:
+def test_destroyed_node_raises_on_create(node: Node) -> None:
     node.destroy_node()
     for create in (
         lambda: node.create_publisher(String, "x", 10),

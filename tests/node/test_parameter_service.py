@@ -53,7 +53,7 @@ def client(remote: Node, node: Node, executor: SingleThreadedExecutor) -> AsyncP
     return client
 
 
-def test_every_node_has_them(remote: Node) -> None:
+def test_every_node_has_parameter_services(remote: Node) -> None:
     names = [service.service_name for service in remote.services]
     assert names == [
         f"/ns/remote/{name}"
@@ -69,12 +69,12 @@ def test_every_node_has_them(remote: Node) -> None:
     ]
 
 
-def test_unless_they_are_not_wanted(make_node: MakeNode) -> None:
+def test_parameter_services_can_be_disabled(make_node: MakeNode) -> None:
     arguments = ["--ros-args", "-p", "start_type_description_service:=false"]
     assert not list(make_node(start_parameter_services=False, cli_args=arguments).services)
 
 
-def test_reading(client: AsyncParameterClient, finish: Finish) -> None:
+def test_parameters_are_read(client: AsyncParameterClient, finish: Finish) -> None:
     listed = finish(client.list_parameters()).result.names
     assert listed == ["use_sim_time", "start_type_description_service", "a.number", "free"]
     assert finish(client.list_parameters(["a"], 1)).result.names == ["a.number"]
@@ -88,7 +88,7 @@ def test_reading(client: AsyncParameterClient, finish: Finish) -> None:
     assert finish(client.describe_parameters(["nope"])).descriptors == []
 
 
-def test_setting(client: AsyncParameterClient, remote: Node, finish: Finish) -> None:
+def test_parameters_are_set(client: AsyncParameterClient, remote: Node, finish: Finish) -> None:
     called: list[Future[Any]] = []
     wishes = [Parameter("a.number", value=value) for value in (7, 70, "x")] + [Parameter("nope", value=1)]
     results = finish(client.set_parameters(wishes, callback=called.append)).results
@@ -106,7 +106,9 @@ def test_setting(client: AsyncParameterClient, remote: Node, finish: Finish) -> 
     assert not remote.has_parameter("free")
 
 
-def test_loading_a_file(client: AsyncParameterClient, remote: Node, finish: Finish, tmp_path: Path) -> None:
+def test_parameter_file_is_loaded(
+    client: AsyncParameterClient, remote: Node, finish: Finish, tmp_path: Path
+) -> None:
     path = tmp_path / "p.yaml"
     path.write_text("/ns/remote: {ros__parameters: {a: {number: 3}}}\n")
     assert finish(client.load_parameter_file(str(path))).results[0].successful
@@ -115,7 +117,7 @@ def test_loading_a_file(client: AsyncParameterClient, remote: Node, finish: Fini
     assert not finish(client.load_parameter_file_atomically(str(path), use_wildcard=True)).result.successful
 
 
-def test_levels_of_loggers(
+def test_logger_levels_are_read_and_set(
     make_node: MakeNode, node: Node, executor: SingleThreadedExecutor, finish: Finish
 ) -> None:
     remote = make_node("chatty", enable_logger_service=True)
@@ -134,7 +136,7 @@ def test_levels_of_loggers(
     assert finish(get_client.call_async(GetLoggerLevels.Request(names=["chatty"]))).levels[0].level == 10
 
 
-def test_descriptions_of_types(
+def test_type_descriptions_are_returned(
     remote: Node, node: Node, executor: SingleThreadedExecutor, finish: Finish
 ) -> None:
     executor.add_node(node)
@@ -164,7 +166,7 @@ def test_descriptions_of_types(
         assert answer.failure_reason
 
 
-def test_descriptions_of_parts_and_of_a_programs_own_types(
+def test_type_descriptions_of_parts_and_custom_types_are_returned(
     remote: Node,
     node: Node,
     executor: SingleThreadedExecutor,
@@ -172,7 +174,7 @@ def test_descriptions_of_parts_and_of_a_programs_own_types(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """The topics of actions and of service events have such types; a tool asks for them by name."""
+    """The topics of actions and of service events have such types; tools request them by name."""
     own = tmp_path / "share" / "own_described" / "msg"
     own.mkdir(parents=True)
     (own / "Mine.msg").write_text("std_msgs/Header header\n", "utf-8")
@@ -209,4 +211,4 @@ def test_descriptions_of_parts_and_of_a_programs_own_types(
         answer = ask(name)
         assert not answer.successful
         assert answer.failure_reason
-    assert find_class("turtlesim/srv/Spawn") is Spawn  # and not another of the same name
+    assert find_class("turtlesim/srv/Spawn") is Spawn  # not another type of the same name

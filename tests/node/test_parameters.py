@@ -59,7 +59,7 @@ MakeNode = Callable[..., Node]
         ([], Type.BYTE_ARRAY),
     ],
 )
-def test_types_of_values(value: object, kind: Type) -> None:
+def test_types_of_values_are_inferred(value: object, kind: Type) -> None:
     parameter = Parameter("x", value=value)
     assert parameter.type_ is kind
     back = Parameter.from_parameter_msg(parameter.to_parameter_msg())
@@ -71,12 +71,12 @@ def test_types_of_values(value: object, kind: Type) -> None:
 
 
 @pytest.mark.parametrize("value", [{}, object(), [1, "a"], [1, 1.0], [[1]], b"ab"])
-def test_values_that_no_parameter_has(value: object) -> None:
+def test_unsupported_values_raise(value: object) -> None:
     with pytest.raises(TypeError, match="allowed types 'NOT_SET, BOOL"):
         Parameter("x", value=value)
 
 
-def test_type_and_value_must_agree() -> None:
+def test_mismatched_type_and_value_raise() -> None:
     with pytest.raises(ValueError, match=r"'Type\.INTEGER' and value 'a' do not agree"):
         Parameter("x", Type.INTEGER, "a")
     with pytest.raises(TypeError, match=r"Parameter\.Type"):
@@ -95,7 +95,7 @@ def test_declare_get_set(node: Node) -> None:
     assert node.describe_parameter("a.b").type == 2
 
 
-def test_what_is_not_declared_is_refused(node: Node) -> None:
+def test_undeclared_parameter_raises(node: Node) -> None:
     for use in (
         lambda: node.get_parameter("x"),
         lambda: node.undeclare_parameter("x"),
@@ -112,7 +112,7 @@ def test_what_is_not_declared_is_refused(node: Node) -> None:
         node.declare_parameter("", 1)
 
 
-def test_a_type_is_fixed_by_the_default(node: Node) -> None:
+def test_type_is_fixed_by_the_default(node: Node) -> None:
     node.declare_parameter("x", 1)
     (result,) = node.set_parameters([Parameter("x", value="a")])
     assert not result.successful
@@ -122,7 +122,7 @@ def test_a_type_is_fixed_by_the_default(node: Node) -> None:
     assert node.get_parameter_type("y") is Type.STRING
 
 
-def test_a_parameter_without_default(node: Node) -> None:
+def test_parameter_without_default_is_uninitialised(node: Node) -> None:
     node.declare_parameter("x", Type.DOUBLE)
     with pytest.raises(ParameterUninitializedException, match="'x' is not initialized"):
         node.get_parameter("x")
@@ -135,7 +135,7 @@ def test_a_parameter_without_default(node: Node) -> None:
         node.declare_parameter("z", Type.NOT_SET)
 
 
-def test_ranges_and_read_only(node: Node) -> None:
+def test_ranges_and_read_only_are_enforced(node: Node) -> None:
     integers = ParameterDescriptor(integer_range=[IntegerRange(from_value=0, to_value=10, step=2)])
     node.declare_parameter("i", 4, integers)
     doubles = ParameterDescriptor(
@@ -190,7 +190,9 @@ def test_overrides_from_the_command_line(make_node: MakeNode) -> None:
         ("", "STRING"),
     ],
 )
-def test_a_parameter_file_of_wrong_types(make_node: MakeNode, tmp_path: Path, value: str, kind: str) -> None:
+def test_parameter_file_with_wrong_types_raises(
+    make_node: MakeNode, tmp_path: Path, value: str, kind: str
+) -> None:
     path = tmp_path / "p.yaml"
     path.write_text(f"/**:\n  ros__parameters:\n    rate: {value}\n    good: 5\n")
     node = make_node(cli_args=["--ros-args", "--params-file", str(path)])
@@ -200,13 +202,13 @@ def test_a_parameter_file_of_wrong_types(make_node: MakeNode, tmp_path: Path, va
     assert node.declare_parameter("good", 1).value == 5
 
 
-def test_integers_beyond_64_bits_are_doubles(make_node: MakeNode) -> None:
+def test_integers_beyond_64_bits_become_doubles(make_node: MakeNode) -> None:
     node = make_node(cli_args=["--ros-args", "-p", f"x:={2**63}", "-p", "y:=-" + "9" * 5000])
     assert node.declare_parameter("x", 1.0).value == 2.0**63
     assert node.declare_parameter("y", 1.0).value == -math.inf
 
 
-def test_undeclared_parameters_may_be_allowed(make_node: MakeNode) -> None:
+def test_undeclared_parameters_can_be_allowed(make_node: MakeNode) -> None:
     node = make_node(allow_undeclared_parameters=True)
     assert node.get_parameter("x").type_ is Type.NOT_SET
     assert node.set_parameters([Parameter("x", value=1)])[0].successful
@@ -216,7 +218,7 @@ def test_undeclared_parameters_may_be_allowed(make_node: MakeNode) -> None:
     assert not node.has_parameter("x")
 
 
-def test_callbacks_allow_change_and_hear(node: Node) -> None:
+def test_callbacks_reject_modify_and_receive_changes(node: Node) -> None:
     node.declare_parameters("", [("x", 1), ("y", 1)])
     heard: list[tuple[str, list[str]]] = []
 
@@ -248,7 +250,7 @@ def test_callbacks_allow_change_and_hear(node: Node) -> None:
     assert node.set_parameters([Parameter("x", value=10)])[0].successful
 
 
-def test_atomically_means_all_or_none(node: Node) -> None:
+def test_atomic_set_is_all_or_none(node: Node) -> None:
     node.declare_parameters("ns", [("x", 1), ("y", 1)])
     bad = [Parameter("ns.x", value=2), Parameter("ns.y", value="a")]
     assert not node.set_parameters_atomically(bad).successful
@@ -257,7 +259,7 @@ def test_atomically_means_all_or_none(node: Node) -> None:
     assert [result.successful for result in results] == [True, False]
 
 
-def test_names_below_prefixes(node: Node) -> None:
+def test_list_returns_names_below_prefixes(node: Node) -> None:
     node.declare_parameters("", [("a.b.c", 1), ("a.d", 1), ("e", 1)])
     assert node.list_parameters(["a"], 0).names == ["a.b.c", "a.d"]
     assert node.list_parameters(["a"], 1).names == ["a.d"]
@@ -267,7 +269,7 @@ def test_names_below_prefixes(node: Node) -> None:
         node.list_parameters([], -1)
 
 
-def test_another_descriptor(node: Node) -> None:
+def test_descriptor_can_be_replaced(node: Node) -> None:
     node.declare_parameter("x", 5)
     narrow = ParameterDescriptor(integer_range=[IntegerRange(from_value=0, to_value=3, step=1)])
     with pytest.raises(InvalidParameterValueException):
@@ -276,7 +278,7 @@ def test_another_descriptor(node: Node) -> None:
     assert not node.set_parameters([Parameter("x", value=4)])[0].successful
 
 
-def test_changes_are_published(
+def test_parameter_changes_are_published(
     make_node: MakeNode, executor: SingleThreadedExecutor, spin_until: Callable[..., None]
 ) -> None:
     node, watcher = make_node("node", namespace="/ns"), make_node("watcher")
@@ -293,7 +295,7 @@ def test_changes_are_published(
     assert events[1].changed_parameters[0].value.integer_value == 2
 
 
-def test_sim_time_by_parameter(
+def test_use_sim_time_parameter_sets_the_clock(
     make_node: MakeNode,
     executor: SingleThreadedExecutor,
     spin_until: Callable[..., None],
@@ -321,11 +323,11 @@ def test_sim_time_by_parameter(
     ("text", "kind"),
     [("1", 2), ("1.0", 3), ("true", 1), ("abc", 4), ("[1,2]", 7), ("{a: 1}", 4), ("[1, a]", 4)],
 )
-def test_values_from_text(text: str, kind: int) -> None:
+def test_values_are_parsed_from_text(text: str, kind: int) -> None:
     assert get_parameter_value(text).type == kind
 
 
-def test_parameters_from_a_file(tmp_path: Path) -> None:
+def test_parameters_are_read_from_a_file(tmp_path: Path) -> None:
     path = tmp_path / "p.yaml"
     path.write_text("/**: {ros__parameters: {w: 1}}\n/a: {ros__parameters: {x: {y: 2}}}\n")
     assert set(parameter_dict_from_yaml_file(str(path), True, ["/a"])) == {"w", "x.y"}
@@ -334,13 +336,13 @@ def test_parameters_from_a_file(tmp_path: Path) -> None:
         parameter_dict_from_yaml_file(str(path), target_nodes=["b"])
 
 
-def test_a_bad_use_sim_time_is_an_error(context: Context) -> None:
+def test_use_sim_time_of_a_wrong_type_raises(context: Context) -> None:
     with pytest.raises(InvalidParameterTypeException):
         Node("bad", context=context, cli_args=["--ros-args", "-p", "use_sim_time:=5"])
     context.destroy()
 
 
-def test_callbacks_for_parameters_of_others(
+def test_event_handler_receives_changes_of_other_nodes(
     make_node: MakeNode, executor: SingleThreadedExecutor, spin_until: Callable[..., None]
 ) -> None:
     node, watcher = make_node("node", namespace="/ns"), make_node("watcher", namespace="/ns")

@@ -1,4 +1,4 @@
-"""Programs that are stopped: at any moment, in any way, they end quietly."""
+"""Programs that are stopped, at any time and in any way, end without a traceback."""
 
 from __future__ import annotations
 
@@ -41,13 +41,13 @@ sys.exit(run_program([], lambda: spin(Talkative())))
     [[signal.SIGINT], [signal.SIGTERM], [signal.SIGINT, signal.SIGINT], [signal.SIGINT, signal.SIGTERM]],
     ids=["SIGINT", "SIGTERM", "twice", "both"],
 )
-def test_a_busy_program_ends_quietly_whenever_it_is_stopped(
+def test_busy_program_stopped_at_any_time_ends_without_traceback(
     numbers: list[int], start_program: Callable[..., Program]
 ) -> None:
     programs = [start_program("python", "-c", TALKATIVE) for _ in range(4)]
     for program in programs:
         program.wait_for("up")
-        time.sleep(random.random() * 0.01)  # a random moment is what is tested
+        time.sleep(random.random() * 0.01)  # the test is about a random time
         for number in numbers:
             program.signal(number)
     for program in programs:
@@ -56,10 +56,10 @@ def test_a_busy_program_ends_quietly_whenever_it_is_stopped(
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_a_signal_amid_the_interpreters_end_leaves_the_exit_code(
+def test_signal_during_interpreter_exit_keeps_the_exit_code(
     number: int, start_program: Callable[..., Program]
 ) -> None:
-    """By then the interpreter has given the signals that have handlers their default action."""
+    """At exit, the interpreter restores the default action of signals that have handlers."""
     code = f"""
 import os
 from tfloom.node.program import run_program
@@ -80,18 +80,18 @@ def _local(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.parametrize(("result", "code"), [(None, 0), (0, 0), (3, 3)])
-def test_the_body_gives_the_exit_code(result: int | None, code: int) -> None:
+def test_body_returns_the_exit_code(result: int | None, code: int) -> None:
     assert run_program([], lambda: result, if_stopped=1) == code
 
 
-def test_a_program_that_is_stopped_may_have_failed() -> None:
+def test_stopped_program_can_have_an_exit_code() -> None:
     def body() -> int:
         raise KeyboardInterrupt
 
     assert run_program([], body, if_stopped=1) == 1
 
 
-def test_only_what_a_signal_explains_is_silent() -> None:
+def test_only_consequences_of_a_signal_are_suppressed() -> None:
     def refuse() -> int:
         raise RCLError("refused")
 

@@ -1,4 +1,4 @@
-"""QoS profiles, and what becomes of them on the wire."""
+"""QoS profiles, and their conversion for the wire."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from tfloom.node.values.duration import Duration, Infinite
 from tfloom.rmw import qos as wire
 
 
-def test_defaults() -> None:
+def test_default_profile_values() -> None:
     profile = QoSProfile(depth=10)
     assert profile.history is HistoryPolicy.KEEP_LAST
     assert profile.reliability is ReliabilityPolicy.RELIABLE
@@ -35,7 +35,7 @@ def test_defaults() -> None:
     assert profile.to_wire() == wire.QoS(depth=10)
 
 
-def test_history_needs_a_depth() -> None:
+def test_keep_last_requires_a_depth() -> None:
     with pytest.raises(InvalidQoSProfileException, match="History and/or depth settings are required"):
         QoSProfile()
     with pytest.raises(InvalidQoSProfileException, match="KEEP_LAST without a depth"):
@@ -55,12 +55,12 @@ def test_history_needs_a_depth() -> None:
         ("avoid_ros_namespace_conventions", 1, TypeError),
     ],
 )
-def test_bad_values_name_their_field(field: str, value: object, error: type[Exception]) -> None:
+def test_invalid_values_name_their_field(field: str, value: object, error: type[Exception]) -> None:
     with pytest.raises(error, match=field):
         QoSProfile(**{"depth": 1, field: value})
 
 
-def test_on_the_wire() -> None:
+def test_profile_converts_to_the_wire() -> None:
     profile = QoSProfile(
         depth=3,
         reliability=2,
@@ -79,7 +79,7 @@ def test_on_the_wire() -> None:
         qos_profile_unknown.to_wire()
 
 
-def test_presets_are_as_a_real_ros_put_them_on_the_wire() -> None:
+def test_presets_match_those_of_a_real_ros() -> None:
     assert qos_profile_rosout_default.to_wire() == wire.QoS(
         durability=wire.DurabilityPolicy.TRANSIENT_LOCAL, depth=1000, lifespan_ns=10 * 10**9
     )
@@ -89,7 +89,7 @@ def test_presets_are_as_a_real_ros_put_them_on_the_wire() -> None:
     assert qos_profile_system_default.to_wire() == wire.QoS(depth=1)
 
 
-def test_short_names() -> None:
+def test_presets_and_policies_have_short_names() -> None:
     assert ReliabilityPolicy.get_from_short_key("best_effort") is ReliabilityPolicy.BEST_EFFORT
     assert HistoryPolicy.KEEP_ALL.short_key == "keep_all"
     assert "transient_local" in DurabilityPolicy.short_keys()
@@ -97,7 +97,7 @@ def test_short_names() -> None:
     assert QoSPresetProfiles.SENSOR_DATA.value is qos_profile_sensor_data
 
 
-def test_compatibility() -> None:
+def test_compatibility_check_names_the_policies() -> None:
     assert qos_check_compatible(QoSProfile(depth=1), qos_profile_sensor_data) == (QoSCompatibility.OK, "")
     compatibility, reason = qos_check_compatible(qos_profile_sensor_data, qos_profile_action_status_default)
     assert compatibility is QoSCompatibility.ERROR

@@ -40,7 +40,7 @@ def client(node: Node, executor: SingleThreadedExecutor) -> Client:
     return client
 
 
-def test_a_request_is_answered(client: Client, executor: SingleThreadedExecutor) -> None:
+def test_request_receives_its_response(client: Client, executor: SingleThreadedExecutor) -> None:
     future = client.call_async(AddTwoInts.Request(a=2, b=3))
     executor.spin_until_future_complete(future, timeout_sec=5)
     assert future.result().sum == 5
@@ -51,7 +51,7 @@ def test_a_request_is_answered(client: Client, executor: SingleThreadedExecutor)
 def test_spin_once_returns_after_a_response(
     kind: type[Executor], make_node: MakeNode, executor: SingleThreadedExecutor, context: Context
 ) -> None:
-    """Programs look between two calls of it whether their future is done."""
+    """Programs check between two calls of it whether their future is done."""
     server, node = make_node("server"), make_node("asker")
     server.create_service(AddTwoInts, "add", add)
     client = node.create_client(AddTwoInts, "add")
@@ -75,7 +75,9 @@ def test_spin_once_returns_after_a_response(
         thread.join()
 
 
-def test_many_clients_get_their_own_answers(make_node: MakeNode, executor: SingleThreadedExecutor) -> None:
+def test_each_of_many_clients_receives_its_responses(
+    make_node: MakeNode, executor: SingleThreadedExecutor
+) -> None:
     server = make_node("server")
     server.create_service(AddTwoInts, "add", add)
     executor.add_node(server)
@@ -95,7 +97,7 @@ def test_many_clients_get_their_own_answers(make_node: MakeNode, executor: Singl
             assert future.result().sum == 1000 * index + number
 
 
-def test_a_coroutine_may_await_a_call(client: Client, node: Node, executor: SingleThreadedExecutor) -> None:
+def test_coroutine_can_await_a_call(client: Client, node: Node, executor: SingleThreadedExecutor) -> None:
     async def twice(request: AddTwoInts.Request, response: AddTwoInts.Response) -> AddTwoInts.Response:
         inner = await client.call_async(request)
         response.sum = 2 * inner.sum
@@ -119,11 +121,11 @@ def test_call_waits_while_another_thread_spins(client: Client, context: Context)
         thread.join(10)
 
 
-def test_call_from_a_callback_of_its_own_executor_is_an_error_and_no_deadlock(
+def test_call_in_a_callback_of_a_single_threaded_executor_raises(
     client: Client, node: Node, executor: SingleThreadedExecutor
 ) -> None:
     node.create_timer(0.0, lambda: client.call(AddTwoInts.Request()))
-    with pytest.raises(RuntimeError, match="would wait for ever"):
+    with pytest.raises(RuntimeError, match="would never end"):
         executor.spin()
 
 
@@ -145,7 +147,7 @@ def test_call_from_a_callback_works_with_threads(make_node: MakeNode, context: C
     assert done.result() == 42
 
 
-def test_a_call_that_nobody_answers_times_out(node: Node) -> None:
+def test_call_without_response_times_out(node: Node) -> None:
     client = node.create_client(AddTwoInts, "nobody")
     assert not client.service_is_ready()
     assert not client.wait_for_service(timeout_sec=0.01)
@@ -154,7 +156,7 @@ def test_a_call_that_nobody_answers_times_out(node: Node) -> None:
     assert not client._pending
 
 
-def test_a_call_that_begins_as_the_context_ends_gives_none(node: Node, context: Context) -> None:
+def test_call_during_shutdown_returns_none(node: Node, context: Context) -> None:
     client = node.create_client(AddTwoInts, "nobody")
     context.shutdown()
     answers: list[object] = ["none yet"]
@@ -164,7 +166,7 @@ def test_a_call_that_begins_as_the_context_ends_gives_none(node: Node, context: 
     assert answers[1:] == [None]
 
 
-def test_waiting_for_a_service_ends_when_it_comes(make_node: MakeNode) -> None:
+def test_wait_for_service_ends_when_the_service_appears(make_node: MakeNode) -> None:
     client = make_node("client").create_client(SetBool, "late")
     found: list[bool] = []
     thread = threading.Thread(target=lambda: found.append(client.wait_for_service(timeout_sec=10)))
@@ -174,7 +176,7 @@ def test_waiting_for_a_service_ends_when_it_comes(make_node: MakeNode) -> None:
     assert found == [True]
 
 
-def test_waiting_for_a_service_ends_at_shutdown(node: Node, context: Context) -> None:
+def test_wait_for_service_ends_at_shutdown(node: Node, context: Context) -> None:
     client = node.create_client(SetBool, "never")
     found: list[bool] = []
     thread = threading.Thread(target=lambda: found.append(client.wait_for_service()))
@@ -184,7 +186,7 @@ def test_waiting_for_a_service_ends_at_shutdown(node: Node, context: Context) ->
     assert found == [False]
 
 
-def test_a_server_that_raises_raises_from_spin_and_goes_on(
+def test_server_callback_error_is_raised_by_spin_and_the_server_continues(
     node: Node, executor: SingleThreadedExecutor
 ) -> None:
     def fails_once(request: SetBool.Request, response: SetBool.Response) -> SetBool.Response:
@@ -203,7 +205,7 @@ def test_a_server_that_raises_raises_from_spin_and_goes_on(
     assert not lost.done()
 
 
-def test_bad_input(node: Node, client: Client, executor: SingleThreadedExecutor) -> None:
+def test_invalid_arguments_raise(node: Node, client: Client, executor: SingleThreadedExecutor) -> None:
     with pytest.raises(TypeError, match=r"Expected .*AddTwoInts_Request.*, got .*SetBool_Request"):
         client.call_async(SetBool.Request())
     with pytest.raises(NoTypeSupportImportedException):
@@ -216,7 +218,7 @@ def test_bad_input(node: Node, client: Client, executor: SingleThreadedExecutor)
         executor.spin()
 
 
-def test_a_request_that_cannot_be_read_is_dropped(
+def test_undecodable_request_is_dropped(
     node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil, capsys: pytest.CaptureFixture[str]
 ) -> None:
     executor.add_node(node)
@@ -231,7 +233,7 @@ def test_a_request_that_cannot_be_read_is_dropped(
     assert text in capsys.readouterr().err
 
 
-def test_the_end_of_a_client_and_a_service(node: Node, client: Client) -> None:
+def test_destroyed_client_and_service_leave_the_graph(node: Node, client: Client) -> None:
     (service,) = (each for each in node.services if each.service_name == "/add")
     assert list(node.clients) == [client]
     assert node.destroy_service(service)
@@ -243,7 +245,7 @@ def test_the_end_of_a_client_and_a_service(node: Node, client: Client) -> None:
             _ = gone.handle
 
 
-def test_introspection_tells_all_four_steps(
+def test_introspection_publishes_all_four_events(
     client: Client, node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
 ) -> None:
     (service,) = (each for each in node.services if each.service_name == "/add")
@@ -264,7 +266,7 @@ def test_introspection_tells_all_four_steps(
     assert node.count_publishers("/add/_service_event") == 0
 
 
-def test_a_server_that_dies_in_mid_call_leaves_the_client_waiting_and_well(
+def test_server_destroyed_during_a_call_leaves_the_client_usable(
     make_node: MakeNode, executor: SingleThreadedExecutor
 ) -> None:
     server, caller = make_node("server"), make_node("caller")

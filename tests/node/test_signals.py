@@ -1,4 +1,4 @@
-"""Ctrl-C and SIGTERM, as a program sees them."""
+"""Ctrl-C and SIGTERM in programs."""
 
 from __future__ import annotations
 
@@ -142,10 +142,10 @@ print(sorted(endings))
     ("number", "expected"),
     [
         (signal.SIGTERM, {"ExternalShutdownException"}),
-        (signal.SIGINT, {"KeyboardInterrupt", "ExternalShutdownException"}),  # the other amid a deletion
+        (signal.SIGINT, {"KeyboardInterrupt", "ExternalShutdownException"}),  # the other during a deletion
     ],
 )
-def test_a_signal_amid_publishing_is_told_as_a_signal(
+def test_signal_during_publishing_is_reported_as_a_signal(
     number: int, expected: set[str], kind: str, start_program: StartProgram
 ) -> None:
     program = start_program("python", "-c", PUBLISHING, str(int(number)), kind, "100")
@@ -155,7 +155,7 @@ def test_a_signal_amid_publishing_is_told_as_a_signal(
 
 
 @pytest.mark.parametrize("how", ["method", "weakref"])
-def test_ctrl_c_amid_a_deletion_ends_the_program_and_is_not_told_as_an_error(
+def test_ctrl_c_during_a_destructor_ends_the_program_without_error_text(
     how: str, start_program: StartProgram
 ) -> None:
     code = f"""
@@ -190,7 +190,7 @@ except rclpy.exceptions.NotInitializedException:
     assert program.lines == ["struck", "ended"]
 
 
-def test_handlers_are_given_back() -> None:
+def test_former_handlers_are_restored() -> None:
     from tfloom.node import client_library as rclpy
     from tfloom.node.executing.signals import get_current_signal_handlers_options
 
@@ -213,7 +213,7 @@ def test_handlers_are_given_back() -> None:
         signal.signal(signal.SIGTERM, before)
 
 
-def test_init_works_off_the_main_thread() -> None:
+def test_init_works_on_another_thread() -> None:
     import threading
 
     from tfloom.node import client_library as rclpy
@@ -257,7 +257,7 @@ print("end")
 
 @pytest.mark.timing
 @pytest.mark.skipif(sys.platform == "win32", reason="process times are read as Linux and macOS have them")
-def test_an_idle_node_takes_no_time(start_program: StartProgram) -> None:
+def test_idle_node_uses_no_cpu_time(start_program: StartProgram) -> None:
     code = """
 import time, rclpy
 rclpy.init()
@@ -271,7 +271,7 @@ print("used", time.process_time() - begin)
     assert float(program.lines[-1].split()[1]) < 0.02
 
 
-def test_a_second_ctrl_c_leaves_the_end_alone(start_program: StartProgram) -> None:
+def test_second_ctrl_c_does_not_interrupt_the_shutdown(start_program: StartProgram) -> None:
     slow_end = PROGRAM + (
         "rclpy.get_default_context().on_shutdown(lambda: (say('ending'), sys.stdin.readline(), say('ended')))\n"
     )
@@ -284,8 +284,8 @@ def test_a_second_ctrl_c_leaves_the_end_alone(start_program: StartProgram) -> No
     assert program.lines == ["ending", "ended"]
 
 
-def test_a_signal_triggers_the_guard_conditions_that_ask_for_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    # Soon after an earlier test's signal, this one would be taken for its echo.
+def test_signal_triggers_signal_guard_conditions(monkeypatch: pytest.MonkeyPatch) -> None:
+    # Soon after an earlier test's signal, this one would be ignored as a repetition.
     monkeypatch.setattr("tfloom.node.executing.signals._interrupted_at", -math.inf)
     ended = SignalHandlerGuardCondition()
     ended.destroy()
@@ -301,7 +301,7 @@ def test_a_signal_triggers_the_guard_conditions_that_ask_for_it(monkeypatch: pyt
     guard.destroy()
 
 
-def test_no_interrupt_strikes_amid_the_handing_over_to_a_pool() -> None:
+def test_no_interrupt_is_raised_during_submission_to_a_pool() -> None:
     from concurrent.futures import thread
 
     from tfloom.node import client_library as rclpy

@@ -1,4 +1,4 @@
-"""Simulated time as programs meet it: by /clock, on both wires."""
+"""Simulated time by /clock, on both wires."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def context(
 
 
 class Simulation:
-    """A node on simulated time that spins on a thread, and the clock that drives it."""
+    """A node on simulated time that spins on a thread, and the publisher of /clock."""
 
     def __init__(self, context: Context, make_node: Callable[..., Node]) -> None:
         on = [Parameter("use_sim_time", value=True)]
@@ -58,7 +58,7 @@ class Simulation:
             self._executor.spin()
 
     def set(self, seconds: float) -> None:
-        """Have the clock show a time, and wait until the node has heard of it."""
+        """Publish a time on /clock, and wait until the node has received it."""
         stamp = Time(seconds=seconds, clock_type=ClockType.ROS_TIME)
         self._publisher.publish(ClockMessage(clock=stamp.to_msg()))
         wait_until(lambda: self.clock.now() == stamp)
@@ -76,7 +76,7 @@ def simulation(context: Context, make_node: Callable[..., Node]) -> Iterator[Sim
     simulation.end()
 
 
-def test_a_timer_counts_simulated_periods_forward_and_back(simulation: Simulation) -> None:
+def test_timer_follows_simulated_time_forward_and_backward(simulation: Simulation) -> None:
     calls: list[float] = []
     simulation.set(100.0)
     simulation.node.create_timer(1.0, lambda: calls.append(simulation.clock.now().nanoseconds / 1e9))
@@ -87,7 +87,7 @@ def test_a_timer_counts_simulated_periods_forward_and_back(simulation: Simulatio
     wait_until(lambda: calls == [101.0, 105.5])
     simulation.set(106.0)
     wait_until(lambda: calls == [101.0, 105.5, 106.0])
-    simulation.set(10.0)  # back: a new period begins
+    simulation.set(10.0)  # backward: a new period begins
     simulation.set(10.5)
     simulation.set(11.0)
     wait_until(lambda: len(calls) == 4)
@@ -95,7 +95,7 @@ def test_a_timer_counts_simulated_periods_forward_and_back(simulation: Simulatio
 
 
 @pytest.mark.timing
-def test_a_clock_that_stands_still_takes_no_time(simulation: Simulation) -> None:
+def test_paused_clock_uses_no_cpu_time(simulation: Simulation) -> None:
     simulation.set(5.0)
     simulation.node.create_timer(0.001, lambda: None)
     before, start = time.process_time(), time.monotonic()
@@ -104,7 +104,7 @@ def test_a_clock_that_stands_still_takes_no_time(simulation: Simulation) -> None
     assert simulation.clock.now().nanoseconds == 5_000_000_000
 
 
-def test_sleeping_until_a_simulated_time(simulation: Simulation, context: Context) -> None:
+def test_sleep_until_a_simulated_time(simulation: Simulation, context: Context) -> None:
     simulation.set(50.0)
     results: list[bool] = []
     handles = len(simulation.clock.jump_handles())
@@ -127,7 +127,7 @@ def test_sleeping_until_a_simulated_time(simulation: Simulation, context: Contex
     assert results == [True, True]
 
 
-def test_a_rate_goes_by_simulated_time(simulation: Simulation) -> None:
+def test_rate_uses_simulated_time(simulation: Simulation) -> None:
     simulation.set(1.0)
     rate = simulation.node.create_rate(2.0)
     woken = threading.Event()
@@ -145,7 +145,7 @@ def test_a_rate_goes_by_simulated_time(simulation: Simulation) -> None:
     thread.join(10)
 
 
-def test_jumps_are_told_and_leaving_simulated_time_is_one(simulation: Simulation) -> None:
+def test_jump_callbacks_are_called_also_when_simulated_time_ends(simulation: Simulation) -> None:
     jumps: list[tuple[ClockChange, float]] = []
     before: list[float] = []
 
@@ -178,7 +178,7 @@ def test_jumps_are_told_and_leaving_simulated_time_is_one(simulation: Simulation
     assert len(jumps) == 4, "the handle is unregistered"
 
 
-def test_sleep_ends_where_the_clock_changes_its_source(simulation: Simulation, context: Context) -> None:
+def test_sleep_ends_when_the_clock_source_changes(simulation: Simulation, context: Context) -> None:
     simulation.set(1.0)
     results: list[bool] = []
     handles = len(simulation.clock.jump_handles())

@@ -16,20 +16,20 @@ SPANS = st.integers(-(2**31) * 10**9, 2**31 * 10**9 - 1)
 
 
 @given(STAMPS)
-def test_a_time_survives_its_message(stamp_ns: int) -> None:
+def test_time_survives_conversion_to_a_message(stamp_ns: int) -> None:
     time = Time(nanoseconds=stamp_ns, clock_type=ClockType.ROS_TIME)
     assert Time.from_msg(time.to_msg()) == time
 
 
 @given(SPANS)
-def test_a_duration_survives_its_message(span_ns: int) -> None:
+def test_duration_survives_conversion_to_a_message(span_ns: int) -> None:
     duration = Duration(nanoseconds=span_ns)
     assert Duration.from_msg(duration.to_msg()) == duration
     assert 0 <= duration.to_msg().nanosec < 10**9
 
 
 @given(STAMPS, SPANS)
-def test_adding_and_subtracting_undo_each_other(stamp_ns: int, span_ns: int) -> None:
+def test_subtraction_undoes_addition(stamp_ns: int, span_ns: int) -> None:
     time = Time(nanoseconds=stamp_ns + 2**31 * 10**9)
     later = time + Duration(nanoseconds=span_ns)
     assert later - time == Duration(nanoseconds=span_ns)
@@ -43,12 +43,12 @@ def test_seconds_and_nanoseconds_add_up() -> None:
 
 
 @pytest.mark.parametrize("parts", [{"seconds": -1}, {"nanoseconds": -1}])
-def test_a_time_is_not_negative(parts: dict[str, int]) -> None:
+def test_negative_time_raises(parts: dict[str, int]) -> None:
     with pytest.raises(ValueError, match="must not be negative"):
         Time(**parts)
 
 
-def test_what_does_not_fit_is_refused() -> None:
+def test_values_beyond_64_bits_raise() -> None:
     with pytest.raises(OverflowError):
         Time(nanoseconds=2**63)
     with pytest.raises(OverflowError):
@@ -59,7 +59,7 @@ def test_what_does_not_fit_is_refused() -> None:
         Time() - Duration(seconds=1)
 
 
-def test_times_of_different_clocks_do_not_meet() -> None:
+def test_times_of_different_clocks_are_incompatible() -> None:
     system, steady = Time(), Time(clock_type=ClockType.STEADY_TIME)
     with pytest.raises(ValueError, match="different clock types"):
         system - steady
@@ -69,14 +69,14 @@ def test_times_of_different_clocks_do_not_meet() -> None:
         _ = system == 0
 
 
-def test_texts() -> None:
+def test_reprs_and_strings() -> None:
     assert repr(Time(nanoseconds=5)) == "Time(nanoseconds=5, clock_type=SYSTEM_TIME)"
     assert repr(Duration(nanoseconds=-1000000000)) == "Duration(nanoseconds=-1000000000)"
     assert str(Infinite) == "Infinite"
     assert str(Duration(nanoseconds=3)) == "3 nanoseconds"
 
 
-def test_only_messages_are_taken_for_messages() -> None:
+def test_from_msg_accepts_messages_only() -> None:
     with pytest.raises(TypeError, match="Must pass a builtin_interfaces"):
         Time.from_msg(builtin_msg.Duration())  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="Must pass a builtin_interfaces"):

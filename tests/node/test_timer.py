@@ -24,7 +24,7 @@ def ros_time(seconds: float) -> Time:
     return Time(seconds=seconds, clock_type=ClockType.ROS_TIME)
 
 
-def test_a_timer_keeps_its_period_on_average(
+def test_timer_keeps_its_period_on_average(
     node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
 ) -> None:
     ticks: list[float] = []
@@ -36,7 +36,7 @@ def test_a_timer_keeps_its_period_on_average(
 
 
 @pytest.mark.timing
-def test_missed_calls_are_not_made_up_for(node: Node, executor: SingleThreadedExecutor) -> None:
+def test_missed_calls_are_skipped(node: Node, executor: SingleThreadedExecutor) -> None:
     ticks: list[float] = []
     timer = node.create_timer(0.01, lambda: ticks.append(time.monotonic()))
     executor.add_node(node)
@@ -75,7 +75,7 @@ def test_without_autostart_it_waits_for_reset(
     spin_until(lambda: ticks)
 
 
-def test_the_end_of_a_timer(node: Node) -> None:
+def test_destroyed_timer_stops(node: Node) -> None:
     timer = node.create_timer(1.0, print)
     assert list(node.timers) == [timer]
     assert node.destroy_timer(timer)
@@ -107,13 +107,13 @@ def test_simulated_time_drives_a_timer(
     executor.spin_once(timeout_sec=0.01)
     assert len(ticks) == 2
     assert timer.time_until_next_call() == 500_000_000
-    clock.set_ros_time_override(ros_time(50))  # back: a new period begins
+    clock.set_ros_time_override(ros_time(50))  # backward: a new period begins
     assert timer.time_until_next_call() == 1_000_000_000
     clock.set_ros_time_override(ros_time(51))
     spin_until(lambda: len(ticks) == 3)
 
 
-def test_turning_simulated_time_on_keeps_what_is_left_of_a_period(node: Node) -> None:
+def test_activation_of_simulated_time_keeps_the_remaining_period(node: Node) -> None:
     clock = ROSClock()
     timer = node.create_timer(100.0, print, clock=clock)
     clock.set_ros_time_override(ros_time(5))
@@ -124,7 +124,7 @@ def test_turning_simulated_time_on_keeps_what_is_left_of_a_period(node: Node) ->
     assert 90 * 10**9 < timer.time_until_next_call() <= 100 * 10**9
 
 
-def test_a_rate_paces_a_loop_on_another_thread(
+def test_rate_paces_a_loop_on_another_thread(
     node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
 ) -> None:
     rate = node.create_rate(200.0)

@@ -1,4 +1,4 @@
-"""Waitables as programs for rclpy write them, in every executor."""
+"""Waitables of rclpy programs, in every executor."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ MakeNode = Callable[..., Node]
 
 
 class Collects(Waitable):
-    """Waits for one thing of one kind, latches, takes and keeps what it took."""
+    """Waits for one item of one kind, latches it, and keeps the data taken."""
 
     def __init__(self, kind: str, waited: Any, take: Callable[[], Any], group: Any = None) -> None:
         super().__init__(group or ReentrantCallbackGroup())
@@ -100,7 +100,7 @@ def test_a_waitable_added_while_it_spins_runs_in_spin_itself(node: Node, executo
     assert waitable.collected == [1]
 
 
-def test_a_trigger_before_it_was_added_counts(node: Node, executor: Executor) -> None:
+def test_trigger_before_the_waitable_was_added_runs_it(node: Node, executor: Executor) -> None:
     guard = _rclpy.GuardCondition(node.context)
     guard.trigger_guard_condition()
     waitable = Collects("guard_condition", guard, lambda: 1)
@@ -110,7 +110,7 @@ def test_a_trigger_before_it_was_added_counts(node: Node, executor: Executor) ->
     assert waitable.collected == [1]
 
 
-def test_a_waitable_takes_messages_of_its_own_subscription(node: Node, executor: Executor) -> None:
+def test_waitable_takes_messages_of_its_subscription(node: Node, executor: Executor) -> None:
     profile = QoSProfile(depth=10)
     subscription = _rclpy.Subscription(node.handle, Int32, "numbers", profile.get_c_qos_profile())
     waitable = Collects("subscription", subscription, lambda: subscription.take_message(Int32, False))
@@ -133,7 +133,7 @@ def test_a_waitable_takes_messages_of_its_own_subscription(node: Node, executor:
         subscription.take_message(Int32, False)
 
 
-def test_a_call_between_waitables(make_node: MakeNode, executor: Executor) -> None:
+def test_call_between_two_waitables(make_node: MakeNode, executor: Executor) -> None:
     node = make_node()
     profile = QoSProfile(depth=10)
     service = _rclpy.Service(node.handle, AddTwoInts, "add", profile)
@@ -173,9 +173,9 @@ def test_a_timer_in_a_waitable_is_called_once_a_period(node: Node, executor: Exe
         timer.call_timer()
 
 
-def test_a_waitable_that_is_ready_by_itself_needs_but_a_wake(node: Node, executor: Executor) -> None:
+def test_waitable_without_items_is_checked_at_each_wake(node: Node, executor: Executor) -> None:
     class Queue(Waitable):
-        """Waits for nothing an executor knows of."""
+        """Has no items in the wait set."""
 
         def __init__(self) -> None:
             super().__init__(MutuallyExclusiveCallbackGroup())
@@ -214,7 +214,7 @@ def test_a_waitable_that_is_ready_by_itself_needs_but_a_wake(node: Node, executo
     assert waitable.ran == [1, 2, 3]
 
 
-def test_a_removed_waitable_runs_no_more(node: Node, executor: Executor) -> None:
+def test_removed_waitable_does_not_run(node: Node, executor: Executor) -> None:
     guard = _rclpy.GuardCondition(node.context)
     waitable = Collects("guard_condition", guard, lambda: 1)
     node.add_waitable(waitable)
@@ -228,7 +228,7 @@ def test_a_removed_waitable_runs_no_more(node: Node, executor: Executor) -> None
         node.remove_waitable(waitable)
 
 
-def test_an_error_in_a_waitable_comes_out_of_spin(node: Node, executor: Executor) -> None:
+def test_waitable_error_is_raised_by_spin(node: Node, executor: Executor) -> None:
     def fail() -> None:
         raise KeyError("mine")
 
@@ -241,7 +241,7 @@ def test_an_error_in_a_waitable_comes_out_of_spin(node: Node, executor: Executor
 
 
 @pytest.mark.timing
-def test_it_takes_no_time_while_it_waits(node: Node, executor: Executor) -> None:
+def test_waiting_waitable_uses_no_cpu_time(node: Node, executor: Executor) -> None:
     guard = _rclpy.GuardCondition(node.context)
     node.add_waitable(Collects("guard_condition", guard, lambda: 1))
     executor.add_node(node)
@@ -251,7 +251,7 @@ def test_it_takes_no_time_while_it_waits(node: Node, executor: Executor) -> None
     assert time.process_time() - before < 0.05
 
 
-def test_a_wait_set_says_what_it_does_not_know(node: Node) -> None:
+def test_wait_set_rejects_unknown_items(node: Node) -> None:
     wait_set = _rclpy.WaitSet()
     with pytest.raises(TypeError, match="a wait set can't wait for 'x'"):
         wait_set.add_subscription("x")
@@ -262,11 +262,11 @@ def test_a_wait_set_says_what_it_does_not_know(node: Node) -> None:
     guard = _rclpy.GuardCondition(node.context)
     wait_set.add_guard_condition(guard)
     guard.trigger()
-    wait_set.look()
+    wait_set.update()
     assert wait_set.get_ready_entities("guard_condition") == [guard]
 
 
-def test_numbers_of_entities_add_up() -> None:
+def test_numbers_of_entities_are_added() -> None:
     total = NumberOfEntities(1, 2, 3, 4, 5, 6) + NumberOfEntities(num_subs=1, num_events=1)
     total += NumberOfEntities(num_timers=2)
     assert (total.num_subscriptions, total.num_guard_conditions, total.num_timers) == (2, 2, 5)

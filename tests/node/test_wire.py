@@ -40,7 +40,7 @@ except rclpy.executors.ExternalShutdownException:
 """
 
 
-def test_topics_services_and_names_pass(
+def test_topics_services_and_names_work_between_processes(
     domain_id: int, monkeypatch: pytest.MonkeyPatch, start_program: Callable[..., Program]
 ) -> None:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_cyclonedds_cpp")
@@ -72,7 +72,7 @@ def test_topics_services_and_names_pass(
         assert not client.service_is_ready()
 
 
-def test_a_missed_deadline(domain_id: int, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_missed_deadline_calls_the_callbacks(domain_id: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_cyclonedds_cpp")
     seen: list[Any] = []
     with Context() as context, Node("here", context=context) as node:

@@ -1,4 +1,4 @@
-"""A buffer as the definition says it: lists, linear search, 4 by 4 matrices, plain trigonometry. Slow, obvious."""
+"""A reference buffer, slow and simple: lists, linear search, 4 by 4 matrices, trigonometry."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ Matrix = NDArray[np.float64]
 
 
 class NoAnswerError(Exception):
-    """There is no transform; `kind` says why: unknown, unconnected or extrapolation."""
+    """There is no transform; `kind` is the reason: unknown, unconnected or extrapolation."""
 
     def __init__(self, kind: str) -> None:
         super().__init__(kind)
@@ -58,7 +58,7 @@ class OracleBuffer:
         if history and stamp < newest - self.cache_time_ns:
             return False
         if not any(_same(s, sample) for s in history):
-            # After all that are not later, so that the last one that came is the newer among equals.
+            # After all that are not later, so that the last inserted is the newer among equals.
             place = sum(s.stamp <= stamp for s in history)
             history.insert(place, sample)
         return True
@@ -146,7 +146,7 @@ def _same(a: Sample, b: Sample) -> bool:
 
 
 def slerp(a: Matrix, b: Matrix, r: float) -> Matrix:
-    """Turn from a towards b on the shorter arc, by the angle between them times r."""
+    """Rotate from a towards b on the shorter arc, by r times the angle between them."""
     if a @ b < 0:
         b = -b
     angle = 2 * math.atan2(float(np.linalg.norm(a - b)), float(np.linalg.norm(a + b)))

@@ -1,4 +1,4 @@
-"""Participants of this process, and peers in processes of their own."""
+"""Participants of this process, and peers in separate processes."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ PROGRAMS = Path(__file__).parent / "programs"
 
 
 class Peer:
-    """A process with a participant; each call is one line to it and one back."""
+    """A process with a participant; each call writes one line to it and reads one line."""
 
     def __init__(self, program: Any, name: str) -> None:
         self.program = program
@@ -45,7 +45,7 @@ class Peer:
 
 @pytest.fixture
 def start_peer(domain_id: int, start_program: Callable[..., Any]) -> Iterator[Callable[..., Peer]]:
-    """Start a peer on this test's domain, on the wire that the environment names."""
+    """Start a peer on this test's domain, on the wire that the environment selects."""
     names = count()
     peers: list[Peer] = []
 
@@ -61,7 +61,7 @@ def start_peer(domain_id: int, start_program: Callable[..., Any]) -> Iterator[Ca
 
 @pytest.fixture
 def participant(domain_id: int) -> Iterator[Participant]:
-    """Give a participant on DDS with one node, /tests/here."""
+    """Yield a participant on DDS with one node, /tests/here."""
     participant = open_participant(domain_id)
     participant.add_node(NodeName("/tests", "here"))
     yield participant
@@ -80,7 +80,7 @@ def topic() -> Topic:
 
 @pytest.fixture
 def take_data(wait_until: Callable[..., None]) -> Callable[[Reader, int], list[bytes]]:
-    """Take that many samples off a reader and return their bytes."""
+    """Take `count` samples from a reader and return their bytes."""
 
     def take(reader: Reader, how_many: int) -> list[bytes]:
         taken: list[bytes] = []

@@ -1,4 +1,4 @@
-"""Choosing a wire and a domain from the environment."""
+"""Selection of a wire and a domain by the environment."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def test_cyclone_is_the_default(monkeypatch: pytest.MonkeyPatch, value: str | No
     assert backends.implementation_identifier() == "rmw_cyclonedds_cpp"
 
 
-def test_cyclone_stands_in_for_fast_dds_and_says_so_once(monkeypatch, capsys) -> None:
+def test_cyclone_replaces_fast_dds_with_one_message(monkeypatch, capsys) -> None:
     monkeypatch.setattr(backends, "_reported_replacements", set())
     monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_fastrtps_cpp")
     assert backends.implementation_identifier() == "rmw_cyclonedds_cpp"
@@ -39,7 +39,7 @@ def test_cyclone_stands_in_for_fast_dds_and_says_so_once(monkeypatch, capsys) ->
     assert capsys.readouterr().err == ""
 
 
-def test_an_unknown_wire_is_an_error_that_lists_the_known(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_unknown_wire_error_lists_the_known_ones(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_conext_cpp")
     with pytest.raises(
         NoBackendError, match="'rmw_conext_cpp', which is none of: rmw_cyclonedds_cpp, tfloom_local"
@@ -56,7 +56,7 @@ def test_domain_from_the_environment(monkeypatch, text: str | None, domain: int)
 
 
 @pytest.mark.parametrize("text", ["233", "-1", "1.5", "abc", "0x10"])
-def test_a_bad_domain_says_what_was_wrong(monkeypatch: pytest.MonkeyPatch, text: str) -> None:
+def test_invalid_domain_error_has_the_reason(monkeypatch: pytest.MonkeyPatch, text: str) -> None:
     monkeypatch.setenv("ROS_DOMAIN_ID", text)
     with pytest.raises(
         ConfigurationError, match="ROS_DOMAIN_ID must be an integer from 0 to 232, not '?" + text
@@ -64,7 +64,7 @@ def test_a_bad_domain_says_what_was_wrong(monkeypatch: pytest.MonkeyPatch, text:
         backends.domain_id_from_environment()
 
 
-def test_a_bad_domain_argument_is_refused_too(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_invalid_domain_argument_is_rejected(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
     with pytest.raises(ConfigurationError, match="domain_id must be an integer from 0 to 232, not 1000"):
         backends.open_participant(1000)
@@ -75,7 +75,7 @@ def test_every_backend_is_a_module_that_opens_participants() -> None:
         assert callable(import_module(module).open_participant)
 
 
-def test_which_wires_are_installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_is_installed_reports_the_libraries(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "path", [str(tmp_path)])
     monkeypatch.setattr(sys, "path_importer_cache", {})
     assert backends.is_installed("tfloom_local")

@@ -1,4 +1,4 @@
-"""The rules by which offered and requested qualities of service meet."""
+"""The rules of compatibility between offered and requested qualities of service."""
 
 from __future__ import annotations
 
@@ -38,19 +38,19 @@ FIELDS = {
 }
 
 
-def test_equal_ones_and_stronger_offers_meet() -> None:
+def test_equal_and_stronger_offers_are_compatible() -> None:
     for offered, requested in [(STRONG, STRONG), (WEAK, WEAK), (STRONG, WEAK)]:
         assert incompatible_policies(offered, requested) == []
 
 
 @pytest.mark.parametrize(("kind", "field"), [(k, f) for k, fields in FIELDS.items() for f in fields])
-def test_one_weaker_offer_keeps_the_ends_apart(kind: QoSPolicyKind, field: str) -> None:
+def test_one_weaker_offer_is_incompatible(kind: QoSPolicyKind, field: str) -> None:
     offered = STRONG._replace(**{field: getattr(WEAK, field)})
     assert incompatible_policies(offered, STRONG) == [kind]
     assert incompatible_policies(STRONG, offered) == []
 
 
-def test_all_that_differ_are_named() -> None:
+def test_all_incompatible_policies_are_named() -> None:
     assert incompatible_policies(WEAK, STRONG) == [
         QoSPolicyKind.DURABILITY,
         QoSPolicyKind.DEADLINE,
@@ -59,7 +59,7 @@ def test_all_that_differ_are_named() -> None:
     ]
 
 
-def test_history_depth_and_lifespan_do_not_matter() -> None:
+def test_history_depth_and_lifespan_are_always_compatible() -> None:
     for history, depth, lifespan_ns in product(HistoryPolicy, (0, 1, 100), (0, 1, INFINITE_NS)):
         other = STRONG._replace(history=history, depth=depth, lifespan_ns=lifespan_ns)
         assert incompatible_policies(STRONG, other) == incompatible_policies(other, STRONG) == []
@@ -81,7 +81,7 @@ BEST = QoS(
 
 
 @pytest.mark.parametrize("theirs", [[], [STRONG], [WEAK], [STRONG, WEAK], [WEAK, STRONG, STRONG]])
-def test_best_available_meets_everybody(theirs: list[QoS]) -> None:
+def test_best_available_is_compatible_with_all(theirs: list[QoS]) -> None:
     writer = best_available(BEST, theirs, is_writer=True)
     reader = best_available(BEST, theirs, is_writer=False)
     assert not is_best_available(writer)
@@ -91,14 +91,14 @@ def test_best_available_meets_everybody(theirs: list[QoS]) -> None:
         assert incompatible_policies(other, reader) == []
 
 
-def test_best_available_is_the_most_there_is() -> None:
+def test_best_available_is_the_strongest_compatible_policy() -> None:
     assert best_available(BEST, [STRONG], is_writer=False) == STRONG._replace(depth=BEST.depth)
     assert best_available(BEST, [STRONG], is_writer=True) == STRONG._replace(depth=BEST.depth)
     alone = best_available(BEST, [], is_writer=True)
     assert alone == QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 
-def test_what_is_not_best_available_stays() -> None:
+def test_other_policies_are_unchanged() -> None:
     for qos in (STRONG, WEAK):
         assert not is_best_available(qos)
         assert best_available(qos, [WEAK, STRONG], is_writer=False) == qos

@@ -14,7 +14,7 @@ from tfloom._native import ReadyQueue, SampleQueue
 GID = bytes(range(16))
 
 
-def test_tokens_come_in_order_of_first_posting_and_once() -> None:
+def test_tokens_are_unique_and_in_order_of_posting() -> None:
     queue = ReadyQueue()
     for token in (3, 1, 3, 2, 1):
         queue.post(token)
@@ -24,7 +24,7 @@ def test_tokens_come_in_order_of_first_posting_and_once() -> None:
     assert queue.wait(-1) == [1]
 
 
-def test_a_timeout_is_kept() -> None:
+def test_wait_returns_after_its_timeout() -> None:
     start = time.monotonic()
     assert ReadyQueue().wait(20_000_000) == []
     assert 0.02 <= time.monotonic() - start < 5
@@ -40,7 +40,7 @@ def test_a_post_wakes_the_waiting_thread() -> None:
     assert taken == [7]
 
 
-def test_nothing_is_lost_between_many_threads() -> None:
+def test_no_token_is_lost_between_many_threads() -> None:
     queue = ReadyQueue()
     posters = [
         threading.Thread(target=lambda base=base: [queue.post(base + i) for i in range(1000)])
@@ -58,7 +58,7 @@ def test_nothing_is_lost_between_many_threads() -> None:
 
 
 @pytest.mark.skipif(not hasattr(signal, "pthread_kill"), reason="needs a signal sent to a thread")
-def test_a_signal_handler_runs_at_once_and_what_it_raises_is_raised() -> None:
+def test_signal_handler_runs_at_once_and_its_exception_is_raised() -> None:
     handled = threading.Event()
 
     class StopError(Exception):
@@ -80,7 +80,7 @@ def test_a_signal_handler_runs_at_once_and_what_it_raises_is_raised() -> None:
     assert handled.is_set()
 
 
-def test_a_sample_queue_keeps_the_newest() -> None:
+def test_sample_queue_keeps_the_newest() -> None:
     queue = SampleQueue(2)
     for i in range(5):
         queue.push(bytes([0, 1, 0, 0, i]), i, 10 + i, GID)
@@ -89,7 +89,7 @@ def test_a_sample_queue_keeps_the_newest() -> None:
     assert queue.take() == []
 
 
-def test_a_sample_queue_of_no_depth_counts() -> None:
+def test_sample_queue_of_depth_0_counts() -> None:
     queue = SampleQueue(0)
     queue.push(b"data", 1, 2, GID)
     assert queue.pushed() == 1

@@ -1,4 +1,4 @@
-"""How far to look for others, as the environment says, in Cyclone's words."""
+"""Cyclone's configuration for the discovery range in the environment."""
 
 from __future__ import annotations
 
@@ -59,14 +59,14 @@ def test_localhost_is_unicast_on_loopback_with_room_for_sixty(monkeypatch, value
         ("darwin", [], None),
     ],
 )
-def test_datagrams_are_large_where_loopback_takes_them(monkeypatch, platform, peers, size) -> None:
+def test_datagrams_are_large_on_a_loopback_that_allows_it(monkeypatch, platform, peers, size) -> None:
     monkeypatch.setattr(sys, "platform", platform)
     element = domain(configuration_for("LOCALHOST", peers))
     assert element.findtext("General/MaxMessageSize") == size
 
 
 @pytest.mark.parametrize("discovery_range", ["LOCALHOST", "SUBNET", "OFF"])
-def test_sockets_hold_a_burst(discovery_range: str) -> None:
+def test_socket_buffers_hold_a_burst(discovery_range: str) -> None:
     buffer = domain(configuration_for(discovery_range, [])).find("Internal/SocketReceiveBufferSize")
     assert buffer is not None
     assert buffer.attrib == {"max": "4MB"}
@@ -81,12 +81,12 @@ def test_sockets_hold_a_burst(discovery_range: str) -> None:
         ("SUBNET", [], None),
     ],
 )
-def test_acknowledgements_are_asked_for_often_on_loopback_alone(discovery_range, peers, interval) -> None:
+def test_acknowledgements_are_requested_often_on_loopback_alone(discovery_range, peers, interval) -> None:
     element = domain(configuration_for(discovery_range, peers))
     assert element.findtext("Internal/HeartbeatInterval") == interval
 
 
-def test_localhost_with_static_peers_looks_at_them_too(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_localhost_with_static_peers_searches_them_too(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("ROS_STATIC_PEERS", " 192.0.2.1 ;; robot.example;localhost;192.0.2.1")
     element = domain(configuration())
     assert peers(element) == ["127.0.0.1", "192.0.2.1", "robot.example"]
@@ -94,7 +94,7 @@ def test_localhost_with_static_peers_looks_at_them_too(monkeypatch: pytest.Monke
     assert element.findtext("General/AllowMulticast") == "false"
 
 
-def test_subnet_is_multicast_on_the_interface_that_cyclone_finds() -> None:
+def test_subnet_is_multicast_on_the_interface_that_cyclone_selects() -> None:
     element = domain(configuration_for("SUBNET", []))
     assert interfaces(element) == []
     assert element.findtext("General/AllowMulticast") == "true"
@@ -116,25 +116,25 @@ def test_off_has_no_peers_and_a_tag_of_its_own() -> None:
     assert element.findtext("Discovery/Tag") == f"tfloom-off-{os.getpid()}"
 
 
-def test_system_default_leaves_all_to_cyclone() -> None:
+def test_system_default_is_an_empty_configuration() -> None:
     element = domain(configuration_for("SYSTEM_DEFAULT", []))
     assert [list(child) for child in element] == [[], [], []]
 
 
 @pytest.mark.parametrize("discovery_range", RANGES)
-def test_an_explicit_uri_wins(monkeypatch: pytest.MonkeyPatch, discovery_range: str) -> None:
+def test_explicit_uri_takes_precedence(monkeypatch: pytest.MonkeyPatch, discovery_range: str) -> None:
     monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", discovery_range)
     monkeypatch.setenv("CYCLONEDDS_URI", "file:///etc/cyclone.xml")
     assert configuration() == "file:///etc/cyclone.xml"
 
 
-def test_localhost_only_is_the_old_word_for_it(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_localhost_only_variable_selects_localhost(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "SUBNET")
     monkeypatch.setenv("ROS_LOCALHOST_ONLY", "1")
     assert configuration() == configuration_for("LOCALHOST", [])
 
 
-def test_an_unknown_range_is_an_error_that_lists_the_known(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_unknown_range_error_lists_the_known_ones(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "GALAXY")
     with pytest.raises(
         ConfigurationError, match="'GALAXY', which is none of: LOCALHOST, SUBNET, OFF, SYSTEM_DEFAULT"
@@ -142,19 +142,19 @@ def test_an_unknown_range_is_an_error_that_lists_the_known(monkeypatch: pytest.M
         configuration()
 
 
-def test_a_peer_can_not_break_out_of_its_element() -> None:
+def test_peer_names_are_escaped_in_xml() -> None:
     odd = '"/></Peers><&'
     assert peers(domain(configuration_for("SUBNET", [odd]))) == [odd]
 
 
-def test_a_uri_that_cyclone_refuses_is_an_error_that_names_it(domain_id, monkeypatch, capfd) -> None:
+def test_uri_rejected_by_cyclone_is_named_in_the_error(domain_id, monkeypatch, capfd) -> None:
     monkeypatch.setenv("CYCLONEDDS_URI", "<CycloneDDS><Domain><Nonsense/></Domain></CycloneDDS>")
-    with pytest.raises(WireError, match="see above what Cyclone says of it, and check CYCLONEDDS_URI"):
+    with pytest.raises(WireError, match="see Cyclone's message above, and check CYCLONEDDS_URI"):
         cyclonedds.open_participant(domain_id)
     assert "Nonsense" in capfd.readouterr().err
 
 
-def test_a_full_domain_says_so(domain_id, monkeypatch, start_peer, capfd) -> None:
+def test_full_domain_error_has_the_remedy(domain_id, monkeypatch, start_peer, capfd) -> None:
     start_peer()
     monkeypatch.setattr(cyclone_config, "LOCAL_PARTICIPANTS", 1)
     with pytest.raises(WireError, match="choose another ROS_DOMAIN_ID if 1 are on this domain"):
@@ -163,7 +163,7 @@ def test_a_full_domain_says_so(domain_id, monkeypatch, start_peer, capfd) -> Non
 
 
 @pytest.mark.parametrize("peer", ["x y", "::", "127.0.0.1:x", "127.0.0.1:99999999999999999999"])
-def test_a_peer_that_is_no_host_is_told(peer: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_unknown_host_of_a_peer_is_named_in_the_error(peer: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("ROS_STATIC_PEERS", f"127.0.0.1; 127.0.0.1:7400;{peer}")
     with pytest.raises(ConfigurationError, match="ROS_STATIC_PEERS names") as error:
         cyclone_config.look_up_peers()

@@ -1,4 +1,4 @@
-"""What a participant knows of the others, and what the others see of it: byte for byte as a real ROS 2 has it."""
+"""The graph of a participant, and what it announces: byte for byte as a real ROS 2."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def recorded_topic(kind: str, topic_name: str) -> Topic:
     return Topic(topic_from_dds(topic_name) or "", type_from_dds(end["type_name"]), type_hash)
 
 
-def test_endpoints_look_as_those_of_a_real_ros(
+def test_endpoints_match_those_of_a_real_ros(
     participant, node, domain_id, monkeypatch, start_program
 ) -> None:
     for (kind, name), qos in RECORDED.items():
@@ -73,7 +73,7 @@ def test_endpoints_look_as_those_of_a_real_ros(
         assert set(expected["qos"]) <= set(got["qos"]), (kind, name)
 
 
-def test_service_ends_look_as_those_of_a_real_ros(
+def test_service_endpoints_match_those_of_a_real_ros(
     participant, node, domain_id, monkeypatch, start_program, deviations
 ) -> None:
     recorded = {
@@ -117,7 +117,9 @@ def test_the_participant_announces_its_enclave(participant, domain_id, monkeypat
     assert [qos for qos in announced if set(recorded) <= set(qos)]
 
 
-def test_nodes_and_endpoints_of_another_process(participant, start_peer, topic, node, wait_until) -> None:
+def test_nodes_and_endpoints_of_another_process_are_listed(
+    participant, start_peer, topic, node, wait_until
+) -> None:
     qos = QoS(
         ReliabilityPolicy.BEST_EFFORT,
         TRANSIENT_LOCAL,
@@ -139,7 +141,7 @@ def test_nodes_and_endpoints_of_another_process(participant, start_peer, topic, 
     assert info.qos == qos
 
 
-def test_own_nodes_and_endpoints_are_there_at_once(participant, node, topic) -> None:
+def test_own_nodes_and_endpoints_are_listed_at_once(participant, node, topic) -> None:
     graph = participant.graph
     assert graph.nodes() == [node]
     reader = participant.create_reader(node, topic, QoS())
@@ -174,7 +176,7 @@ def test_changes_grow_and_are_posted(participant, start_peer, topic, wait_until)
     assert all(before < after for before, after in pairwise(counts))
 
 
-def test_topics_of_other_programs_are_no_ros_topics(participant, domain_id, wait_until) -> None:
+def test_topics_of_other_programs_are_not_ros_topics(participant, domain_id, wait_until) -> None:
     bare = DdsParticipant(find_library(), domain_id, configuration(), b"")
     writer = DdsWriter(bare, "plain_topic", "plain::Type", QoS(), b"")
     ros_like = DdsWriter(bare, "rt/half_ros", "plain::Type", QoS(), b"typehash")
@@ -188,7 +190,9 @@ def test_topics_of_other_programs_are_no_ros_topics(participant, domain_id, wait
 @pytest.mark.parametrize(
     "junk", [b"\0\1\0\0junk", b"\0\1\0\0" + b"\xff" * 64, b"\0\1\0\0" + bytes(16) + b"\xff" * 4]
 )
-def test_junk_in_a_node_list_hides_no_other(participant, domain_id, node, wait_until, junk: bytes) -> None:
+def test_invalid_node_list_does_not_hide_others(
+    participant, domain_id, node, wait_until, junk: bytes
+) -> None:
     bare = DdsParticipant(find_library(), domain_id, configuration(), b"")
     qos = QoS(durability=TRANSIENT_LOCAL, depth=1)
     writer = DdsWriter(bare, node_lists.TOPIC_NAME, type_to_dds(node_lists.TYPE_NAME), qos, b"")
@@ -203,13 +207,15 @@ def test_junk_in_a_node_list_hides_no_other(participant, domain_id, node, wait_u
     wait_until(lambda: participant.graph.nodes() == [node])
 
 
-def test_opening_leaves_the_environment_alone(participant) -> None:
+def test_opening_does_not_change_the_environment(participant) -> None:
     import os
 
     assert "CYCLONEDDS_URI" not in os.environ
 
 
-def test_off_finds_nobody_and_nobody_finds_it(domain_id, monkeypatch, start_peer, wait_until) -> None:
+def test_range_off_discovers_nothing_and_is_not_discovered(
+    domain_id, monkeypatch, start_peer, wait_until
+) -> None:
     seen, seeing = start_peer(), start_peer()
     monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "OFF")
     hidden = open_participant(domain_id)
@@ -242,7 +248,7 @@ def writer_on(topic: bytes) -> tuple[object, ...]:
     ],
     ids=["all", "an end is to come", "a list", "a list, of a service", "no nodes", "nothing", "no ROS"],
 )
-def test_what_was_announced_is_missed(
+def test_announced_but_missing_entities_make_the_graph_incomplete(
     user_data: bytes, node_list: bytes, endpoints: list[tuple[object, ...]], is_whole: bool
 ) -> None:
     graph = CycloneGraph.__new__(CycloneGraph)

@@ -1,4 +1,4 @@
-"""Finding libddsc, and the errors where there is none."""
+"""The search for libddsc, and its errors."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from tfloom.rmw.errors import NoBackendError
 
 @pytest.fixture
 def site(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Give a folder that is all of sys.path."""
+    """Return a folder that is the only one on sys.path."""
     monkeypatch.setattr(sys, "path", [str(tmp_path)])
     monkeypatch.setattr(sys, "path_importer_cache", {})
     return tmp_path
@@ -47,12 +47,12 @@ def test_the_library_is_found_without_importing_its_package() -> None:
         "../cyclonedds.libs/ddsc-1a2b.dll",
     ],
 )
-def test_where_each_platforms_wheel_has_it(site: Path, library: str) -> None:
+def test_library_path_on_each_platform(site: Path, library: str) -> None:
     install(site, "11.0.1", library)
     assert find_library() == str((site / "cyclonedds" / library).resolve())
 
 
-def test_nothing_installed(site: Path) -> None:
+def test_missing_package_raises(site: Path) -> None:
     with pytest.raises(
         NoBackendError, match="cyclonedds isn't installed; install it with: pip install 'cyclonedds>=11,<12'"
     ):
@@ -60,7 +60,7 @@ def test_nothing_installed(site: Path) -> None:
 
 
 @pytest.mark.parametrize("version", ["0.10.5", "12.0.0"])
-def test_another_version(site: Path, version: str) -> None:
+def test_unsupported_version_raises(site: Path, version: str) -> None:
     install(site, version, "../cyclonedds.libs/libddsc-ad12c33a.so.0")
     with pytest.raises(
         NoBackendError, match=f"cyclonedds {version} in .* can't be used; .*'cyclonedds>=11,<12'"
@@ -68,13 +68,13 @@ def test_another_version(site: Path, version: str) -> None:
         find_library()
 
 
-def test_a_package_without_its_library(site: Path) -> None:
+def test_package_without_library_raises(site: Path) -> None:
     install(site, "11.0.1", None)
     with pytest.raises(NoBackendError, match="came without libddsc"):
         find_library()
 
 
-def test_a_file_that_is_no_library(tmp_path: Path) -> None:
+def test_file_that_is_not_a_library_raises(tmp_path: Path) -> None:
     path = tmp_path / "libddsc.so"
     path.write_text("not a library")
     with pytest.raises(RuntimeError, match=r"cannot open the DDS library: .*libddsc.so"):
@@ -82,7 +82,7 @@ def test_a_file_that_is_no_library(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="takes a library that every Linux has")
-def test_a_library_of_something_else() -> None:
+def test_library_without_the_symbols_raises() -> None:
     with pytest.raises(
         RuntimeError, match=r"libc\.so\.6 has no dds_create_domain: it isn't Cyclone DDS 11; install"
     ):

@@ -1,4 +1,4 @@
-"""DDS between two processes: bytes as they were, qualities of service kept, peers that come and go."""
+"""DDS between two processes: unchanged bytes, qualities of service, peers that join and leave."""
 
 from __future__ import annotations
 
@@ -23,9 +23,7 @@ def padded(data: bytes) -> bytes:
 
 
 @pytest.mark.parametrize("size", [1, 2, 3, 4, 5, 1000, 65_536, 2_000_001])
-def test_payloads_arrive_as_they_were(
-    participant, start_peer, node, topic, take_data, wait_until, size
-) -> None:
+def test_payloads_arrive_unchanged(participant, start_peer, node, topic, take_data, wait_until, size) -> None:
     reader = participant.create_reader(node, topic, KEEP_ALL)
     peer = start_peer()
     end, _ = peer("writer", topic, KEEP_ALL)
@@ -51,7 +49,7 @@ def test_many_random_payloads_arrive_in_order(
     assert got == [padded(data).hex() for data in sent]
 
 
-def test_samples_tell_who_wrote_them_and_when(participant, start_peer, node, topic, wait_until) -> None:
+def test_samples_have_writer_and_stamp(participant, start_peer, node, topic, wait_until) -> None:
     reader = participant.create_reader(node, topic, KEEP_ALL)
     peer = start_peer()
     ends = [peer("writer", topic, KEEP_ALL) for _ in range(2)]
@@ -66,7 +64,7 @@ def test_samples_tell_who_wrote_them_and_when(participant, start_peer, node, top
         assert 0 <= sample.received_stamp_ns - sample.source_stamp_ns < 10_000_000_000
 
 
-def test_samples_of_a_process_that_has_ended_are_all_there_and_tell_who(
+def test_samples_of_an_ended_process_are_complete_and_have_their_writer(
     participant, start_peer, node, topic, wait_until
 ) -> None:
     reader = participant.create_reader(node, topic, KEEP_ALL)
@@ -83,7 +81,7 @@ def test_samples_of_a_process_that_has_ended_are_all_there_and_tell_who(
 
 
 @pytest.mark.parametrize("depth", [1, 5])
-def test_a_late_reader_gets_what_a_transient_local_writer_keeps(
+def test_late_reader_receives_the_samples_of_a_transient_local_writer(
     participant, start_peer, node, topic, take_data, depth
 ) -> None:
     peer = start_peer()
@@ -95,7 +93,7 @@ def test_a_late_reader_gets_what_a_transient_local_writer_keeps(
     assert last == list(range(8 - depth, 8))
 
 
-def test_a_late_volatile_reader_gets_what_comes_from_now_on(
+def test_late_volatile_reader_receives_later_samples_only(
     participant, start_peer, node, topic, take_data, wait_until
 ) -> None:
     peer = start_peer()
@@ -119,11 +117,11 @@ def test_keep_last_keeps_the_last(participant, start_peer, node, topic, take_dat
     assert [data[4] for data in take_data(reader, 3)] == [17, 18, 19]
 
 
-def test_best_effort_ends_meet(participant, start_peer, node, topic, take_data, wait_until) -> None:
+def test_best_effort_endpoints_match(participant, start_peer, node, topic, take_data, wait_until) -> None:
     reader = participant.create_reader(node, topic, BEST_EFFORT)
     peer = start_peer()
     end, _ = peer("writer", topic, BEST_EFFORT)
-    wait_until(lambda: reader.matched_count() and peer("matched", end))  # either may know of the other first
+    wait_until(lambda: reader.matched_count() and peer("matched", end))  # either may discover the other first
     peer("write", end, (HEADER + b"data").hex())
     assert take_data(reader, 1) == [HEADER + b"data"]
 
@@ -147,20 +145,20 @@ STRONG = QoS(
     ],
     ids=lambda weaker: next(iter(weaker)),
 )
-def test_a_weaker_offer_than_asked_does_not_match(
+def test_weaker_offer_than_requested_does_not_match(
     participant, start_peer, node, topic, wait_until, weaker
 ) -> None:
     peer = start_peer()
     weak, _ = peer("writer", topic, STRONG._replace(**weaker))
     reader = participant.create_reader(node, topic, STRONG)
-    # Endpoints are announced in the order of their creation, so when the second matches, the first won't any more.
+    # Endpoints are announced in the order of their creation, so after the second has matched, the first can't match.
     strong, _ = peer("writer", topic, STRONG)
     wait_until(lambda: reader.matched_count() and peer("matched", strong))
     assert reader.matched_count() == 1
     assert peer("matched", weak) == 0
 
 
-def test_a_lifespan_that_has_ended_ends_the_sample(participant, start_peer, node, topic, take_data) -> None:
+def test_expired_sample_is_not_delivered(participant, start_peer, node, topic, take_data) -> None:
     peer = start_peer()
     brief, _ = peer("writer", topic, TRANSIENT_LOCAL._replace(lifespan_ns=1_000_000))
     lasting, _ = peer("writer", topic, TRANSIENT_LOCAL)
@@ -171,7 +169,7 @@ def test_a_lifespan_that_has_ended_ends_the_sample(participant, start_peer, node
     assert take_data(reader, 1) == [HEADER + b"lasting."]
 
 
-def test_a_fed_sink_gets_all_and_python_nothing(participant, start_peer, node, topic, wait_until) -> None:
+def test_sink_receives_all_samples_and_take_none(participant, start_peer, node, topic, wait_until) -> None:
     queue, sink = ReadyQueue(), SampleQueue(1000)
     reader = participant.create_reader(node, topic, KEEP_ALL)
     reader.notify(queue, 1)
@@ -191,7 +189,7 @@ def test_a_fed_sink_gets_all_and_python_nothing(participant, start_peer, node, t
     assert queue.wait(0) == []
 
 
-def test_nothing_is_pushed_after_close(participant, node, topic, wait_until) -> None:
+def test_no_sample_is_pushed_after_close(participant, node, topic, wait_until) -> None:
     writer = participant.create_writer(node, topic, QoS())
     for _ in range(20):
         reader = participant.create_reader(node, topic, QoS())
@@ -219,7 +217,7 @@ def test_notify_wakes_a_waiting_thread(participant, start_peer, node, topic, wai
     peer.answer()
 
 
-def test_notify_posts_at_once_only_while_something_waits(
+def test_notify_posts_at_once_only_if_samples_are_waiting(
     participant, start_peer, node, topic, wait_until
 ) -> None:
     first, second = ReadyQueue(), ReadyQueue()
@@ -233,7 +231,7 @@ def test_notify_posts_at_once_only_while_something_waits(
         peer("write", end, (HEADER + text).hex())
     wait_until(lambda: first.wait(0), what="the first sample")
     assert reader.take().data == HEADER + b"one."
-    reader.notify(second, 2)  # as when a node goes from one executor to another
+    reader.notify(second, 2)  # as when a node moves from one executor to another
     assert second.wait(10_000_000_000) == [2]
     wait_until(lambda: (sample := reader.take()) is not None and sample.data == HEADER + b"two.")
 
@@ -242,7 +240,7 @@ def test_notify_posts_at_once_only_while_something_waits(
         reader.notify(first, 3)
         return first.wait(0) == []
 
-    wait_until(is_told_of_nothing)  # the word of a sample may come after it has been taken
+    wait_until(is_told_of_nothing)  # the token of a sample may be posted after it has been taken
 
 
 @pytest.mark.parametrize(
@@ -254,12 +252,12 @@ def test_notify_posts_at_once_only_while_something_waits(
         (b"\0\7\0\0data", "starts with 00 01"),
     ],
 )
-def test_what_is_no_little_endian_cdr_is_refused(participant, node, topic, data, text) -> None:
+def test_bytes_that_are_not_little_endian_cdr_are_rejected(participant, node, topic, data, text) -> None:
     with pytest.raises(ValueError, match=text):
         participant.create_writer(node, topic, QoS()).write(data)
 
 
-def test_ends_of_another_type_do_not_match(participant, start_peer, node, topic, wait_until) -> None:
+def test_endpoints_of_another_type_do_not_match(participant, start_peer, node, topic, wait_until) -> None:
     peer = start_peer()
     other, _ = peer("writer", topic._replace(type_name="std_msgs/msg/Int32"), QoS())
     reader = participant.create_reader(node, topic, QoS())
@@ -270,7 +268,7 @@ def test_ends_of_another_type_do_not_match(participant, start_peer, node, topic,
     assert peer("matched", other) == 0
 
 
-def test_a_closed_end_is_silent_and_closing_again_does_nothing(participant, node, topic) -> None:
+def test_closed_endpoint_delivers_nothing_and_close_is_idempotent(participant, node, topic) -> None:
     writer = participant.create_writer(node, topic, QoS())
     reader = participant.create_reader(node, topic, QoS())
     for end in (writer, reader, writer, reader):
@@ -281,14 +279,14 @@ def test_a_closed_end_is_silent_and_closing_again_does_nothing(participant, node
         writer.write(HEADER + b"data")
 
 
-def test_a_closed_participant_opens_nothing(participant, node, topic) -> None:
+def test_closed_participant_opens_nothing(participant, node, topic) -> None:
     participant.close()
     participant.close()
     with pytest.raises(ClosedError):
         participant.create_reader(node, topic, QoS())
 
 
-def test_participants_of_one_process_hear_each_other(
+def test_participants_of_one_process_discover_each_other(
     participant, domain_id, node, topic, take_data, wait_until
 ) -> None:
     other = open_participant(domain_id)

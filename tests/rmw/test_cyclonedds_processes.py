@@ -1,4 +1,4 @@
-"""Processes that die, come back, come in numbers, idle, fork, or leave without a word."""
+"""Processes that are killed, rejoin, are many, idle, fork, or end without closing."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ DATA = b"\0\1\0\0data"
 STRESS_S = 1.5
 
 
-def test_a_killed_reader_comes_back(participant, start_peer, node, topic, wait_until) -> None:
+def test_killed_reader_can_rejoin(participant, start_peer, node, topic, wait_until) -> None:
     qos = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, depth=1)
     writer = participant.create_writer(node, topic, qos)
     for _ in range(3):
@@ -30,7 +30,7 @@ def test_a_killed_reader_comes_back(participant, start_peer, node, topic, wait_u
         peer.program.wait()
 
 
-def test_a_killed_writer_comes_back(participant, start_peer, node, topic, take_data) -> None:
+def test_killed_writer_can_rejoin(participant, start_peer, node, topic, take_data) -> None:
     qos = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, depth=1)
     reader = participant.create_reader(node, topic, qos)
     for i in range(3):
@@ -42,9 +42,7 @@ def test_a_killed_writer_comes_back(participant, start_peer, node, topic, take_d
         peer.program.wait()
 
 
-def test_a_killed_peer_leaves_the_graph_when_its_lease_ends(
-    domain_id, monkeypatch, start_peer, wait_until
-) -> None:
+def test_killed_peer_leaves_the_graph_after_its_lease(domain_id, monkeypatch, start_peer, wait_until) -> None:
     brief = "<Discovery><LeaseDuration>500ms</LeaseDuration>"
     monkeypatch.setenv("CYCLONEDDS_URI", configuration().replace("<Discovery>", brief))
     here = open_participant(domain_id)
@@ -56,7 +54,7 @@ def test_a_killed_peer_leaves_the_graph_when_its_lease_ends(
     here.close()
 
 
-def test_a_peer_that_leaves_takes_its_nodes_along_at_once(
+def test_nodes_of_a_leaving_peer_are_removed_at_once(
     participant, start_peer, node, topic, wait_until
 ) -> None:
     peer = start_peer()
@@ -66,7 +64,7 @@ def test_a_peer_that_leaves_takes_its_nodes_along_at_once(
     wait_until(lambda: participant.graph.nodes() == [node] and not participant.graph.endpoints(), timeout_s=5)
 
 
-def test_twenty_processes_see_each_other(participant, start_peer, wait_until) -> None:
+def test_twenty_processes_discover_each_other(participant, start_peer, wait_until) -> None:
     peers = [start_peer() for _ in range(20)]
     everybody = sorted(["/tests/here", *(f"/peers/peer_{i}" for i in range(20))])
     for peer in peers:
@@ -74,7 +72,7 @@ def test_twenty_processes_see_each_other(participant, start_peer, wait_until) ->
     assert [node.full for node in participant.graph.nodes()] == everybody
 
 
-def test_ends_come_and_go_while_data_flows(participant, start_peer, node, topic, wait_until) -> None:
+def test_endpoints_join_and_leave_while_data_flows(participant, start_peer, node, topic, wait_until) -> None:
     peer = start_peer()
     stop = threading.Event()
     failures: list[BaseException] = []
@@ -130,7 +128,7 @@ def test_ends_come_and_go_while_data_flows(participant, start_peer, node, topic,
 
 
 @pytest.mark.timing
-def test_an_idle_process_takes_no_cpu(participant, start_peer, node, topic, wait_until) -> None:
+def test_idle_process_uses_no_cpu_time(participant, start_peer, node, topic, wait_until) -> None:
     peer = start_peer()
     end, _ = peer("reader", topic, QoS())
     writer = participant.create_writer(node, topic, QoS())
@@ -194,8 +192,8 @@ participant.close()
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
-def test_a_forked_child_ends_and_leaves_its_parent_alone(domain_id, start_program) -> None:
-    # From 3.12 on Python warns of a fork beside threads, which is what is tried here.
+def test_forked_child_ends_without_effect_on_its_parent(domain_id, start_program) -> None:
+    # From 3.12 on Python warns about a fork with other threads, which is tested here.
     program = start_program("python", "-W", "ignore::DeprecationWarning", "-c", LEAVES_WITHOUT_A_WORD + FORKS)
     assert program.wait() == 0
     assert program.output == "child 7"

@@ -1,4 +1,4 @@
-"""What happens besides data: matches, refusals, missed deadlines, lost liveliness."""
+"""Events: matches, incompatibilities, missed deadlines, lost liveliness."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def wire(request: pytest.FixtureRequest, domain_id: int) -> Iterator[Participant
 
 @pytest.fixture
 def take_event(wait_until: Callable[..., None]) -> Callable[[Any, Event], Any]:
-    """Wait for news of an event, and take it."""
+    """Wait for a change of an event's status, and take it."""
 
     def take(end: Any, event: Event) -> Any:
         taken: list[Any] = []
@@ -48,7 +48,7 @@ def take_event(wait_until: Callable[..., None]) -> Callable[[Any, Event], Any]:
     return take
 
 
-def test_matches_are_counted_on_both_ends(wire, topic, take_event) -> None:
+def test_matches_are_counted_on_both_sides(wire, topic, take_event) -> None:
     writer = wire.create_writer(NODE, topic, QoS())
     assert writer.take_event(Event.MATCHED) is None
     reader = wire.create_reader(NODE, topic, QoS())
@@ -70,7 +70,7 @@ def test_matches_are_counted_on_both_ends(wire, topic, take_event) -> None:
         ({"liveliness": LivelinessPolicy.AUTOMATIC}, QoSPolicyKind.LIVELINESS),
     ],
 )
-def test_a_refusal_names_its_policy_on_both_ends(wire, topic, take_event, offered, kind) -> None:
+def test_incompatibility_names_its_policy_on_both_sides(wire, topic, take_event, offered, kind) -> None:
     asked = QoS(
         durability=DurabilityPolicy.TRANSIENT_LOCAL,
         deadline_ns=1_000 * MS,
@@ -84,7 +84,7 @@ def test_a_refusal_names_its_policy_on_both_ends(wire, topic, take_event, offere
         assert end.take_event(Event.MATCHED) is None
 
 
-def test_tokens_are_posted_at_the_start_and_with_news(wire, topic, wait_until) -> None:
+def test_tokens_are_posted_at_the_start_and_on_changes(wire, topic, wait_until) -> None:
     queue = ReadyQueue()
     writer = wire.create_writer(NODE, topic, QoS())
     writer.notify_event(Event.MATCHED, queue, 4)
@@ -98,7 +98,7 @@ def test_tokens_are_posted_at_the_start_and_with_news(wire, topic, wait_until) -
     assert queue.wait(0) == []
 
 
-def test_each_kind_of_end_has_its_events(participant, node, topic) -> None:
+def test_each_kind_of_endpoint_has_its_events(participant, node, topic) -> None:
     writer = participant.create_writer(node, topic, QoS())
     reader = participant.create_reader(node, topic, QoS())
     for end, missing, text in (
@@ -115,7 +115,7 @@ def test_each_kind_of_end_has_its_events(participant, node, topic) -> None:
                 end.notify_event(event, ReadyQueue(), 1)
 
 
-def test_the_local_wire_says_what_it_has(topic) -> None:
+def test_local_wire_names_its_events_in_the_error(topic) -> None:
     participant = local.open_participant(1)
     writer = participant.create_writer(NODE, topic, QoS())
     with pytest.raises(
@@ -125,7 +125,7 @@ def test_the_local_wire_says_what_it_has(topic) -> None:
     participant.close()
 
 
-def test_missed_deadlines_are_counted_on_both_ends(participant, node, topic, take_event) -> None:
+def test_missed_deadlines_are_counted_on_both_sides(participant, node, topic, take_event) -> None:
     queue = ReadyQueue()
     qos = QoS(deadline_ns=20 * MS)
     writer = participant.create_writer(node, topic, qos)
@@ -143,7 +143,7 @@ def test_missed_deadlines_are_counted_on_both_ends(participant, node, topic, tak
         assert second.total_count == first.total_count + second.total_count_change
 
 
-def test_a_writer_that_is_silent_loses_its_liveliness(
+def test_writer_without_assertions_loses_its_liveliness(
     participant, start_peer, node, topic, take_event
 ) -> None:
     qos = QoS(liveliness=LivelinessPolicy.MANUAL_BY_TOPIC, liveliness_lease_ns=200 * MS)
@@ -164,7 +164,7 @@ def test_a_writer_that_is_silent_loses_its_liveliness(
         wait_for_counts(0, 1)
 
 
-def test_a_writer_that_says_so_stays_alive(participant, start_peer, node, topic, take_event) -> None:
+def test_asserting_writer_stays_alive(participant, start_peer, node, topic, take_event) -> None:
     qos = QoS(liveliness=LivelinessPolicy.MANUAL_BY_TOPIC, liveliness_lease_ns=600 * MS)
     reader = participant.create_reader(node, topic, qos)
     peer = start_peer()
@@ -176,16 +176,14 @@ def test_a_writer_that_says_so_stays_alive(participant, start_peer, node, topic,
     assert take_event(reader, Event.LIVELINESS_CHANGED) == LivelinessChanged(0, 1, -1, 1)
 
 
-def test_a_silent_writer_is_told_so_itself(participant, node, topic, take_event) -> None:
+def test_lost_liveliness_is_reported_to_the_writer(participant, node, topic, take_event) -> None:
     qos = QoS(liveliness=LivelinessPolicy.MANUAL_BY_TOPIC, liveliness_lease_ns=20 * MS)
     writer = participant.create_writer(node, topic, qos)
     writer.assert_liveliness()
     assert take_event(writer, Event.LIVELINESS_LOST) == Count(1, 1)
 
 
-def test_a_killed_writer_is_not_alive_when_its_lease_ends(
-    participant, start_peer, node, topic, take_event
-) -> None:
+def test_killed_writer_is_not_alive_after_its_lease(participant, start_peer, node, topic, take_event) -> None:
     qos = QoS(liveliness_lease_ns=200 * MS)
     reader = participant.create_reader(node, topic, qos)
     peer = start_peer()
@@ -195,7 +193,9 @@ def test_a_killed_writer_is_not_alive_when_its_lease_ends(
     assert take_event(reader, Event.LIVELINESS_CHANGED) == LivelinessChanged(0, 1, -1, 1)
 
 
-def test_waiting_for_acks(participant, start_peer, node, topic, wait_until) -> None:
+def test_wait_for_acks_returns_when_all_have_acknowledged(
+    participant, start_peer, node, topic, wait_until
+) -> None:
     writer = participant.create_writer(node, topic, QoS(history=HistoryPolicy.KEEP_ALL))
     assert writer.wait_for_acks(0)
     peer = start_peer()
@@ -217,9 +217,7 @@ def test_waiting_for_acks(participant, start_peer, node, topic, wait_until) -> N
 
 
 @pytest.mark.parametrize("strong", [True, False])
-def test_best_available_readers_meet_the_writers_that_are_there(
-    wire, topic, wait_until, strong: bool
-) -> None:
+def test_best_available_readers_match_the_present_writers(wire, topic, wait_until, strong: bool) -> None:
     best = QoS(
         ReliabilityPolicy.BEST_AVAILABLE,
         DurabilityPolicy.BEST_AVAILABLE,

@@ -1,4 +1,4 @@
-"""With a DDS program that announces XTypes information for the same type: names decide, and bytes pass both ways."""
+"""A DDS program that announces XTypes information: endpoints match by type name, and bytes pass both ways."""
 
 from __future__ import annotations
 
@@ -19,7 +19,9 @@ def encoded(text: str) -> bytes:
     return b"\0\1\0\0" + struct.pack("<I", len(octets)) + octets
 
 
-def test_a_typed_listener_hears_us(participant, domain_id, node, topic, monkeypatch, start_program) -> None:
+def test_typed_reader_receives_raw_samples(
+    participant, domain_id, node, topic, monkeypatch, start_program
+) -> None:
     writer = participant.create_writer(node, topic, KEPT)
     for text in TEXTS:
         writer.write(encoded(text))
@@ -29,7 +31,7 @@ def test_a_typed_listener_hears_us(participant, domain_id, node, topic, monkeypa
     assert listener.lines == TEXTS
 
 
-def test_we_hear_a_typed_talker(
+def test_raw_reader_receives_typed_samples(
     participant, domain_id, node, topic, monkeypatch, start_program, take_data
 ) -> None:
     monkeypatch.setenv("CYCLONEDDS_URI", configuration())

@@ -1,4 +1,4 @@
-"""The in-process wire: who hears what, in which order, and what the graph shows."""
+"""The in-process wire: matching, order of samples, and the graph."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def drain(reader: LocalReader) -> list[bytes]:
     return [sample.data for sample in samples]
 
 
-def test_a_sample_is_there_when_write_returns(ends) -> None:
+def test_sample_is_delivered_before_write_returns(ends) -> None:
     writer = ends[0].create_writer(TALKER, TOPIC, QoS())
     reader = ends[1].create_reader(LISTENER, TOPIC, QoS())
     writer.write(b"\0\1\0\0abcd")
@@ -45,7 +45,7 @@ def test_a_sample_is_there_when_write_returns(ends) -> None:
     assert reader.take() is None
 
 
-def test_matched_counts_follow_both_ends(ends) -> None:
+def test_matched_counts_follow_both_endpoints(ends) -> None:
     writer = ends[0].create_writer(TALKER, TOPIC, QoS())
     assert writer.matched_count() == 0
     readers = [end.create_reader(LISTENER, TOPIC, QoS()) for end in ends]
@@ -78,7 +78,7 @@ def test_another_hash_of_the_type_still_matches(ends) -> None:
     assert writer.matched_count() == 1
 
 
-def test_domains_are_apart(ends) -> None:
+def test_domains_are_separate(ends) -> None:
     elsewhere = open_participant(8)
     reader = elsewhere.create_reader(LISTENER, TOPIC, QoS())
     ends[0].create_writer(TALKER, TOPIC, QoS()).write(b"data")
@@ -98,7 +98,7 @@ def test_keep_last_drops_the_oldest_and_keep_all_none(ends) -> None:
     assert drain(every) == sent
 
 
-def test_a_late_reader_gets_what_a_transient_local_writer_keeps(ends) -> None:
+def test_late_reader_receives_the_samples_of_a_transient_local_writer(ends) -> None:
     writer = ends[0].create_writer(TALKER, TOPIC, TRANSIENT_LOCAL)
     for i in range(5):
         writer.write(b"%d" % i)
@@ -118,7 +118,7 @@ def test_a_sample_past_its_lifespan_is_not_taken(ends, wait_until) -> None:
     assert drain(ends[1].create_reader(LISTENER, TOPIC, TRANSIENT_LOCAL)) == []
 
 
-def test_notify_posts_at_once_when_something_waits_and_for_each_sample_after(ends) -> None:
+def test_notify_posts_at_once_for_waiting_samples_and_for_each_later_one(ends) -> None:
     queue = ReadyQueue()
     writer = ends[0].create_writer(TALKER, TOPIC, QoS())
     reader = ends[1].create_reader(LISTENER, TOPIC, QoS())
@@ -133,7 +133,7 @@ def test_notify_posts_at_once_when_something_waits_and_for_each_sample_after(end
     assert queue.wait(0) == []
 
 
-def test_a_closed_end_is_silent_and_closing_again_does_nothing(ends) -> None:
+def test_closed_endpoint_delivers_nothing_and_close_is_idempotent(ends) -> None:
     writer = ends[0].create_writer(TALKER, TOPIC, QoS())
     reader = ends[1].create_reader(LISTENER, TOPIC, QoS())
     writer.write(b"data")
@@ -146,7 +146,7 @@ def test_a_closed_end_is_silent_and_closing_again_does_nothing(ends) -> None:
         writer.write(b"data")
 
 
-def test_the_graph_shows_nodes_and_endpoints_of_all_participants(ends) -> None:
+def test_graph_lists_nodes_and_endpoints_of_all_participants(ends) -> None:
     graph = ends[0].graph
     ends[0].add_node(TALKER)
     ends[1].add_node(LISTENER)
@@ -172,14 +172,14 @@ def test_graph_changes_are_counted_and_posted(ends) -> None:
     assert queue.wait(0) == []
 
 
-def test_a_closed_participant_opens_nothing(ends) -> None:
+def test_closed_participant_opens_nothing(ends) -> None:
     ends[0].close()
     ends[0].close()
     with pytest.raises(ClosedError):
         ends[0].create_writer(TALKER, TOPIC, QoS())
 
 
-def test_writers_on_many_threads_lose_nothing(ends) -> None:
+def test_writers_on_many_threads_lose_no_sample(ends) -> None:
     reader = ends[1].create_reader(LISTENER, TOPIC, QoS(history=HistoryPolicy.KEEP_ALL))
     writers = [ends[0].create_writer(TALKER, TOPIC, QoS()) for _ in range(4)]
     threads = [
@@ -196,7 +196,7 @@ def test_writers_on_many_threads_lose_nothing(ends) -> None:
         assert mine == list(range(500))
 
 
-def test_a_fed_sink_gets_what_waits_first_and_python_nothing(ends) -> None:
+def test_sink_receives_waiting_samples_first_and_take_none(ends) -> None:
     queue, sink = ReadyQueue(), SampleQueue(10)
     writer = ends[0].create_writer(TALKER, TOPIC, QoS())
     reader = ends[1].create_reader(LISTENER, TOPIC, QoS())

@@ -1,4 +1,4 @@
-"""Lists of nodes as a real ROS 2 wrote them, and bytes that are none."""
+"""Node lists of a real ROS 2, and malformed bytes."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ nodes = st.lists(st.builds(NodeEnds, st.builds(NodeName, texts, texts), gids, gi
     ("data", "name", "ends"),
     [(RECORDED[0], "turtlesim", (20, 23)), (RECORDED[1], "static_transform_publisher", (8, 10))],
 )
-def test_recorded_lists_are_read_and_written_alike(data: bytes, name: str, ends: tuple[int, int]) -> None:
+def test_recorded_lists_survive_decoding_and_encoding(data: bytes, name: str, ends: tuple[int, int]) -> None:
     gid, (node,) = decode(data)
     assert gid.hex().startswith("0110")
     assert node.name.namespace == "/"
@@ -44,12 +44,12 @@ def test_the_recorded_endpoints_belong_to_the_recorded_nodes() -> None:
 
 @settings(deadline=None)
 @given(gid=st.binary(min_size=16, max_size=16), nodes=nodes)
-def test_what_is_written_is_read_back(gid: bytes, nodes: list[NodeEnds]) -> None:
+def test_encoded_lists_are_decoded(gid: bytes, nodes: list[NodeEnds]) -> None:
     assert decode(encode(gid, nodes)) == (gid, nodes)
 
 
 @pytest.mark.parametrize("data", RECORDED)
-def test_each_truncation_is_an_error(data: bytes) -> None:
+def test_each_truncation_raises(data: bytes) -> None:
     for size in range(len(data)):
         with pytest.raises(NodeListError):
             decode(data[:size])
@@ -57,7 +57,7 @@ def test_each_truncation_is_an_error(data: bytes) -> None:
 
 @settings(deadline=None)
 @given(st.binary(max_size=200))
-def test_random_bytes_are_read_or_refused(data: bytes) -> None:
+def test_random_bytes_are_decoded_or_rejected(data: bytes) -> None:
     for candidate in (data, b"\0\1\0\0" + data, RECORDED[0][:32] + data):
         with suppress(NodeListError):
             gid, nodes = decode(candidate)
@@ -65,11 +65,11 @@ def test_random_bytes_are_read_or_refused(data: bytes) -> None:
             assert sum(len(node.reader_gids) + len(node.writer_gids) for node in nodes) * 16 < len(candidate)
 
 
-def test_a_huge_count_is_refused_before_anybody_loops() -> None:
+def test_huge_count_is_rejected_before_a_loop() -> None:
     with pytest.raises(NodeListError, match="4294967295 items are announced at octet 20 of 20"):
         decode(b"\0\1\0\0" + bytes(16) + b"\xff\xff\xff\xff")
 
 
-def test_big_endian_is_refused() -> None:
+def test_big_endian_is_rejected() -> None:
     with pytest.raises(NodeListError, match="little-endian"):
         decode(b"\0\0\0\0" + RECORDED[0][4:])

@@ -1,4 +1,4 @@
-"""Services on both wires: requests find servers, responses find their client, bytes as rmw_cyclonedds has them."""
+"""Services on both wires: routing of requests and responses, and the bytes of rmw_cyclonedds."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ Wires = tuple[Participant, Participant]
 
 @pytest.fixture(params=["local", pytest.param("cyclonedds", marks=pytest.mark.wire)])
 def wires(request: pytest.FixtureRequest, domain_id: int) -> Iterator[Wires]:
-    """Give two participants that hear each other."""
+    """Yield two participants that discover each other."""
     module = {"local": local, "cyclonedds": cyclonedds}[request.param]
     here, there = module.open_participant(domain_id), module.open_participant(domain_id)
     here.add_node(CLIENT)
@@ -41,7 +41,7 @@ def wires(request: pytest.FixtureRequest, domain_id: int) -> Iterator[Wires]:
 
 @pytest.fixture
 def take(wait_until: Callable[..., None]) -> Callable[[Any], Any]:
-    """Wait for something to take, and take it."""
+    """Wait for an item, and take it."""
 
     def take(end: Any) -> Any:
         taken: list[Any] = []
@@ -51,7 +51,7 @@ def take(wait_until: Callable[..., None]) -> Callable[[Any], Any]:
     return take
 
 
-def test_a_request_is_answered(wires: Wires, take, wait_until) -> None:
+def test_request_receives_its_response(wires: Wires, take, wait_until) -> None:
     client = wires[0].create_requester(CLIENT, KILL, QoS())
     assert not client.is_ready()
     server = wires[1].create_responder(SERVER, KILL, QoS())
@@ -71,7 +71,7 @@ def test_a_request_is_answered(wires: Wires, take, wait_until) -> None:
     assert server.take() is None
 
 
-def test_each_client_gets_its_own_responses(wires: Wires, take, wait_until) -> None:
+def test_each_client_receives_its_responses(wires: Wires, take, wait_until) -> None:
     server = wires[1].create_responder(SERVER, KILL, QoS(depth=1000))
     clients = [wires[i % 2].create_requester(CLIENT, KILL, QoS(depth=1000)) for i in range(5)]
     for client in clients:
@@ -93,7 +93,7 @@ def test_each_client_gets_its_own_responses(wires: Wires, take, wait_until) -> N
     assert got == sent
 
 
-def test_many_requests_and_responses_wait_for_who_is_slow(wires: Wires, take, wait_until) -> None:
+def test_many_requests_and_responses_wait_for_slow_peers(wires: Wires, take, wait_until) -> None:
     server = wires[1].create_responder(SERVER, KILL, QoS())
     client, other = (wires[0].create_requester(CLIENT, KILL, QoS()) for _ in range(2))
     wait_until(client.is_ready)
@@ -106,7 +106,7 @@ def test_many_requests_and_responses_wait_for_who_is_slow(wires: Wires, take, wa
     assert other.take() is None
 
 
-def test_a_server_may_wish_to_forget(wires: Wires, take, wait_until) -> None:
+def test_server_with_a_small_depth_drops_requests(wires: Wires, take, wait_until) -> None:
     server = wires[1].create_responder(SERVER, KILL, QoS(depth=1))
     client = wires[0].create_requester(CLIENT, KILL, QoS())
     wait_until(client.is_ready)
@@ -137,7 +137,7 @@ def test_tokens_are_posted_for_requests_responses_and_readiness(wires: Wires, ta
     wait_until(lambda: not client.is_ready())
 
 
-def test_closed_ends_are_silent(wires: Wires, take, wait_until) -> None:
+def test_closed_endpoints_deliver_nothing(wires: Wires, take, wait_until) -> None:
     client = wires[0].create_requester(CLIENT, KILL, QoS())
     server = wires[1].create_responder(SERVER, KILL, QoS())
     wait_until(client.is_ready)
@@ -154,7 +154,7 @@ def test_closed_ends_are_silent(wires: Wires, take, wait_until) -> None:
         server.send(request.id, HEADER + b"told")
 
 
-def test_the_graph_shows_servers_and_clients_apart_from_topics(wires: Wires, wait_until) -> None:
+def test_graph_lists_servers_and_clients_separately_from_topics(wires: Wires, wait_until) -> None:
     client = wires[0].create_requester(CLIENT, KILL, QoS())
     server = wires[1].create_responder(SERVER, KILL, QoS())
     for wire in wires:
@@ -205,7 +205,7 @@ def test_a_thousand_calls_from_two_threads(wires: Wires, wait_until) -> None:
 
 @pytest.fixture
 def bare(domain_id: int) -> Iterator[DdsParticipant]:
-    """Give a DDS participant that knows nothing of ROS."""
+    """Yield a plain DDS participant, without ROS."""
     bare = DdsParticipant(find_library(), domain_id, configuration(), b"")
     yield bare
     bare.close()
@@ -238,7 +238,9 @@ def test_requests_on_the_wire_are_header_and_message(domain_id, bare, wait_until
     participant.close()
 
 
-def test_a_server_answers_what_rmw_cyclonedds_would_send(domain_id, bare, take, wait_until) -> None:
+def test_server_replies_to_requests_in_the_format_of_rmw_cyclonedds(
+    domain_id, bare, take, wait_until
+) -> None:
     participant = cyclonedds.open_participant(domain_id)
     server = participant.create_responder(SERVER, KILL, QoS())
     requests = DdsWriter(bare, *REQUESTS, QoS(), b"clientid= 1.10.7;")
@@ -246,7 +248,7 @@ def test_a_server_answers_what_rmw_cyclonedds_would_send(domain_id, bare, take, 
     for junk in (b"\0", bytes(11), bytes(16)):
         requests.write(HEADER + junk)
     requests.write(HEADER + struct.pack("<Qq", 0x1122334455667788, 42) + b"ask!")
-    # The client's reader comes later; the answer waits for it.
+    # The client's reader is created later; the response waits for it.
     request = take(server)
     assert request.data == HEADER + b"ask!"
     assert request.id.sequence_number == 42
@@ -301,11 +303,11 @@ FAST, CYCLONE = "010f", "0110"
         "one of another vendor",
     ],
 )
-def test_when_a_client_is_ready(requests, responses, is_ready: bool) -> None:
+def test_client_is_ready_when_matched_in_both_directions(requests, responses, is_ready: bool) -> None:
     assert CycloneServers(FakeEnd(*requests), FakeEnd(*responses), "/kill").is_ready() is is_ready
 
 
-def test_nothing_is_sent_to_another_vendor() -> None:
+def test_no_request_is_sent_to_another_vendor() -> None:
     writer = FakeEnd((FAST, b""))
     client = HeaderRequester(writer, FakeEnd(), CycloneServers(writer, FakeEnd(), "/kill"), b"12345678")
     assert "/kill runs on another DDS vendor" in client.obstacle()

@@ -14,7 +14,7 @@ ENDPOINTS = [*GOLDEN["publication"], *GOLDEN["subscription"]]
 
 
 @pytest.mark.parametrize(("ros", "dds"), [("/tf", "rt/tf"), ("/turtle1/pose", "rt/turtle1/pose")])
-def test_topics(ros: str, dds: str) -> None:
+def test_topic_names_convert_both_ways(ros: str, dds: str) -> None:
     assert topic_to_dds(ros) == dds
     assert topic_from_dds(dds) == ros
 
@@ -22,24 +22,24 @@ def test_topics(ros: str, dds: str) -> None:
 @pytest.mark.parametrize(
     "dds", ["", "rt", "rt/", "ros_discovery_info", "rq/spawnRequest", "rr/spawnReply", "rts/a", "/rt/a"]
 )
-def test_what_is_no_ros_topic(dds: str) -> None:
+def test_other_topics_are_not_ros_topics(dds: str) -> None:
     assert topic_from_dds(dds) is None
 
 
 @pytest.mark.parametrize("end", ENDPOINTS, ids=lambda end: end["topic_name"])
-def test_recorded_types_both_ways(end: dict[str, str]) -> None:
+def test_recorded_type_names_convert_both_ways(end: dict[str, str]) -> None:
     ros = type_from_dds(end["type_name"])
     assert ros.count("/") == 2
     assert type_to_dds(ros) == end["type_name"]
 
 
 @pytest.mark.parametrize("name", ["plain::Type", "dds_::Type_", "a::b::c", ""])
-def test_types_of_others_stay_as_they_are(name: str) -> None:
+def test_other_type_names_are_unchanged(name: str) -> None:
     assert type_from_dds(name) == name
 
 
 @pytest.mark.parametrize("name", ["String", "std_msgs/String", "std_msgs//String", "a/b/c/d"])
-def test_a_bad_type_name_says_what_one_is_like(name: str) -> None:
+def test_invalid_type_name_error_has_an_example(name: str) -> None:
     with pytest.raises(ValueError, match="a type's name is like 'std_msgs/msg/String'"):
         type_to_dds(name)
 
@@ -54,5 +54,5 @@ def test_a_bad_type_name_says_what_one_is_like(name: str) -> None:
         (b"\xff\xfe=;;=a;b=", {"\ufffd\ufffd": "", "": "a", "b": ""}),
     ],
 )
-def test_user_data(data: bytes, told: dict[str, str]) -> None:
+def test_user_data_is_parsed(data: bytes, told: dict[str, str]) -> None:
     assert key_values(data) == told

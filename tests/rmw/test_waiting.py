@@ -1,4 +1,4 @@
-"""Waits for a server: what wakes them, and what ends them."""
+"""Waits for a server: their wake-ups and their ends."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def participant(domain_id: int) -> Iterator[Participant]:
     participant.close()
 
 
-def test_a_server_that_comes_ends_the_wait(participant: Participant) -> None:
+def test_arriving_server_ends_the_wait(participant: Participant) -> None:
     client = participant.create_requester(NODE, KILL, QoS())
     looks: list[bool] = []
 
@@ -37,13 +37,13 @@ def test_a_server_that_comes_ends_the_wait(participant: Participant) -> None:
             threading.Thread(target=participant.create_responder, args=(NODE, KILL, QoS())).start()
         return looks[-1]
 
-    # Looks an hour apart: it's the match that wakes the wait.
+    # The period of checks is an hour, so that only the match can wake the wait.
     assert wait_until_ready(client, is_ready, time.monotonic() + 60, look_again_s=3600)
     assert looks[0] is False
     assert looks[-1] is True
 
 
-def test_the_end_of_the_time_ends_the_wait(participant: Participant) -> None:
+def test_timeout_ends_the_wait(participant: Participant) -> None:
     client = participant.create_requester(NODE, KILL, QoS())
     looks: list[bool] = []
     is_ready = lambda: bool(looks.append(False))  # noqa: E731
@@ -51,7 +51,7 @@ def test_the_end_of_the_time_ends_the_wait(participant: Participant) -> None:
     assert looks == [False]
 
 
-def test_a_queue_of_the_callers_wakes_the_wait_to_end_it(participant: Participant) -> None:
+def test_token_in_the_queue_of_the_caller_ends_the_wait(participant: Participant) -> None:
     client = participant.create_requester(NODE, KILL, QoS())
     queue, closed = ReadyQueue(), threading.Event()
 
@@ -64,7 +64,7 @@ def test_a_queue_of_the_callers_wakes_the_wait_to_end_it(participant: Participan
     assert not wait_until_ready(client, is_ready, queue=queue, is_open=is_open, look_again_s=3600)
 
 
-def test_what_the_question_raises_ends_the_wait(participant: Participant) -> None:
+def test_exception_of_is_ready_ends_the_wait(participant: Participant) -> None:
     client = participant.create_requester(NODE, KILL, QoS())
 
     def is_ready() -> bool:
@@ -74,10 +74,10 @@ def test_what_the_question_raises_ends_the_wait(participant: Participant) -> Non
         wait_until_ready(client, is_ready)
 
 
-def test_a_token_ends_an_endless_wait() -> None:
+def test_token_ends_a_wait_without_limit() -> None:
     queue = ReadyQueue()
     queue.post(1)
     wait_for_token(queue, math.inf)
     queue.post(2)
     wait_for_token(queue, time.monotonic() - 1)
-    assert queue.wait(0) == [2]  # the time was over: nothing was waited for
+    assert queue.wait(0) == [2]  # the time had passed: no wait

@@ -1,4 +1,4 @@
-"""The codec beyond the goldens: what it refuses, how it says so, and bytes that nobody should trust."""
+"""The codec beyond the goldens: errors, their texts, and hostile bytes."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ BE = bytes.fromhex("00000000")
 
 
 class Number:
-    """Something that is a number by its own methods."""
+    """An object with the methods of a number."""
 
     def __index__(self) -> int:
         return 7
@@ -83,19 +83,19 @@ class Number:
         ),
     ],
 )
-def test_encode_errors_name_the_path(message: Message, text: str) -> None:
+def test_encode_errors_have_the_path(message: Message, text: str) -> None:
     with pytest.raises(cdr.EncodeError) as raised:
         cdr.encode(message)
     assert str(raised.value) == text
     assert text.startswith(raised.value.path)
 
 
-def test_a_slot_that_was_never_set() -> None:
+def test_unset_slot_raises() -> None:
     with pytest.raises(cdr.EncodeError, match=r"^Vector3.x is not set$"):
         cdr.encode(Vector3.__new__(Vector3))
 
 
-def test_deep_paths() -> None:
+def test_error_paths_of_nested_fields() -> None:
     message = TFMessage(transforms=[TransformStamped()])
     message.transforms[0].transform.translation.x = "abc"  # type: ignore[assignment]
     with pytest.raises(cdr.EncodeError) as raised:
@@ -103,7 +103,7 @@ def test_deep_paths() -> None:
     assert raised.value.path == "TFMessage.transforms[0].transform.translation.x"
 
 
-def test_what_is_no_message() -> None:
+def test_non_messages_raise() -> None:
     for wrong in (5, "abc", object(), Message):
         with pytest.raises(TypeError, match="is no message class"):
             cdr.encode(wrong)  # type: ignore[arg-type]
@@ -113,7 +113,7 @@ def test_what_is_no_message() -> None:
         cdr.decode(Vector3, 5)  # type: ignore[arg-type]
 
 
-def test_numbers_of_other_kinds_are_taken() -> None:
+def test_numbers_of_other_types_are_accepted() -> None:
     assert cdr.decode(Vector3, cdr.encode(Vector3(x=1, y=np.float32(0.5), z=Number()))) == Vector3(
         x=1.0, y=0.5, z=7.5
     )
@@ -122,7 +122,7 @@ def test_numbers_of_other_kinds_are_taken() -> None:
     assert cdr.decode(Bool, cdr.encode(Bool(data=np.bool_(True)))).data is True
 
 
-def test_what_a_value_raises_passes() -> None:
+def test_exception_of_a_value_is_propagated() -> None:
     class Broken:
         def __float__(self) -> float:
             raise KeyError("mine")
@@ -131,7 +131,7 @@ def test_what_a_value_raises_passes() -> None:
         cdr.encode(Vector3(x=Broken()))
 
 
-def test_a_list_that_shrinks_while_it_is_encoded() -> None:
+def test_list_that_shrinks_during_encoding_raises() -> None:
     message = ParameterValue()
 
     class Shrinking:
@@ -141,7 +141,7 @@ def test_a_list_that_shrinks_while_it_is_encoded() -> None:
 
     names: list[Any] = ["a", "b"]
     message.string_array_value = names
-    message.type = Shrinking()  # comes first
+    message.type = Shrinking()  # is first
     assert cdr.decode(ParameterValue, cdr.encode(message)).string_array_value == []
     transforms: list[Any] = [TransformStamped() for _ in range(9)]
 
@@ -200,26 +200,26 @@ def test_a_list_that_shrinks_while_it_is_encoded() -> None:
         ),
     ],
 )
-def test_decode_errors_say_where(cls: type[Message], data: bytes, text: str) -> None:
+def test_decode_errors_have_path_and_offset(cls: type[Message], data: bytes, text: str) -> None:
     with pytest.raises(cdr.DecodeError) as raised:
         cdr.decode(cls, data)
     assert str(raised.value) == text
     assert text == f"{raised.value.path}: byte {raised.value.offset}: {raised.value.reason}"
 
 
-def test_padding_and_the_other_spelling_of_the_empty_string() -> None:
+def test_padding_and_empty_strings_without_nul_are_decoded() -> None:
     assert cdr.decode(Vector3, LE + bytes(24 + 7)) == Vector3()
     assert cdr.decode(Header, LE + bytes(12)).frame_id == ""
     assert cdr.decode(Empty, LE + bytes(4)) == Empty()
 
 
-def test_any_memory_is_read() -> None:
+def test_any_buffer_is_decoded() -> None:
     data = cdr.encode(Time(sec=5))
     for form in (bytearray(data), memoryview(data), array("B", data), np.frombuffer(data, np.uint8)):
         assert cdr.decode(Time, form) == Time(sec=5)
 
 
-def test_big_endian() -> None:
+def test_big_endian_is_decoded() -> None:
     assert cdr.decode(Time, BE + bytes.fromhex("00000001 00000002")) == Time(sec=1, nanosec=2)
     joints = BE + bytes(8) + bytes.fromhex("00000001 00000000 00000000 00000001 3ff8000000000000")
     assert cdr.decode(String, BE + bytes.fromhex("00000003") + b"hi\0").data == "hi"
@@ -237,9 +237,9 @@ def test_wide_strings_beyond_the_first_plane() -> None:
     assert cdr.decode(WString, LE + b"\1\0\0\0" + b"\x22\xf4\x01\0").data == "\U0001f422"
 
 
-def test_a_subclass_is_built_and_read() -> None:
+def test_subclass_is_decoded_and_encoded() -> None:
     class Point(Vector3):
-        """A user's own."""
+        """A user's subclass."""
 
     point = cdr.decode(Point, cdr.encode(Vector3(x=2.0)))
     assert type(point) is Point
@@ -247,7 +247,7 @@ def test_a_subclass_is_built_and_read() -> None:
     assert cdr.encode(Twist(linear=point)) == cdr.encode(Twist(linear=Vector3(x=2.0)))
 
 
-def test_large_arrays() -> None:
+def test_large_arrays_survive_the_codec() -> None:
     pixels = os.urandom(1_000_001)
     data = cdr.encode(Image(data=pixels, encoding="mono8"))
     assert data.endswith(bytes.fromhex("41420f00") + pixels)
@@ -256,8 +256,8 @@ def test_large_arrays() -> None:
     assert cdr.decode(PointCloud2, cdr.encode(cloud)) == cloud
 
 
-def test_what_decoding_took_is_given_back() -> None:
-    """Truncated anywhere, a message leaves nothing behind: neither references nor half-built objects."""
+def test_failed_decoding_releases_all_objects() -> None:
+    """A message truncated at any byte leaves neither references nor incomplete objects."""
     import gc
 
     data = cdr.encode(TFMessage(transforms=[TransformStamped() for _ in range(3)]))
@@ -281,7 +281,7 @@ SAMPLES = {
 
 
 @pytest.mark.parametrize("name", SAMPLES)
-def test_damaged_bytes_are_read_or_refused(name: str) -> None:
+def test_damaged_bytes_are_decoded_or_rejected(name: str) -> None:
     cls, generator = get_message_class(name), random.Random(name)
     for _ in range(60):
         data = bytearray(generator.choice(SAMPLES[name]))

@@ -48,7 +48,7 @@ def _forgets() -> Iterator[None]:
     class_table._classes.update(classes)
 
 
-def test_text_to_class() -> None:
+def test_class_is_made_from_text() -> None:
     cls = define("my_msgs/msg/Everything", EVERYTHING)
     message = cls()
     assert cls.__doc__ == "Holds one of everything. In two lines."
@@ -92,7 +92,7 @@ def test_text_to_class() -> None:
         ("pair", np.zeros(3, np.int32), "Everything.pair must have 2 elements, got 3"),
     ],
 )
-def test_bounds_are_kept(field: str, value: object, text: str) -> None:
+def test_bounds_are_enforced_on_encoding(field: str, value: object, text: str) -> None:
     message = define("my_msgs/msg/Everything", EVERYTHING)()
     setattr(message, field, value)
     with pytest.raises(cdr.EncodeError) as raised:
@@ -100,7 +100,7 @@ def test_bounds_are_kept(field: str, value: object, text: str) -> None:
     assert str(raised.value) == text
 
 
-def test_bounds_are_kept_when_reading() -> None:
+def test_bounds_are_enforced_on_decoding() -> None:
     cls = define("my_msgs/msg/Wide", "wstring<=2 wide\nstring<=2[<=1] words")
     data = struct.pack("<4xI3I", 3, *b"abc").replace(b"\0\0\0\0", b"\0\1\0\0", 1)
     with pytest.raises(
@@ -112,7 +112,7 @@ def test_bounds_are_kept_when_reading() -> None:
         cdr.decode(cls, data)
 
 
-def test_services_and_actions() -> None:
+def test_services_and_actions_are_defined() -> None:
     service = define("my_msgs/srv/Do", "int32 a\n---\nDo2 b\n".replace("Do2", "geometry_msgs/Point"))
     assert service.Request(a=3).a == 3
     assert service.Response().b == Point()
@@ -127,7 +127,7 @@ def test_services_and_actions() -> None:
     assert pickle.loads(pickle.dumps(feedback)) == feedback
 
 
-def test_a_definition_again_replaces_the_old_one() -> None:
+def test_second_definition_replaces_the_first() -> None:
     first = define("my_msgs/msg/A", "int32 a")
     second = define("my_msgs/msg/A", "int32 b")
     assert (list(first._FIELDS), list(second._FIELDS)) == (["a"], ["b"])
@@ -138,7 +138,7 @@ def test_a_definition_again_replaces_the_old_one() -> None:
     assert get_message_class("my_msgs/msg/A") is second
 
 
-def test_hash_of_a_known_definition_is_the_known_hash() -> None:
+def test_hash_of_a_known_definition_matches() -> None:
     for name in ("sensor_msgs/msg/CameraInfo", "turtlesim/srv/Spawn", "example_interfaces/action/Fibonacci"):
         source = sources.find_source(name)
         assert source is not None
@@ -146,7 +146,7 @@ def test_hash_of_a_known_definition_is_the_known_hash() -> None:
         assert define(name, source.text)._TYPE_HASH == known._TYPE_HASH
 
 
-def test_folder(tmp_path: Path) -> None:
+def test_definitions_of_a_folder_are_defined(tmp_path: Path) -> None:
     home = tmp_path / "my_msgs"
     for name, text in {
         "msg/Outer.msg": "Inner inner\n",
@@ -162,7 +162,9 @@ def test_folder(tmp_path: Path) -> None:
         define_folder(tmp_path)
 
 
-def test_sourced_workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_definitions_of_a_sourced_workspace_are_found(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     folder = tmp_path / "share" / "other_msgs" / "msg"
     folder.mkdir(parents=True)
     (folder / "There.msg").write_text("Here here\n")
@@ -185,7 +187,7 @@ def test_sourced_workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
         ),
     ],
 )
-def test_references_that_lead_nowhere(text: str, error: str) -> None:
+def test_unknown_references_raise(text: str, error: str) -> None:
     with pytest.raises(ParseError) as raised:
         define("my_msgs/msg/A", text)
     assert str(raised.value) == error
@@ -193,7 +195,7 @@ def test_references_that_lead_nowhere(text: str, error: str) -> None:
         get_message_class("my_msgs/msg/A")
 
 
-def test_names() -> None:
+def test_unknown_names_raise_with_the_nearest_name() -> None:
     assert "turtlesim/srv/Spawn" in interface_names("srv")
     for name, text in {
         "geometry_msgs/msg/Twst": (
@@ -207,3 +209,12 @@ def test_names() -> None:
         with pytest.raises(LookupError) as raised:
             get_message_class(name)
         assert raised.value.args[0] == text
+
+
+def test_defaults_of_arrays_are_new_each_time() -> None:
+    text = "float64[2] pair [1.5, 2.5]\nint32[] some [1, 2]\nstring[] words ['a', 'b']"
+    cls = define("my_msgs/msg/Defaults", text)
+    assert cls.PAIR__DEFAULT.tolist() == [1.5, 2.5]
+    cls.SOME__DEFAULT.append(3)
+    cls.WORDS__DEFAULT.append("c")
+    assert (cls.SOME__DEFAULT.tolist(), cls.WORDS__DEFAULT) == ([1, 2], ["a", "b"])

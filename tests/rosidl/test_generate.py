@@ -1,4 +1,4 @@
-"""What is checked in is what the generator makes of the definitions."""
+"""The checked-in files equal the generator's output."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ FILES = generate.generate_all()
 
 
 @pytest.mark.parametrize("path", FILES)
-def test_regenerates_without_difference(path: str) -> None:
+def test_regenerated_files_are_identical(path: str) -> None:
     assert (HOME / path).read_text("utf-8") == FILES[path], "run python -m tfloom.rosidl.generate"
 
 
-def test_nothing_is_left_of_old_definitions() -> None:
+def test_no_file_of_a_removed_definition_remains() -> None:
     on_disk = {path.relative_to(HOME).as_posix() for path in HOME.glob("interfaces/*/*.py")}
     assert on_disk == {path for path in FILES if path.startswith("interfaces/")}
 
 
-def test_a_class_that_is_called_like_one_it_uses() -> None:
+def test_class_with_the_name_of_a_referenced_one() -> None:
     theirs = spec.Message("other_msgs/msg/Shape", ())
     ours = parse_interface("other_msgs/Shape shape\nShape[2] pair", "my_msgs/msg/Holder")
     own = spec.Message("my_msgs/msg/Shape", (spec.Field("x", spec.Type("float64")),))
@@ -37,7 +37,7 @@ def test_a_class_that_is_called_like_one_it_uses() -> None:
     compile(source, "my_msgs", "exec")
 
 
-def test_text_in_comments_and_constants_is_quoted() -> None:
+def test_text_in_comments_and_constants_is_escaped() -> None:
     text = '# Says """hello""" and \\\nstring A=\'it\\\'s "x" \\\\\'\nfloat64 x 1.5 # ends with "\nbyte B=7'
     message = parse_interface(text, "my_msgs/msg/Quotes")
     assert isinstance(message, spec.Message)
@@ -47,7 +47,7 @@ def test_text_in_comments_and_constants_is_quoted() -> None:
     assert (quotes.A, quotes.B, quotes().x) == ('it\'s "x" \\', b"\x07", 1.5)
 
 
-def test_fields_named_as_python_names_things() -> None:
+def test_fields_with_reserved_names() -> None:
     message = parse_interface("int32 from\nint32 self\nint32 class 5\nint32[] lambda", "my_msgs/msg/Keywords")
     assert isinstance(message, spec.Message)
     namespace: dict[str, Any] = {}

@@ -1,4 +1,4 @@
-"""Hashes and bytes as a real ROS 2 Jazzy has them (tests/golden/jazzy_types.jsonl)."""
+"""Hashes and bytes equal those of a real ROS 2 Jazzy (tests/golden/jazzy_types.jsonl)."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def _field(type_: Any, value: Any) -> Any:
 
 
 @pytest.mark.parametrize("golden", MESSAGES, ids=lambda each: each["type"])
-def test_bytes_both_ways(golden: dict[str, Any]) -> None:
+def test_golden_bytes_are_encoded_and_decoded(golden: dict[str, Any]) -> None:
     cls = get_message_class(golden["type"])
     for sample in golden["samples"]:
         data = bytes.fromhex(sample["cdr"])
@@ -46,11 +46,11 @@ def test_bytes_both_ways(golden: dict[str, Any]) -> None:
         assert cdr.encode(decoded) == data
 
 
-def test_the_golden_holds_all_samples() -> None:
+def test_golden_file_has_all_samples() -> None:
     assert len(TYPES) == 375
     assert sum(len(each["samples"]) for each in TYPES) == 969
 
 
 @pytest.mark.parametrize("golden", MESSAGES, ids=lambda each: each["type"])
-def test_hash(golden: dict[str, Any]) -> None:
+def test_type_hash_matches_the_golden(golden: dict[str, Any]) -> None:
     assert golden["type_hash"] == get_message_class(golden["type"])._TYPE_HASH

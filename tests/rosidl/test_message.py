@@ -1,4 +1,4 @@
-"""The Python face of messages, as a real rclpy showed it (tests/golden/python_messages.json and its cases)."""
+"""The Python interface of messages, as in a real rclpy (tests/golden/python_messages.json and its cases)."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ NAMES = {**vars(std_msgs), **vars(sensor_msgs), **vars(geometry_msgs), "np": np,
 
 
 def kind_of(value: object) -> str:
-    """Name the type of a field's value as the golden does."""
+    """Return the type of a field's value by the golden's names."""
     if isinstance(value, np.ndarray):
         return f"numpy.ndarray[{value.dtype}]"
     if isinstance(value, array.array):
@@ -55,7 +55,7 @@ def snake(name: str) -> str:
 
 
 @pytest.mark.parametrize("name", FACES)
-def test_face(name: str) -> None:
+def test_public_attributes_match_the_golden(name: str) -> None:
     golden, cls = FACES[name], get_message_class(name)
     message = cls()
     assert cls.get_fields_and_field_types() == golden["fields"]
@@ -84,7 +84,7 @@ def test_repr_is_the_source_of_the_message(name: str) -> None:
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case["code"])
-def test_case(case: dict[str, str]) -> None:
+def test_recorded_case_gives_the_same_result(case: dict[str, str]) -> None:
     deviates = f"`{case['code']}`" in DEVIATIONS
     assert (answer(case["code"]) != expected(case)) is deviates, "docs/deviations.md says otherwise"
 
@@ -104,12 +104,35 @@ def test_constants_are_on_class_and_instance() -> None:
     assert (PointField.FLOAT32, PointField().FLOAT32) == (7, 7)
 
 
+# As in a real Jazzy: every `…__DEFAULT` of these classes.
+DEFAULTS = {
+    "geometry_msgs/msg/Quaternion": {
+        "W__DEFAULT": 1.0,
+        "X__DEFAULT": 0.0,
+        "Y__DEFAULT": 0.0,
+        "Z__DEFAULT": 0.0,
+    },
+    "rcl_interfaces/msg/ParameterDescriptor": {"DYNAMIC_TYPING__DEFAULT": False, "READ_ONLY__DEFAULT": False},
+    "rcl_interfaces/msg/SetParametersResult": {},
+    "type_description_interfaces/msg/FieldType": {"TYPE_ID__DEFAULT": 0},
+    "type_description_interfaces/srv/GetTypeDescription_Request": {"INCLUDE_TYPE_SOURCES__DEFAULT": True},
+}
+
+
+@pytest.mark.parametrize("name", DEFAULTS)
+def test_defaults_are_on_class_and_instance(name: str) -> None:
+    cls = get_message_class(name)
+    for owner in (cls, cls()):
+        names = [each for each in dir(owner) if each.endswith("__DEFAULT")]
+        assert {each: getattr(owner, each) for each in names} == DEFAULTS[name]
+
+
 @pytest.mark.parametrize(
     "name",
     ["geometry_msgs/msg/TransformStamped", "sensor_msgs/msg/CameraInfo", "turtlesim/srv/Spawn_Request"],
 )
 @pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda each: pickle.loads(pickle.dumps(each))])
-def test_copies(name: str, copied: Callable[[Message], Message]) -> None:
+def test_copies_are_equal_and_independent(name: str, copied: Callable[[Message], Message]) -> None:
     message = get_message_class(name)()
     twin = copied(message)
     assert twin == message
@@ -157,7 +180,7 @@ def test_arrays_are_converted_when_assigned() -> None:
         image.data = "abc"  # type: ignore[assignment]
 
 
-def test_equality() -> None:
+def test_equality_compares_fields_and_class() -> None:
     assert CameraInfo() == CameraInfo()
     assert CameraInfo(k=[1.0] * 9) != CameraInfo()
     assert CameraInfo(k=[1.0] * 8) != CameraInfo()
@@ -200,13 +223,13 @@ def test_equality() -> None:
         ),
     ],
 )
-def test_check_fields(make: Callable[[], object], text: str) -> None:
+def test_check_fields_rejects_invalid_values(make: Callable[[], object], text: str) -> None:
     with pytest.raises(AssertionError) as raised:
         make()
     assert str(raised.value) == text
 
 
-def test_check_fields_lets_good_values_pass() -> None:
+def test_check_fields_accepts_valid_values() -> None:
     message = CameraInfo(check_fields=True)
     message.k = [1.0] * 9
     message.d = [1.0]
@@ -237,17 +260,17 @@ def said_with_checks(code: str) -> str:
     return run.stderr.splitlines()[-1]
 
 
-def test_positional_arguments_are_refused() -> None:
+def test_positional_arguments_are_rejected() -> None:
     with pytest.raises(TypeError, match="Vector3 takes its fields by keyword"):
         Vector3(1.0)  # type: ignore[call-arg]
 
 
-def test_messages_take_no_other_attributes() -> None:
+def test_unknown_attributes_raise() -> None:
     with pytest.raises(AttributeError):
         Vector3().q = 1.0  # type: ignore[attr-defined]
 
 
-def test_a_message_package_imports_little() -> None:
+def test_message_package_imports_few_modules() -> None:
     code = (
         "import sys; before = set(sys.modules); import tfloom.interfaces.geometry_msgs.msg\n"
         "heavy = {'numpy', 'yaml', 're', 'inspect', 'dataclasses', 'typing', 'enum', 'pathlib', 'json'}\n"

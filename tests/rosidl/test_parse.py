@@ -1,4 +1,4 @@
-"""Definition text: what is read, and what is refused where."""
+"""Definition text: results, and errors with their place."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def message(text: str) -> spec.Message:
         ("geometry_msgs/msg/Point[2]", spec.Type("geometry_msgs/msg/Point", 0, "array", 2)),
     ],
 )
-def test_types(text: str, type_: spec.Type) -> None:
+def test_types_are_parsed(text: str, type_: spec.Type) -> None:
     assert parse_type(text, "my_msgs") == type_
     assert split_type(str(type_)) == tuple(type_)
     assert parse_type(str(type_)) == type_
@@ -52,7 +52,7 @@ def test_types(text: str, type_: spec.Type) -> None:
         ("point", "'point' is neither a primitive type nor a message's name"),
     ],
 )
-def test_no_types(text: str, reason: str) -> None:
+def test_invalid_types_are_rejected(text: str, reason: str) -> None:
     with pytest.raises(ValueError) as raised:
         parse_type(text, "my_msgs")
     assert str(raised.value) == reason
@@ -61,7 +61,7 @@ def test_no_types(text: str, reason: str) -> None:
 @pytest.mark.parametrize(
     ("text", "where"),
     [
-        ("int32 a\nint32", "2:6: 'int32' is followed by no name"),
+        ("int32 a\nint32", "2:6: 'int32' is not followed by a name"),
         ("\n  foo bar", "2:3: 'foo' is neither a primitive type nor a message's name"),
         ("int32 A", "1:7: 'A' is no field name: lower case letters, digits and single underscores"),
         ("int32 a__b", "1:7: 'a__b' is no field name: lower case letters, digits and single underscores"),
@@ -73,7 +73,7 @@ def test_no_types(text: str, reason: str) -> None:
         ("int8 a x", "1:8: expected an integer, got x"),
         ("float32 a x", "1:11: expected a number, got x"),
         ("bool a maybe", "1:8: expected true or false, got maybe"),
-        ("int32 a\nint32 a", "2:7: 'a' is there twice"),
+        ("int32 a\nint32 a", "2:7: 'a' is defined twice"),
         ("int32[2] a [1]", "1:12: int32[2] takes 2 values, got 1"),
         ("int32[<=2] a [1,2,3]", "1:14: int32[<=2] takes at most 2 values, got 3"),
         ("int32[] a 5", "1:11: expected a list in brackets, got 5"),
@@ -84,14 +84,14 @@ def test_no_types(text: str, reason: str) -> None:
         ("= 5", "1:1: expected 'type name'"),
     ],
 )
-def test_mistakes_have_a_place(text: str, where: str) -> None:
+def test_errors_have_line_and_column(text: str, where: str) -> None:
     with pytest.raises(ParseError) as raised:
         message(text)
     assert str(raised.value) == f"my_msgs/msg/A.msg:{where}"
     assert f"{raised.value.line}:{raised.value.column}: " == where[: where.index(" ") + 1]
 
 
-def test_parts() -> None:
+def test_parts_of_services_and_actions_are_parsed() -> None:
     with pytest.raises(
         ParseError, match=r"^a.srv:1:1: the definition has 1 of its 2 parts, divided by '---'$"
     ):
@@ -111,7 +111,7 @@ def test_parts() -> None:
 @pytest.mark.parametrize(
     "name", ["A", "my_msgs/msg/a", "my_msgs/idl/A", "My/msg/A", "my_msgs/msg/A_B", "a__b/msg/A"]
 )
-def test_names_that_are_none(name: str) -> None:
+def test_invalid_names_are_rejected(name: str) -> None:
     with pytest.raises(ValueError, match="is no interface name"):
         parse_interface("", name)
 
@@ -135,11 +135,11 @@ def test_names_that_are_none(name: str) -> None:
         ("bool[2]", "[true, false]", [True, False]),
     ],
 )
-def test_values(type_text: str, text: str, value: spec.Value) -> None:
+def test_values_are_parsed(type_text: str, text: str, value: spec.Value) -> None:
     assert parse_value(parse_type(type_text), text) == value
 
 
-def test_comments_and_line_ends() -> None:
+def test_comments_and_line_ends_are_parsed() -> None:
     parsed = message(
         "# One.\r\n# Two.\r\n\r\nint32 a\t# of a\r\nstring s 'x # y' # of s\nstring C=a 'b # c'#d"
     )
@@ -153,7 +153,7 @@ def test_comments_and_line_ends() -> None:
 
 
 @given(st.text(max_size=60))
-def test_any_text_is_read_or_refused_with_its_place(text: str) -> None:
+def test_any_text_is_parsed_or_rejected_with_its_place(text: str) -> None:
     try:
         message(text)
     except ParseError as error:

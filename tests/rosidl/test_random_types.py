@@ -1,4 +1,4 @@
-"""Random definitions and values, with rosbags as a second opinion on every byte."""
+"""Random definitions and values, compared with rosbags byte for byte."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def messages(draw: st.DrawFn, cls: type[Message]) -> Message:
 
 
 def plain(value: Any) -> Any:
-    """Reduce both sides' values to what can be compared."""
+    """Return a value in a form that both sides can be compared in."""
     if isinstance(value, (np.ndarray, array.array)):
         return value.tolist()
     if isinstance(value, bytes):
@@ -91,7 +91,7 @@ def store_of(*texts: tuple[str, str]) -> Typestore:
 
 @settings(deadline=None, max_examples=80, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.data())
-def test_bytes_are_those_of_rosbags(data: st.DataObject) -> None:
+def test_bytes_equal_those_of_rosbags(data: st.DataObject) -> None:
     inner_text = data.draw(definitions(primitives(wide=False)))
     outer_text = data.draw(definitions(primitives(wide=False) | st.just("Inner")))
     define(INNER, inner_text)
@@ -105,7 +105,7 @@ def test_bytes_are_those_of_rosbags(data: st.DataObject) -> None:
     assert cdr.decode(outer, store.serialize_cdr(theirs, OUTER, little_endian=False)) == message
     if (
         "char" not in inner_text + outer_text
-    ):  # rosbags hashes it as IDL's char; std_msgs/msg/Char shows a uint8
+    ):  # rosbags hashes it as IDL's char; in std_msgs/msg/Char it is a uint8
         assert store.hash_rihs01(OUTER) == outer._TYPE_HASH
 
 

@@ -1,4 +1,4 @@
-"""`rosidl_runtime_py` and `rosidl_parser` by their own names."""
+"""`rosidl_runtime_py` and `rosidl_parser` by ROS's names."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from tfloom.rosidl import definition, runtime, sources
 from tfloom.rosidl.definition_files import interface_names
 
 
-def test_types_by_name() -> None:
+def test_types_are_found_by_name() -> None:
     assert runtime.get_message("geometry_msgs/Twist") is Twist
     assert runtime.get_service("turtlesim/srv/Spawn") is Spawn
     assert runtime.get_action("turtlesim/action/RotateAbsolute") is RotateAbsolute
@@ -31,12 +31,12 @@ def test_types_by_name() -> None:
 @pytest.mark.parametrize(
     "name", ["Twist", "geometry_msgs//Twist", "geometry_msgs/msg/Nope", "turtlesim/srv/Spawn"]
 )
-def test_names_of_no_message(name: str) -> None:
+def test_unknown_names_raise(name: str) -> None:
     with pytest.raises(ValueError):
         runtime.get_message(name)
 
 
-def test_kinds() -> None:
+def test_kinds_of_classes_are_recognised() -> None:
     assert [runtime.is_message(each) for each in (Twist, Twist(), Spawn, RotateAbsolute, int)] == [
         *(True, True, False, False, False)
     ]
@@ -67,7 +67,7 @@ def test_what_cannot_be_imported() -> None:
         runtime.import_message_from_namespaced_type(runtime.get_namespaced_type("std_msgs/msg/Nope"))
 
 
-def test_slot_types() -> None:
+def test_slot_types_are_definition_objects() -> None:
     types = runtime.get_message_slot_types(CameraInfo())
     assert types["k"] == definition.Array(definition.BasicType("double"), 9)
     assert types["d"] == definition.UnboundedSequence(definition.BasicType("double"))
@@ -77,7 +77,7 @@ def test_slot_types() -> None:
     assert repr(types["k"]) == "Array(BasicType('double'), 9)"
 
 
-def test_definitions_as_objects() -> None:
+def test_definitions_convert_to_objects() -> None:
     message = definition.to_definition(sources.find_interface("geometry_msgs/msg/Quaternion"))
     members = message.structure.members
     assert [member.name for member in members] == ["x", "y", "z", "w"]
@@ -96,7 +96,7 @@ def test_definitions_as_objects() -> None:
     assert action.feedback_message.structure.members[1].type.name == "Fibonacci_Feedback"
 
 
-def test_facades() -> None:
+def test_facades_export_the_functions() -> None:
     code = (
         "import tfloom; tfloom.use_ros_names()\n"
         "from geometry_msgs.msg import Twist\n"

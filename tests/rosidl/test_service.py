@@ -22,12 +22,12 @@ HASHES = {each["type"]: each["type_hash"] for each in map(json.loads, GOLDEN.rea
 
 
 @pytest.mark.parametrize("name", HASHES)
-def test_every_hash(name: str) -> None:
+def test_hashes_of_all_services_and_actions_match(name: str) -> None:
     assert HASHES[name] == find_class(name)._TYPE_HASH
     assert name == find_class(name)._TYPE_NAME
 
 
-def test_parts_of_a_service() -> None:
+def test_service_has_request_response_and_event() -> None:
     assert Spawn.Request is turtlesim_srv.Spawn_Request
     assert Spawn.Response is turtlesim_srv.Spawn_Response
     assert Spawn.Event is turtlesim_srv.Spawn_Event
@@ -37,7 +37,7 @@ def test_parts_of_a_service() -> None:
     assert KiltedSpawn._TYPE_HASH != Spawn._TYPE_HASH
 
 
-def test_parts_of_an_action() -> None:
+def test_action_has_goal_result_and_feedback() -> None:
     assert Fibonacci.Goal is example_actions.Fibonacci_Goal
     assert Fibonacci.Result is example_actions.Fibonacci_Result
     assert Fibonacci.Feedback is example_actions.Fibonacci_Feedback
@@ -48,7 +48,7 @@ def test_parts_of_an_action() -> None:
     assert Fibonacci.Impl.GoalStatusMessage is GoalStatusArray
 
 
-def test_they_have_no_instances() -> None:
+def test_services_and_actions_cannot_be_instantiated() -> None:
     with pytest.raises(NotImplementedError, match="Service classes can not be instantiated"):
         Spawn()
     with pytest.raises(NotImplementedError, match="Action classes can not be instantiated"):

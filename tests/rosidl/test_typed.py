@@ -15,7 +15,7 @@ HERE = Path(__file__).parent / "typed"
 pytestmark = pytest.mark.slow  # mypy is installed for the checks
 
 
-def test_user_code_under_strict_mypy(tmp_path: Path) -> None:
+def test_user_code_passes_strict_mypy(tmp_path: Path) -> None:
     for name in ("user.py", "wrong.py"):
         shutil.copy(HERE / name, tmp_path)
     run = subprocess.run(

@@ -62,17 +62,17 @@ def pose() -> Pose:
     return Pose(x=5.544444561004639, y=5.544444561004639)
 
 
-def test_yaml_block(camera: TFMessage, pose: Pose) -> None:
+def test_yaml_block_style_matches_the_golden(camera: TFMessage, pose: Pose) -> None:
     assert message_to_yaml(camera) == printed("topic_echo_tf_static")
     assert message_to_yaml(pose) == printed("topic_echo_once")
 
 
-def test_yaml_flow(camera: TFMessage) -> None:
+def test_yaml_flow_style_matches_the_golden(camera: TFMessage) -> None:
     assert message_to_yaml(camera, flow_style=True) == printed("topic_echo_flow")
     assert message_to_yaml(Twist(), flow_style=True).startswith("linear:\n  x: 0.0\n")
 
 
-def test_yaml_of_a_log() -> None:
+def test_yaml_of_a_log_matches_the_golden() -> None:
     log = Log(
         stamp=Time(sec=1795257453, nanosec=352914069),
         level=20,
@@ -85,19 +85,19 @@ def test_yaml_of_a_log() -> None:
     assert message_to_yaml(log, no_arr=True) == printed("topic_echo_noarr")
 
 
-def test_csv(pose: Pose) -> None:
+def test_csv_matches_the_golden(pose: Pose) -> None:
     assert message_to_csv(pose) + "\n" == printed("topic_echo_csv")
     assert message_to_csv(JointState(name=["a"], position=[1.0, 2.0])) == "0,0,,a,1.0,2.0"
 
 
-def test_truncated() -> None:
+def test_truncated_text_matches_the_golden() -> None:
     joints = JointState(name=["shoulder", "elbow"], position=[1.0, 2.0, 3.0])
     values = message_to_ordereddict(joints, truncate_length=2)
     assert values["name"] == ["sh...", "el..."]
     assert values["position"] == [1.0, 2.0, "..."]
 
 
-def test_abbreviated() -> None:
+def test_no_arr_and_no_str_show_lengths() -> None:
     assert (
         message_to_ordereddict(PoseWithCovariance(), no_arr=True)["covariance"] == "<array type: double[36]>"
     )
@@ -114,12 +114,12 @@ def test_bytes_are_shown_as_characters() -> None:
     assert message_to_ordereddict(ByteMultiArray(data=[b"a", b"\xff"]))["data"] == ["a", "\xff"]
 
 
-def test_text_beyond_ascii_stays() -> None:
+def test_non_ascii_text_is_unchanged() -> None:
     assert message_to_yaml(String(data="né ☂")) == "data: né ☂\n"
 
 
 @pytest.mark.parametrize("name", ["badfield", "badvalue"])
-def test_errors_as_the_reference_words_them(name: str) -> None:
+def test_errors_have_the_texts_of_the_reference(name: str) -> None:
     command, said = (GOLDEN / f"topic_pub_{name}.txt").read_text("utf-8").splitlines()[:2]
     values = yaml.safe_load(command.split("'")[1])
     with pytest.raises((AttributeError, ValueError)) as raised:
@@ -127,7 +127,7 @@ def test_errors_as_the_reference_words_them(name: str) -> None:
     assert said == f"Failed to populate field: {raised.value}"
 
 
-def test_set_nested_fields_and_leave_the_others() -> None:
+def test_set_changes_nested_fields_only() -> None:
     twist = Twist(linear=Vector3(y=2.0))
     assert set_message_fields(twist, {"linear": {"x": 1}, "angular": {"z": "0.5"}}) == []
     assert twist == Twist(linear=Vector3(x=1.0, y=2.0), angular=Vector3(z=0.5))
@@ -135,7 +135,7 @@ def test_set_nested_fields_and_leave_the_others() -> None:
     assert twist.linear.x == 1.0
 
 
-def test_set_arrays() -> None:
+def test_arrays_are_set() -> None:
     message = TFMessage()
     set_message_fields(message, {"transforms": [{"child_frame_id": "a"}, TransformStamped()]})
     assert [each.child_frame_id for each in message.transforms] == ["a", ""]
@@ -164,13 +164,13 @@ def test_set_arrays() -> None:
         (Twist(), {"linear": None}, "Value 'None' is expected to be a dictionary but is a NoneType"),
     ],
 )
-def test_values_that_do_not_fit(message: Any, values: Any, text: str) -> None:
+def test_unfitting_values_raise(message: Any, values: Any, text: str) -> None:
     with pytest.raises((TypeError, ValueError)) as raised:
         set_message_fields(message, values)
     assert str(raised.value) == text
 
 
-def test_auto_and_now() -> None:
+def test_auto_and_now_return_setters() -> None:
     message = TransformStamped()
     setters = set_message_fields(message, {"header": "auto"}, expand_header_auto=True)
     for setter in setters:

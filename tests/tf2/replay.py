@@ -1,4 +1,4 @@
-"""Replays recorded runs of tf2_py on a buffer of ours, operation by operation."""
+"""Replay of recorded runs of tf2_py on tfloom's buffer, operation by operation."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def velocities() -> list[dict[str, Any]]:
 
 
 def is_close(ours: object, theirs: object) -> bool:
-    """Floats within 1e-7·(1+|x|), all else exact."""
+    """Compare floats within 1e-7·(1+|x|), all else exactly."""
     if isinstance(theirs, float):
         return isinstance(ours, float) and math.isclose(ours, theirs, rel_tol=1e-7, abs_tol=1e-7)
     if isinstance(theirs, list):
@@ -46,19 +46,19 @@ def is_close(ours: object, theirs: object) -> bool:
 
 
 def answer(buffer: Buffer, op: dict[str, Any], deviations: Container[str]) -> dict[str, Any]:
-    """Return what the operation gives on `buffer`, in the recording's form but for what `deviations` names."""
+    """Return the result of an operation on `buffer`, in the recording's form except for the `deviations`."""
     try:
         result = OPERATIONS[op["op"]](buffer, op)
     except TransformException as error:
         kind = kind_of(error, deviations)
         if op["op"] == "latest_common_time" and op.get("raises") == "TransformException":
-            kind = "TransformException"  # the base class in tf2_py; BufferCore does so, this buffer has no need to
+            kind = "TransformException"  # the base class in tf2_py and in BufferCore
         return {"raises": kind, "text": str(error)}
     return {} if result is None else {"ok": result}
 
 
 def kind_of(error: TransformException, deviations: Container[str]) -> str:
-    """Return the name of an error's class, or of the one above where ours says more than the recorded."""
+    """Return the name of an error's class, or of its base if tfloom's class is more specific than the recorded."""
     kind, above = (each.__name__ for each in type(error).__mro__[:2])
     return above if above == "ExtrapolationException" and "tf2-extrapolation-kinds" in deviations else kind
 

@@ -1,4 +1,4 @@
-"""The numpy face equals the scalar one; arrays of the wrong kind are errors that say so."""
+"""Results of the array methods equal those of the scalar ones; wrong arrays raise."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def random() -> np.random.Generator:
 
 @pytest.fixture
 def buffer(random: np.random.Generator) -> Buffer:
-    """map - odom - base - laser, and base - wheel; odom changes its parent on the way, laser is static."""
+    """map - odom - base - laser, and base - wheel; odom changes its parent over time, laser is static."""
     buffer = Buffer(None)
     for parent, child, count in (("map", "odom", 50), ("odom", "base", 2000), ("base", "wheel", 700)):
         stamps = START + np.arange(count) * (10 * SECOND // (count - 1))
@@ -46,7 +46,7 @@ def buffer(random: np.random.Generator) -> Buffer:
         ("laser", "base"),
     ],
 )
-def test_many_equal_single(
+def test_lookup_many_equals_single_lookups(
     buffer: Buffer, random: np.random.Generator, pair: tuple[str, str], order: str
 ) -> None:
     stamps = np.sort(random.integers(START - SECOND // 5, START + 10 * SECOND + SECOND // 5, 1500))
@@ -66,13 +66,13 @@ def test_many_equal_single(
             assert np.isnan(poses.rotations_xyzw[index]).all()
 
 
-def test_matrices(buffer: Buffer) -> None:
+def test_matrices_of_many_transforms(buffer: Buffer) -> None:
     poses = buffer.lookup_many("map", "laser", START + np.arange(5) * SECOND)
     for position, rotation, ours in zip(poses.positions, poses.rotations_xyzw, poses.matrices(), strict=True):
         assert np.allclose(ours, matrix(position, rotation), atol=1e-12)
 
 
-def test_strict_raises_for_the_first_that_fails(buffer: Buffer) -> None:
+def test_strict_raises_for_the_first_failing_stamp(buffer: Buffer) -> None:
     stamps = START + np.arange(3000) * SECOND // 100
     with pytest.raises(ExtrapolationException, match="extrapolation into the future") as raised:
         buffer.lookup_many("map", "laser", stamps)
@@ -84,7 +84,7 @@ def test_strict_raises_for_the_first_that_fails(buffer: Buffer) -> None:
     assert not buffer.lookup_many("map", "nowhere", stamps, strict=False).known.any()
 
 
-def test_stamps_of_other_kinds(buffer: Buffer) -> None:
+def test_stamps_of_other_types_are_accepted(buffer: Buffer) -> None:
     as_dates = np.array([START, START + SECOND]).astype("datetime64[ns]")
     expected = buffer.lookup_many("map", "laser", [START, START + SECOND]).positions
     assert (buffer.lookup_many("map", "laser", as_dates).positions == expected).all()
@@ -99,7 +99,7 @@ def test_stamps_of_other_kinds(buffer: Buffer) -> None:
 
 @pytest.mark.parametrize("count", [2, 300, 700, 20_000])
 @pytest.mark.parametrize("workers", [1, 3])
-def test_any_order_of_stamps_gives_the_answers_in_that_order(
+def test_results_are_in_the_order_of_the_stamps(
     buffer: Buffer, random: np.random.Generator, count: int, workers: int
 ) -> None:
     ascending = np.sort(random.integers(START, START + 10 * SECOND, count))
@@ -116,7 +116,7 @@ def test_any_order_of_stamps_gives_the_answers_in_that_order(
 
 
 @pytest.mark.parametrize("workers", [1, 3])
-def test_the_first_failure_is_the_first_in_the_order_given(
+def test_first_failure_is_the_first_in_the_given_order(
     buffer: Buffer, random: np.random.Generator, workers: int
 ) -> None:
     stamps = random.integers(START, START + 10 * SECOND, 5000)
@@ -145,13 +145,13 @@ def test_the_first_failure_is_the_first_in_the_order_given(
         ([True], TypeError, "must be integers"),
     ],
 )
-def test_stamps_that_are_none(buffer: Buffer, stamps: object, kind: type[Exception], text: str) -> None:
+def test_invalid_stamps_raise(buffer: Buffer, stamps: object, kind: type[Exception], text: str) -> None:
     with pytest.raises(kind, match=text):
         buffer.lookup_many("map", "laser", stamps)
 
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64, np.int32])
-def test_points_at_one_time(buffer: Buffer, random: np.random.Generator, dtype: type) -> None:
+def test_points_are_transformed_at_one_time(buffer: Buffer, random: np.random.Generator, dtype: type) -> None:
     points = (10 * random.normal(size=(1000, 3))).astype(dtype)
     stamp = START + 3 * SECOND + 7
     found = buffer.lookup("map", "laser", stamp)
@@ -164,7 +164,7 @@ def test_points_at_one_time(buffer: Buffer, random: np.random.Generator, dtype: 
     assert (buffer.transform_points(fortran, "map", "laser", stamp) == moved).all()
 
 
-def test_points_in_place(buffer: Buffer, random: np.random.Generator) -> None:
+def test_points_are_transformed_in_place(buffer: Buffer, random: np.random.Generator) -> None:
     points = random.normal(size=(100, 3))
     expected = buffer.transform_points(points, "map", "laser", START)
     assert buffer.transform_points(points, "map", "laser", START, out=points) is points
@@ -220,14 +220,14 @@ def test_deskew_equals_a_full_lookup_for_each_point(
         ),
     ],
 )
-def test_arrays_of_the_wrong_kind(
+def test_arrays_of_wrong_shape_or_type_raise(
     buffer: Buffer, call: Callable[[Buffer], object], kind: type[Exception], text: str
 ) -> None:
     with pytest.raises(kind, match=text):
         call(buffer)
 
 
-def test_what_went_in_comes_out(random: np.random.Generator) -> None:
+def test_set_many_and_to_arrays_are_inverse(random: np.random.Generator) -> None:
     buffer = Buffer(None)
     stamps = random.permutation(1000)
     positions = random.normal(size=(1000, 3))
@@ -255,7 +255,7 @@ def test_many_stamps_between_the_same_samples_equal_single_ones(
 ) -> None:
     buffer = Buffer(None)
     stamps = np.sort(np.concatenate((random.integers(-100, 100, 12) * 1000, [-100_000, 100_000])))
-    for index, stamp in enumerate(stamps.tolist()):  # some stamps are there twice, with different values
+    for index, stamp in enumerate(stamps.tolist()):  # some stamps occur twice, with different values
         half = index * turn_rad / 2
         turn = (0.6 * np.sin(half), 0.0, 0.8 * np.sin(half), np.cos(half))
         buffer.set("a", "b", stamp, random.normal(size=3).tolist(), turn)
@@ -270,7 +270,9 @@ def test_many_stamps_between_the_same_samples_equal_single_ones(
 
 
 @pytest.mark.parametrize("workers", [1, 2])
-def test_deskew_of_more_points_than_a_part(buffer: Buffer, random: np.random.Generator, workers: int) -> None:
+def test_deskew_of_more_points_than_one_part(
+    buffer: Buffer, random: np.random.Generator, workers: int
+) -> None:
     points = random.normal(size=(10_001, 3))
     stamps = np.linspace(START + SECOND, START + 2 * SECOND, len(points)).astype(np.int64)
     arguments = (stamps, "laser", "laser", "odom", START + 2 * SECOND)

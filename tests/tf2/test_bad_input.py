@@ -1,4 +1,4 @@
-"""What is wrong with an input has a defined answer: an error that says so, a rejection, or numbers as they were given.
+"""Invalid input has a defined result: an error with the reason, a rejection, or unchanged numbers.
 
 Names, NaN and zero quaternions, and chains that are too long are in test_buffer.py; arrays of the wrong shape or type
 in test_arrays.py.
@@ -47,7 +47,7 @@ def test_denormal_quaternions_are_rejected(buffer: Buffer, tiny: float) -> None:
     assert buffer.lookup("a", "c").rotation_xyzw == pytest.approx(UPRIGHT)
 
 
-def test_an_infinite_position_makes_the_answer_no_number_and_no_error(buffer: Buffer) -> None:
+def test_infinite_position_gives_nan_without_error(buffer: Buffer) -> None:
     assert buffer.set("b", "c", SECOND, (math.inf, 0, 0), UPRIGHT)
     assert not np.isfinite(buffer.lookup("a", "c").translation).all()
     assert not np.isfinite(buffer.lookup("c", "a").translation).all()
@@ -55,7 +55,7 @@ def test_an_infinite_position_makes_the_answer_no_number_and_no_error(buffer: Bu
     assert buffer.lookup("a", "b").translation == (297, 298, 299)
 
 
-def test_arrays_store_what_is_sound(buffer: Buffer) -> None:
+def test_set_many_stores_the_valid_rows(buffer: Buffer) -> None:
     positions, rotations = np.ones((6, 3)), np.tile(UPRIGHT, (6, 1))
     positions[1, 2], positions[2, 0] = math.nan, math.inf
     rotations[3], rotations[4, 1], rotations[5] = 0, math.nan, (0, 0, 0, 1e-200)
@@ -65,8 +65,8 @@ def test_arrays_store_what_is_sound(buffer: Buffer) -> None:
 
 
 @pytest.mark.parametrize("name", ["", "/", "//"])
-def test_names_that_are_none(buffer: Buffer, name: str) -> None:
-    if name != "//":  # known as "/", which nobody can ask for
+def test_invalid_names_are_rejected(buffer: Buffer, name: str) -> None:
+    if name != "//":  # stored as "/", which can't be requested
         assert not buffer.set("a", name, SECOND, HERE, UPRIGHT)
         assert not buffer.set(name, "a", SECOND, HERE, UPRIGHT)
         assert buffer.set_many(name, "a", [SECOND], [HERE], [UPRIGHT]) == 0
@@ -87,7 +87,7 @@ def test_names_that_are_none(buffer: Buffer, name: str) -> None:
 
 
 @pytest.mark.parametrize("stamp", EXTREMES)
-def test_arrays_hold_any_stamp_of_64_bits(stamp: int) -> None:
+def test_arrays_accept_any_stamp_of_64_bits(stamp: int) -> None:
     buffer = Buffer(None)
     assert buffer.set_many("a", "b", [stamp], [(1, 2, 3)], [UPRIGHT]) == 1
     assert buffer.lookup_many("a", "b", [stamp]).positions.tolist() == [[1, 2, 3]]
@@ -106,7 +106,7 @@ def test_stamps_over_all_of_time_in_any_order() -> None:
         assert poses.positions[index] == pytest.approx(buffer.lookup("a", "b", stamp).translation)
 
 
-def test_the_listings_of_all_of_time() -> None:
+def test_listings_of_extreme_stamps() -> None:
     buffer = Buffer(None)
     for stamp in (EXTREMES[0], EXTREMES[-1]):
         buffer.set("a", "b", stamp, HERE, UPRIGHT)
@@ -117,7 +117,7 @@ def test_the_listings_of_all_of_time() -> None:
     assert "Buffer length: 18446744073.710 sec" in buffer.all_frames_as_dot()
 
 
-def test_arrays_that_are_read_only_or_not_contiguous(buffer: Buffer) -> None:
+def test_read_only_or_strided_arrays_are_accepted(buffer: Buffer) -> None:
     stamps = np.repeat(SECOND + np.arange(100) * 1000, 2)[::2]
     positions, rotations = np.asfortranarray(np.ones((100, 3))), np.ones((100, 8))[:, ::2]
     points = np.ones((200, 3), np.float32)[::2]
@@ -134,7 +134,7 @@ def test_arrays_that_are_read_only_or_not_contiguous(buffer: Buffer) -> None:
         buffer.transform_points(points, "a", "b", out=kept)
 
 
-def test_no_stamps_and_no_points(buffer: Buffer) -> None:
+def test_empty_stamps_and_points(buffer: Buffer) -> None:
     assert buffer.lookup_many("a", "b", []).positions.shape == (0, 3)
     assert buffer.lookup_many("a", "b", [], workers=8).known.shape == (0,)
     assert buffer.set_many("a", "b", [], np.empty((0, 3)), np.empty((0, 4))) == 0
@@ -143,12 +143,12 @@ def test_no_stamps_and_no_points(buffer: Buffer) -> None:
 
 
 @pytest.mark.parametrize("workers", [-1, 0, 1, 3, 10**6])
-def test_any_number_of_workers(buffer: Buffer, workers: int) -> None:
+def test_any_number_of_workers_is_accepted(buffer: Buffer, workers: int) -> None:
     stamps = np.random.default_rng(3).integers(SECOND, SECOND + 99_000, 5000)
     assert (buffer.lookup_many("a", "b", stamps, workers=workers).positions[:, 0] >= 0).all()
 
 
-def test_points_that_are_no_numbers_stay_so(buffer: Buffer) -> None:
+def test_nan_points_stay_nan(buffer: Buffer) -> None:
     points = np.array([[math.nan, 0, 0], [0, math.inf, 0], [1, 2, 3]], np.float32)
     for moved in (
         buffer.transform_points(points, "a", "b"),
@@ -158,7 +158,7 @@ def test_points_that_are_no_numbers_stay_so(buffer: Buffer) -> None:
         assert moved[2].tolist() == [298, 300, 302]
 
 
-def test_a_failed_deskew_leaves_out_as_it_was(buffer: Buffer) -> None:
+def test_failed_deskew_leaves_out_unchanged(buffer: Buffer) -> None:
     points = np.ones((2000, 3))
     stamps = np.full(2000, SECOND)
     stamps[[1700, 300]] = 5
@@ -168,7 +168,7 @@ def test_a_failed_deskew_leaves_out_as_it_was(buffer: Buffer) -> None:
     assert (points == 1).all()
 
 
-def test_a_chain_of_a_hundred_thousand_frames_is_too_long_and_ends() -> None:
+def test_chain_of_a_hundred_thousand_frames_raises() -> None:
     buffer = Buffer()
     for index in range(100_000):
         buffer.set(f"f{index}", f"f{index + 1}", SECOND, (1, 0, 0), UPRIGHT)
@@ -179,7 +179,7 @@ def test_a_chain_of_a_hundred_thousand_frames_is_too_long_and_ends() -> None:
         assert not buffer.lookup_many(*pair, [0, SECOND], strict=False).known.any()
 
 
-def test_common_time_needs_no_way_to_the_root() -> None:
+def test_common_time_needs_no_path_to_the_root() -> None:
     buffer = Buffer()
     for index in range(1200):
         buffer.set(f"trunk{index}", f"trunk{index + 1}", 2 * SECOND, (1, 0, 0), UPRIGHT)
@@ -195,7 +195,7 @@ def test_common_time_needs_no_way_to_the_root() -> None:
         buffer.lookup("left400", "right9")
 
 
-def test_a_cycle_for_many_stamps_and_points(buffer: Buffer) -> None:
+def test_cycle_raises_for_many_stamps_and_points(buffer: Buffer) -> None:
     for parent, child in (("a", "b"), ("b", "c"), ("c", "a")):
         buffer.set(parent, child, 9 * SECOND, HERE, UPRIGHT)
     buffer.set("x", "y", 9 * SECOND, HERE, UPRIGHT)

@@ -1,6 +1,6 @@
-"""Names, rejected data, the kinds of cache, waiting and requests; texts to the letter."""
+"""Names, rejected data, the kinds of cache, waits and requests; with exact texts."""
 
-# ruff: noqa: E501, ISC004, texts stand here as they are printed
+# ruff: noqa: E501, ISC004, texts are written here as printed
 from __future__ import annotations
 
 import math
@@ -42,7 +42,7 @@ def buffer(lines: list[tuple[int, str]]) -> Buffer:
         ("a", "NO_PARENT", errors.LookupException, '"NO_PARENT" passed to lookupTransform argument source_frame does not exist. '),
     ],
 )  # fmt: skip
-def test_names_that_cannot_be_looked_up(
+def test_invalid_or_unknown_names_raise(
     buffer: Buffer, target: str, source: str, kind: type[Exception], text: str
 ) -> None:
     buffer.set("a", "b", SECOND, HERE, UPRIGHT)
@@ -52,7 +52,7 @@ def test_names_that_cannot_be_looked_up(
     assert not buffer.can(target, source)
 
 
-def test_a_name_stored_with_two_slashes_is_listed_and_cannot_be_asked_for(buffer: Buffer) -> None:
+def test_name_stored_with_two_slashes_is_listed_but_not_found(buffer: Buffer) -> None:
     assert buffer.set("/a", "//q", SECOND, HERE, UPRIGHT)
     assert buffer.frame_names() == ["/q", "a"]
     with pytest.raises(errors.InvalidArgumentException):
@@ -62,7 +62,7 @@ def test_a_name_stored_with_two_slashes_is_listed_and_cannot_be_asked_for(buffer
 
 
 @pytest.mark.parametrize("name", ["", "/b", "never heard of"])
-def test_a_frame_from_itself_needs_no_frame(buffer: Buffer, name: str) -> None:
+def test_lookup_of_a_frame_in_itself_needs_no_data(buffer: Buffer, name: str) -> None:
     assert buffer.can(name, name, 7)
     assert buffer.find_obstacle(name, name) is None
     answer = buffer.lookup(name, name, 7)
@@ -70,7 +70,7 @@ def test_a_frame_from_itself_needs_no_frame(buffer: Buffer, name: str) -> None:
     assert buffer.lookup(name, name).stamp_ns == 0
 
 
-def test_names_that_are_no_text(buffer: Buffer) -> None:
+def test_names_that_are_not_text_raise(buffer: Buffer) -> None:
     with pytest.raises(ValueError, match="surrogates"):
         buffer.can("\ud800", "a")
     with pytest.raises(TypeError):
@@ -78,7 +78,7 @@ def test_names_that_are_no_text(buffer: Buffer) -> None:
 
 
 @pytest.mark.parametrize("stamp", [2**63, -(2**63) - 1, 10**30])
-def test_a_stamp_beyond_64_bits_is_an_error_that_says_so(buffer: Buffer, stamp: int) -> None:
+def test_stamp_beyond_64_bits_raises(buffer: Buffer, stamp: int) -> None:
     with pytest.raises(ValueError, match="1677 to 2262"):
         buffer.lookup("a", "b", stamp)
     with pytest.raises(ValueError, match="1677 to 2262"):
@@ -92,14 +92,16 @@ def test_any_stamp_of_64_bits_is_stored_and_found(stamp: int) -> None:
     assert buffer.lookup("a", "b", stamp).stamp_ns == stamp
 
 
-def test_interpolates_between_the_ends_of_time() -> None:
+def test_interpolation_between_extreme_stamps() -> None:
     buffer = Buffer(None)
     buffer.set("a", "b", -(2**63), (0, 0, 0), UPRIGHT)
     buffer.set("a", "b", 2**63 - 1, (1, 0, 0), UPRIGHT)
     assert buffer.lookup("a", "b", 2**62).translation[0] == pytest.approx(0.75)
 
 
-def test_rejects_and_says_why(buffer: Buffer, lines: list[tuple[int, str]]) -> None:
+def test_invalid_transforms_are_rejected_with_the_reason(
+    buffer: Buffer, lines: list[tuple[int, str]]
+) -> None:
     assert not buffer.set("a", "/a", SECOND, HERE, UPRIGHT, "me")
     assert not buffer.set("a", "", SECOND, HERE, UPRIGHT, "me")
     assert not buffer.set("/", "b", SECOND, HERE, UPRIGHT, "me")
@@ -131,7 +133,9 @@ def test_rejects_and_says_why(buffer: Buffer, lines: list[tuple[int, str]]) -> N
         ((1e200, 0, 0, 1e200), UPRIGHT),  # its square overflows
     ],
 )
-def test_stores_unit_quaternions_of_canonical_sign(buffer: Buffer, given: tuple, stored: tuple) -> None:
+def test_stored_quaternions_have_length_one_and_canonical_sign(
+    buffer: Buffer, given: tuple, stored: tuple
+) -> None:
     assert buffer.set("a", "b", SECOND, HERE, given)
     assert buffer.lookup("a", "b").rotation_xyzw == pytest.approx(stored, abs=1e-15)
 
@@ -145,7 +149,9 @@ def test_infinite_positions_are_stored(buffer: Buffer) -> None:
     assert buffer.can("a", "b")
 
 
-def test_old_data_is_refused_and_its_names_are_known(buffer: Buffer, lines: list[tuple[int, str]]) -> None:
+def test_old_data_is_rejected_and_its_frames_become_known(
+    buffer: Buffer, lines: list[tuple[int, str]]
+) -> None:
     buffer.set("a", "b", 100 * SECOND, HERE, UPRIGHT)
     assert buffer.set("a", "b", 90 * SECOND, HERE, UPRIGHT)  # just within
     assert not buffer.set("new", "b", 90 * SECOND - 1, HERE, UPRIGHT, "me")
@@ -159,7 +165,7 @@ def test_old_data_is_refused_and_its_names_are_known(buffer: Buffer, lines: list
     ]
 
 
-def test_a_flood_of_old_data_is_one_line(buffer: Buffer, lines: list[tuple[int, str]]) -> None:
+def test_flood_of_old_data_logs_one_line(buffer: Buffer, lines: list[tuple[int, str]]) -> None:
     for child in ("b", "c"):
         buffer.set("a", child, 100 * SECOND, HERE, UPRIGHT)
     start = time.monotonic()
@@ -179,7 +185,7 @@ def test_pruning_lags_by_one_insert(buffer: Buffer) -> None:
         buffer.lookup("a", "b", 10 * SECOND)
 
 
-def test_the_kind_of_a_frame_follows_the_last_insert(buffer: Buffer) -> None:
+def test_last_insert_determines_whether_a_frame_is_static(buffer: Buffer) -> None:
     buffer.set("a", "b", SECOND, (1, 0, 0), UPRIGHT)
     buffer.set("a", "b", 0, (2, 0, 0), UPRIGHT, static=True)
     assert buffer.lookup("a", "b", 77 * SECOND).translation == (2, 0, 0)
@@ -197,7 +203,7 @@ def test_the_kind_of_a_frame_follows_the_last_insert(buffer: Buffer) -> None:
         (6 * SECOND, errors.ForwardExtrapolationException, 3 * SECOND),
     ],
 )
-def test_an_extrapolation_says_what_it_lacked(buffer: Buffer, stamp: int, kind: type, gap: int) -> None:
+def test_extrapolation_error_has_the_missing_time(buffer: Buffer, stamp: int, kind: type, gap: int) -> None:
     buffer.set("map", "odom", 0, HERE, UPRIGHT, static=True)
     for stored in (2 * SECOND, 3 * SECOND):
         buffer.set("odom", "base", stored, HERE, UPRIGHT)
@@ -211,7 +217,7 @@ def test_an_extrapolation_says_what_it_lacked(buffer: Buffer, stamp: int, kind: 
     assert (type(again), str(again), again.gap_ns) == (kind, str(error), gap)
 
 
-def test_one_sample_answers_at_its_own_stamp_only(buffer: Buffer) -> None:
+def test_single_sample_is_valid_at_its_stamp_only(buffer: Buffer) -> None:
     buffer.set("a", "b", 2 * SECOND, HERE, UPRIGHT)
     with pytest.raises(errors.NoDataForExtrapolationException, match=r"only time 2\.000000 is in the buffer"):
         buffer.lookup("a", "b", 4 * SECOND)
@@ -223,7 +229,7 @@ def chain(buffer: Buffer, links: int) -> None:
 
 
 @pytest.mark.parametrize("stamp", [0, SECOND])
-def test_a_chain_may_have_a_thousand_links(stamp: int) -> None:
+def test_chain_of_a_thousand_links_is_allowed(stamp: int) -> None:
     buffer = Buffer()
     chain(buffer, 1001)
     assert buffer.lookup("f0", "f1000", stamp).translation[0] == pytest.approx(1000)
@@ -233,7 +239,7 @@ def test_a_chain_may_have_a_thousand_links(stamp: int) -> None:
             buffer.lookup(*pair, stamp)
 
 
-def test_a_cycle_is_an_error_and_ends(buffer: Buffer) -> None:
+def test_cycle_raises(buffer: Buffer) -> None:
     for parent, child in (("a", "b"), ("b", "c"), ("c", "a"), ("x", "y")):
         buffer.set(parent, child, SECOND, HERE, UPRIGHT)
     assert buffer.can("a", "b")
@@ -249,7 +255,7 @@ def test_many_frames() -> None:
     assert buffer.lookup("spoke1", "spoke99999").translation == (99998, 0, 0)
 
 
-def test_wait_ends_with_the_transform_that_was_missing(buffer: Buffer) -> None:
+def test_wait_ends_with_the_missing_transform(buffer: Buffer) -> None:
     buffer.set("map", "odom", SECOND, HERE, UPRIGHT)
     woken_at: list[float] = []
 
@@ -263,7 +269,7 @@ def test_wait_ends_with_the_transform_that_was_missing(buffer: Buffer) -> None:
         buffer = fresh
         thread = threading.Thread(target=wait)
         thread.start()
-        time.sleep(0.02)  # let it fall asleep: no matter if it has not
+        time.sleep(0.02)  # let it begin to wait; the result is the same if it has not
         fresh.set("map", "elsewhere", SECOND, HERE, UPRIGHT)
         sent_at = time.perf_counter()
         fresh.set("map", "base", SECOND, HERE, UPRIGHT)
@@ -272,7 +278,7 @@ def test_wait_ends_with_the_transform_that_was_missing(buffer: Buffer) -> None:
     assert min(delays) < 0.001
 
 
-def test_wait_gives_up_in_time_and_at_once_where_nothing_can_help(buffer: Buffer) -> None:
+def test_wait_ends_at_its_timeout_or_at_once_if_hopeless(buffer: Buffer) -> None:
     start = time.monotonic()
     assert not buffer.wait("a", "b", timeout_s=0.05)
     assert time.monotonic() - start >= 0.05
@@ -301,9 +307,7 @@ def test_a_signal_ends_a_wait(buffer: Buffer) -> None:
 
 
 @pytest.mark.parametrize("stamps", [list(range(1, 11)), list(range(10, 0, -1))])
-def test_a_request_is_answered_by_the_insert_that_makes_it_possible(
-    buffer: Buffer, stamps: list[int]
-) -> None:
+def test_request_is_completed_by_the_missing_insert(buffer: Buffer, stamps: list[int]) -> None:
     calls: list[tuple[int, bool]] = []
     wanted = stamps[-1]
     handle = buffer.add_request("a", "b", wanted * SECOND, lambda *call: calls.append(call))
@@ -315,7 +319,7 @@ def test_a_request_is_answered_by_the_insert_that_makes_it_possible(
     assert not buffer.cancel_request(handle)
 
 
-def test_requests_that_need_no_wait(buffer: Buffer) -> None:
+def test_available_transform_completes_a_request_at_once(buffer: Buffer) -> None:
     def unexpected(*call: object) -> None:
         pytest.fail(f"called with {call}")
 
@@ -326,14 +330,14 @@ def test_requests_that_need_no_wait(buffer: Buffer) -> None:
     assert buffer.add_request_full("a", 0, "b", 0, "a", unexpected) == 0
 
 
-def test_a_request_fails_when_its_time_has_passed(buffer: Buffer) -> None:
+def test_request_fails_when_its_time_is_too_old(buffer: Buffer) -> None:
     calls: list[tuple[int, bool]] = []
     handle = buffer.add_request("a", "b", SECOND, lambda *call: calls.append(call))
     buffer.set("a", "b", 100 * SECOND, HERE, UPRIGHT)
     assert calls == [(handle, False)]
 
 
-def test_a_request_may_do_anything_with_the_buffer(buffer: Buffer) -> None:
+def test_request_callback_can_use_the_buffer(buffer: Buffer) -> None:
     calls: list[int] = []
 
     def again(handle: int, is_available: bool) -> None:
@@ -355,18 +359,18 @@ def test_a_request_may_do_anything_with_the_buffer(buffer: Buffer) -> None:
     lambda b: b.set("a", "b", 1.5, HERE, UPRIGHT),
     lambda b: Buffer("10"),
 ])  # fmt: skip
-def test_arguments_of_another_type(buffer: Buffer, call: Callable[[Buffer], object]) -> None:
+def test_arguments_of_wrong_types_raise(buffer: Buffer, call: Callable[[Buffer], object]) -> None:
     with pytest.raises(TypeError):
         call(buffer)
 
 
-def test_a_cache_time_is_not_negative() -> None:
+def test_negative_cache_time_raises() -> None:
     with pytest.raises(ValueError, match="cache_time_ns must not be negative"):
         Buffer(-1)
 
 
 @pytest.mark.parametrize("beyond", [2**63, -(2**64)])
-def test_a_cache_time_beyond_64_bits_is_an_error_that_says_so(beyond: int) -> None:
+def test_cache_time_beyond_64_bits_raises(beyond: int) -> None:
     with pytest.raises(ValueError, match="must fit into 64 bits of nanoseconds"):
         Buffer(beyond)
 

@@ -1,4 +1,4 @@
-"""The buffer against the slow, obvious one, on random trees; and the laws that any buffer of transforms obeys."""
+"""The buffer against the reference buffer, on random trees; and the laws of any buffer of transforms."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ FRAMES = [f"f{i}" for i in range(7)]
 coordinates = st.floats(-100, 100, allow_nan=False)
 translations = st.tuples(coordinates, coordinates, coordinates)
 rotations = st.tuples(*[st.floats(-1, 1)] * 4).filter(lambda q: np.linalg.norm(q) > 0.1)
-# A coarse grid makes equal stamps and exact hits common; the odd offset falls between.
+# A coarse grid makes equal stamps and exact hits common; the odd offset is between grid points.
 stamps = st.builds(
     lambda tenth, odd: 100 * SECOND + tenth * SECOND // 10 + odd, st.integers(0, 250), st.integers(0, 3)
 )
@@ -51,7 +51,7 @@ def as_matrix(answer: object) -> np.ndarray:
 
 @settings(max_examples=150, deadline=None)
 @given(st.lists(inserts, min_size=1, max_size=60), st.sampled_from(FRAMES), st.sampled_from(FRAMES), queries)
-def test_answers_as_the_oracle_does(operations: list, target: str, source: str, stamp: int) -> None:
+def test_results_equal_those_of_the_oracle(operations: list, target: str, source: str, stamp: int) -> None:
     assume(target != source)
     buffer, oracle = build(operations)
     try:
@@ -93,7 +93,7 @@ def test_frozen_equals_live(operations: list, questions: list[tuple[str, str, in
     mapped.map_frozen(live.frozen())
     for question in questions:
         assert outcome(mapped, *question) == outcome(live, *question)
-    for (parent, child), stamp, translation, rotation, static in operations[::3]:  # and goes on so
+    for (parent, child), stamp, translation, rotation, static in operations[::3]:  # and after further inserts
         call = FRAMES[parent], FRAMES[child], stamp + 1, translation, rotation
         assert mapped.set(*call, static=static) == live.set(*call, static=static)
     for question in questions:
@@ -153,7 +153,7 @@ def test_lookups_compose(buffer: Buffer, order: list[str], stamp: int) -> None:
 
 @settings(max_examples=100, deadline=None)
 @given(trees(), st.permutations(FRAMES), within, within)
-def test_a_full_lookup_goes_by_way_of_the_fixed_frame(
+def test_full_lookup_uses_the_fixed_frame(
     buffer: Buffer, order: list[str], target_stamp: int, source_stamp: int
 ) -> None:
     target, source, fixed = order[:3]

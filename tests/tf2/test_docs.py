@@ -1,4 +1,4 @@
-"""docs/tf2.md runs as it stands, prints what it says, and quotes the example."""
+"""The code in docs/tf2.md runs, its output is the documented one, and the example is quoted exactly."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def blocks() -> Iterator[tuple[str, str]]:
         yield found[1], found[2]
 
 
-def test_it_runs_and_prints_what_it_says(capsys: pytest.CaptureFixture[str]) -> None:
+def test_documented_code_prints_the_documented_output(capsys: pytest.CaptureFixture[str]) -> None:
     names: dict[str, object] = {}
     checked = 0
     for kind, text in blocks():
@@ -30,13 +30,13 @@ def test_it_runs_and_prints_what_it_says(capsys: pytest.CaptureFixture[str]) -> 
     assert checked == 2
 
 
-def test_it_quotes_the_example() -> None:
+def test_page_quotes_the_example() -> None:
     quotes = [text for kind, text in blocks() if kind == "python example"]
     assert len(quotes) == 2
     assert all(quote in EXAMPLE for quote in quotes)
 
 
-def test_links_lead_somewhere() -> None:
+def test_links_have_targets() -> None:
     links = re.findall(r"\]\(([^)#]+)\)", PAGE)
     assert len(links) >= 3
     assert [link for link in links if not (ROOT / "docs" / link).exists()] == []

@@ -1,4 +1,4 @@
-"""The example that goes from arrays to a deskewed cloud does what it says."""
+"""The example that deskews a cloud does what its docstring states."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import pytest
 EXAMPLE = Path(__file__).parents[2] / "examples" / "deskew_cloud.py"
 
 
-def test_deskewing_puts_the_points_back_on_the_walls() -> None:
+def test_deskewed_points_lie_on_the_walls() -> None:
     done = subprocess.run([sys.executable, EXAMPLE], capture_output=True, text=True, timeout=120, check=True)
     words = done.stdout.split()
     skewed_m, deskewed_m = float(words[3]), float(words[8])
@@ -19,7 +19,7 @@ def test_deskewing_puts_the_points_back_on_the_walls() -> None:
     assert deskewed_m < 1e-4
 
 
-def test_it_draws(tmp_path: Path) -> None:
+def test_example_draws_a_picture(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib", reason="matplotlib is not installed")
     path = tmp_path / "deskew.png"
     subprocess.run([sys.executable, EXAMPLE, "--plot", path], timeout=120, check=True)

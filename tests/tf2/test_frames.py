@@ -32,7 +32,7 @@ def test_parents_and_children(buffer: Buffer) -> None:
     assert buffer.children()["laser"] == []
 
 
-def test_edges(buffer: Buffer) -> None:
+def test_edges_list_the_stored_links(buffer: Buffer) -> None:
     odom, base, laser, *_ = buffer.edges()
     assert (odom.frame_id, odom.child_frame_id, odom.authority) == ("map", "odom", "localisation")
     assert (base.oldest_ns, base.newest_ns, base.sample_count) == (2 * SECOND, 5 * SECOND, 4)
@@ -49,12 +49,14 @@ def test_edges(buffer: Buffer) -> None:
         ("map", "map", ["map"]),
     ],
 )
-def test_chain(buffer: Buffer, target: str, source: str, chain: list[str]) -> None:
+def test_chain_lists_the_frames_of_a_lookup(
+    buffer: Buffer, target: str, source: str, chain: list[str]
+) -> None:
     assert buffer.chain(target, source) == chain
     assert buffer.explain(target, source).chain == chain
 
 
-def test_common_time(buffer: Buffer) -> None:
+def test_common_time_of_frames(buffer: Buffer) -> None:
     assert buffer.common_time("map", "laser", "odom") == 4 * SECOND
     assert buffer.common_time("base", "laser") == 0
     assert buffer.common_time("odom") == 4 * SECOND
@@ -65,7 +67,7 @@ def test_common_time(buffer: Buffer) -> None:
         buffer.common_time()
 
 
-def test_explains_which_link_fails_and_what_to_do(buffer: Buffer) -> None:
+def test_explain_names_the_failing_link_and_the_remedy(buffer: Buffer) -> None:
     told = buffer.explain("map", "laser", 5 * SECOND)
     assert told.failing_edge.child_frame_id == "odom"
     assert [edge.child_frame_id for edge in told.edges] == ["laser", "base", "odom"]
@@ -75,8 +77,8 @@ def test_explains_which_link_fails_and_what_to_do(buffer: Buffer) -> None:
     assert "base begins 1.000000 s after" in early.remedy
 
 
-def test_explains_what_is_unknown_or_apart(buffer: Buffer) -> None:
-    assert "Nobody has published lidar yet" in buffer.explain("map", "lidar").remedy
+def test_explain_names_unknown_and_unconnected_frames(buffer: Buffer) -> None:
+    assert "No transform of lidar has been received" in buffer.explain("map", "lidar").remedy
     apart = buffer.explain("map", "shelf")
     assert "connects map, the root above one end, with shop" in apart.remedy
     assert apart.failing_edge is None
@@ -89,44 +91,42 @@ def test_explains_what_is_unknown_or_apart(buffer: Buffer) -> None:
 @pytest.mark.parametrize(
     ("target", "source", "remedy"),
     [
-        ("map", "/laser", "Ask for laser, without the slash."),
-        ("", "laser", "Give both frames a name."),
-        ("none", "nobody", "Nobody has published none or nobody yet"),
+        ("map", "/laser", "Request laser, without the slash."),
+        ("", "laser", "Both frame names must be non-empty."),
+        ("first", "second", "No transform of first or second has been received"),
     ],
 )
-def test_explains_names_that_cannot_be(buffer: Buffer, target: str, source: str, remedy: str) -> None:
+def test_explain_names_invalid_frame_ids(buffer: Buffer, target: str, source: str, remedy: str) -> None:
     assert buffer.explain(target, source).remedy.startswith(remedy)
 
 
-def test_explains_a_gap_in_another_tree(buffer: Buffer) -> None:
+def test_explain_names_a_gap_in_another_tree(buffer: Buffer) -> None:
     told = buffer.explain("map", "shelf", 9 * SECOND)
     assert told.failing_edge.child_frame_id == "shelf"
-    assert told.remedy.endswith("Nor is map, the root above one end, connected with shop.")
+    assert told.remedy.endswith("Also, map, the root above one end, is not connected with shop.")
 
 
-def test_explains_what_was_cleared(buffer: Buffer) -> None:
+def test_explain_of_a_cleared_buffer(buffer: Buffer) -> None:
     buffer.clear()
     assert buffer.explain("map", "base", 2 * SECOND).remedy.startswith("Nothing is stored of base now")
 
 
-def test_explains_histories_that_do_not_overlap() -> None:
+def test_explain_of_histories_without_overlap() -> None:
     buffer = Buffer()
     for child, stamps in (("a", (5, 6)), ("b", (1, 2))):
         for stamp in stamps:
             buffer.set("root", child, stamp * SECOND, HERE, UPRIGHT)
     told = buffer.explain("a", "b")
     assert told.failing_edge.child_frame_id == "a"
-    assert (
-        told.remedy == "At no time are all of these known: a alone misses the time asked for by 3.000000 s."
-    )
+    assert told.remedy == "The frames have no common time: a alone misses the requested time by 3.000000 s."
 
 
-def test_explains_circles_and_chains_that_are_too_long() -> None:
+def test_explain_names_loops_and_too_long_chains() -> None:
     buffer = Buffer()
     for parent, child in (("a", "b"), ("b", "c"), ("c", "a"), ("x", "y"), ("a", "leaf")):
         buffer.set(parent, child, SECOND, HERE, UPRIGHT)
-    assert buffer.explain("x", "leaf").remedy == "See which two publishers make a circle of parents: a, c, b."
-    fine = buffer.explain("a", "b")  # no need to go around
+    assert buffer.explain("x", "leaf").remedy == "Find the publishers of this loop of parents: a, c, b."
+    fine = buffer.explain("a", "b")  # the loop is not on this path
     assert (fine.error, fine.chain) == (None, ["b", "a"])
     assert [edge.child_frame_id for edge in fine.edges] == ["b"]
     for index in range(1001):
@@ -134,7 +134,7 @@ def test_explains_circles_and_chains_that_are_too_long() -> None:
     assert "more than 1000 links" in buffer.explain("f0", "f1001").remedy
 
 
-def test_the_chain_is_that_of_the_time_asked_for() -> None:
+def test_chain_is_that_of_the_requested_time() -> None:
     buffer = Buffer()
     for parent, stamps in (("a", (1, 2)), ("b", (3, 4))):
         for stamp in stamps:
@@ -145,17 +145,17 @@ def test_the_chain_is_that_of_the_time_asked_for() -> None:
     told = buffer.explain("a", "x", SECOND)
     assert told.chain == ["x", "a"]
     assert str(told).splitlines()[1].startswith("  a -> x: 1.000000 to 4.000000")
-    assert str(told).endswith("; by now it's below b")
+    assert str(told).endswith("; its present parent is b")
 
 
-def test_a_chain_of_what_cannot_be_looked_up(buffer: Buffer) -> None:
+def test_chain_of_an_unknown_frame_raises(buffer: Buffer) -> None:
     with pytest.raises(LookupException):
         buffer.chain("map", "nowhere")
     with pytest.raises(LookupException):
         buffer.chain("nowhere", "nowhere")
 
 
-def test_a_removed_frame_is_gone_and_may_come_back(buffer: Buffer) -> None:
+def test_removed_frame_can_be_inserted_again(buffer: Buffer) -> None:
     assert buffer.remove_frame("base")
     assert not buffer.remove_frame("base")
     assert "base" not in buffer.frame_names()

@@ -1,4 +1,4 @@
-"""A buffer mapped back from a file equals the live one; a file that is none, or not whole, is an error."""
+"""A buffer mapped from a file equals the live one; an invalid or incomplete file raises."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ FRAMES = [f"f{index}" for index in range(9)]
 
 
 def random_buffer(random: np.random.Generator) -> Buffer:
-    """Static and moving frames, one that changes its parent, one removed, one pruned, one cleared to nothing."""
+    """Static and moving frames: one changes its parent, one is removed, one pruned, one cleared."""
     buffer = Buffer(int(random.integers(5, 12)) * SECOND)
     for index, child in enumerate(FRAMES[1:], 1):
         parent = FRAMES[int(random.integers(0, index))]
@@ -93,7 +93,7 @@ def test_samples_stay_in_the_file(tmp_path: Path) -> None:
     assert mapped.cache_time_ns is None
 
 
-def test_a_file_that_is_mapped_can_be_replaced(tmp_path: Path) -> None:
+def test_mapped_file_can_be_replaced(tmp_path: Path) -> None:
     path = tmp_path / "tree"
     first, second = Buffer(), Buffer()
     first.set("a", "b", 1, (1, 0, 0), (0, 0, 0, 1))
@@ -113,7 +113,7 @@ def test_a_ros_buffer_maps_and_an_empty_buffer_freezes(tmp_path: Path) -> None:
     assert mapped.frame_names() == []
 
 
-def test_a_folder_that_is_not_there_leaves_nothing(tmp_path: Path) -> None:
+def test_missing_folder_raises_and_leaves_no_file(tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError) as raised:
         Buffer().freeze(tmp_path / "none" / "tree")
     assert raised.value.filename == str(tmp_path / "none" / "tree")
@@ -131,7 +131,7 @@ def sound() -> bytes:
     return buffer.frozen()
 
 
-def test_every_truncation_is_an_error(sound: bytes, tmp_path: Path) -> None:
+def test_every_truncation_raises(sound: bytes, tmp_path: Path) -> None:
     buffer = Buffer()
     for size in [*range(400), *range(400, len(sound), 97), len(sound) - 1]:
         shorter = bytearray(sound[:size])
@@ -164,19 +164,19 @@ def test_every_truncation_is_an_error(sound: bytes, tmp_path: Path) -> None:
         (48, struct.pack("=I", 3), "no name"),
     ],
 )
-def test_a_wrong_header_is_an_error(sound: bytes, offset: int, value: bytes, text: str) -> None:
+def test_wrong_header_raises(sound: bytes, offset: int, value: bytes, text: str) -> None:
     changed = sound[:offset] + value + sound[offset + len(value) :]
     with pytest.raises(ValueError, match=text):
         Buffer().map_frozen(changed)
 
 
-def test_octets_at_random_never_crash(sound: bytes) -> None:
+def test_random_bytes_never_crash(sound: bytes) -> None:
     random = np.random.default_rng(1)
     refused = 0
     for _ in range(3000):
         changed = bytearray(sound)
         for _ in range(int(random.integers(1, 4))):
-            # Mostly where the structure is: the header, the frames, the texts, the first stamps, the parents.
+            # Mostly in the structure: the header, the frames, the texts, the first stamps, the parents.
             place = int(random.choice([random.integers(0, 400), random.integers(0, len(sound))]))
             changed[place] = int(random.integers(0, 256))
         buffer = Buffer()

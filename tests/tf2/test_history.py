@@ -1,4 +1,4 @@
-"""One frame's history: order, doubles, ends, changes of parent, and what a query finds between."""
+"""One frame's history: order, duplicates, ends, changes of parent, and interpolation."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def put(buffer: Buffer, *rows: tuple[int, int]) -> None:
 
 
 def held(buffer: Buffer) -> list[tuple[int, int]]:
-    """Return what is held, newest first."""
+    """Return the stored samples, newest first."""
     samples = buffer.to_arrays("a", "b")
     return list(
         zip(samples.stamps_ns[::-1].tolist(), samples.positions[::-1, 0].astype(int).tolist(), strict=True)
@@ -33,11 +33,11 @@ def held(buffer: Buffer) -> list[tuple[int, int]]:
 FIRST = [(0, 0), (10, 1), (5, 2), (3, 3), (8, 4), (8, 5), (8, 6)]
 
 
-def test_samples_are_in_order_of_time_then_of_arrival() -> None:
+def test_samples_are_ordered_by_stamp_then_arrival() -> None:
     buffer = Buffer(10)
     put(buffer, *FIRST)
     assert held(buffer) == [(10, 1), (8, 6), (8, 5), (8, 4), (5, 2), (3, 3), (0, 0)]
-    put(buffer, *reversed(FIRST))  # all of it again
+    put(buffer, *reversed(FIRST))  # all samples again
     assert held(buffer) == [(10, 1), (8, 6), (8, 5), (8, 4), (5, 2), (3, 3), (0, 0)]
     put(buffer, (15, 7))
     assert not buffer.set("a", "b", 0, (8, 0, 0), UPRIGHT)  # more than 10 older than the newest
@@ -46,26 +46,26 @@ def test_samples_are_in_order_of_time_then_of_arrival() -> None:
 
 
 @pytest.mark.parametrize("stamps", [range(1, 101), range(100, 0, -1)])
-def test_each_of_many_is_found_at_its_stamp(stamps: range) -> None:
+def test_each_sample_is_found_at_its_stamp(stamps: range) -> None:
     buffer = Buffer()
     put(buffer, *((stamp, stamp) for stamp in stamps))
     assert [buffer.lookup("a", "b", stamp).translation[0] for stamp in range(1, 101)] == list(range(1, 101))
     assert buffer.lookup("a", "b").stamp_ns == 100
 
 
-def test_the_same_sample_again_is_one() -> None:
+def test_repeated_sample_is_stored_once() -> None:
     buffer = Buffer()
     put(buffer, *[(7, 1)] * 99)
     assert held(buffer) == [(7, 1)]
 
 
-def test_among_equal_stamps_the_ends_are_the_outermost() -> None:
+def test_interpolation_uses_the_outermost_of_equal_stamps() -> None:
     buffer = Buffer()
     put(buffer, (1, 0), (1, 1), (5, 2), (5, 3), (3, 4), (3, 5))
     assert [buffer.lookup("a", "b", stamp).translation[0] for stamp in (1, 2, 3, 4, 5)] == [0, 2.5, 5, 3.5, 3]
 
 
-def test_positions_between_two_are_on_the_line() -> None:
+def test_positions_are_interpolated_linearly() -> None:
     source = random.Random(2)
     buffer = Buffer()
     ends = [[source.uniform(-10, 10) for _ in range(3)] for _ in range(2)]
@@ -76,7 +76,7 @@ def test_positions_between_two_are_on_the_line() -> None:
         assert buffer.lookup("a", "b", 100 + step).translation == pytest.approx(expected, abs=1e-12)
 
 
-def test_rotations_between_two_are_on_the_arc() -> None:
+def test_rotations_are_interpolated_on_the_arc() -> None:
     source = random.Random(3)
     for _ in range(20):
         turns = [Transform.from_rpy(*(source.uniform(-1.5, 1.5) for _ in range(3))) for _ in range(2)]
@@ -90,7 +90,7 @@ def test_rotations_between_two_are_on_the_arc() -> None:
             assert (found.inverse() @ expected).axis_angle[1] < 1e-7
 
 
-def test_half_a_turn_and_less_than_a_hair() -> None:
+def test_half_turns_and_tiny_angles_are_interpolated() -> None:
     buffer = Buffer()
     buffer.set("a", "b", 100, HERE, UPRIGHT)
     buffer.set("a", "b", 200, HERE, (0, 0, 1, 0))
@@ -101,7 +101,7 @@ def test_half_a_turn_and_less_than_a_hair() -> None:
     assert fine.lookup("a", "b", 150).transform.axis_angle[1] == pytest.approx(1e-9)
 
 
-def test_the_old_parent_holds_until_the_new_one_starts() -> None:
+def test_old_parent_is_valid_until_the_new_one_starts() -> None:
     buffer = Buffer()
     buffer.set("root", "p", 0, (100, 0, 0), UPRIGHT, static=True)
     buffer.set("root", "q", 0, (200, 0, 0), UPRIGHT, static=True)
@@ -111,7 +111,7 @@ def test_the_old_parent_holds_until_the_new_one_starts() -> None:
     assert places == [101, 101, 101, 101, 202]
 
 
-def test_a_static_transform_is_the_last_one_at_any_time() -> None:
+def test_static_transform_is_the_last_inserted_at_any_time() -> None:
     buffer = Buffer()
     for x in (1, 2, 3):
         buffer.set("a", "b", x * SECOND, (x, 0, 0), UPRIGHT, static=True)
@@ -121,7 +121,7 @@ def test_a_static_transform_is_the_last_one_at_any_time() -> None:
     assert buffer.latest_common_time("a", "b") == 0
 
 
-def test_one_sample_and_two() -> None:
+def test_histories_of_one_and_two_samples() -> None:
     buffer = Buffer()
     put(buffer, (2 * SECOND, 1))
     assert buffer.can("a", "b", 2 * SECOND)
@@ -141,7 +141,7 @@ def test_one_sample_and_two() -> None:
             buffer.lookup("a", "b", stamp)
 
 
-def test_an_emptied_history() -> None:
+def test_emptied_history_has_no_data() -> None:
     buffer = Buffer()
     put(buffer, (SECOND, 1), (2 * SECOND, 2))
     buffer.clear()
@@ -150,7 +150,7 @@ def test_an_emptied_history() -> None:
     error = raised.value
     assert (
         str(error) == ", when looking up transform from frame [b] to frame [a]"
-    )  # Jazzy has no words for it
+    )  # Jazzy's text has no reason
     assert (error.frame_id, error.oldest_ns, error.newest_ns, error.gap_ns) == ("b", None, None, None)
     with pytest.raises(errors.ConnectivityException):
         buffer.lookup("a", "b")
@@ -161,7 +161,7 @@ def test_an_emptied_history() -> None:
     )
 
 
-def test_a_gap_in_one_of_two_trees_is_told_of_before_that_they_are_two() -> None:
+def test_extrapolation_is_reported_before_missing_connection() -> None:
     buffer = Buffer()
     for stamp in (SECOND, 2 * SECOND):
         buffer.set("a", "b", stamp, HERE, UPRIGHT)
@@ -173,7 +173,7 @@ def test_a_gap_in_one_of_two_trees_is_told_of_before_that_they_are_two() -> None
             buffer.lookup(*pair, SECOND)
 
 
-def test_a_sample_at_zero_does_not_count_for_the_latest_common_time() -> None:
+def test_sample_at_zero_is_ignored_for_the_latest_common_time() -> None:
     buffer = Buffer()
     put(buffer, (0, 1))
     buffer.set("b", "c", 5 * SECOND, HERE, UPRIGHT)
@@ -183,7 +183,7 @@ def test_a_sample_at_zero_does_not_count_for_the_latest_common_time() -> None:
     assert buffer.lookup("a", "b").translation[0] == 1
 
 
-def test_a_common_time_may_be_before_a_branch_begins() -> None:
+def test_common_time_can_precede_the_start_of_a_branch() -> None:
     buffer = Buffer()
     for child, stamps in (("a", (5, 6)), ("b", (1, 2))):
         for stamp in stamps:
@@ -219,7 +219,7 @@ def test_a_full_lookup_checks_all_names_and_has_the_targets_stamp() -> None:
     assert buffer.lookup_full("a", 3 * SECOND, "a", SECOND, "r").translation[0] == -2
 
 
-def test_a_full_lookup_tells_of_the_source_first_and_a_question_of_the_target() -> None:
+def test_full_lookup_reports_the_source_first_and_can_transform_the_target() -> None:
     buffer = Buffer()
     for stamp in (1, 2):
         buffer.set("r", "a", stamp * SECOND, HERE, UPRIGHT)
@@ -229,7 +229,7 @@ def test_a_full_lookup_tells_of_the_source_first_and_a_question_of_the_target() 
     assert "Requested time 9.000000" in buffer.find_obstacle_full(*query)
 
 
-def test_every_reason_to_reject_is_told() -> None:
+def test_every_reason_for_rejection_is_logged() -> None:
     buffer, lines = Buffer(), []
     buffer.set_log_callback(lambda _, text: lines.append(text.partition(":")[0]))
     assert not buffer.set("a", "a", SECOND, (math.nan, 0, 0), (0, 0, 0, 0))

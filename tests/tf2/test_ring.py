@@ -18,7 +18,7 @@ POSITIONS = [
 
 
 def turn(links: int) -> tuple[float, float]:
-    """z and w of so many eighths of a turn: w > 0 to a third of a turn and beyond two, else z > 0."""
+    """Return z and w of a number of eighths of a turn: w > 0 up to a third of a turn and beyond two, else z > 0."""
     z, w = math.sin(links * math.pi / 8), math.cos(links * math.pi / 8)
     is_wide = 4 * w * w < 1
     sign = math.copysign(1, z if is_wide else w)
@@ -27,7 +27,7 @@ def turn(links: int) -> tuple[float, float]:
 
 @pytest.mark.parametrize("stamp", [SECOND, 10 * SECOND, 0])
 @pytest.mark.parametrize("width", [SECOND, SECOND // 1000, SECOND // 10])
-def test_ring(stamp: int, width: int) -> None:
+def test_transforms_around_a_ring(stamp: int, width: int) -> None:
     buffer = Buffer(None)
     names = {
         sign: ["a", *(prefix + letter for letter in "bcdefghi")]

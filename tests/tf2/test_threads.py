@@ -25,7 +25,7 @@ needs_no_gil = pytest.mark.skipif(not HAS_NO_GIL, reason="this Python has a GIL:
 
 
 def run_together(*works: Callable[[], None]) -> None:
-    """Run each on a thread of its own, from one moment on, and raise what any of them raised."""
+    """Run each function on a thread, all started at once, and raise an exception of any of them."""
     barrier = threading.Barrier(len(works))
     raised: list[BaseException] = []
 
@@ -56,7 +56,7 @@ def message(x: float, stamp: int, child: str = "b") -> TransformStamped:
 def test_lookups_while_others_insert() -> None:
     buffer = Buffer(None)
     steps = 2000
-    # Each link is where it is at all times: any answer has a known length.
+    # Each link is constant over time, so any result has a known length.
     for link in range(3):
         buffer.set(f"f{link}", f"f{link + 1}", SECOND, (link + 1.0, 0, 0), (0, 0, 0, 1))
 
@@ -83,7 +83,7 @@ def test_messages_that_change_while_they_are_read() -> None:
 
     def change() -> None:
         for step in range(rounds):
-            # Nothing else holds what was there before: it's freed at once.
+            # Nothing else references the former value, so it is freed at once.
             shared.transforms[0].transform.translation.x = float(step)
             shared.transforms[0].header = message(0.0, SECOND + step).header
             shared.transforms[0].child_frame_id = f"frame number {step}"
@@ -97,8 +97,8 @@ def test_messages_that_change_while_they_are_read() -> None:
     run_together(change, read, read)
 
 
-def test_the_first_message_of_many_threads() -> None:
-    # In a process of its own, where no plan has been made yet.
+def test_first_message_on_many_threads() -> None:
+    # In a separate process, where no plan has been compiled.
     program = """
 import threading
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
@@ -124,7 +124,7 @@ assert answers == [2.0] * 8, answers
 
 @pytest.fixture
 def no_switching() -> Iterator[None]:
-    """No thread takes the interpreter from another one: only what lets go of it lets another run."""
+    """Set the GIL's switch interval to 60 s, so that another thread runs only when the GIL is released."""
     before = sys.getswitchinterval()
     sys.setswitchinterval(60)
     yield
@@ -159,7 +159,7 @@ def large() -> Buffer:
         "yaml",
     ],
 )
-def test_what_takes_long_lets_others_run(large: Buffer, name: str) -> None:
+def test_long_operations_release_the_gil(large: Buffer, name: str) -> None:
     stamps = np.arange(1_000_000) + SECOND
     points = np.ones((1_000_000, 3))
     batch = cdr.encode(TFMessage(transforms=[message(1.0, SECOND + 1)] * 50_000))
@@ -191,7 +191,7 @@ def test_what_takes_long_lets_others_run(large: Buffer, name: str) -> None:
         started.release()
         give_up_at = monotonic() + WAIT_S
         while not other_ran and monotonic() < give_up_at:
-            call()  # nothing else in this loop lets go of the interpreter
+            call()  # nothing else in this loop releases the GIL
         has_ended = True
 
     thread = threading.Thread(target=run)
@@ -204,6 +204,6 @@ def test_what_takes_long_lets_others_run(large: Buffer, name: str) -> None:
 
 
 @needs_no_gil
-def test_the_gil_stays_off() -> None:
+def test_import_keeps_the_gil_disabled() -> None:
     program = "import sys, tfloom.tf2.buffer, tfloom._native; sys.exit(sys._is_gil_enabled())"
     subprocess.run([sys.executable, "-W", "error", "-c", program], check=True, timeout=60)

@@ -1,4 +1,4 @@
-"""Transforms form a group, and turn into every other form and back."""
+"""Transforms form a group, and convert to every other form and back."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def is_close(a: Transform, b: Transform) -> bool:
 
 
 @given(transforms, transforms, transforms)
-def test_group(a: Transform, b: Transform, c: Transform) -> None:
+def test_transforms_form_a_group(a: Transform, b: Transform, c: Transform) -> None:
     assert is_close((a @ b) @ c, a @ (b @ c))
     assert is_close(a @ Transform(), a)
     assert is_close(Transform() @ a, a)
@@ -46,7 +46,7 @@ def test_matrix_and_points(a: Transform, b: Transform, point: tuple[float, ...])
 
 
 @given(transforms)
-def test_other_forms(a: Transform) -> None:
+def test_conversions_to_other_forms(a: Transform) -> None:
     assert is_close(Transform.from_axis_angle(*a.axis_angle, a.translation), a)
     assert is_close(Transform.from_rpy(*a.rpy_rad, a.translation), a)
     assert pickle.loads(pickle.dumps(a)) == a or is_close(pickle.loads(pickle.dumps(a)), a)
@@ -94,7 +94,7 @@ def test_interpolation(a: Transform, b: Transform, ratio: float) -> None:
     assert np.linalg.norm(a.interpolate(b, ratio).rotation_xyzw) == pytest.approx(1, abs=1e-9)
 
 
-def test_is_a_value() -> None:
+def test_transforms_are_values() -> None:
     a = Transform((1, 2, 3), (0, 0, 0.6, 0.8))
     assert a == Transform((1, 2, 3), (0, 0, 0.6, 0.8))
     assert a != Transform()
@@ -105,7 +105,7 @@ def test_is_a_value() -> None:
         a.translation = (0, 0, 0)
 
 
-def test_what_a_lookup_gives_can_be_computed_with() -> None:
+def test_lookup_result_can_be_composed() -> None:
     buffer = Buffer()
     buffer.set("a", "b", 1, (1, 2, 3), (0, 0, 1, 1))
     buffer.set("b", "c", 1, (4, 5, 6), (1, 0, 0, 1))
@@ -124,7 +124,7 @@ def test_what_a_lookup_gives_can_be_computed_with() -> None:
         lambda: Transform.from_matrix(np.eye(3)),
     ],
 )
-def test_what_is_no_transform(make: object) -> None:
+def test_invalid_transforms_raise(make: object) -> None:
     with pytest.raises(ValueError, match=r"rotation|direction|shape"):
         make()
 

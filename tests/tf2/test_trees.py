@@ -1,4 +1,4 @@
-"""Trees of every shape, sampled in every way: each pair of frames, forth and back, as tf2's own tests expect it."""
+"""Trees of several shapes and samplings: each pair of frames in both directions, as in tf2's tests."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from tfloom.tf2.errors import ConnectivityException
 
 SECOND = 1_000_000_000
 UPRIGHT = (0.0, 0.0, 0.0, 1.0)
-TREES = {  # by name; each child's parent, and where it is in it
+TREES = {  # by name; each child's parent, and its position in it
     "i": {"b": ("a", 1, 0), "c": ("b", 1, 0)},
     "y": {"b": ("a", 1, 0), "c": ("b", 1, 0), "d": ("b", 0, 1), "e": ("d", 0, 1)},
     "v": {"b": ("a", 1, 0), "c": ("b", 1, 0), "f": ("a", 0, 1), "g": ("f", 0, 1)},
@@ -29,7 +29,7 @@ def build(shape: str, stamp: int, width: int) -> Buffer:
 
 
 def place(shape: str, frame: str) -> tuple[str, int, int]:
-    """Return the root above a frame and where the frame is in it."""
+    """Return the root above a frame, and the frame's position in it."""
     x = y = 0
     while frame in TREES[shape]:
         frame, dx, dy = TREES[shape][frame]
@@ -39,7 +39,7 @@ def place(shape: str, frame: str) -> tuple[str, int, int]:
 
 @pytest.mark.parametrize("stamp", [SECOND, 10 * SECOND, 0])
 @pytest.mark.parametrize(("shape", "width"), CASES)
-def test_every_pair(shape: str, width: int, stamp: int) -> None:
+def test_every_pair_of_frames(shape: str, width: int, stamp: int) -> None:
     buffer = build(shape, stamp, width)
     frames = sorted({name for child, (parent, *_) in TREES[shape].items() for name in (child, parent)})
     for target in frames:
@@ -58,7 +58,7 @@ def test_every_pair(shape: str, width: int, stamp: int) -> None:
             assert found.rotation_xyzw == UPRIGHT
 
 
-def test_distances_known_by_heart() -> None:
+def test_known_distances() -> None:
     tree = build("y", SECOND, SECOND)
     assert tree.lookup("a", "c", SECOND).translation == (2, 0, 0)
     assert tree.lookup("a", "e", SECOND).translation == (1, 2, 0)

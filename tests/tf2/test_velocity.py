@@ -1,4 +1,4 @@
-"""lookupVelocity as recorded, and a twist that is one."""
+"""lookupVelocity as recorded, and the correct twist."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def circling() -> Buffer:
     return buffer
 
 
-def test_a_twist_in_the_fixed_and_in_the_bodys_axes(circling: Buffer) -> None:
+def test_twist_in_the_axes_of_the_fixed_frame_and_of_the_body(circling: Buffer) -> None:
     stamp = 104 * SECOND
     linear, angular = circling.velocity("body", "world", stamp)
     assert linear == pytest.approx((-math.sin(2.0), math.cos(2.0), 0), abs=1e-3)
@@ -59,7 +59,7 @@ def test_a_twist_in_the_fixed_and_in_the_bodys_axes(circling: Buffer) -> None:
     assert linear == pytest.approx((1, 0.5, 0), abs=1e-3)
 
 
-def test_at_the_latest_time_and_of_what_is_static(circling: Buffer) -> None:
+def test_velocity_at_the_latest_time_and_of_static_frames(circling: Buffer) -> None:
     assert circling.velocity("body", "world").angular == pytest.approx((0, 0, 0.5), abs=1e-9)
     assert circling.velocity("sensor", "body") == ((0, 0, 0), (0, 0, 0))
     with pytest.raises(ValueError, match="interval_ns must be positive"):
@@ -67,7 +67,7 @@ def test_at_the_latest_time_and_of_what_is_static(circling: Buffer) -> None:
 
 
 class TestSquares:
-    """A frame that goes back and forth along each axis in turn, 0.1 m or rad a tenth of a second, seen from others."""
+    """A frame that moves back and forth along each axis in turn, by 0.1 m or rad each 0.1 s, observed from others."""
 
     TIMES = (0.5, 1.5, 2.5, 3.5, 4.5, 5.5)
     START = 1000 * SECOND
@@ -75,7 +75,7 @@ class TestSquares:
     def build(
         self, pose: Any, steps: list[tuple[int, float]], above: tuple[float, float, float], count: int
     ) -> Buffer:
-        """`steps`: in each second, which of three numbers changes and by how much a tenth of a second."""
+        """`steps`: for each second, the index of the number that changes, and its change each 0.1 s."""
         buffer = Buffer(None)
         numbers = [-0.1, 0.0, 0.0]
         seconds = 0.0
@@ -109,7 +109,7 @@ class TestSquares:
         return [([round(v, 6) for v in linear], [round(w, 6) for w in angular]) for linear, angular in found]
 
     @pytest.mark.parametrize("observer", ["foo", "stationary_offset_child", "stationary_offset_parent"])
-    def test_sliding(self, sliding: Buffer, observer: str) -> None:
+    def test_linear_velocity_is_measured(self, sliding: Buffer, observer: str) -> None:
         assert self.twists(sliding, observer) == [
             ([1, 0, 0], [0, 0, 0]), ([0, 1, 0], [0, 0, 0]), ([-1, 0, 0], [0, 0, 0]),
             ([0, -1, 0], [0, 0, 0]), ([0, 0, 1], [0, 0, 0]), ([0, 0, -1], [0, 0, 0]),
@@ -129,11 +129,13 @@ class TestSquares:
             ),
         ],
     )
-    def test_turning(self, turning: Buffer, observer: str, linear: list[list[int]]) -> None:
+    def test_angular_velocity_is_measured(
+        self, turning: Buffer, observer: str, linear: list[list[int]]
+    ) -> None:
         angular = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]]
         assert self.twists(turning, observer) == list(zip(linear, angular, strict=True))
 
-    def test_a_twist_is_the_same_from_all_that_stand_still(self, sliding: Buffer, turning: Buffer) -> None:
+    def test_twist_is_equal_in_all_frames_at_rest(self, sliding: Buffer, turning: Buffer) -> None:
         for buffer in (sliding, turning):
             for time in self.TIMES:
                 at = self.START + round(time * SECOND)
@@ -146,7 +148,7 @@ class TestSquares:
                     assert other.angular == pytest.approx(first.angular, abs=1e-9)
 
 
-def test_a_frame_between_two_samples_and_one_of_three_tenths_a_second() -> None:
+def test_velocity_between_two_samples() -> None:
     now = 100 * SECOND
     buffer = Buffer()
     for second, x in ((-1, 0.0), (0, 1.0), (1, 2.0)):
@@ -164,5 +166,5 @@ def test_the_latest_velocity_by_the_reference_formula_starts_at_the_epoch(circli
         circling.lookup_velocity("body", "world", 0, 0.1)
 
 
-def test_all_that_was_recorded_is_replayed() -> None:
+def test_all_recorded_cases_are_replayed() -> None:
     assert (len(RUNS), sum(len(run["queries"]) for run in RUNS)) == (6, 480)

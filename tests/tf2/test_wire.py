@@ -1,4 +1,4 @@
-"""TFMessage bytes straight into a buffer, whatever they are."""
+"""Decoding of TFMessage bytes into a buffer, hostile bytes included."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def big_endian(data: bytes) -> bytes:
 
 
 @pytest.mark.parametrize("count", [0, 1, 2, 100])
-def test_stores_what_the_message_holds(count: int) -> None:
+def test_transforms_of_a_message_are_stored(count: int) -> None:
     buffer = Buffer()
     assert buffer.insert_cdr(message(count), "me") == count
     if count:
@@ -83,7 +83,7 @@ def test_stores_what_the_message_holds(count: int) -> None:
     ),
     st.booleans(),
 )
-def test_equals_setting_the_decoded_message(rows: list, static: bool) -> None:
+def test_result_equals_setting_the_decoded_message(rows: list, static: bool) -> None:
     from_bytes, from_message = Buffer(None), Buffer(None)
     for buffer in (from_bytes, from_message):
         buffer.set_log_callback(None)
@@ -100,7 +100,7 @@ def test_equals_setting_the_decoded_message(rows: list, static: bool) -> None:
     assert from_bytes.frame_names() == from_message.frame_names()
 
 
-def test_reads_the_other_byte_order() -> None:
+def test_other_byte_order_is_decoded() -> None:
     data = cdr.encode(
         TFMessage(transforms=[transform("a", "b", -SECOND - 1, (1.0, 2.0, 3.0), (0.0, 0.0, 0.6, 0.8))])
     )
@@ -112,7 +112,7 @@ def test_reads_the_other_byte_order() -> None:
     assert found.rotation_xyzw == pytest.approx((0, 0, 0.6, 0.8))
 
 
-def test_every_truncation_is_dropped_whole() -> None:
+def test_truncated_message_is_dropped_completely() -> None:
     data = message(3)
     for size in range(len(data)):
         buffer = Buffer()
@@ -138,18 +138,18 @@ def test_every_truncation_is_dropped_whole() -> None:
         (lambda data: b"", "header"),
     ],
 )
-def test_what_is_no_message_is_an_error_that_says_where(spoil: Callable[[bytes], bytes], reason: str) -> None:
+def test_malformed_message_error_has_the_offset(spoil: Callable[[bytes], bytes], reason: str) -> None:
     buffer = Buffer()
     with pytest.raises(ValueError, match=reason):
         buffer.insert_cdr(spoil(message(2)))
     assert buffer.frame_names() == []
 
 
-def test_a_padded_message_is_read() -> None:
+def test_padded_message_is_decoded() -> None:
     assert Buffer().insert_cdr(message(1) + bytes(4)) == 1
 
 
-def test_a_sink_stores_counts_and_warns_once_a_second() -> None:
+def test_sink_stores_counts_and_warns_once_a_second() -> None:
     lines: list[tuple[int, str]] = []
     buffer = Buffer()
     buffer.set_log_callback(lambda *line: lines.append(line))

@@ -1,4 +1,4 @@
-"""The public names of a ROS 2 Jazzy's tf2 packages are there, and take the same arguments in the same order."""
+"""The public names of ROS 2 Jazzy's tf2 packages exist, and take the same arguments in the same order."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ CALLS = dict(calls())
 
 
 @pytest.mark.parametrize("place", CALLS)
-def test_takes_what_the_reference_takes(place: str) -> None:
+def test_signatures_accept_the_arguments_of_the_reference(place: str) -> None:
     theirs, mine = recorded(CALLS[place]), ours(find(place))
     names = [name for name, _ in theirs]
     assert [name for name, _ in mine if name in names] == names
@@ -79,7 +79,7 @@ def test_takes_what_the_reference_takes(place: str) -> None:
     assert {name: defaults[name] for name, default in theirs if default is not None} == {
         name: default for name, default in theirs if default is not None
     }
-    # We may take more, if it need not be given.
+    # Additional optional arguments are allowed.
     assert all(default is not None or name == "*" for name, default in mine if name not in names)
 
 
@@ -95,7 +95,7 @@ def test_classes_have_the_same_bases() -> None:
     assert checked > 20
 
 
-def test_the_recording_is_whole() -> None:
+def test_recording_is_complete() -> None:
     assert len(CALLS) > 130
     assert recorded('(a: X[b, c] = Duration(nanoseconds=0), *, d="unsafe") -> None') == [
         ("a", "Duration(nanoseconds=0)"), ("*", None), ("d", "'unsafe'")

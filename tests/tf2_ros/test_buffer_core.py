@@ -1,4 +1,4 @@
-"""tf2_py's face: the recorded runs again, by way of messages; and what it takes as a time and as a message."""
+"""tf2_py's interface: the recorded runs with messages; and the accepted times and messages."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def answer(buffer: BufferCore, op: dict[str, Any], deviations: Container[str]) -
 
 
 @pytest.mark.parametrize("trace", TRACES, ids=[f"seed{trace['seed']}" for trace in TRACES])
-def test_every_answer_is_the_recorded_one(
+def test_every_result_matches_the_recording(
     trace: dict[str, Any], deviations: dict[str, dict[str, str]]
 ) -> None:
     buffer = BufferCore(Duration(seconds=trace["cache_time_s"]))
@@ -83,7 +83,7 @@ def test_every_answer_is_the_recorded_one(
 @pytest.mark.parametrize(
     "time", [Time(seconds=5), TimeMessage(sec=5), SimpleNamespace(sec=5, nanosec=0), Duration(seconds=5)]
 )
-def test_takes_anything_with_nanoseconds_or_sec_and_nanosec(time: object) -> None:
+def test_times_have_nanoseconds_or_sec_and_nanosec(time: object) -> None:
     buffer = BufferCore(SimpleNamespace(sec=20, nanosec=7))
     assert buffer.cache_time_ns == 20 * SECOND + 7
     buffer.set_transform(transform_stamped("a", "b", 5 * SECOND), "me")
@@ -91,7 +91,7 @@ def test_takes_anything_with_nanoseconds_or_sec_and_nanosec(time: object) -> Non
 
 
 @pytest.mark.parametrize("time", [None, 5, 1.5, "now"])
-def test_what_is_no_time(time: object) -> None:
+def test_invalid_time_raises(time: object) -> None:
     buffer = BufferCore()
     for ask in (
         lambda: buffer.lookup_transform_core("a", "b", time),
@@ -103,7 +103,7 @@ def test_what_is_no_time(time: object) -> None:
             ask()
 
 
-def test_a_stamp_may_be_rclpy_time_and_numbers_ints() -> None:
+def test_stamp_can_be_an_rclpy_time_and_numbers_can_be_ints() -> None:
     message = transform_stamped("a", "b", 0, (1, 2, 3), (0, 0, 0, 1))
     message.header.stamp = Time(seconds=3)
     buffer = BufferCore()
@@ -111,7 +111,7 @@ def test_a_stamp_may_be_rclpy_time_and_numbers_ints() -> None:
     assert as_dict(buffer.lookup_transform_core("a", "b", Time()))["stamp_ns"] == 3 * SECOND
 
 
-def test_takes_messages_of_any_class() -> None:
+def test_messages_of_any_class_are_accepted() -> None:
     message = SimpleNamespace(
         header=SimpleNamespace(frame_id="a", stamp=SimpleNamespace(sec=3, nanosec=4)),
         child_frame_id="b",
@@ -140,19 +140,19 @@ def test_a_message_without_its_parts_is_a_type_error(spoil: Any, text: str) -> N
     assert str(raised.value) == text
 
 
-def test_a_cache_time_that_is_no_duration() -> None:
+def test_invalid_cache_time_raises() -> None:
     with pytest.raises(TypeError, match="duration must have sec and nanosec, or nanoseconds"):
         BufferCore(5)
     assert BufferCore(cache_time=Duration(seconds=1)).cache_time_ns == 10 * SECOND
 
 
-def test_negative_times_come_back_as_they_went_in() -> None:
+def test_negative_times_are_returned_unchanged() -> None:
     buffer = BufferCore()
     buffer.set_transform(transform_stamped("a", "b", -SECOND), "me")
     assert as_dict(buffer.lookup_transform_core("a", "b", Time()))["stamp_ns"] == -SECOND
 
 
-def test_the_chain() -> None:
+def test_chain_of_frames() -> None:
     buffer = BufferCore()
     for parent, child in (("map", "odom"), ("odom", "base"), ("base", "cam")):
         buffer.set_transform(transform_stamped(parent, child, SECOND), "me")
@@ -162,12 +162,12 @@ def test_the_chain() -> None:
     assert buffer._frameExists("NO_PARENT")
 
 
-def test_rejections_go_to_the_log(capfd: pytest.CaptureFixture[str]) -> None:
+def test_rejections_are_logged(capfd: pytest.CaptureFixture[str]) -> None:
     BufferCore().set_transform(transform_stamped("a", "a", SECOND), "me")
     assert "[tf2_buffer]: TF_SELF_TRANSFORM: Ignoring transform" in capfd.readouterr().err
 
 
-def test_arguments_that_are_not_there(deviations: dict[str, dict[str, str]]) -> None:
+def test_unsupported_arguments_raise(deviations: dict[str, dict[str, str]]) -> None:
     assert "tf2-extra-arguments" in deviations
     buffer = BufferCore()
     for call in (buffer.clear, buffer.all_frames_as_string):
@@ -178,7 +178,7 @@ def test_arguments_that_are_not_there(deviations: dict[str, dict[str, str]]) -> 
 
 
 @pytest.mark.parametrize("run", VELOCITIES, ids=range(len(VELOCITIES)))
-def test_every_velocity_is_the_recorded_one(
+def test_every_velocity_matches_the_recording(
     run: dict[str, Any], deviations: dict[str, dict[str, str]]
 ) -> None:
     buffer = BufferCore()

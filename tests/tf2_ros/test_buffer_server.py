@@ -1,4 +1,4 @@
-"""A server and clients in one process: what each query is answered, and how it waits."""
+"""A server and clients in one process: the results of queries, and their waits."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def at(seconds: float) -> Time:
 
 
 class Spinner:
-    """An executor that spins on a thread of its own."""
+    """An executor that spins on a separate thread."""
 
     def __init__(self, executor: Any) -> None:
         self.executor = executor
@@ -78,7 +78,7 @@ def server_node(request: pytest.FixtureRequest, make_node: MakeNode) -> Iterator
 
 @pytest.fixture
 def buffer(server_node: Node) -> Buffer:
-    """What the server answers from: the world, a robot that moves in it from 1 to 3 s, and an island."""
+    """The server's buffer: the world, a robot that moves in it from 1 to 3 s, and an unconnected frame."""
     buffer = Buffer()
     for stamp in range(1, 4):
         buffer.set_transform(transform_stamped("world", "robot", stamp * SECOND, (stamp, 0.0, 0.0)), "test")
@@ -113,7 +113,7 @@ def where(transform: Any) -> tuple[float, float, float]:
     return translation.x, translation.y, translation.z
 
 
-def test_an_answer_at_once(client: BufferClient) -> None:
+def test_available_transform_is_returned_at_once(client: BufferClient) -> None:
     found = client.lookup_transform("world", "laser", at(2.5))
     assert where(found) == (2.5, 0.0, 0.5)
     assert (found.header.frame_id, found.child_frame_id) == ("world", "laser")
@@ -122,25 +122,25 @@ def test_an_answer_at_once(client: BufferClient) -> None:
     assert client.can_transform("world", "laser", at(2.5)) is True
 
 
-def test_a_message_s_time_and_a_message_s_duration(client: BufferClient) -> None:
+def test_time_and_duration_messages_are_accepted(client: BufferClient) -> None:
     found = client.lookup_transform("world", "robot", TimeMessage(sec=2), DurationMessage(sec=1))
     assert where(found) == (2.0, 0.0, 0.0)
     with pytest.raises(TypeError, match=r"^Must pass a rclpy\.time\.Time object\.$"):
         client.lookup_transform("world", "robot", 2.0)
 
 
-def test_a_timeout_that_no_message_can_hold(client: BufferClient) -> None:
+def test_timeout_beyond_a_message_is_clamped(client: BufferClient) -> None:
     assert where(client.lookup_transform("world", "robot", at(2), Infinite)) == (2.0, 0.0, 0.0)
 
 
-def test_the_full_form(client: BufferClient) -> None:
+def test_full_lookup(client: BufferClient) -> None:
     query = ("robot", at(3), "robot", at(1), "world")
     assert where(client.lookup_transform_full(*query)) == (-2.0, 0.0, 0.0)
     assert client.can_transform_full(*query) is True
     assert client.can_transform_full("robot", at(3), "robot", at(1), "nowhere") is False
 
 
-def test_whole_objects(client: BufferClient) -> None:
+def test_objects_are_transformed(client: BufferClient) -> None:
     point = PointStamped()
     point.header.frame_id, point.header.stamp, point.point.x = "laser", TimeMessage(sec=2), 1.0
     moved = client.transform(point, "world")
@@ -158,7 +158,7 @@ def test_whole_objects(client: BufferClient) -> None:
         ("/world", "robot", LATEST, InvalidArgumentException),
     ],
 )
-def test_errors_arrive_as_they_are_raised_there(
+def test_server_errors_are_raised_at_the_client(
     client: BufferClient, buffer: Buffer, target: str, source: str, time: Time, kind: type[TransformException]
 ) -> None:
     with pytest.raises(kind) as there:
@@ -169,7 +169,7 @@ def test_errors_arrive_as_they_are_raised_there(
     assert client.can_transform(target, source, time) is False
 
 
-def test_an_answer_as_soon_as_it_comes(
+def test_transform_is_returned_as_soon_as_it_arrives(
     client: BufferClient, buffer: Buffer, wait_until: Callable[..., None]
 ) -> None:
     with ThreadPoolExecutor(1) as pool:
@@ -182,11 +182,11 @@ def test_an_answer_as_soon_as_it_comes(
 
 
 def waiting(buffer: Buffer) -> int:
-    """How many lookups with a timeout a server has waiting, in this process."""
+    """Return the number of waiting lookups of servers in this process."""
     return len(deadlines._functions)
 
 
-def test_a_timeout_is_an_error(client: BufferClient, buffer: Buffer) -> None:
+def test_timeout_raises(client: BufferClient, buffer: Buffer) -> None:
     started = time.monotonic()
     with pytest.raises(TimeoutException) as raised:
         client.lookup_transform("world", "robot", at(9), Duration(seconds=0.3))
@@ -198,14 +198,14 @@ def test_a_timeout_is_an_error(client: BufferClient, buffer: Buffer) -> None:
     assert waiting(buffer) == 0
 
 
-def test_what_can_never_come_is_not_waited_for(client: BufferClient, buffer: Buffer) -> None:
-    for stamp in (100, 101):  # old samples go with the insert after the one that makes them old
+def test_too_old_transform_is_not_waited_for(client: BufferClient, buffer: Buffer) -> None:
+    for stamp in (100, 101):  # old samples are removed at the insert after the one that makes them old
         buffer.set_transform(transform_stamped("world", "robot", stamp * SECOND), "test")
     with pytest.raises(ExtrapolationException):
         client.lookup_transform("world", "robot", at(1), PATIENCE)
 
 
-def test_the_server_times_out_in_time(goals: ActionClient) -> None:
+def test_server_times_out_in_time(goals: ActionClient) -> None:
     goal = LookupTransform.Goal(
         target_frame="world",
         source_frame="robot",
@@ -220,12 +220,12 @@ def test_the_server_times_out_in_time(goals: ActionClient) -> None:
     assert response.result.error.error == TF2Error.TIMEOUT_ERROR
 
 
-def test_a_negative_timeout_is_none(client: BufferClient) -> None:
+def test_negative_timeout_is_zero(client: BufferClient) -> None:
     with pytest.raises(ExtrapolationException):
         client.lookup_transform("world", "robot", at(9), Duration(seconds=-60))
 
 
-def test_several_threads_ask_by_one_node_that_nobody_spins(client: BufferClient) -> None:
+def test_several_threads_query_by_one_unspun_node(client: BufferClient) -> None:
     def ask(count: int) -> float:
         return sum(where(client.lookup_transform("world", "robot", at(2)))[0] for _ in range(count))
 
@@ -244,7 +244,7 @@ def test_several_threads_ask_by_one_node_that_nobody_spins(client: BufferClient)
         ),
     ],
 )
-def test_what_does_not_wait_succeeds_even_with_an_error(
+def test_goal_without_wait_succeeds_even_with_an_error(
     goals: ActionClient, goal: LookupTransform.Goal, code: int
 ) -> None:
     response = goals.send_goal(goal)
@@ -252,8 +252,8 @@ def test_what_does_not_wait_succeeds_even_with_an_error(
     assert response.result.error.error == code
 
 
-def test_a_time_that_no_stamp_can_tell_is_an_error(goals: ActionClient) -> None:
-    """The answer could not be sent."""
+def test_time_beyond_a_stamp_is_an_error(goals: ActionClient) -> None:
+    """The result could not be sent."""
     late = TimeMessage(sec=2**31 - 1, nanosec=2**32 - 1)
     goal = LookupTransform.Goal(
         target_frame="robot",
@@ -266,10 +266,10 @@ def test_a_time_that_no_stamp_can_tell_is_an_error(goals: ActionClient) -> None:
     for goal.advanced in (False, True):
         result = goals.send_goal(goal).result
         assert result.error.error == TF2Error.TRANSFORM_ERROR
-        assert result.error.error_string == "the time asked for is later than a stamp can tell"
+        assert result.error.error_string == "the requested time is later than a stamp can hold"
 
 
-def test_what_waits_can_be_cancelled(
+def test_waiting_goal_can_be_cancelled(
     goals: ActionClient, buffer: Buffer, wait_until: Callable[..., None]
 ) -> None:
     goal = LookupTransform.Goal(
@@ -292,7 +292,7 @@ def test_what_waits_can_be_cancelled(
     assert waiting(buffer) == 0
 
 
-def test_many_at_once(client: BufferClient, buffer: Buffer, wait_until: Callable[..., None]) -> None:
+def test_many_queries_at_once(client: BufferClient, buffer: Buffer, wait_until: Callable[..., None]) -> None:
     with ThreadPoolExecutor(30) as pool:
         answers = [
             pool.submit(client.lookup_transform, "world", "robot", at(4 + n / 10), PATIENCE)
@@ -304,7 +304,7 @@ def test_many_at_once(client: BufferClient, buffer: Buffer, wait_until: Callable
             assert where(answer.result(20))[0] == pytest.approx(4 + n / 10)
 
 
-def test_no_server(make_node: MakeNode) -> None:
+def test_missing_server_raises(make_node: MakeNode) -> None:
     client = BufferClient(make_node("asker"), "nobody")
     with pytest.raises(TimeoutException, match=r"^The BufferServer is not ready\.$"):
         client.lookup_transform("world", "robot", LATEST, PATIENCE)
@@ -319,7 +319,7 @@ def padded(node: Node) -> BufferClient:
     return client
 
 
-def test_a_server_that_stays_silent(server_node: Node, make_node: MakeNode) -> None:
+def test_server_without_response_raises_timeout(server_node: Node, make_node: MakeNode) -> None:
     asked = threading.Event()
 
     async def never(_handle: Any) -> Any:
@@ -333,7 +333,7 @@ def test_a_server_that_stays_silent(server_node: Node, make_node: MakeNode) -> N
     assert asked.is_set()
 
 
-def test_a_server_that_refuses(server_node: Node, make_node: MakeNode) -> None:
+def test_rejected_goal_raises(server_node: Node, make_node: MakeNode) -> None:
     from tfloom.node.action.server import GoalResponse
 
     ActionServer(
@@ -343,8 +343,8 @@ def test_a_server_that_refuses(server_node: Node, make_node: MakeNode) -> None:
         padded(make_node("asker")).lookup_transform("world", "robot", LATEST)
 
 
-def test_tf2_s_own_server_times_out_without_an_error(server_node: Node, make_node: MakeNode) -> None:
-    """The reference's server aborts with an empty answer that says NO_ERROR."""
+def test_timeout_of_the_reference_server_raises(server_node: Node, make_node: MakeNode) -> None:
+    """The reference's server aborts with an empty result of NO_ERROR."""
 
     def give_up(handle: Any) -> LookupTransform.Result:
         handle.abort()
@@ -357,7 +357,7 @@ def test_tf2_s_own_server_times_out_without_an_error(server_node: Node, make_nod
         padded(make_node("asker")).lookup_transform("world", "robot", LATEST, Duration(seconds=0.5))
 
 
-def test_an_error_of_no_known_kind(server_node: Node, make_node: MakeNode) -> None:
+def test_unknown_error_code_raises_transform_exception(server_node: Node, make_node: MakeNode) -> None:
     def fail(handle: Any) -> LookupTransform.Result:
         handle.succeed()
         return LookupTransform.Result(error=TF2Error(error=77, error_string="odd"))
@@ -368,13 +368,15 @@ def test_an_error_of_no_known_kind(server_node: Node, make_node: MakeNode) -> No
     assert type(raised.value) is TransformException
 
 
-def test_a_client_whose_node_spins_elsewhere(goals: ActionClient, buffer: Buffer) -> None:
+def test_client_with_a_node_spun_elsewhere(goals: ActionClient, buffer: Buffer) -> None:
     client = BufferClient(goals._node, ACTION)
     assert client.wait_for_server(10)
     assert where(client.lookup_transform("world", "robot", at(2)))[0] == 2.0
 
 
-def test_a_query_in_a_callback_of_the_only_thread_is_an_error(buffer: Buffer, make_node: MakeNode) -> None:
+def test_query_in_a_callback_of_a_single_threaded_executor_raises(
+    buffer: Buffer, make_node: MakeNode
+) -> None:
     node = make_node("asker")
     client = BufferClient(node, ACTION)
     assert client.wait_for_server(10)
@@ -383,10 +385,10 @@ def test_a_query_in_a_callback_of_the_only_thread_is_an_error(buffer: Buffer, ma
         task = executor.create_task(client.lookup_transform, "world", "robot", at(9), PATIENCE)
         with pytest.raises(RuntimeError, match="Use a MultiThreadedExecutor, or a Buffer of your own"):
             executor.spin_until_future_complete(task, 10)
-    assert waiting(buffer) == 0  # nothing was asked
+    assert waiting(buffer) == 0  # no request was sent
 
 
-def test_a_query_in_a_callback_of_one_of_several_threads(buffer: Buffer, make_node: MakeNode) -> None:
+def test_query_in_a_callback_of_a_multi_threaded_executor(buffer: Buffer, make_node: MakeNode) -> None:
     node = make_node("asker")
     client = BufferClient(node, ACTION)
     assert client.wait_for_server(10)

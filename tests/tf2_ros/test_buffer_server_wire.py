@@ -1,4 +1,4 @@
-"""The program `buffer_server` and its clients, each in a process of its own, over DDS."""
+"""The program `buffer_server` and its clients, each in a separate process, over DDS."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def client(start: Callable[..., Program], *lines: str) -> Program:
     return start("python", "-c", CLIENT + "\n".join(lines))
 
 
-def test_answers_waits_and_errors(start: Callable[..., Program]) -> None:
+def test_lookups_waits_and_errors(start: Callable[..., Program]) -> None:
     server = start(*SERVER)
     asker = client(
         start,
@@ -101,7 +101,7 @@ def test_answers_waits_and_errors(start: Callable[..., Program]) -> None:
     assert server.lines == []
 
 
-def test_no_server_and_one_that_dies(start: Callable[..., Program]) -> None:
+def test_missing_and_killed_server(start: Callable[..., Program]) -> None:
     lonely = start(
         "python",
         "-c",
@@ -118,7 +118,7 @@ def test_no_server_and_one_that_dies(start: Callable[..., Program]) -> None:
         "ask('world', 'robot', Time(), 0.5)",
         "ask('world', 'robot', Time(), 0.5)",
     )
-    asker.wait_for("TimeoutException Timed out after 0.5 s")  # a second query waits now
+    asker.wait_for("TimeoutException Timed out after 0.5 s")  # a second query is waiting
     server.signal(signal.SIGKILL)
     assert asker.wait() == 0
     assert asker.lines[-1] == (
@@ -165,14 +165,14 @@ def test_many_clients_at_once(start: Callable[..., Program]) -> None:
         ),
     ],
 )
-def test_a_size_that_is_none(start: Callable[..., Program], argument: str, text: str) -> None:
+def test_invalid_buffer_size_is_rejected(start: Callable[..., Program], argument: str, text: str) -> None:
     server = start(*SERVER, "--ros-args", "-p", argument)
     assert server.wait() == 1
     assert server.lines[0].startswith(text)
-    assert len(server.lines) == 2  # the last says that the program failed
+    assert len(server.lines) == 2  # the last line reports that the program failed
 
 
-def test_words_that_mean_nothing(start: Callable[..., Program]) -> None:
+def test_unknown_arguments_are_rejected(start: Callable[..., Program]) -> None:
     server = start(*SERVER, "tf2_buffer_server")
     assert server.wait() == 2
     assert "buffer_server: error: unrecognized arguments: tf2_buffer_server" in server.lines

@@ -1,4 +1,4 @@
-"""Calls at a later time: in order, once, and not at all when they are called off."""
+"""Delayed calls: in order, once, and not at all after cancellation."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from tfloom.tf2_ros import deadlines
 from tfloom.tf2_ros.deadlines import call_after
 
 
-def test_calls_come_in_the_order_of_their_times(wait_until: Callable[..., None]) -> None:
+def test_calls_are_made_in_the_order_of_their_times(wait_until: Callable[..., None]) -> None:
     called: list[str] = []
     started = time.monotonic()
     call_after(0.06, lambda: called.append("late"))
@@ -23,7 +23,7 @@ def test_calls_come_in_the_order_of_their_times(wait_until: Callable[..., None])
     assert time.monotonic() - started >= 0.06
 
 
-def test_what_is_called_off_does_not_come(wait_until: Callable[..., None]) -> None:
+def test_cancelled_call_is_not_made(wait_until: Callable[..., None]) -> None:
     called: list[str] = []
     off = call_after(0.02, lambda: called.append("off"))
     off.cancel()
@@ -33,7 +33,7 @@ def test_what_is_called_off_does_not_come(wait_until: Callable[..., None]) -> No
     off.cancel()  # again does nothing
 
 
-def test_a_call_may_cancel_itself_and_make_another() -> None:
+def test_call_can_cancel_itself_and_add_another() -> None:
     ended = threading.Event()
 
     def first() -> None:
@@ -44,17 +44,17 @@ def test_a_call_may_cancel_itself_and_make_another() -> None:
     assert ended.wait(30)
 
 
-def test_what_is_longer_than_a_thread_can_wait(
+def test_delay_longer_than_the_longest_wait(
     wait_until: Callable[..., None], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     broken: list[object] = []
     monkeypatch.setattr(threading, "excepthook", broken.append)
-    with deadlines._changed:  # nothing that comes before
+    with deadlines._changed:  # no earlier call
         deadlines._waiting.clear()
         deadlines._functions.clear()
     called: list[str] = []
     endless = call_after(10 * threading.TIMEOUT_MAX, lambda: called.append("endless"))
-    for _ in range(2):  # the first may still find the thread awake
+    for _ in range(2):  # at the first, the thread may be awake
         call_after(0.01, lambda: called.append("short"))
         wait_until(lambda: called)
         called.clear()
@@ -62,7 +62,7 @@ def test_what_is_longer_than_a_thread_can_wait(
     assert broken == []
 
 
-def test_what_is_called_off_takes_no_room() -> None:
+def test_cancelled_calls_are_removed() -> None:
     for _ in range(5):
         for each in [call_after(3600.0, lambda: None) for _ in range(deadlines.MOST_CANCELLED)]:
             each.cancel()

@@ -1,4 +1,4 @@
-"""The names that programs reach through `import tf2_ros` alone."""
+"""The names available after `import tf2_ros` alone."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import tf2_ros
 from tfloom.tf2_ros import buffer, transform_listener
 
 
-def test_submodules_come_with_the_package() -> None:
+def test_submodules_are_imported_with_the_package() -> None:
     assert tf2_ros.buffer.Buffer is tf2_ros.Buffer is buffer.Buffer
     assert tf2_ros.transform_listener.TransformListener is transform_listener.TransformListener
     assert tf2_ros.static_transform_listener.StaticTransformListener is tf2_ros.StaticTransformListener
@@ -18,12 +18,12 @@ def test_submodules_come_with_the_package() -> None:
     )
 
 
-def test_the_exceptions_are_one_family() -> None:
+def test_exceptions_have_a_common_base() -> None:
     assert tf2_ros.LookupException is tf2_py.LookupException
     assert tf2_py.LookupException.__module__ == "tf2"
     assert issubclass(tf2_ros.ExtrapolationException, tf2_ros.TransformException)
     assert issubclass(tf2_ros.Buffer, tf2_py.BufferCore)
 
 
-def test_names_that_leak_from_the_reference_and_are_used() -> None:
+def test_names_leaked_by_the_reference_exist() -> None:
     assert {"Time", "Duration", "TransformStamped", "Header"} <= set(vars(tf2_ros))

@@ -1,4 +1,4 @@
-"""Messages of other classes, as a real ROS install has them, are read by attribute and answered in kind."""
+"""Messages of other classes, as in a real ROS install: read by attribute, with results of the same class."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _classes: dict[type, type] = {}
 
 
 def foreign(kind: type) -> type:
-    """Return another class of the same ROS name and fields, as strict about their types as ROS's own."""
+    """Return another class of the same ROS name and fields, with type checks as in ROS's classes."""
     if kind in _classes:
         return _classes[kind]
     package = kind.__module__.split(".")[-2]
@@ -64,7 +64,7 @@ def as_foreign(message: Any) -> Any:
 
 
 def require_equal(theirs: Any, ours: Any) -> None:
-    """Require the same fields all the way down, the one's of foreign classes."""
+    """Check that all fields are equal, nested ones included, and that one side's are of foreign classes."""
     assert type(theirs) is foreign(type(ours))
     for name in type(ours).get_fields_and_field_types():
         value, expected = getattr(theirs, name), getattr(ours, name)
@@ -118,12 +118,12 @@ def name_of(value: object) -> str:
 
 
 @pytest.mark.parametrize(("function", "message"), UNSTAMPED + STAMPED, ids=name_of)
-def test_what_comes_out_is_of_the_class_that_went_in(function: Callable[..., Any], message: Any) -> None:
+def test_result_has_the_class_of_the_argument(function: Callable[..., Any], message: Any) -> None:
     require_equal(function(as_foreign(message), as_foreign(TRANSFORM)), function(message, TRANSFORM))
 
 
 @pytest.mark.parametrize(("function", "message"), STAMPED, ids=name_of)
-def test_a_buffer_transforms_them_too(function: Callable[..., Any], message: Any) -> None:
+def test_buffer_transforms_foreign_messages(function: Callable[..., Any], message: Any) -> None:
     buffer = Buffer()
     buffer.set_transform(as_foreign(transform_stamped("B", "A", 2 * SECOND)), "me")
     expected = function(message, buffer.lookup_transform("B", "A", Time(seconds=2)))
@@ -132,7 +132,7 @@ def test_a_buffer_transforms_them_too(function: Callable[..., Any], message: Any
     assert (expected.header.frame_id, expected.header.stamp.sec) == ("B", 2)
 
 
-def test_static_ones_and_times() -> None:
+def test_static_foreign_messages_and_times() -> None:
     buffer = Buffer()
     buffer.set_transform_static(as_foreign(transform_stamped("B", "A", 0)), "me")
     at = as_foreign(Time(seconds=9).to_msg())
@@ -140,7 +140,7 @@ def test_static_ones_and_times() -> None:
     assert buffer.can_transform_full("B", at, "A", at, "B")
 
 
-def test_converting() -> None:
+def test_foreign_messages_are_converted() -> None:
     point = as_foreign(STAMPED[0][1])
     assert convert(point, type(point)) is not point
     assert convert(point, g.PointStamped) is point  # a message is its own message
@@ -148,7 +148,7 @@ def test_converting() -> None:
         convert(as_foreign(TFMessage()), g.PointStamped)
 
 
-def test_clouds() -> None:
+def test_foreign_clouds_are_transformed() -> None:
     cloud = create_cloud_xyz32(STAMPED[0][1].header, np.arange(12.0).reshape(4, 3))
     theirs = as_foreign(cloud)
     require_equal(

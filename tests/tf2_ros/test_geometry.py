@@ -1,4 +1,4 @@
-"""Messages through transforms."""
+"""Transforming messages."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from tfloom.tf2_ros.buffer_interface import (
     convert,
 )
 
-# By 10, 20, 30 m, and half a turn about x.
+# A translation by 10, 20, 30 m, and half a turn about x.
 TRANSFORM = transform_stamped("B", "A", 2 * SECOND, (10.0, 20.0, 30.0), (1.0, 0.0, 0.0, 0.0))
 
 
@@ -49,7 +49,7 @@ def buffer() -> Buffer:
 HEADER = Header(stamp=Time(seconds=2).to_msg(), frame_id="A")
 
 
-def test_a_point() -> None:
+def test_points_are_transformed() -> None:
     point = g.PointStamped(point=g.Point(x=1.0, y=2.0, z=3.0))
     moved = geometry.do_transform_point(point, TRANSFORM)
     assert numbers(moved.point) == pytest.approx([11, 18, 27])
@@ -64,7 +64,9 @@ def test_a_point() -> None:
         (g.Vector3Stamped(header=HEADER, vector=g.Vector3(x=1.0, y=2.0, z=3.0)), "vector", [1, -2, -3]),
     ],
 )
-def test_through_a_buffer(buffer: Buffer, message: Any, field: str, expected: list[float]) -> None:
+def test_buffer_transforms_registered_types(
+    buffer: Buffer, message: Any, field: str, expected: list[float]
+) -> None:
     before = deepcopy(message)
     moved = buffer.transform(message, "B", Duration(seconds=1))
     assert numbers(getattr(moved, field)) == pytest.approx(expected)
@@ -74,14 +76,14 @@ def test_through_a_buffer(buffer: Buffer, message: Any, field: str, expected: li
     assert numbers(getattr(again, field)) == pytest.approx(expected)
 
 
-def test_a_pose_has_positive_w() -> None:
+def test_transformed_pose_has_positive_w() -> None:
     pose = g.Pose(position=g.Point(x=1.0, y=2.0, z=3.0), orientation=g.Quaternion(x=1.0, y=0.0, z=0.0, w=0.0))
     moved = geometry.do_transform_pose(pose, TRANSFORM)
     assert numbers(moved.position) == pytest.approx([11, 18, 27])
     assert numbers(moved.orientation) == pytest.approx([0, 0, 0, 1])
 
 
-def test_covariance() -> None:
+def test_covariance_is_rotated() -> None:
     pose = g.PoseWithCovarianceStamped()
     pose.pose.pose.position = g.Point(x=1.0, y=2.0, z=3.0)
     pose.pose.covariance = np.tile(np.arange(1.0, 7.0), 6)
@@ -99,7 +101,7 @@ def test_covariance_of_a_long_quaternion(deviations: dict[str, dict[str, str]]) 
     assert np.allclose(turned, np.diag([2, 1, 3, 5, 4, 6]))
 
 
-def test_a_quaternion() -> None:
+def test_quaternions_are_rotated() -> None:
     half = math.sqrt(0.5)
     turned = geometry.do_transform_quaternion_stamped(
         g.QuaternionStamped(quaternion=g.Quaternion(x=0.0, y=-half, z=0.0, w=half)), TRANSFORM
@@ -107,7 +109,7 @@ def test_a_quaternion() -> None:
     assert numbers(turned.quaternion) == pytest.approx([half, 0, -half, 0])
 
 
-def test_a_wrench() -> None:
+def test_wrenches_are_transformed() -> None:
     transform = transform_stamped("B", "A", 0, (0.0, -2.0, 0.0), (0.0, 0.0, -math.sqrt(0.5), math.sqrt(0.5)))
     two_one_three = g.Vector3(x=2.0, y=1.0, z=3.0)
     moved = geometry.do_transform_wrench_stamped(
@@ -117,7 +119,7 @@ def test_a_wrench() -> None:
     assert numbers(moved.wrench.torque) == pytest.approx([-5, -2, 5])
 
 
-def test_a_twist_and_a_velocity() -> None:
+def test_twists_and_velocities_are_transformed() -> None:
     transform = transform_stamped("B", "A", 0, (0.0, 2.0, 0.0))
     twist = g.Twist(linear=g.Vector3(x=1.0), angular=g.Vector3(z=3.0))
     for moved in (
@@ -128,7 +130,7 @@ def test_a_twist_and_a_velocity() -> None:
         assert numbers(moved.angular) == pytest.approx([0, 0, 3])
 
 
-def test_what_has_no_stamp() -> None:
+def test_unstamped_messages_are_transformed() -> None:
     for kind in (g.Point, g.Point32):
         moved = geometry.do_transform_point(kind(x=1.0, y=2.0, z=3.0), TRANSFORM)
         assert type(moved) is kind
@@ -139,7 +141,7 @@ def test_what_has_no_stamp() -> None:
     assert numbers(turned) == pytest.approx([half, 0, -half, 0])
 
 
-def test_a_transform_goes_before_another() -> None:
+def test_transforms_are_composed() -> None:
     a_from_c = transform_stamped("A", "C", SECOND, (1.0, 2.0, 3.0), (0.0, 0.0, 1.0, 0.0))
     b_from_c = geometry.do_transform_transform_stamped(a_from_c, TRANSFORM)
     assert (b_from_c.header, b_from_c.child_frame_id) == (TRANSFORM.header, "C")
@@ -151,25 +153,25 @@ def test_a_transform_goes_before_another() -> None:
     )
 
 
-def test_a_polygon() -> None:
+def test_polygons_are_transformed() -> None:
     polygon = g.PolygonStamped(polygon=g.Polygon(points=[g.Point32(x=1.0, y=2.0, z=3.0)]))
     moved = geometry.do_transform_polygon_stamped(polygon, TRANSFORM)
     assert [numbers(point) for point in moved.polygon.points] == [pytest.approx([11, 18, 27])]
 
 
-def test_the_transform_stays_as_it_is() -> None:
+def test_transform_is_not_changed() -> None:
     before = deepcopy(TRANSFORM)
     geometry.do_transform_vector3(g.Vector3Stamped(), TRANSFORM)
     assert before == TRANSFORM
 
 
-def test_a_zero_quaternion_turns_nothing() -> None:
+def test_zero_quaternion_is_the_identity() -> None:
     transform = transform_stamped("B", "A", 0, (1.0, 1.0, 1.0), (0.0, 0.0, 0.0, 0.0))
     moved = geometry.do_transform_point(g.PointStamped(point=g.Point(x=1.0)), transform)
     assert numbers(moved.point) == [2, 1, 1]
 
 
-def test_what_is_not_registered(buffer: Buffer) -> None:
+def test_unregistered_type_raises(buffer: Buffer) -> None:
     with pytest.raises(TypeException, match="is not loaded or supported"):
         buffer.transform(5, "B")
 
@@ -214,7 +216,7 @@ def test_the_imports_that_are_named_register_these_types() -> None:
         assert types <= set(done.stdout.split())
 
 
-def test_the_interface_alone_answers_nothing() -> None:
+def test_interface_methods_raise() -> None:
     interface = BufferInterface()
     with pytest.raises(TypeException) as raised:
         interface.transform(5, "B")
@@ -229,7 +231,7 @@ def test_the_interface_alone_answers_nothing() -> None:
         assert refused.value.errstr == "CanTransform or LookupTransform not implemented"
 
 
-def test_functions_of_ones_own(buffer: Buffer) -> None:
+def test_custom_functions_can_be_registered(buffer: Buffer) -> None:
     class Landmark:
         header = HEADER
         x = 1.0
@@ -258,6 +260,6 @@ def test_convert_and_stamped() -> None:
     same = convert(point, g.PointStamped)
     assert same == point
     assert same is not point
-    assert convert(point, g.PoseStamped) is point  # both are messages: the one's message is the other
+    assert convert(point, g.PoseStamped) is point  # both are messages, so a message converts to itself
     with pytest.raises(TypeException):
         convert(point, int)

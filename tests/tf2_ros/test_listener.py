@@ -1,4 +1,4 @@
-"""From broadcasters through a wire into a buffer, and out of it."""
+"""Broadcasters, listeners and buffers on the in-process wire."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from tfloom.tf2_ros.transform_listener import StaticTransformListener, Transform
 NOW = Time()
 
 
-def test_what_is_broadcast_can_be_looked_up_with_no_executor(node: Node) -> None:
+def test_broadcast_transform_can_be_looked_up_without_executor(node: Node) -> None:
     buffer = Buffer()
     listener = TransformListener(buffer, node)
     TransformBroadcaster(node).sendTransform(transform_stamped("map", "base", 5 * SECOND))
@@ -40,7 +40,7 @@ def test_what_is_broadcast_can_be_looked_up_with_no_executor(node: Node) -> None
     listener.unregister()
 
 
-def test_several_in_one_message(node: Node) -> None:
+def test_several_transforms_in_one_message(node: Node) -> None:
     buffer = Buffer()
     TransformListener(buffer, node)
     sent = (transform_stamped("map", f"f{i}", SECOND) for i in range(5))
@@ -48,7 +48,7 @@ def test_several_in_one_message(node: Node) -> None:
     assert buffer.frame_names() == ["f0", "map", "f1", "f2", "f3", "f4"]
 
 
-def test_qualities_of_service(node: Node) -> None:
+def test_qos_of_publishers_and_subscriptions(node: Node) -> None:
     listener = TransformListener(Buffer(), node)
     moving, static = TransformBroadcaster(node), StaticTransformBroadcaster(node)
     profiles = {
@@ -66,7 +66,7 @@ def test_qualities_of_service(node: Node) -> None:
     assert {p.reliability for p in profiles.values()} == {ReliabilityPolicy.RELIABLE}
 
 
-def test_late_joiners_get_all_static_transforms(node: Node) -> None:
+def test_late_subscriptions_receive_all_static_transforms(node: Node) -> None:
     broadcaster = StaticTransformBroadcaster(node)
     for index in range(3):
         broadcaster.sendTransform(transform_stamped("base", f"s{index}", 0))
@@ -87,7 +87,7 @@ def test_a_static_transform_sent_again_replaces_the_first(node: Node) -> None:
     assert not buffer.can_transform("a", "d", NOW)
 
 
-def test_a_lookup_waits_inside_a_callback_of_a_single_threaded_executor(node: Node) -> None:
+def test_lookup_can_wait_in_a_callback_of_a_single_threaded_executor(node: Node) -> None:
     buffer = Buffer()
     TransformListener(buffer, node)
     broadcaster = TransformBroadcaster(node)
@@ -115,7 +115,7 @@ def test_a_lookup_waits_inside_a_callback_of_a_single_threaded_executor(node: No
     executor.shutdown()
 
 
-def test_a_timeout_ends_with_the_cores_own_error() -> None:
+def test_timeout_raises_the_error_of_the_lookup() -> None:
     start = time.monotonic()
     with pytest.raises(
         LookupException, match='"map" passed to lookupTransform argument target_frame does not exist'
@@ -138,7 +138,7 @@ def test_waiting_ends_when_the_context_is_shut_down(node: Node) -> None:
     assert time.monotonic() - start < 30
 
 
-def test_another_buffer_may_take_over(node: Node) -> None:
+def test_buffer_can_be_replaced(node: Node) -> None:
     first, second = Buffer(), Buffer()
     listener = TransformListener(first, node)
     broadcaster = TransformBroadcaster(node)
@@ -168,7 +168,7 @@ def test_an_overridden_setter_is_called_for_each_transform(node: Node) -> None:
     executor.shutdown()
 
 
-def test_spin_thread_spins_the_node_until_the_listener_is_gone(node: Node) -> None:
+def test_spin_thread_spins_the_node_until_the_listener_is_freed(node: Node) -> None:
     ticked = threading.Event()
     node.create_timer(0.001, ticked.set)
     listener = TransformListener(Buffer(), node, spin_thread=True)
@@ -182,7 +182,7 @@ def test_spin_thread_spins_the_node_until_the_listener_is_gone(node: Node) -> No
     assert not thread.is_alive()
 
 
-def test_topics_of_ones_own_and_static_only(node: Node) -> None:
+def test_custom_topics_and_static_only(node: Node) -> None:
     buffer = Buffer()
     listener = TransformListener(buffer, node, tf_topic="/robot/tf", tf_static_topic="/robot/tf_static")
     assert (listener.tf_sub.topic_name, listener.tf_static_sub.topic_name) == (
@@ -237,7 +237,7 @@ def test_a_future_is_completed_by_the_transform(node: Node) -> None:
     assert done.result().child_frame_id == "base"
 
 
-def test_a_coroutine_suspends_once_where_it_must() -> None:
+def test_coroutine_suspends_once() -> None:
     buffer = Buffer()
     waiting = buffer.lookup_transform_async("map", "base", NOW)
     waiting.send(None)
@@ -248,7 +248,7 @@ def test_a_coroutine_suspends_once_where_it_must() -> None:
         assert ended.value.value.header.stamp.sec == 1
 
 
-def test_a_future_of_what_can_never_be_has_the_error() -> None:
+def test_future_of_an_impossible_transform_has_the_error() -> None:
     buffer = Buffer()
     buffer.set_transform(transform_stamped("map", "base", 100 * SECOND), "me")
     future = buffer.wait_for_transform_async("map", "base", Time(seconds=1))
@@ -256,7 +256,7 @@ def test_a_future_of_what_can_never_be_has_the_error() -> None:
         future.result()
 
 
-def test_a_jump_back_in_time_clears_the_buffer(node: Node) -> None:
+def test_jump_backward_clears_the_buffer(node: Node) -> None:
     clock = node.get_clock()
     buffer = Buffer()
     TransformListener(buffer, node)
@@ -269,7 +269,7 @@ def test_a_jump_back_in_time_clears_the_buffer(node: Node) -> None:
     assert not buffer.can_transform("map", "base", NOW)
 
 
-def test_the_service_tells_the_frames(node: Node) -> None:
+def test_service_returns_the_frames(node: Node) -> None:
     buffer = Buffer(node=node)
     buffer.set_transform(transform_stamped("map", "base", SECOND), "me")
     client = node.create_client(FrameGraph, "tf2_frames")
@@ -314,7 +314,9 @@ def test_futures_time_out_with_the_reason(wait_until: Callable[..., None]) -> No
         coroutine.send(None)
 
 
-def test_a_listener_makes_a_node_of_its_own(local_context: object, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_listener_creates_a_node_if_none_is_given(
+    local_context: object, monkeypatch: pytest.MonkeyPatch
+) -> None:
     from tfloom.node import client_library as rclpy
 
     monkeypatch.setenv("ROS_DOMAIN_ID", "77")
@@ -328,6 +330,6 @@ def test_a_listener_makes_a_node_of_its_own(local_context: object, monkeypatch: 
         rclpy.try_shutdown()
 
 
-def test_messages_are_of_tf2s_type(node: Node) -> None:
+def test_messages_have_the_type_of_tf2_msgs(node: Node) -> None:
     assert Topic("/tf", TFMessage._TYPE_NAME, TFMessage._TYPE_HASH).type_name == "tf2_msgs/msg/TFMessage"
     assert isinstance(TransformBroadcaster(node, QoSProfile(depth=3)).pub_tf.qos_profile, QoSProfile)

@@ -1,4 +1,4 @@
-"""Messages wait for their transforms: one frame or several, a time after the stamp, for so long, so many."""
+"""Messages wait for their transforms: target frames, tolerance, timeout and queue size."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def point(stamp_ns: int, frame_id: str = "laser") -> PointStamped:
 
 
 class Watched:
-    """A filter of a buffer of its own, and what comes of it."""
+    """A filter with its buffer, and its output."""
 
     def __init__(self, target: str | list[str] = "map", queue_size: int = 10, **options: object) -> None:
         self.buffer = Buffer()
@@ -48,7 +48,7 @@ class Watched:
         self.buffer.set_transform(transform_stamped(parent, child, stamp_ns), "me")
 
 
-def test_what_can_be_transformed_passes_at_once() -> None:
+def test_transformable_message_passes_at_once() -> None:
     watched = Watched()
     watched.set(5 * SECOND)
     watched.filter.add(point(5 * SECOND))
@@ -68,7 +68,7 @@ def test_a_message_waits_for_its_transform_to_the_nanosecond() -> None:
     assert watched.out == [5 * SECOND + 1]
 
 
-def test_the_time_after_the_stamp_counts_too() -> None:
+def test_tolerance_requires_a_later_transform_too() -> None:
     watched = Watched()
     watched.filter.setTolerance(Duration(seconds=0.2))
     watched.set(4 * SECOND)
@@ -79,7 +79,7 @@ def test_the_time_after_the_stamp_counts_too() -> None:
     assert watched.out == [5 * SECOND]
 
 
-def test_all_of_several_frames() -> None:
+def test_all_target_frames_are_required() -> None:
     watched = Watched(["/map", "odom"])
     assert watched.filter.getTargetFramesString() == "map odom "
     watched.filter.add(point(5 * SECOND))
@@ -92,7 +92,7 @@ def test_all_of_several_frames() -> None:
     assert watched.out == [5 * SECOND]
 
 
-def test_the_oldest_give_way(capfd: pytest.CaptureFixture[str]) -> None:
+def test_full_queue_drops_the_oldest(capfd: pytest.CaptureFixture[str]) -> None:
     watched = Watched(queue_size=2)
     assert watched.filter.getQueueSize() == 2
     for second in range(1, 5):
@@ -107,7 +107,7 @@ def test_the_oldest_give_way(capfd: pytest.CaptureFixture[str]) -> None:
     assert watched.out == [3 * SECOND, 4 * SECOND]
 
 
-def test_without_a_limit() -> None:
+def test_queue_size_zero_has_no_limit() -> None:
     watched = Watched(queue_size=0)
     for second in range(100):
         watched.filter.add(point(second * SECOND + 1))
@@ -116,7 +116,7 @@ def test_without_a_limit() -> None:
     assert (watched.out, watched.dropped) == ([], [])
 
 
-def test_what_will_never_be_is_dropped() -> None:
+def test_message_that_can_never_be_transformed_is_dropped() -> None:
     watched = Watched()
     watched.filter.add(point(SECOND, ""))
     watched.filter.add(point(SECOND, "/"))
@@ -129,7 +129,7 @@ def test_what_will_never_be_is_dropped() -> None:
     assert watched.out == []
 
 
-def test_a_timeout(wait_until: object) -> None:
+def test_message_is_dropped_after_the_timeout(wait_until: object) -> None:
     watched = Watched(buffer_timeout=Duration(seconds=0.02))
     watched.filter.add(point(SECOND))
     wait_until(lambda: watched.dropped)

@@ -1,4 +1,4 @@
-"""Messages that belong together come together, each once."""
+"""Synchronization of messages: each is passed on once, with its matches."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def seconds(message: PointStamped) -> float:
     return message.header.stamp.sec + message.header.stamp.nanosec / 1e9
 
 
-def test_a_cache() -> None:
+def test_cache_keeps_the_last_messages_in_order() -> None:
     source = SimpleFilter()
     cache = Cache(source, 3)
     assert (cache.getLast(), cache.getOldestTime(), cache.getLastestTime()) == (None, None, None)
@@ -46,7 +46,7 @@ def test_a_cache() -> None:
     assert (seconds(cache.getLast()), cache.getLastestTime().nanoseconds) == (4, 4_000_000_000)
 
 
-def test_the_same_stamp() -> None:
+def test_messages_of_equal_stamps_are_passed_on_together() -> None:
     left, right = SimpleFilter(), SimpleFilter()
     synchronizer = TimeSynchronizer([left, right], 3)
     pairs: list[tuple[float, float, str]] = []
@@ -55,17 +55,21 @@ def test_the_same_stamp() -> None:
         left.signalMessage(point(at))
     for at in range(5):
         right.signalMessage(point(at))
-    assert pairs == [(2, 2, "tag"), (3, 3, "tag"), (4, 4, "tag")]  # the first two no longer fitted
+    assert pairs == [
+        (2, 2, "tag"),
+        (3, 3, "tag"),
+        (4, 4, "tag"),
+    ]  # the queue was full of newer ones than the first two
 
 
-def test_a_caches_times_can_be_compared_with_a_nodes(node: Node) -> None:
+def test_times_of_a_cache_are_comparable_with_those_of_a_node(node: Node) -> None:
     cache = Cache(SimpleFilter())
     cache.add(point(7))
     assert cache.getLastestTime() == Time(seconds=7, clock_type=ClockType.ROS_TIME)
     assert (node.get_clock().now() - cache.getOldestTime()).nanoseconds > 0
 
 
-def test_a_stamp_may_be_an_rclpy_time_and_a_message_of_any_class() -> None:
+def test_stamp_can_be_an_rclpy_time_and_messages_of_any_class() -> None:
     left, right = SimpleFilter(), SimpleFilter()
     pairs: list[tuple[object, object]] = []
     for synchronizer in (
@@ -82,7 +86,7 @@ def test_a_stamp_may_be_an_rclpy_time_and_a_message_of_any_class() -> None:
     assert cache.getLastestTime() is one.header.stamp
 
 
-def test_callbacks_that_are_taken_back() -> None:
+def test_callbacks_can_be_unregistered() -> None:
     source = SimpleFilter()
     got: list[str] = []
     first = source.registerCallback(lambda _: got.append("first"))
@@ -93,7 +97,7 @@ def test_callbacks_that_are_taken_back() -> None:
     assert got == ["second", "third"]
 
 
-def test_a_chain() -> None:
+def test_chain_passes_messages_through_its_filters() -> None:
     source, chain = SimpleFilter(), Chain()
     got: list[float] = []
     chain.registerCallback(lambda message: got.append(seconds(message)))
@@ -116,7 +120,7 @@ def test_a_chain() -> None:
 
 
 @pytest.mark.parametrize("count", [1, 2, 5, 9])
-def test_scrambled_sequences_come_together(count: int) -> None:
+def test_scrambled_sequences_are_synchronized(count: int) -> None:
     left, right = SimpleFilter(), SimpleFilter()
     pairs: list[tuple[float, float]] = []
     ApproximateTimeSynchronizer([left, right], count, 0.1).registerCallback(
@@ -141,7 +145,7 @@ def test_a_message_older_than_a_full_queue_is_dropped() -> None:
     assert [len(queue) for queue in synchronizer.queues] == [1, 1]
 
 
-def test_stamps_that_differ_by_just_the_slop_are_apart() -> None:
+def test_stamps_that_differ_by_the_slop_do_not_match() -> None:
     left, right = SimpleFilter(), SimpleFilter()
     pairs: list[tuple[float, float]] = []
     ApproximateTimeSynchronizer([left, right], 5, 0.5).registerCallback(lambda *pair: pairs.append(pair))
@@ -152,7 +156,7 @@ def test_stamps_that_differ_by_just_the_slop_are_apart() -> None:
     assert len(pairs) == 1
 
 
-def test_messages_without_a_header_get_simulated_time(node: Node) -> None:
+def test_messages_without_a_header_are_stamped_with_simulated_time(node: Node) -> None:
     clock = node.get_clock()
     clock.set_ros_time_is_active(True)
     clock.set_ros_time_override(Time(seconds=50, clock_type=clock.clock_type))
@@ -169,7 +173,7 @@ def test_messages_without_a_header_get_simulated_time(node: Node) -> None:
 
 
 @pytest.mark.parametrize("slop", [0.05, 0.2])
-def test_stamps_that_are_near(slop: float) -> None:
+def test_near_stamps_match(slop: float) -> None:
     left, right, third = SimpleFilter(), SimpleFilter(), SimpleFilter()
     sets: list[list[float]] = []
     ApproximateTimeSynchronizer([left, right, third], 10, slop).registerCallback(
@@ -182,7 +186,7 @@ def test_stamps_that_are_near(slop: float) -> None:
     assert sets == ([] if slop < 0.1 else [[1.0, 1.04, 1.1], [2.0, 2.04, 2.1], [3.0, 3.04, 3.1]])
 
 
-def test_the_nearest_is_taken_and_only_once() -> None:
+def test_nearest_message_is_used_and_only_once() -> None:
     left, right = SimpleFilter(), SimpleFilter()
     pairs: list[tuple[float, float]] = []
     ApproximateTimeSynchronizer([left, right], 10, 0.5).registerCallback(
@@ -195,7 +199,7 @@ def test_the_nearest_is_taken_and_only_once() -> None:
     assert pairs == [(1.45, 1.4), (1.3, 1.4)]
 
 
-def test_messages_without_a_header(capfd: pytest.CaptureFixture[str]) -> None:
+def test_messages_without_a_header_are_dropped_or_stamped(capfd: pytest.CaptureFixture[str]) -> None:
     source = SimpleFilter()
     cache = Cache(source)
     source.signalMessage(String(data="x"))
@@ -207,7 +211,7 @@ def test_messages_without_a_header(capfd: pytest.CaptureFixture[str]) -> None:
     assert timed.getLast().data == "y"
 
 
-def test_a_subscriber(node: Node) -> None:
+def test_subscriber_passes_messages_on(node: Node) -> None:
     subscriber = Subscriber(node, PointStamped, "points")
     got: list[float] = []
     subscriber.registerCallback(lambda message: got.append(seconds(message)))

@@ -1,4 +1,4 @@
-"""Clouds in and out of numpy, and through transforms: padded, organised, of either byte order."""
+"""Conversion of clouds to numpy and back, and their transforms: padded, organised, of either byte order."""
 
 from __future__ import annotations
 
@@ -45,9 +45,7 @@ def structured(shape: tuple[int, ...], point_step: int = 32) -> np.ndarray:
 
 @pytest.mark.parametrize("shape", [(6,), (2, 3)])
 @pytest.mark.parametrize("point_step", [16, 32])
-def test_padded_and_organised_clouds_keep_all_but_their_points(
-    shape: tuple[int, ...], point_step: int
-) -> None:
+def test_transform_changes_the_points_of_a_cloud_only(shape: tuple[int, ...], point_step: int) -> None:
     points = structured(shape, point_step)
     cloud = create_cloud(HEADER, FIELDS, points, point_step)
     cloud.is_dense = True
@@ -67,21 +65,21 @@ def test_padded_and_organised_clouds_keep_all_but_their_points(
     assert (out["ring"] == flat["ring"]).all()
 
 
-def test_a_bare_transform_keeps_the_frame() -> None:
+def test_unstamped_transform_keeps_the_frame() -> None:
     cloud = create_cloud_xyz32(HEADER, [(1, 2, 3)])
     moved = point_cloud.do_transform_cloud(cloud, TRANSFORM.transform)
     assert moved.header.frame_id == "A"
     assert read_points_numpy(moved).tolist() == [[11, 18, 27]]
 
 
-def test_through_a_buffer() -> None:
+def test_buffer_transforms_clouds() -> None:
     buffer = Buffer()
     buffer.set_transform(transform_stamped("B", "A", 2 * SECOND, (1.0, 0.0, 0.0)), "me")
     moved = buffer.transform(create_cloud_xyz32(HEADER, [(1, 2, 3)]), "B")
     assert read_points_numpy(moved).tolist() == [[2, 2, 3]]
 
 
-def test_the_other_byte_order() -> None:
+def test_big_endian_cloud() -> None:
     dtype = dtype_from_fields(FIELDS, 16, is_bigendian=sys.byteorder == "little")
     points = structured((3,), 16).astype(dtype)
     cloud = PointCloud2(
@@ -95,7 +93,7 @@ def test_the_other_byte_order() -> None:
     assert bytes(cloud.data) == before
 
 
-def test_rows_that_are_padded() -> None:
+def test_padded_rows() -> None:
     rows = np.zeros((2, 64), np.uint8)
     points = structured((2, 3), 16)
     rows[:, :48] = points.view(np.uint8).reshape(2, 48)
@@ -109,7 +107,7 @@ def test_rows_that_are_padded() -> None:
     assert np.allclose(read_points(moved)["x"], np.arange(6) + 10)
 
 
-def test_reading() -> None:
+def test_points_are_read_as_arrays() -> None:
     points = structured((2, 3))
     points["x"][1, 1] = np.nan
     cloud = create_cloud(HEADER, FIELDS, points, 32)
@@ -123,7 +121,7 @@ def test_reading() -> None:
     assert first.y == 0.0 + 0.25
 
 
-def test_fields_of_several_elements_and_of_no_name() -> None:
+def test_fields_with_counts_and_without_names() -> None:
     fields = [PointField(name="x", offset=0, datatype=PointField.FLOAT32, count=3)]
     cloud = create_cloud(HEADER, fields, np.arange(12, dtype=np.float32).reshape(4, 3))
     assert (cloud.point_step, cloud.width) == (12, 4)
@@ -154,7 +152,7 @@ def test_padding_of_a_structured_array_is_kept() -> None:
         create_cloud(HEADER, FIELDS, points, 16)
 
 
-def test_data_of_other_kinds() -> None:
+def test_data_of_other_buffer_types() -> None:
     cloud = create_cloud_xyz32(HEADER, [(1, 2, 3), (4, np.nan, 6)])
     octets = bytes(cloud.data)
     for data in (bytearray(octets), list(octets), np.frombuffer(octets, np.uint8)):
@@ -196,15 +194,15 @@ def test_a_deskewed_cloud_equals_deskewed_points() -> None:
         ),
     ],
 )
-def test_what_does_not_fit(make: object, text: str) -> None:
+def test_unfitting_points_raise(make: object, text: str) -> None:
     with pytest.raises(AssertionError, match=text):
         make()
 
 
-def test_a_cloud_with_too_few_bytes() -> None:
+def test_cloud_with_too_few_bytes_raises() -> None:
     cloud = create_cloud_xyz32(HEADER, [(1, 2, 3), (4, 5, 6)])
     cloud.width = 3
-    with pytest.raises(ValueError, match="has 24 bytes, its sizes ask for 36"):
+    with pytest.raises(ValueError, match="has 24 bytes, its sizes require 36"):
         read_points(cloud)
     cloud.point_step = 4
     with pytest.raises(ValueError, match="the fields take 12 bytes, more than the 4 from point to point"):

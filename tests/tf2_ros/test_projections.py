@@ -1,4 +1,4 @@
-"""Projections, fits and the trackball of tf_transformations: by what they do to points."""
+"""Projections, fits and the trackball of tf_transformations, by their effect on points."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def height(point: np.ndarray, plane: np.ndarray, normal: np.ndarray) -> float:
 
 
 @given(points, directions, directions, points)
-def test_a_parallel_projection_goes_along_its_direction_to_the_plane(
+def test_parallel_projection_maps_along_its_direction_to_the_plane(
     plane: np.ndarray, normal: np.ndarray, direction: np.ndarray, point: np.ndarray
 ) -> None:
     assume(abs(tf.unit_vector(normal) @ tf.unit_vector(direction)) > 0.1)
@@ -42,7 +42,7 @@ def test_a_parallel_projection_goes_along_its_direction_to_the_plane(
 
 
 @given(points, directions, points, points)
-def test_a_perspective_projection_goes_along_the_line_of_sight(
+def test_perspective_projection_maps_along_the_line_of_sight(
     plane: np.ndarray, normal: np.ndarray, eye: np.ndarray, point: np.ndarray
 ) -> None:
     assume(abs(height(eye, plane, normal)) > 0.1)
@@ -62,7 +62,7 @@ def test_a_perspective_projection_goes_along_the_line_of_sight(
         assert np.allclose(scale * again, each, atol=1e-5)
 
 
-def test_projections_known_by_heart() -> None:
+def test_known_projections() -> None:
     assert projections.projection_matrix((0, 0, 0), (1, 0, 0)).tolist() == np.diag([0.0, 1, 1, 1]).tolist()
     skew = projections.projection_matrix((3, 0, 0), (1, 1, 0), (1, 0, 0))
     assert np.allclose(seen(skew, np.array([7.0, 5, 9])), [-2, 5, 9])
@@ -98,12 +98,12 @@ def test_projections_known_by_heart() -> None:
         (lambda: arcball.Arcball([1, 2, 3]), "initial not a quaternion or matrix"),
     ],
 )
-def test_what_makes_no_sense(call: object, text: str) -> None:
+def test_invalid_arguments_raise(call: object, text: str) -> None:
     with pytest.raises(ValueError, match=text):
         call()
 
 
-def test_clipping_takes_the_corners_to_one() -> None:
+def test_clip_matrix_maps_the_corners_to_one() -> None:
     low, high = np.array([-1.0, 2, 3]), np.array([4.0, 6, 10])
     bounds = (-1, 4, 2, 6, 3, 10)
     box = projections.clip_matrix(*bounds)
@@ -131,7 +131,7 @@ def test_crystal_cells() -> None:
 
 @pytest.mark.parametrize("usesvd", [True, False])
 @pytest.mark.parametrize("rows", [3, 4])
-def test_superimposing_finds_turn_move_and_scale(usesvd: bool, rows: int) -> None:
+def test_superimposition_recovers_rotation_translation_and_scale(usesvd: bool, rows: int) -> None:
     random = np.random.default_rng(3)
     for scale in (1.0, 0.3, 7.0):
         matrix = tf.translation_matrix(random.normal(size=3)) @ tf.random_rotation_matrix(random.random(3))
@@ -142,11 +142,11 @@ def test_superimposing_finds_turn_move_and_scale(usesvd: bool, rows: int) -> Non
         assert np.allclose(found, matrix)
     mirrored = start * [[-1], [1], [1], [1]]
     found = projections.superimposition_matrix(start, mirrored, usesvd=usesvd)
-    assert np.linalg.det(found) == pytest.approx(1)  # it turns, it doesn't mirror
+    assert np.linalg.det(found) == pytest.approx(1)  # a rotation, not a reflection
     assert np.allclose(projections.superimposition_matrix(CUBE, CUBE), np.identity(4))
 
 
-def test_superimposing_leaves_the_least_squares() -> None:
+def test_superimposition_has_the_least_squared_error() -> None:
     random = np.random.default_rng(4)
     start, end = random.normal(size=(2, 3, 20))
     found = projections.superimposition_matrix(start, end)
@@ -162,7 +162,7 @@ def test_superimposing_leaves_the_least_squares() -> None:
         assert error(nudge @ found) > error(found)
 
 
-def test_the_trackball() -> None:
+def test_trackball_rotates_with_the_drag() -> None:
     ball = arcball.Arcball(initial=np.identity(4))
     ball.place([320, 320], 320)
     ball.down([500, 250])
@@ -175,7 +175,7 @@ def test_the_trackball() -> None:
     assert np.allclose(ball.matrix(), np.identity(4))
 
 
-def test_the_trackball_turns_by_twice_the_angle_about_the_axis_across() -> None:
+def test_trackball_rotates_by_twice_the_angle() -> None:
     ball = arcball.Arcball()
     ball.place([0, 0], 1)
     ball.down([0, 0])
@@ -184,7 +184,7 @@ def test_the_trackball_turns_by_twice_the_angle_about_the_axis_across() -> None:
     assert np.allclose(arcball.arcball_map_to_sphere([3, -4], [0, 0], 1), [0.6, 0.8, 0])
 
 
-def test_a_constrained_trackball() -> None:
+def test_trackball_can_be_constrained_to_axes() -> None:
     ball = arcball.Arcball(initial=[0, 0, 0, 1])
     ball.place([320, 320], 320)
     ball.setaxes([1, 1, 0], [-1, 1, 0])
@@ -202,7 +202,7 @@ def test_a_constrained_trackball() -> None:
     assert not np.allclose(np.abs(tf.rotation_from_matrix(ball.matrix())[1]), [np.sqrt(0.5), np.sqrt(0.5), 0])
 
 
-def test_points_on_an_axis_have_some_place_beside_it() -> None:
+def test_points_on_an_axis_are_constrained_to_a_point_of_the_circle() -> None:
     assert arcball.arcball_constrain_to_axis([0, 0, 1], [0, 0, 1]).tolist() == [1, 0, 0]
     assert arcball.arcball_constrain_to_axis([1, 0, 0], [1, 0, 0]).tolist() == [0, 1, 0]
     assert arcball.arcball_nearest_axis([0, 0.6, 0.8], [[1, 0, 0], [0, 1, 0]]).tolist() == [1, 0, 0]

@@ -101,7 +101,7 @@ def test_slerp() -> None:
     assert np.allclose(tf.quaternion_slerp(start, end, 0.25), tf.quaternion_about_axis(0.25, (0, 0, 1)))
     assert np.allclose(tf.quaternion_slerp(start, -end, 0.25), tf.quaternion_about_axis(0.25, (0, 0, 1)))
     assert np.allclose(tf.quaternion_slerp(start, end, 1), end)
-    assert np.allclose(tf.quaternion_slerp(start, -end, 1), -end)  # at its ends it's what was given
+    assert np.allclose(tf.quaternion_slerp(start, -end, 1), -end)  # at the ends, the arguments themselves
     assert np.allclose(tf.quaternion_slerp(start, end, 2), tf.quaternion_about_axis(2.0, (0, 0, 1)))
     assert np.allclose(tf.quaternion_slerp(start, -end, 0.5, shortestpath=False), [0, 0, -0.968912, 0.247404])
     assert np.allclose(
@@ -119,7 +119,7 @@ def test_numbers_of_the_reference() -> None:
     assert np.allclose(tf.random_quaternion([0.25, 0.5, 0]), [0, -math.sqrt(0.75), 0, 0.5])
 
 
-def test_rotations_by_chance_are_spread_over_all() -> None:
+def test_random_rotations_are_uniform() -> None:
     """The mean of R is 0, and of the trace squared 1, for a uniform distribution."""
     matrices = np.array([tf.random_rotation_matrix()[:3, :3] for _ in range(4000)])
     assert np.abs(matrices.mean(axis=0)).max() < 0.05
@@ -145,7 +145,7 @@ def test_lengths_written_to_an_array() -> None:
     assert tf.vector_norm([]) == 0
 
 
-def test_matrices() -> None:
+def test_matrices_and_vectors_have_their_known_values() -> None:
     moved = tf.translation_matrix((1, 2, 3))
     assert tf.translation_from_matrix(moved).tolist() == [1, 2, 3]
     assert np.allclose(tf.concatenate_matrices(moved, tf.inverse_matrix(moved)), tf.identity_matrix())
@@ -156,19 +156,19 @@ def test_matrices() -> None:
     assert np.allclose(np.linalg.det(tf.random_rotation_matrix()), 1)
 
 
-def test_what_is_no_rotation() -> None:
+def test_matrix_without_rotation_raises() -> None:
     with pytest.raises(ValueError, match="no rotation"):
         tf.rotation_from_matrix(2 * np.eye(4))
     with pytest.raises(ValueError, match="moves along its axis"):
         tf.rotation_from_matrix(tf.translation_matrix((0, 0, 1)) @ tf.rotation_matrix(1, (0, 0, 1)))
 
 
-def test_an_axis_of_no_direction() -> None:
+def test_axis_without_direction_raises() -> None:
     with pytest.raises(ValueError, match="no direction"):
         tf.quaternion_about_axis(1, (0, 0, 0))
 
 
-def test_euler_angles_say_what_they_need(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_euler_angles_without_transforms3d_raise_with_the_remedy(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "transforms3d.euler", None)
     with pytest.raises(ImportError, match=r"tfloom\[transformations\]"):
         tf.quaternion_from_euler(1, 2, 3)
@@ -200,7 +200,7 @@ class TestEuler:
 
     @pytest.mark.parametrize("axes", AXES)
     def test_every_sequence_of_axes(self, axes: str) -> None:
-        """By its definition: a product of three turns, fixed axes from the right, turning ones from the left."""
+        """By definition: a product of three rotations, static axes from the right, rotating ones from the left."""
         for given_angles in [
             (0.1, 0.2, 0.3),
             (1.0, 0.5, -1.2),
@@ -221,7 +221,7 @@ class TestEuler:
             assert np.allclose(tf.euler_matrix(*tf.euler_from_quaternion(quaternion, axes), axes), expected)
 
     def test_axes_as_numbers(self) -> None:
-        """First axis, parity, whether the first is repeated, whether the axes turn."""
+        """First axis, parity, repetition of the first axis, rotating axes."""
         assert np.allclose(tf.euler_matrix(1, 2, 3, (0, 1, 0, 1)), tf.euler_matrix(1, 2, 3, "ryzx"))
         assert np.allclose(np.sum(tf.euler_matrix(1, 2, 3, (0, 1, 0, 1))[0]), -0.383436184)
 
@@ -254,7 +254,7 @@ class TestEuler:
         moved = tf.compose_matrix(*parts[:4]) @ point
         assert np.allclose(matrix @ point, [*moved[:3], parts[4] @ moved])
 
-    def test_what_cannot_be_decomposed(self) -> None:
+    def test_degenerate_matrix_raises(self) -> None:
         with pytest.raises(ValueError, match="degenerate"):
             tf.decompose_matrix(np.diag([1, 1, 0, 1]))
         with pytest.raises(ValueError):
@@ -269,7 +269,7 @@ class TestEuler:
         assert np.allclose(tf.quaternion_from_matrix(rounded), turned, atol=1e-3)
 
     def test_known_sequence(self) -> None:
-        """Moved, turned, sheared and scaled: each is found again."""
+        """Each of translation, rotation, shear and scale is recovered."""
         shear = tf.shear_matrix(-1.234, (1, 0, 0), (0, 0, 0), (0, 0, 1))
         turned = tf.random_rotation_matrix()
         matrix = tf.concatenate_matrices(

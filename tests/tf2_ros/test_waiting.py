@@ -1,4 +1,4 @@
-"""Waiting for transforms: for as long as it can help, and no longer; across jumps of simulated time, too."""
+"""Waits for transforms, which end as soon as they can't succeed, also across jumps of simulated time."""
 
 from __future__ import annotations
 
@@ -40,9 +40,7 @@ HOPELESS = [
 
 
 @pytest.mark.parametrize(("query", "kind"), HOPELESS)
-def test_what_can_never_be_answered_is_told_at_once(
-    buffer: Buffer, query: tuple, kind: type[Exception]
-) -> None:
+def test_impossible_lookup_raises_at_once(buffer: Buffer, query: tuple, kind: type[Exception]) -> None:
     target, source, at = query
     full = target, at, source, at, "map"
     start = time.monotonic()
@@ -59,7 +57,7 @@ def test_what_can_never_be_answered_is_told_at_once(
     assert time.monotonic() - start < 30
 
 
-def test_hopeless_for_ever_is_one_look(buffer: Buffer, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_impossible_lookup_is_checked_once(buffer: Buffer, monkeypatch: pytest.MonkeyPatch) -> None:
     looks: list[float] = []
 
     def wait(*query: object, timeout_s: float) -> bool:
@@ -68,10 +66,10 @@ def test_hopeless_for_ever_is_one_look(buffer: Buffer, monkeypatch: pytest.Monke
 
     monkeypatch.setattr(buffer, "wait", wait)
     assert not buffer.can_transform("map", "base", Time(seconds=1), Infinite)
-    assert len(looks) <= 2  # two, where the machine stops for a moment in the first
+    assert len(looks) <= 2  # two, if the machine stalls during the first
 
 
-def test_a_future_may_wait_for_ever(
+def test_future_can_wait_without_limit(
     buffer: Buffer, wait_until: Callable[..., None], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     broken: list[object] = []
@@ -87,7 +85,7 @@ def test_a_future_may_wait_for_ever(
     assert broken == []
 
 
-def test_a_lookup_wakes_with_the_transform_from_the_wire(node: Node) -> None:
+def test_lookup_wakes_with_the_transform_from_the_wire(node: Node) -> None:
     buffer = Buffer()
     listener = TransformListener(buffer, node)
     broadcaster = TransformBroadcaster(node)
@@ -101,7 +99,7 @@ def test_a_lookup_wakes_with_the_transform_from_the_wire(node: Node) -> None:
 
         thread = threading.Thread(target=look_up)
         thread.start()
-        time.sleep(0.01)  # let it fall asleep: no matter if it has not
+        time.sleep(0.01)  # let it begin to wait; the result is the same if it has not
         sent = time.perf_counter()
         broadcaster.sendTransform(transform_stamped("map", f"child{attempt}", SECOND))
         thread.join(30)
@@ -111,7 +109,7 @@ def test_a_lookup_wakes_with_the_transform_from_the_wire(node: Node) -> None:
 
 
 @pytest.mark.parametrize("kind", [SingleThreadedExecutor, MultiThreadedExecutor])
-def test_a_callback_that_awaits_goes_on_with_the_transform(node: Node, kind: type[Executor]) -> None:
+def test_awaiting_callback_continues_with_the_transform(node: Node, kind: type[Executor]) -> None:
     buffer = Buffer()
     listener = TransformListener(buffer, node)
     told: list[str] = []
@@ -149,7 +147,7 @@ def test_a_timeout_is_a_duration(buffer: Buffer, timeout: object) -> None:
 
 
 @pytest.mark.parametrize("duration", [Duration(), Duration(seconds=-1), Duration(nanoseconds=1)])
-def test_no_time_to_wait(buffer: Buffer, duration: Duration) -> None:
+def test_timeout_of_zero_does_not_wait(buffer: Buffer, duration: Duration) -> None:
     assert buffer.can_transform("map", "base", NOW, duration)
     assert not buffer.can_transform("map", "other", NOW, duration)
 
@@ -175,14 +173,14 @@ class TestSimulatedTime:
     def set(self, clock: Clock, seconds: float) -> None:
         clock.set_ros_time_override(Time(seconds=seconds, clock_type=clock.clock_type))
 
-    def test_a_wait_goes_on_across_a_jump_back(self, node: Node, clock: Clock) -> None:
+    def test_wait_continues_across_a_jump_backward(self, node: Node, clock: Clock) -> None:
         buffer = Buffer(node=node)
         buffer.set_transform(transform_stamped("map", "base", 100 * SECOND), "me")
         found: list[object] = []
         thread = threading.Thread(
             target=lambda: found.append(buffer.lookup_transform("map", "base", Time(seconds=11), LONG))
         )
-        # At 11 s of now it's too old; the jump makes it a time to come.
+        # At 11 s it is too old; after the jump it is in the future.
         self.set(clock, 10)
         thread.start()
         for at in (10, 12):
@@ -190,13 +188,11 @@ class TestSimulatedTime:
         thread.join(30)
         assert found[0].header.stamp.sec == 11
 
-    def test_a_buffer_has_its_nodes_clock(self, node: Node, clock: Clock) -> None:
+    def test_buffer_uses_the_clock_of_its_node(self, node: Node, clock: Clock) -> None:
         assert Buffer(node=node).clock is clock
         assert Buffer().clock.now().nanoseconds > 0
 
-    def test_a_jump_is_told_of_once(
-        self, node: Node, clock: Clock, capfd: pytest.CaptureFixture[str]
-    ) -> None:
+    def test_jump_is_logged_once(self, node: Node, clock: Clock, capfd: pytest.CaptureFixture[str]) -> None:
         buffer = Buffer(node=node)
         TransformListener(buffer, node)
         other = TransformListener(buffer, node)
@@ -208,14 +204,14 @@ class TestSimulatedTime:
             "Detected jump back in time. Clearing tf buffer."
         ]
 
-    def test_forward_and_little_jumps_change_nothing(self, node: Node, clock: Clock) -> None:
+    def test_forward_and_small_jumps_change_nothing(self, node: Node, clock: Clock) -> None:
         buffer = Buffer(node=node)
         buffer.set_transform(transform_stamped("map", "base", 100 * SECOND), "me")
         for seconds in (99.5, 98.6, 1000, 999.1):
             self.set(clock, seconds)
         assert buffer.can_transform("map", "base", NOW)
 
-    def test_static_transforms_outlive_a_jump_and_are_no_stragglers(self, node: Node, clock: Clock) -> None:
+    def test_static_transforms_survive_a_jump(self, node: Node, clock: Clock) -> None:
         buffer = Buffer()
         TransformListener(buffer, node)
         static = StaticTransformBroadcaster(node)
@@ -225,13 +221,13 @@ class TestSimulatedTime:
         static.sendTransform(transform_stamped("base", "camera", 100 * SECOND))
         assert buffer.can_transform("base", "camera", NOW)
 
-    def test_stragglers_are_ignored_for_a_moment_only(self, node: Node, clock: Clock) -> None:
+    def test_stragglers_are_ignored_for_a_short_time_only(self, node: Node, clock: Clock) -> None:
         buffer = Buffer()
         TransformListener(buffer, node)
         broadcaster = TransformBroadcaster(node)
         self.set(clock, 99.99)
         jumped = time.monotonic()
-        self.set(clock, 98.5)  # 1.49 s back: what is from 99.245 s on is a straggler, for 0.745 s
+        self.set(clock, 98.5)  # 1.49 s back: transforms from 99.245 s on are stragglers, for 0.745 s
         broadcaster.sendTransform(transform_stamped("map", "base", 100 * SECOND))
         is_known = buffer.can_transform("map", "base", NOW)
         assert not is_known or time.monotonic() - jumped > 0.7
@@ -242,7 +238,7 @@ class TestSimulatedTime:
         assert buffer.lookup_transform("map", "base", NOW).header.stamp.sec == 100
 
 
-def test_a_flood_of_old_data_says_how_many_were_held_back(
+def test_log_of_a_flood_of_old_data_has_the_count(
     capfd: pytest.CaptureFixture[str],
 ) -> None:
     buffer = Buffer()

@@ -1,4 +1,4 @@
-"""Broadcasters, listeners and a vandal, each in a process of its own, over DDS."""
+"""Broadcasters, listeners and a writer of hostile bytes, each in a separate process, over DDS."""
 
 from __future__ import annotations
 
@@ -160,7 +160,7 @@ def count(program: Program, start_of_line: str) -> int:
     return sum(line.startswith(start_of_line) for line in list(program.lines))
 
 
-def test_a_listener_survives_hostile_bytes_and_a_killed_broadcaster(
+def test_listener_survives_hostile_bytes_and_a_killed_broadcaster(
     start: Callable[[str], Program], wait_until: Callable[..., None]
 ) -> None:
     listener = start(LISTENER)
@@ -184,11 +184,11 @@ def test_a_listener_survives_hostile_bytes_and_a_killed_broadcaster(
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="usleep")
-def test_transforms_come_in_while_no_python_can_run(start: Callable[[str], Program]) -> None:
+def test_transforms_are_received_while_the_gil_is_held(start: Callable[[str], Program]) -> None:
     start(BROADCASTER)
     holder = start(HOLDER)
     holder.wait_for("answered at last: base", 60)
-    # A second of transforms came in, past one that a callback waits for, while the interpreter was never let go of.
+    # A second of transforms arrived while the GIL was held, after one that a callback waits for.
     assert "heard while 0 turns of Python ran elsewhere" in holder.lines
     assert "unanswered" in holder.lines
 

@@ -1,4 +1,4 @@
-"""The drawn tree: a valid page, fonts in it, nothing on top of anything."""
+"""The drawn tree: a valid page, embedded fonts, no overlaps."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def rectangles(drawing: frame_drawing._Drawing) -> list[tuple[float, float, floa
     return found
 
 
-def test_a_page_with_its_fonts(tmp_path: Path) -> None:
+def test_page_embeds_its_fonts(tmp_path: Path) -> None:
     path = tmp_path / "frames.pdf"
     draw_frames([record("turtle1", "world"), record("laser", "turtle1")], 1795257550.78, path)
     pdf = path.read_bytes()
@@ -66,7 +66,7 @@ def test_any_tree_can_be_drawn(tmp_path: Path, records: list[FrameRecord]) -> No
 
 
 @given(st.data())
-def test_nothing_overlaps(data: st.DataObject) -> None:
+def test_drawn_parts_do_not_overlap(data: st.DataObject) -> None:
     names = [f"{'x' * data.draw(st.integers(1, 60))}{i}" for i in range(data.draw(st.integers(1, 12)))]
     records = [record(name, data.draw(st.sampled_from(names))) for name in names if data.draw(st.booleans())]
     for sideways in (False, True):
@@ -95,9 +95,9 @@ def test_wide_trees_grow_sideways() -> None:
         assert min(drawings, key=frame_drawing._Drawing.unwieldiness).sideways is sideways
 
 
-def test_letters_without_a_glyph_are_spelled_out() -> None:
+def test_letters_without_a_glyph_are_written_as_escapes() -> None:
     assert printable("très_long") == "très_long"
-    assert printable("\ue123a\n") == r"\ue123a\n"  # of the private use area: no font has it
+    assert printable("\ue123a\n") == r"\ue123a\n"  # of the private use area, which no font has
 
 
 @pytest.mark.parametrize("name", ["лазер", "λέιζερ", "激光", "레이저"])

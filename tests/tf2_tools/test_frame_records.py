@@ -1,14 +1,16 @@
-"""Reading a buffer's list of frames, and writing it as a graph."""
+"""Parsing of a buffer's list of frames, and its graph."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
 import pytest
+import yaml
 from hypothesis import given
 from hypothesis import strategies as st
 
 from tfloom.tf2_tools.frame_records import FrameRecord, parse_frames_yaml, write_gv
+from tfloom.tf2_tools.view_frames import generate_dot
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
 CAMERA_YAML = (
@@ -18,18 +20,18 @@ CAMERA_YAML = (
 CAMERA = FrameRecord("camera", "world", "default_authority", 10000.0, 0.0, 0.0, 0.0)
 
 
-def test_reads_what_the_reference_wrote() -> None:
+def test_text_of_the_reference_is_parsed() -> None:
     assert parse_frames_yaml(CAMERA_YAML) == [CAMERA]
     assert CAMERA.is_static
 
 
 @pytest.mark.parametrize("text", ["", "[]", "[]\n"])
-def test_no_frames(text: str) -> None:
+def test_empty_text_has_no_frames(text: str) -> None:
     assert parse_frames_yaml(text) == []
 
 
 @pytest.mark.parametrize("text", ["nonsense", CAMERA_YAML + "tail", CAMERA_YAML.replace("10000.000", "fast")])
-def test_something_else_is_an_error(text: str) -> None:
+def test_other_text_raises(text: str) -> None:
     with pytest.raises(ValueError):
         parse_frames_yaml(text)
 
@@ -38,18 +40,18 @@ FRAME_IDS = st.text(st.characters(exclude_characters="\n'", exclude_categories=[
 
 
 @given(st.lists(st.tuples(FRAME_IDS, FRAME_IDS), min_size=1))
-def test_reads_any_frame_id(names: list[tuple[str, str]]) -> None:
+def test_any_frame_id_is_parsed(names: list[tuple[str, str]]) -> None:
     rest = CAMERA_YAML.partition("'world'")[2]
     text = "".join(f"{child}: \n  parent: '{parent}'{rest}" for child, parent in names)
     assert [(record.child, record.parent) for record in parse_frames_yaml(text)] == names
 
 
-def test_the_graph_is_the_reference_s_to_the_letter() -> None:
+def test_graph_equals_that_of_the_reference() -> None:
     golden = (GOLDEN / "view_frames_out.gv.txt").read_text()
     assert write_gv([CAMERA], 1795257550.7853734) == golden
 
 
-def test_a_graph_without_frames_says_so() -> None:
+def test_graph_without_frames_has_a_note() -> None:
     assert write_gv([], 1.0) == 'digraph G { "No tf data received" }'
 
 
@@ -61,3 +63,8 @@ def test_quotes_in_frame_ids_are_escaped() -> None:
 def test_a_cycle_has_a_legend_too() -> None:
     text = write_gv([CAMERA, CAMERA._replace(child="world", parent="camera")], 1.0)
     assert '}->"camera";' in text
+
+
+def test_the_graph_of_what_a_yaml_parser_read_is_the_same() -> None:
+    assert generate_dot(yaml.safe_load(CAMERA_YAML), (12, 500_000_000)) == write_gv([CAMERA], 12.5)
+    assert generate_dot({}, (0, 0)) == 'digraph G { "No tf data received" }'

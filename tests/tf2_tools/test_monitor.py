@@ -1,4 +1,4 @@
-"""tf2_monitor: its arithmetic, and what it prints over DDS, against what the reference printed."""
+"""tf2_monitor: its arithmetic, and its output over DDS against the reference's."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def test_delays_are_those_of_the_last_thousand() -> None:
         delays.add(delay)
     assert (delays.average_s, delays.greatest_s) == (0.5, 0.75)
     delays = Delays()
-    delays.add(-0.5)  # from a clock that is ahead
+    delays.add(-0.5)  # stamped by a clock that is ahead
     assert (delays.average_s, delays.greatest_s) == (-0.5, 0.0)
 
 
@@ -66,7 +66,7 @@ def test_statistics_by_frame_and_in_all() -> None:
     assert "Frame: a," not in statistics.text(["b", "c"])
 
 
-def test_as_the_reference(
+def test_output_matches_the_reference(
     domain_id: int,
     start_program: Callable[..., Any],
     wait_until: Callable[..., None],
@@ -112,7 +112,7 @@ def test_as_the_reference(
 
 
 @pytest.mark.parametrize("words", [["world"], ["world", "camera", "turtle1"]])
-def test_usage(words: list[str], start_program: Callable[..., Any]) -> None:
+def test_usage_matches_the_reference(words: list[str], start_program: Callable[..., Any]) -> None:
     program = start_program(*MONITOR, *words)
     assert program.wait() == 255
     assert program.lines[0].endswith("[tf2_monitor_main]: TF_Monitor: usage: tf2_monitor framea frameb")

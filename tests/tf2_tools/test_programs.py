@@ -1,4 +1,4 @@
-"""The tf2 programs as processes over DDS, against what the reference printed."""
+"""The tf2 programs as processes over DDS, against the reference's output."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ SPINNING = "Spinning until stopped"
 
 
 def golden(name: str) -> list[str]:
-    """What the reference printed, without the command, the shell's last line and the signal's."""
+    """Return the reference's output, without the command, the shell's last line and the signal's."""
     lines = (GOLDEN / f"{name}.txt").read_text().splitlines()[1:-1]
     return [line for line in lines if "signal_handler" not in line]
 
 
 def masked(lines: list[str]) -> list[str]:
-    """Stamps, random names and the time that is written with more digits, made the same."""
+    """Replace stamps, random names, and the time that has more digits here."""
     text = "\n".join(lines)
     text = re.sub(r"\[\d+\.\d+\]", "[stamp]", text)
     text = re.sub(r"static_transform_publisher_\w{16}", "static_transform_publisher_X", text)
@@ -36,7 +36,7 @@ def masked(lines: list[str]) -> list[str]:
     return re.sub(r"^At time 0\.0+$", "At time 0", text, flags=re.MULTILINE).split("\n")
 
 
-def test_a_static_transform_is_echoed_as_by_the_reference(
+def test_echo_of_a_static_transform_matches_the_reference(
     domain_id: int, start_program: Callable[..., Any], wait_until: Callable[..., None]
 ) -> None:
     expected = masked(golden("tf2_echo"))
@@ -55,7 +55,7 @@ def test_a_static_transform_is_echoed_as_by_the_reference(
     assert static.wait() == 0
 
 
-def test_echo_waits_and_says_why(domain_id: int, start_program: Callable[..., Any]) -> None:
+def test_echo_waits_and_prints_the_reason(domain_id: int, start_program: Callable[..., Any]) -> None:
     echo = start_program(*ECHO, "world", "nowhere")
     echo.wait_for('"world" passed to canTransform argument target_frame')
     start_program(*STATIC, *CAMERA)
@@ -83,7 +83,7 @@ def test_echo_rates(start_program: Callable[..., Any], rate: str, code: int) -> 
         assert text in echo.lines
 
 
-def test_a_frame_in_itself_is_an_error(domain_id: int, start_program: Callable[..., Any]) -> None:
+def test_child_frame_equal_to_frame_is_an_error(domain_id: int, start_program: Callable[..., Any]) -> None:
     static = start_program(*STATIC, "--frame-id", "a", "--child-frame-id", "a")
     assert static.wait() == 1
     assert masked(static.lines[:1]) == masked(golden("static_bad")[:1])
@@ -106,7 +106,7 @@ def test_the_older_form_is_deprecated(domain_id: int, start_program: Callable[..
     static.wait_for("from 'world' to 'camera'")
 
 
-def test_view_frames_as_the_reference(
+def test_view_frames_matches_the_reference(
     domain_id: int, start_program: Callable[..., Any], tmp_path: Path
 ) -> None:
     start_program(*STATIC, *CAMERA).wait_for(SPINNING)
@@ -133,7 +133,7 @@ def test_view_frames_names_its_files_by_the_time(
     assert (tmp_path / names[1]).read_text() == 'digraph G { "No tf data received" }'
 
 
-def test_view_frames_into_a_folder_that_is_not_there(
+def test_view_frames_into_a_missing_folder(
     domain_id: int, start_program: Callable[..., Any], tmp_path: Path, deviations: dict[str, dict[str, str]]
 ) -> None:
     assert "view-frames-folder" in deviations
@@ -142,7 +142,7 @@ def test_view_frames_into_a_folder_that_is_not_there(
     assert "argument -o/--output: there is no folder missing" in view.output
 
 
-def test_view_frames_where_a_file_cannot_be_written(
+def test_view_frames_with_an_unwritable_file(
     domain_id: int, start_program: Callable[..., Any], tmp_path: Path
 ) -> None:
     (tmp_path / "out.gv").mkdir()

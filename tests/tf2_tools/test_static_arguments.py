@@ -12,7 +12,7 @@ FRAMES = ["--frame-id", "world", "--child-frame-id", "camera"]
 HALF = math.sqrt(0.5)
 
 
-def test_flags() -> None:
+def test_flags_are_parsed() -> None:
     transform = parse(["--x", "1", "--y", "-2e0", "--z", "3", "--yaw", str(math.pi / 2), *FRAMES])
     assert transform.translation == (1.0, -2.0, 3.0)
     assert transform.rotation_xyzw == pytest.approx((0.0, 0.0, HALF, HALF))
@@ -20,19 +20,19 @@ def test_flags() -> None:
     assert not transform.is_old_form
 
 
-def test_what_is_left_out_is_no_motion() -> None:
+def test_omitted_flags_are_the_identity() -> None:
     transform = parse(FRAMES)
     assert transform.translation == (0.0, 0.0, 0.0)
     assert transform.rotation_xyzw == (0.0, 0.0, 0.0, 1.0)
 
 
 def test_roll_pitch_yaw_turn_about_fixed_axes() -> None:
-    # A quarter about x then a quarter about z takes z to -y to x: the axis is (1, 1, 1).
+    # A quarter turn about x, then one about z, maps z to -y to x: the axis is (1, 1, 1).
     transform = parse(["--roll", str(math.pi / 2), "--yaw", str(math.pi / 2), *FRAMES])
     assert transform.rotation_xyzw == pytest.approx((0.5, 0.5, 0.5, 0.5))
 
 
-def test_older_forms() -> None:
+def test_older_forms_are_parsed() -> None:
     euler = parse(["1", "2", "3", str(math.pi / 2), "0", "0", "a", "b"])
     assert euler.translation == (1.0, 2.0, 3.0)
     assert euler.rotation_xyzw == pytest.approx((0.0, 0.0, HALF, HALF))
@@ -60,7 +60,7 @@ def test_older_forms() -> None:
         ([*FRAMES, "--qw", "0"], "A quaternion of zeros is no rotation"),
     ],
 )
-def test_errors(words: list[str], text: str) -> None:
+def test_invalid_command_lines_raise(words: list[str], text: str) -> None:
     with pytest.raises(ArgumentsError) as error:
         parse(words)
     assert str(error.value) == text

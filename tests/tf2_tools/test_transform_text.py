@@ -1,4 +1,4 @@
-"""tf2_echo's text: the reference's to the letter, but for the zeros after a time's point."""
+"""tf2_echo's text: exactly the reference's, except for the zeros after a time's decimal point."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ GOLDEN = ROOT / "tests" / "golden" / "cli"
 HALF = math.sqrt(0.5)
 
 
-def test_the_text_is_the_reference_s() -> None:
+def test_text_equals_that_of_the_reference() -> None:
     golden = (GOLDEN / "tf2_echo.txt").read_text()
     reference = golden[golden.index("At time") :].split("At time")[1]
     ours = transform_text(0, (1.0, 2.0, 3.0), (0.0, 0.0, HALF, HALF))
@@ -35,7 +35,7 @@ def test_the_text_is_the_reference_s() -> None:
         (1_795_257_550_785_885_001, "At time 1795257550.785885001"),
     ],
 )
-def test_nanoseconds_have_their_zeros(stamp_ns: int, text: str) -> None:
+def test_nanoseconds_have_leading_zeros(stamp_ns: int, text: str) -> None:
     assert transform_text(stamp_ns, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0)).startswith(text + "\n")
 
 
@@ -55,13 +55,13 @@ ANGLES = st.floats(-3.0, 3.0)
 
 
 @given(ANGLES, st.floats(-1.5, 1.5), ANGLES)
-def test_angles_come_back(roll: float, pitch: float, yaw: float) -> None:
+def test_angles_survive_conversion(roll: float, pitch: float, yaw: float) -> None:
     matrix = matrix_from_quaternion(quaternion_from_rpy(roll, pitch, yaw))
     assert rpy_from_matrix(matrix) == pytest.approx((roll, pitch, yaw), abs=1e-6)
 
 
 @given(ANGLES, st.sampled_from([1.0, -1.0]), ANGLES)
-def test_straight_up_and_down_the_yaw_is_zero(roll: float, sign: float, yaw: float) -> None:
+def test_yaw_is_zero_at_a_pitch_of_a_quarter_turn(roll: float, sign: float, yaw: float) -> None:
     quaternion = quaternion_from_rpy(roll, sign * math.pi / 2, yaw)
     matrix = matrix_from_quaternion(quaternion)
     exact = (*matrix[:2], (-sign, 0.0, 0.0))

@@ -44,7 +44,7 @@ def same_size(parents: dict[str, str], breadth: float = 10.0, depth: float = 4.0
     return dict.fromkeys([*parents, *parents.values()], Size(breadth, depth))
 
 
-def test_a_parent_sits_over_the_middle_of_its_children() -> None:
+def test_parent_is_centred_over_its_children() -> None:
     parents = {"a": "root", "b": "root", "c": "root"}
     layout = arrange(parents, same_size(parents), sibling_gap=2.0, generation_gap=3.0)
     assert {node: tuple(place) for node, place in layout.places.items()} == {
@@ -57,13 +57,13 @@ def test_a_parent_sits_over_the_middle_of_its_children() -> None:
     assert layout.roots == ["root"]
 
 
-def test_a_small_tree_tucks_in_beside_a_deep_one() -> None:
+def test_small_tree_is_placed_beside_a_deep_one() -> None:
     parents = {"a": "root", "b": "root", "b1": "b", "b2": "b", "b3": "b"}
     layout = arrange(parents, same_size(parents))
     assert layout.places["b"].breadth - layout.places["a"].breadth == 10.0
 
 
-def test_several_roots_stand_side_by_side() -> None:
+def test_several_roots_are_side_by_side() -> None:
     parents = {"a": "r1", "b": "r2"}
     sizes = {**same_size(parents), "alone": Size(4.0, 4.0)}
     layout = arrange(parents, sizes, sibling_gap=1.0)
@@ -85,7 +85,7 @@ def test_a_frame_that_is_its_own_parent() -> None:
     assert layout.loop_starts == {"a"}
 
 
-def test_nothing() -> None:
+def test_empty_forest() -> None:
     assert arrange({}, {}).size == (0.0, 0.0)
 
 

@@ -1,4 +1,4 @@
-"""A clone installed by pip, uv and pipx, each into a place of its own: what each leaves is a working `ros2`."""
+"""A clone installed by pip, uv and pipx, each into a separate folder: each results in a working `ros2`."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def tools(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def clone(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Copy what a clone has, so that the builds leave nothing in this checkout."""
+    """Copy the files of a clone, so that the builds leave nothing in this checkout."""
     clone = tmp_path_factory.mktemp("a clone") / "tfloom"
     unwanted = shutil.ignore_patterns(
         ".git", ".venv", "build", "wheels", "__pycache__", ".*_cache", ".hypothesis"
@@ -40,7 +40,7 @@ def clone(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def run(home: Path, *command: str | Path, cwd: Path = ROOT, **environment: object) -> None:
-    """Run an installer with a home of its own; fail with what it printed."""
+    """Run an installer with a separate home folder; fail with its output."""
     variables = {name: value for name, value in os.environ.items() if name != "VIRTUAL_ENV"}
     done = subprocess.run(
         command,
@@ -56,7 +56,7 @@ def run(home: Path, *command: str | Path, cwd: Path = ROOT, **environment: objec
 
 
 def expect_working(ros2: Path) -> None:
-    """Start what reads definitions and the native codec's plans, and takes no part in any domain."""
+    """Run commands that read definitions and the native codec's plans, without joining a domain."""
     for arguments, expected in (
         (["interface", "show", "geometry_msgs/msg/Vector3"], "float64 x"),
         (["pkg", "executables", "turtlesim"], "turtlesim turtlesim_node"),

@@ -1,4 +1,4 @@
-"""tools/set_up.py where something is missing or half there: what it says, and where a repeated run goes on."""
+"""tools/set_up.py with missing or incomplete parts: its messages, and where a repeated run continues."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def write_program(path: Path, text: str) -> Path:
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Give an environment that a set-up made, and then found no packages for."""
+    """Return an environment of a set-up that found no packages."""
     folder = tmp_path_factory.mktemp("set-up") / "a folder, ä"
     done = run_set_up(folder)
     assert done.returncode == 1
@@ -55,17 +55,17 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def environment(made: Path) -> Iterator[Path]:
-    """Give that environment, as it was made."""
+    """Return that environment, unchanged."""
     record = (made / set_up.RECORD).read_text("utf-8")
     yield made
     (made / set_up.RECORD).write_text(record, "utf-8")
 
 
-def test_a_repeated_run_keeps_what_is_there(environment: Path) -> None:
+def test_repeated_run_keeps_the_environment(environment: Path) -> None:
     assert "Making" not in run_set_up(environment).stdout
 
 
-def test_without_a_network_it_says_how_to_go_on(environment: Path) -> None:
+def test_missing_network_gives_the_remedy(environment: Path) -> None:
     done = run_set_up(
         environment,
         PIP_NO_INDEX="0",
@@ -86,7 +86,7 @@ def test_without_a_network_it_says_how_to_go_on(environment: Path) -> None:
         ({"folder": "/elsewhere/.venv"}, "the one that is there was made in another folder"),
     ],
 )
-def test_what_was_interrupted_or_moved_is_made_anew(
+def test_interrupted_or_moved_environment_is_recreated(
     environment: Path, record: dict[str, str], said: str
 ) -> None:
     marker = environment / "marker"
@@ -97,7 +97,7 @@ def test_what_was_interrupted_or_moved_is_made_anew(
     assert json.loads((environment / set_up.RECORD).read_text("utf-8")) == {"folder": str(environment)}
 
 
-def test_an_environment_of_a_python_that_is_too_old_is_made_anew(tmp_path: Path) -> None:
+def test_environment_of_a_too_old_python_is_recreated(tmp_path: Path) -> None:
     write_program(tmp_path / "bin" / "python", "echo 3 9")
     (tmp_path / "pyvenv.cfg").touch()
     done = run_set_up(tmp_path)
@@ -114,7 +114,7 @@ def test_an_environment_of_a_python_that_is_too_old_is_made_anew(tmp_path: Path)
         ("echo 3 99", True, None),
     ],
 )
-def test_why_an_environment_is_made_anew(
+def test_reason_for_recreating_an_environment(
     tmp_path: Path, python: str, keep_python: bool, reason: str | None
 ) -> None:
     write_program(tmp_path / "bin" / "python", python)
@@ -122,7 +122,7 @@ def test_why_an_environment_is_made_anew(
     assert set_up.Environment(tmp_path).why_make(keep_python) == reason
 
 
-def test_what_is_no_environment_is_left_alone(tmp_path: Path) -> None:
+def test_other_folder_is_not_changed(tmp_path: Path) -> None:
     (tmp_path / "notes.txt").write_text("mine")
     done = run_set_up(tmp_path)
     assert done.returncode == 1
@@ -133,7 +133,7 @@ def test_what_is_no_environment_is_left_alone(tmp_path: Path) -> None:
     assert (tmp_path / "notes.txt").read_text() == "mine"
 
 
-def test_a_place_that_cannot_be_written_is_named(tmp_path: Path) -> None:
+def test_unwritable_folder_is_named(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     for folder in (tmp_path / "file", tmp_path / "file" / "venv"):
         done = run_set_up(folder)
@@ -203,7 +203,7 @@ def test_a_missing_header_of_python_is_named(tmp_path: Path, monkeypatch: pytest
 
 
 @pytest.mark.skipif(not shutil.which("make"), reason="make is not installed")
-def test_a_python_below_3_10_is_refused_in_one_line(tmp_path: Path) -> None:
+def test_python_below_3_10_is_rejected_in_one_line(tmp_path: Path) -> None:
     python = write_program(
         tmp_path / "python3", f'exec "{sys.executable}" -c "import sys; sys.version_info = (3, 9, 18); $2"'
     )
@@ -221,7 +221,7 @@ def test_a_python_below_3_10_is_refused_in_one_line(tmp_path: Path) -> None:
         assert "Traceback" not in done.stderr
 
 
-def test_no_extra_names_tfloom_and_all_is_the_others_together() -> None:
+def test_extra_all_is_the_union_of_the_others() -> None:
     project = set_up.read_project(Path(sys.executable))["project"]
     extras = project["optional-dependencies"]
     together = {each for name, requirements in extras.items() if name != "all" for each in requirements}

@@ -1,4 +1,4 @@
-"""A turtlesim node and a user's node beside it, in this process and with no network."""
+"""A turtlesim node and a user's node, in this process, without a network."""
 
 from __future__ import annotations
 

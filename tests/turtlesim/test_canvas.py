@@ -1,4 +1,4 @@
-"""Pictures of the world: where strokes and turtles are, and that they are smooth and in any size the same."""
+"""Pictures of the world: positions and smoothness of strokes and turtles, in any size."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ RED = (200, 30, 40)
 
 
 def difference(one: Image.Image, other: Image.Image) -> float:
-    """Mean difference of a channel's value, of 255."""
+    """Return the mean difference of a channel's value, of 255."""
     return max(ImageStat.Stat(ImageChops.difference(one, other)).mean)
 
 
 def scene() -> tuple[World, Canvas]:
-    """A turtle that has drawn an arc and a red line, and another one."""
+    """Return a world and a picture: one turtle has drawn an arc and a red line, and there is another turtle."""
     world, canvas = World(), Canvas()
     turtle = world.turtles["turtle1"]
     world.spawn(2.0, 8.0, 2.5)
@@ -45,7 +45,7 @@ def test_an_empty_world_is_its_background() -> None:
     assert picture.getcolors() == [(250_000, (1, 2, 3))]
 
 
-def test_strokes_are_where_the_turtle_went() -> None:
+def test_strokes_follow_the_path_of_the_turtle() -> None:
     canvas = Canvas()
     canvas.paint(Stroke((1.0, 2.0), (4.0, 2.0), RED, 3))
     picture = canvas.render([])
@@ -62,7 +62,7 @@ def test_strokes_are_smooth() -> None:
     assert len(colors) > 10, "shades between pen and background"
 
 
-def test_the_sensor_sees_strokes_alone() -> None:
+def test_sensor_reads_strokes_only() -> None:
     canvas = Canvas()
     assert canvas.color_at(2.0, 2.0) == NOTHING_DRAWN
     canvas.paint(Stroke((1.0, 2.0), (4.0, 2.0), RED, 3))
@@ -74,7 +74,7 @@ def test_the_sensor_sees_strokes_alone() -> None:
 
 
 @pytest.mark.parametrize("size_px", [500, 333, 1000, 1234])
-def test_painting_bit_by_bit_gives_the_same_picture(size_px: int) -> None:
+def test_incremental_rendering_gives_the_same_picture(size_px: int) -> None:
     whole, parts = Canvas(), Canvas()
     strokes = [Stroke((i / 7, 1 + i / 9), (i / 3, 10 - i / 5), (i * 9, 80, 90), 1 + i % 5) for i in range(25)]
     for stroke in strokes:
@@ -84,7 +84,7 @@ def test_painting_bit_by_bit_gives_the_same_picture(size_px: int) -> None:
     assert difference(whole.render([], size_px), parts.render([], size_px)) < 0.01
 
 
-def test_a_turtle_is_in_its_place() -> None:
+def test_turtle_is_drawn_at_its_position() -> None:
     world = World()
     bare, picture = Canvas().render([]), Canvas().render(world.turtles.values())
     left, top, right, bottom = ImageChops.difference(bare, picture).getbbox() or (0, 0, 0, 0)
@@ -93,7 +93,7 @@ def test_a_turtle_is_in_its_place() -> None:
     assert right - left == pytest.approx(PX_PER_M, abs=5)
 
 
-def test_turtles_at_the_edge_are_cut_off_by_it() -> None:
+def test_turtles_at_the_edge_are_clipped() -> None:
     world = World()
     for x, y in ((0.0, 0.0), (WORLD_SIZE_M, WORLD_SIZE_M), (0.0, WORLD_SIZE_M)):
         world.spawn(x, y, 1.0)
@@ -101,7 +101,7 @@ def test_turtles_at_the_edge_are_cut_off_by_it() -> None:
     assert Canvas().render(world.turtles.values()).size == (500, 500)
 
 
-def test_ten_turtles_can_be_told_apart() -> None:
+def test_ten_turtles_look_different() -> None:
     sprites = [sprite(kind, 0.3, 45).convert("RGB") for kind in range(10)]
     assert len(LOOKS) == 10
     for i, one in enumerate(sprites):
@@ -115,13 +115,13 @@ def test_turtles_turn_smoothly() -> None:
     assert difference(sprite(0, 0.0, 45).convert("RGB"), sprite(0, 0.035, 45).convert("RGB")) < 8.0
 
 
-def test_the_picture_is_the_one_that_was_looked_at() -> None:
+def test_picture_matches_the_golden() -> None:
     world, canvas = scene()
     with Image.open(GOLDEN) as golden:
         assert difference(canvas.render(world.turtles.values()), golden.convert("RGB")) < 0.5
 
 
-def test_png() -> None:
+def test_png_is_decodable() -> None:
     world, canvas = scene()
     with Image.open(io.BytesIO(canvas.png(world.turtles.values(), 700))) as picture:
         assert picture.format == "PNG"

@@ -1,4 +1,4 @@
-"""The square: two metres ahead, a quarter to the left, again and again."""
+"""draw_square: two metres ahead, a quarter turn to the left, repeatedly."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from tfloom.turtlesim.draw_square import DrawSquare, Goal
 from tfloom.turtlesim.messages import Pose
 
 
-def test_a_goal_is_reached_nearby() -> None:
+def test_goal_is_reached_within_the_tolerance() -> None:
     goal = Goal(1.0, 2.0, 3.5)
     assert goal.theta == pytest.approx(3.5 - 2 * math.pi)
     assert goal.is_reached(Pose(x=1.09, y=1.91, theta=3.5 - 2 * math.pi + 0.009))
@@ -20,7 +20,7 @@ def test_a_goal_is_reached_nearby() -> None:
     assert not goal.is_reached(Pose(x=1.0, y=2.0, theta=goal.theta + 0.011))
 
 
-def test_it_goes_ahead_stops_and_turns(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
+def test_turtle_drives_stops_and_turns(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
     turtle = stage.turtlesim.sim.world.turtles["turtle1"]
     turtle.teleport(1.0, 1.0, 2.0)
     capfd.readouterr()

@@ -1,4 +1,4 @@
-"""The session that was recorded from the reference, played again: the commands' output and turtlesim's log."""
+"""Replay of a session recorded from the reference: the commands' output and turtlesim's log."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import pytest
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
 WAITING = "waiting for service to become available..."
-# Starts the turtle so that it turns as far as the recorded one did.
+# The start heading from which the turtle turns by the recorded angle.
 TELEPORT = (
     *("tfloom", "service", "call", "/turtle1/teleport_absolute", "turtlesim/srv/TeleportAbsolute"),
     "{x: 5.0, y: 5.0, theta: -0.46}",
@@ -45,14 +45,14 @@ def replay(turtlesim: Any, start_program: Callable[..., Any]) -> Callable[[str],
         words, lines, code = recorded(name)
         command = start_program("tfloom", *words)
         assert command.wait() == code
-        # What a call says when it waits longer than a second, as it may on a busy machine.
+        # The message of a call that waits longer than a second, as it may on a busy machine.
         waited = command.lines[:1] == [WAITING] != lines[:1]
         assert masked(command.lines[waited:]) == masked(lines)
 
     return replay
 
 
-def test_services_and_actions(
+def test_services_and_actions_match_the_recording(
     turtlesim: Any, replay: Callable[[str], None], start_program: Callable[..., Any]
 ) -> None:
     for name in ("service_call", "service_call_again", "service_call_empty", "action_list_t", "action_info"):
@@ -65,5 +65,5 @@ def test_services_and_actions(
 
 
 @pytest.mark.parametrize("name", ["param_set", "param_set_bad", "param_set_range", "param_describe"])
-def test_parameters(replay: Callable[[str], None], name: str) -> None:
+def test_parameters_match_the_recording(replay: Callable[[str], None], name: str) -> None:
     replay(name)

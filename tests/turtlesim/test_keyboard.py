@@ -1,4 +1,4 @@
-"""Keys out of what terminals send."""
+"""Keys in the input of terminals."""
 
 from __future__ import annotations
 
@@ -31,16 +31,16 @@ from tfloom.turtlesim.keyboard import Keyboard, NoTerminalError, decode_keys
         ("", []),
     ],
 )
-def test_decoding(text: str, keys: list[str]) -> None:
+def test_key_sequences_are_decoded(text: str, keys: list[str]) -> None:
     assert decode_keys(text) == keys
 
 
 @given(st.text(alphabet="\x1b[O;1ABCDEFgq~"))
-def test_decoding_survives_anything(text: str) -> None:
+def test_decoding_accepts_any_text(text: str) -> None:
     assert all(key in {"up", "down", "left", "right"} or len(key) == 1 for key in decode_keys(text))
 
 
-def test_without_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_input_without_terminal_raises(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(os, "isatty", lambda fd: False)
     with pytest.raises(NoTerminalError), Keyboard():
         pass
@@ -61,7 +61,7 @@ print(keys, flush=True)
 
 @pytest.fixture
 def in_terminal(start_program: Callable[..., Any]) -> Any:
-    """Start the script on a terminal of its own."""
+    """Start the script in a separate terminal."""
     ours, theirs = pty.openpty()
 
     def start() -> tuple[Any, int, list]:
@@ -76,7 +76,7 @@ def in_terminal(start_program: Callable[..., Any]) -> Any:
     os.close(theirs)
 
 
-def test_keys_from_a_terminal(in_terminal: Callable[[], tuple[Any, int, list]]) -> None:
+def test_keys_are_read_from_a_terminal(in_terminal: Callable[[], tuple[Any, int, list]]) -> None:
     program, terminal, before = in_terminal()
     os.write(terminal, b"\x1b")  # an arrow that arrives in two parts
     os.write(terminal, b"[Agq")
@@ -86,7 +86,7 @@ def test_keys_from_a_terminal(in_terminal: Callable[[], tuple[Any, int, list]]) 
 
 
 @pytest.mark.parametrize("end", ["error", signal.SIGHUP, signal.SIGQUIT, signal.SIGINT])
-def test_the_terminal_is_left_as_it_was(in_terminal: Callable[[], tuple[Any, int, list]], end: Any) -> None:
+def test_terminal_mode_is_restored(in_terminal: Callable[[], tuple[Any, int, list]], end: Any) -> None:
     program, terminal, before = in_terminal()
     if end == "error":
         os.write(terminal, b"x")
@@ -96,7 +96,7 @@ def test_the_terminal_is_left_as_it_was(in_terminal: Callable[[], tuple[Any, int
     assert termios.tcgetattr(terminal) == before
 
 
-# The kernel stops no program whose process group has no parent in its session: so this one plays the shell.
+# The kernel stops no program in an orphaned process group, so this process acts as the shell.
 SHELL = """
 import os, subprocess, sys
 program = subprocess.Popen([sys.executable, "-c", sys.argv[1]], preexec_fn=os.setpgrp)
@@ -107,7 +107,7 @@ sys.exit(os.waitstatus_to_exitcode(status))
 """
 
 
-def test_a_stopped_program_gives_the_terminal_back(
+def test_stopped_program_restores_the_terminal_mode(
     start_program: Callable[..., Any], wait_until: Callable[..., None]
 ) -> None:
     terminal, theirs = pty.openpty()

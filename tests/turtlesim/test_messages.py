@@ -1,4 +1,4 @@
-"""turtlesim's interfaces have the name that the distribution gives them."""
+"""turtlesim's interfaces have the package name of the distribution."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ print(ours.Pose._TYPE_NAME, theirs.Pose._TYPE_NAME)
         ("rolling", "turtlesim_msgs"),
     ],
 )
-def test_by_distribution(distro: str | None, package: str) -> None:
+def test_package_name_depends_on_the_distribution(distro: str | None, package: str) -> None:
     environment = {name: value for name, value in os.environ.items() if name != "ROS_DISTRO"}
     if distro:
         environment["ROS_DISTRO"] = distro

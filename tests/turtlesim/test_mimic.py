@@ -1,4 +1,4 @@
-"""One turtle's velocities become another's commands."""
+"""mimic: one turtle's velocities are published as another's commands."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from tfloom.interfaces.turtlesim.msg import Pose
 from tfloom.turtlesim.mimic import Mimic
 
 
-def test_it_commands_what_it_sees(start_stage: Callable[..., Any]) -> None:
+def test_mimic_publishes_the_velocities_of_the_pose(start_stage: Callable[..., Any]) -> None:
     stage = start_stage("-r", "input/pose:=/a/pose", "-r", "output/cmd_vel:=/b/cmd_vel")
     mimic = Mimic()
     stage.add(mimic)

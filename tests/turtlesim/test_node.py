@@ -1,4 +1,4 @@
-"""The node turtlesim: what it tells, and how it obeys."""
+"""The node turtlesim: its topics, parameters and log."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def masked(line: str) -> str:
     return re.sub(r"\[\d+\.\d+\]", "[stamp]", line)
 
 
-def test_it_starts_with_the_reference_s_lines(
+def test_startup_log_matches_the_reference(
     start_stage: Callable[..., Any], capfd: pytest.CaptureFixture[str]
 ) -> None:
     start_stage()
@@ -47,12 +47,12 @@ def test_it_starts_with_the_reference_s_lines(
 
 
 @pytest.mark.timing
-def test_poses(stage: Any) -> None:
+def test_poses_are_published(stage: Any) -> None:
     poses = poses_of(stage)
     started = time.monotonic()
     stage.spin_until(lambda: len(poses) >= 63)
     assert time.monotonic() - started == pytest.approx(1.0, abs=0.3), "62.5 poses a second"
-    # What `ros2 topic echo --once /turtle1/pose` of the reference shows.
+    # The output of the reference's `ros2 topic echo --once /turtle1/pose`.
     expected = Pose(x=5.544444561004639, y=5.544444561004639)
     assert poses[0] == expected
 
@@ -66,7 +66,7 @@ def test_a_command_moves_the_turtle(stage: Any) -> None:
     assert poses[-1].x > poses[0].x
 
 
-def test_holonomic_turtles(start_stage: Callable[..., Any]) -> None:
+def test_holonomic_turtles_move_sideways(start_stage: Callable[..., Any]) -> None:
     stage = start_stage("-p", "holonomic:=true")
     poses = poses_of(stage)
     commander(stage).publish(twist(0.0, 2.0))
@@ -78,7 +78,7 @@ def test_holonomic_turtles(start_stage: Callable[..., Any]) -> None:
     assert poses[-1].linear_velocity == pytest.approx(math.sqrt(5)), "what went sideways stays"
 
 
-def test_commands_that_are_no_numbers_are_ignored(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
+def test_commands_with_nan_are_ignored(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
     poses = poses_of(stage)
     commands = commander(stage)
     for number in (math.nan, math.inf, -1e300):
@@ -90,7 +90,7 @@ def test_commands_that_are_no_numbers_are_ignored(stage: Any, capfd: pytest.Capt
     assert capfd.readouterr().err.count(warning) == 1
 
 
-def test_the_wall_warns(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
+def test_hitting_the_wall_logs_a_warning(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
     poses = poses_of(stage)
     commander(stage).publish(twist(500.0))
     stage.spin_until(lambda: poses and poses[-1].x > 11.0)
@@ -99,7 +99,7 @@ def test_the_wall_warns(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
     assert poses[-1].x == pytest.approx(11.088889)
 
 
-def test_the_sensor_sees_the_trace(stage: Any) -> None:
+def test_sensor_reads_the_stroke_under_the_turtle(stage: Any) -> None:
     colors: list[Color] = []
     stage.user.create_subscription(Color, "/turtle1/color_sensor", colors.append, 7)
     stage.spin_until(lambda: colors)
@@ -121,7 +121,7 @@ def test_names_are_relative(start_stage: Callable[..., Any]) -> None:
     stage.spin_until(lambda: poses)
 
 
-def test_topics_keep_seven(stage: Any) -> None:
+def test_topics_have_depth_seven(stage: Any) -> None:
     depths = {one.topic_name: one.qos_profile.depth for one in stage.turtlesim.publishers}
     assert depths["/turtle1/pose"] == depths["/turtle1/color_sensor"] == 7
     of_turtles = [one for one in stage.turtlesim.subscriptions if one.topic_name.startswith("/turtle")]

@@ -1,4 +1,4 @@
-"""turtlesim as a process: its end, its recordings, and its window on SDL's screenless driver."""
+"""turtlesim as a process: its end, its recordings, and its window on SDL's driver without a screen."""
 
 from __future__ import annotations
 
@@ -24,7 +24,9 @@ def environment(**changes: str) -> dict[str, str]:
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_a_signal_ends_it_cleanly(domain_id: int, start_program: Callable[..., Any], number: int) -> None:
+def test_signal_ends_the_program_cleanly(
+    domain_id: int, start_program: Callable[..., Any], number: int
+) -> None:
     program = start_program(*TURTLESIM, env=environment())
     program.wait_for(SPAWNED)
     program.wait_for("Running headless: ")
@@ -33,8 +35,10 @@ def test_a_signal_ends_it_cleanly(domain_id: int, start_program: Callable[..., A
     assert "Traceback" not in program.output
 
 
-def test_a_signal_amid_a_step_ends_it_cleanly(domain_id: int, start_program: Callable[..., Any]) -> None:
-    """The signal comes while the node steps; what it would publish then has nowhere to go."""
+def test_signal_during_a_step_ends_the_program_cleanly(
+    domain_id: int, start_program: Callable[..., Any]
+) -> None:
+    """The signal arrives while the node steps, which then publishes on a closed context."""
     text = """
 import os, signal, sys
 from tfloom.turtlesim import node
@@ -54,7 +58,7 @@ sys.exit(node.main(["--headless"]))
 
 
 @pytest.mark.parametrize("ending", ["gif", "png"])
-def test_a_picture_without_a_screen(
+def test_picture_is_recorded_without_a_screen(
     domain_id: int, start_program: Callable[..., Any], tmp_path: Path, ending: str
 ) -> None:
     path = tmp_path / f"out.{ending}"
@@ -67,7 +71,7 @@ def test_a_picture_without_a_screen(
         assert picture.convert("RGB").getpixel((5, 5)) == pytest.approx((69, 86, 255), abs=6)
 
 
-def test_a_recording_that_cannot_be_is_a_sentence(
+def test_invalid_recording_gives_an_error_message(
     domain_id: int, start_program: Callable[..., Any], tmp_path: Path
 ) -> None:
     program = start_program(*TURTLESIM, "--record", tmp_path / "out.avi")

@@ -1,4 +1,4 @@
-"""Recordings: they can be read again, and last as long as what they show."""
+"""Recordings: they are readable, and have the duration of the session."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def picture(color: tuple[int, int, int]) -> Image.Image:
 
 
 @pytest.mark.parametrize("ending", ["gif", "webp"])
-def test_animations(tmp_path: Path, ending: str) -> None:
+def test_animations_are_written(tmp_path: Path, ending: str) -> None:
     path = tmp_path / f"out.{ending}"
     recorder = open_recorder(path)
     for color in [(255, 0, 0)] * 3 + [(0, 255, 0)] + [(0, 0, 255)] * 2:
@@ -35,7 +35,7 @@ def test_animations(tmp_path: Path, ending: str) -> None:
 
 
 @pytest.mark.parametrize("ending", ["gif", "webp", "png"])
-def test_one_picture(tmp_path: Path, ending: str) -> None:
+def test_last_picture_is_written(tmp_path: Path, ending: str) -> None:
     path = tmp_path / f"out.{ending}"
     recorder = open_recorder(path)
     recorder.add(picture((1, 2, 3)))
@@ -45,13 +45,13 @@ def test_one_picture(tmp_path: Path, ending: str) -> None:
 
 
 @pytest.mark.parametrize("ending", ["gif", "webp", "png"])
-def test_nothing_at_all_writes_nothing(tmp_path: Path, ending: str) -> None:
+def test_recording_without_pictures_writes_no_file(tmp_path: Path, ending: str) -> None:
     path = tmp_path / f"out.{ending}"
     open_recorder(path).finish()
     assert not path.exists()
 
 
-def test_what_cannot_be_recorded_is_said_at_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_invalid_recording_raises_at_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(RecordingError, match=r"has to end in \.gif, \.webp, \.png or \.mp4"):
         open_recorder(tmp_path / "out.txt")
     with pytest.raises(RecordingError, match="there is no folder"):
@@ -61,8 +61,8 @@ def test_what_cannot_be_recorded_is_said_at_once(tmp_path: Path, monkeypatch: py
         open_recorder(tmp_path / "out.mp4")
 
 
-def test_films_go_through_ffmpeg(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    # It only counts the octets that it is fed, as a film's writer has no other duty to us.
+def test_films_are_written_by_ffmpeg(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    # A substitute for ffmpeg that only counts the octets of its input.
     ffmpeg = tmp_path / "ffmpeg"
     ffmpeg.write_text('#!/bin/sh\nfor last; do :; done\n/usr/bin/wc -c > "$last"\n')
     ffmpeg.chmod(ffmpeg.stat().st_mode | stat.S_IXUSR)
@@ -74,7 +74,7 @@ def test_films_go_through_ffmpeg(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     assert int((tmp_path / "out.mp4").read_text()) == 3 * SIDE_PX * SIDE_PX * 3
 
 
-def test_a_failing_ffmpeg_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_failing_ffmpeg_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     ffmpeg = tmp_path / "ffmpeg"
     ffmpeg.write_text("#!/bin/sh\necho no room >&2\nexit 1\n")
     ffmpeg.chmod(ffmpeg.stat().st_mode | stat.S_IXUSR)

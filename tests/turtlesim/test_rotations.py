@@ -1,4 +1,4 @@
-"""The action rotate_absolute: goals, feedback, results, and what ends them."""
+"""The action rotate_absolute: goals, feedback, results, and their ends."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from tfloom.turtlesim.rotations import FAREWELL_S
 
 
 class Goals:
-    """Sends goals and waits for what becomes of them."""
+    """Sends goals and waits for their results."""
 
     def __init__(self, stage: Any) -> None:
         self._stage = stage
@@ -54,7 +54,7 @@ def texts(capfd: pytest.CaptureFixture[str]) -> list[str]:
     return [line.split(" ")[0] + line.partition("]:")[2] for line in capfd.readouterr().err.splitlines()]
 
 
-def test_a_goal_is_reached(stage: Any, goals: Goals, capfd: pytest.CaptureFixture[str]) -> None:
+def test_goal_is_reached(stage: Any, goals: Goals, capfd: pytest.CaptureFixture[str]) -> None:
     handle = goals.send(0.3)
     assert handle.accepted
     status, delta = goals.result(handle)
@@ -65,7 +65,7 @@ def test_a_goal_is_reached(stage: Any, goals: Goals, capfd: pytest.CaptureFixtur
     assert stage.turtlesim.sim.world.turtles["turtle1"].theta == pytest.approx(0.288)
 
 
-def test_a_goal_is_cancelled(goals: Goals, capfd: pytest.CaptureFixture[str]) -> None:
+def test_goal_is_cancelled(goals: Goals, capfd: pytest.CaptureFixture[str]) -> None:
     handle = goals.send(3.0)
     answer = goals.wait(handle.cancel_goal_async())
     assert len(answer.goals_canceling) == 1
@@ -73,7 +73,7 @@ def test_a_goal_is_cancelled(goals: Goals, capfd: pytest.CaptureFixture[str]) ->
     assert texts(capfd) == ["[INFO] Rotation goal canceled"]
 
 
-def test_a_newer_goal_aborts_the_older(goals: Goals, capfd: pytest.CaptureFixture[str]) -> None:
+def test_newer_goal_aborts_the_older(goals: Goals, capfd: pytest.CaptureFixture[str]) -> None:
     older = goals.send(3.0)
     newer = goals.send(0.1)
     assert goals.result(older)[0] == GoalStatus.STATUS_ABORTED
@@ -106,7 +106,7 @@ def actions_of(stage: Any) -> list[str]:
 
 
 @pytest.mark.parametrize("asked_before", [True, False])
-def test_a_turtle_killed_while_it_turns_aborts_its_goal(stage: Any, goals: Goals, asked_before: bool) -> None:
+def test_killing_a_turning_turtle_aborts_its_goal(stage: Any, goals: Goals, asked_before: bool) -> None:
     handle = goals.send(3.0)
     stage.spin_until(lambda: stage.turtlesim.sim.world.turtles["turtle1"].rotation)
     asked = handle.get_result_async() if asked_before else None
@@ -121,7 +121,7 @@ def test_a_turtle_killed_while_it_turns_aborts_its_goal(stage: Any, goals: Goals
     assert goals.result(goals.send(0.1))[0] == GoalStatus.STATUS_SUCCEEDED
 
 
-def test_a_reset_aborts_goals_and_the_new_turtle_takes_others(stage: Any, goals: Goals) -> None:
+def test_reset_aborts_goals_and_the_new_turtle_accepts_others(stage: Any, goals: Goals) -> None:
     handle = goals.send(3.0)
     asked = handle.get_result_async()
     call(stage, Empty, "/reset")
@@ -132,14 +132,14 @@ def test_a_reset_aborts_goals_and_the_new_turtle_takes_others(stage: Any, goals:
     assert len(actions_of(stage)) == 3, "it outlives the farewell of the one before it"
 
 
-def test_a_turtle_without_goals_takes_its_action_with_it(stage: Any, goals: Goals) -> None:
+def test_killed_turtle_without_goals_removes_its_action(stage: Any, goals: Goals) -> None:
     assert len(actions_of(stage)) == 3
     call(stage, Kill, "/kill", name="turtle1")
     assert actions_of(stage) == []
 
 
 @pytest.mark.parametrize("theta", [math.nan, math.inf])
-def test_a_goal_that_is_no_number_is_rejected(goals: Goals, theta: float) -> None:
+def test_goal_with_nan_is_rejected(goals: Goals, theta: float) -> None:
     assert not goals.send(theta).accepted
 
 

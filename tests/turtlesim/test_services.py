@@ -1,4 +1,4 @@
-"""turtlesim's services: what they do, say and answer."""
+"""turtlesim's services: effects, log and responses."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def call(stage: Any, service: Any, where: str, /, **fields: Any) -> Any:
 
 
 def logged(capfd: pytest.CaptureFixture[str]) -> list[str]:
-    """Level and text of what was logged."""
+    """Return level and text of each log record."""
     lines = capfd.readouterr().err.splitlines()
     return [line.split(" ")[0] + line.partition("]:")[2] for line in lines]
 
@@ -35,7 +35,7 @@ def turtles(stage: Any) -> dict:
     return stage.turtlesim.sim.world.turtles
 
 
-def test_spawn(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
+def test_spawn_adds_a_turtle(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
     capfd.readouterr()
     poses: list[Pose] = []
     stage.user.create_subscription(Pose, "/bob/pose", poses.append, 7)
@@ -51,7 +51,7 @@ def test_spawn(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
 @pytest.mark.parametrize(
     "fields", [{"x": math.nan}, {"theta": math.inf}, {"name": "no good"}, {"name": "1st"}]
 )
-def test_a_turtle_that_cannot_be(
+def test_invalid_turtle_is_not_spawned(
     stage: Any, capfd: pytest.CaptureFixture[str], fields: dict[str, Any]
 ) -> None:
     capfd.readouterr()
@@ -60,7 +60,7 @@ def test_a_turtle_that_cannot_be(
     assert list(turtles(stage)) == ["turtle1"]
 
 
-def test_kill(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
+def test_kill_removes_a_turtle(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
     call(stage, Kill, "/kill", name="turtle1")
     assert turtles(stage) == {}
     assert "/turtle1/pose" not in [one.topic_name for one in stage.turtlesim.publishers]
@@ -70,7 +70,7 @@ def test_kill(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
     assert call(stage, Spawn, "/spawn", x=1.0, name="turtle1").name == "turtle1"
 
 
-def test_clear(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
+def test_clear_removes_the_strokes(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
     stage.user.create_publisher(Twist, "/turtle1/cmd_vel", 7).publish(Twist())
     call(stage, TeleportRelative, "/turtle1/teleport_relative", linear=2.0)
     canvas = stage.turtlesim.sim.canvas
@@ -81,7 +81,7 @@ def test_clear(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
     assert canvas.color_at(6.0, 5.544) == (255, 255, 255)
 
 
-def test_reset(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
+def test_reset_restores_the_initial_world(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
     call(stage, Spawn, "/spawn", name="bob")
     call(stage, TeleportAbsolute, "/turtle1/teleport_absolute", x=1.0, y=2.0, theta=3.0)
     capfd.readouterr()
@@ -97,7 +97,7 @@ def test_reset(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
     assert poses[0].x == 5.544444561004639
 
 
-def test_teleports(stage: Any) -> None:
+def test_teleports_move_the_turtle(stage: Any) -> None:
     poses: list[Pose] = []
     stage.user.create_subscription(Pose, "/turtle1/pose", poses.append, 7)
     call(stage, TeleportAbsolute, "/turtle1/teleport_absolute", x=1.0, y=2.0, theta=math.pi / 2)
@@ -113,7 +113,7 @@ def test_teleports(stage: Any) -> None:
     assert poses[-1].x == pytest.approx(4.0)
 
 
-def test_pen(stage: Any) -> None:
+def test_set_pen_changes_colour_width_and_state(stage: Any) -> None:
     call(stage, SetPen, "/turtle1/set_pen", r=1, g=2, b=3, width=5)
     pen = turtles(stage)["turtle1"].pen
     assert (pen.color, pen.width_px, pen.is_on) == ((1, 2, 3), 5, True)
@@ -142,7 +142,9 @@ def test_pen(stage: Any) -> None:
         ("holonomic", {"type": 1, "bool_value": True}, ""),
     ],
 )
-def test_setting_parameters(stage: Any, name: str, value: dict[str, Any], reason: str) -> None:
+def test_parameters_are_set_with_the_reasons_of_the_reference(
+    stage: Any, name: str, value: dict[str, Any], reason: str
+) -> None:
     parameter = ParameterMessage(name=name, value=ParameterValue(**value))
     answer = call(stage, SetParameters, "/turtlesim/set_parameters", parameters=[parameter])
     assert [(result.successful, result.reason) for result in answer.results] == [(not reason, reason)]

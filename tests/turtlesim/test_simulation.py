@@ -1,4 +1,4 @@
-"""A world with its picture, and no ROS."""
+"""A world with its picture, without ROS."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from tfloom.turtlesim.simulation import TurtleSim
 from tfloom.turtlesim.world import Moved, Stroke
 
 
-def test_a_notebook_shows_it() -> None:
+def test_notebook_shows_the_picture() -> None:
     with Image.open(io.BytesIO(TurtleSim()._repr_png_())) as picture:
         assert picture.size == (500, 500)
 
 
-def test_it_draws_what_happens_when_it_happens() -> None:
+def test_events_are_drawn_in_order() -> None:
     sim = TurtleSim()
     turtle = sim.world.turtles["turtle1"]
     sim.world.command(turtle, 20.0, None, 0.0)
@@ -27,7 +27,7 @@ def test_it_draws_what_happens_when_it_happens() -> None:
     assert sim.canvas.color_at(turtle.x, turtle.y) == turtle.pen.color
 
 
-def test_reset_wipes_and_begins_anew() -> None:
+def test_reset_clears_the_picture_and_the_world() -> None:
     sim = TurtleSim()
     turtle = sim.world.turtles["turtle1"]
     sim.world.spawn(1.0, 1.0, 0.0)
@@ -38,7 +38,7 @@ def test_reset_wipes_and_begins_anew() -> None:
     assert sim.canvas.color_at(turtle.x, turtle.y) == (255, 255, 255)
 
 
-def test_it_loads_no_ros() -> None:
+def test_simulation_imports_no_ros_module() -> None:
     code = "import sys, tfloom.turtlesim.simulation; print(*sys.modules)"
     loaded = subprocess.run(
         [sys.executable, "-c", code], capture_output=True, text=True, check=True

@@ -1,4 +1,4 @@
-"""Driving by keys: each program its own process, the keys through a pseudo-terminal, the rest over DDS."""
+"""turtle_teleop_key: each program a process, keys through a pseudo-terminal, messages over DDS."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ TURTLESIM = ("tfloom", "run", "turtlesim", "turtlesim_node", "--headless")
 
 
 class Listener:
-    """Hears the commands and the turtle's pose."""
+    """Subscribes to the commands and the turtle's pose."""
 
     def __init__(self) -> None:
         init(args=[])
@@ -74,7 +74,7 @@ def press_until(
     condition: Callable[[], object],
     wait_until: Callable[..., None],
 ) -> None:
-    """Press a key again and again: the first may come before the two ends have found each other."""
+    """Press a key repeatedly, because the first press may precede discovery."""
 
     def pressed() -> object:
         os.write(ours, key)
@@ -112,7 +112,7 @@ def test_arrow_keys_drive_the_turtle(
     ]
 
 
-def test_keys_turn_the_turtle_to_headings(
+def test_heading_keys_turn_the_turtle(
     listener: Listener,
     start_program: Callable[..., Any],
     terminal: tuple[int, int],
@@ -162,7 +162,7 @@ def test_keys_held_down_do_not_queue_up(
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_a_signal_ends_it_and_the_terminal_is_as_before(
+def test_signal_ends_the_program_and_restores_the_terminal(
     domain_id: int, start_program: Callable[..., Any], terminal: tuple[int, int], number: int
 ) -> None:
     ours, theirs = terminal
@@ -176,7 +176,7 @@ def test_a_signal_ends_it_and_the_terminal_is_as_before(
     assert "Traceback" not in teleop.output
 
 
-def test_without_a_terminal_it_says_what_to_do(domain_id: int, start_program: Callable[..., Any]) -> None:
+def test_input_without_terminal_gives_the_remedy(domain_id: int, start_program: Callable[..., Any]) -> None:
     teleop = start_program(*TELEOP)
     assert teleop.wait() == 1
     assert teleop.lines[0].endswith("run it in a terminal of its own")

@@ -1,4 +1,4 @@
-"""The window, on SDL's driver that needs no screen."""
+"""The window, on SDL's driver without a screen."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ def surface_of(window: Window) -> Any:
     return window._window.get_surface()
 
 
-def test_it_opens_as_the_original_does(window: Window) -> None:
+def test_window_opens_with_the_original_size_and_title(window: Window) -> None:
     assert window._window.title == "TurtleSim"
     assert window._window.size == (500, 500)
     assert window._window.resizable
 
 
-def test_it_shows_the_picture(window: Window) -> None:
+def test_window_shows_the_picture(window: Window) -> None:
     sizes = []
 
     def draw(size_px: int) -> Image.Image:
@@ -49,7 +49,7 @@ def test_it_shows_the_picture(window: Window) -> None:
     assert surface_of(window).get_at((250, 250))[:3] == (10, 200, 30)
 
 
-def test_a_larger_window_gets_a_larger_picture_in_its_middle(window: Window) -> None:
+def test_larger_window_has_a_larger_centred_picture(window: Window) -> None:
     window._window.size = (900, 700)
     assert window.show(checked)
     assert surface_of(window).get_at((100, 0))[:3] == (255, 0, 0)
@@ -57,12 +57,12 @@ def test_a_larger_window_gets_a_larger_picture_in_its_middle(window: Window) -> 
     assert surface_of(window).get_at((799, 350))[:3] == (10, 200, 30)
 
 
-def test_closing_it_ends_the_show(window: Window) -> None:
+def test_closed_window_ends_the_updates(window: Window) -> None:
     pygame.event.post(pygame.event.Event(pygame.QUIT))
     assert not window.show(checked)
 
 
-def test_without_a_display(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_missing_display_raises(monkeypatch: pytest.MonkeyPatch) -> None:
     for name in ("DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setattr("sys.platform", "linux")

@@ -1,4 +1,4 @@
-"""The window on a real X server that nobody sees: what it shows, how it is driven, resized and closed.
+"""The window on a virtual X server: its content, and driving, resizing and closing.
 
 Xvfb is the server; pictures are taken from its screen by ImageMagick's `import`.
 """
@@ -41,7 +41,7 @@ PEN = (179, 184, 255)
 
 
 class Screen:
-    """An X server of our own."""
+    """A virtual X server."""
 
     def __init__(self, name: str) -> None:
         self.name = name
@@ -54,7 +54,7 @@ class Screen:
         return kept | {"DISPLAY": self.name}
 
     def run(self, *command: str) -> str:
-        """Return what a tool printed; nothing where a window went while it was being asked, and it hangs."""
+        """Return a tool's output; empty if it hangs because a window was closed meanwhile."""
         try:
             done = subprocess.run(
                 command, env=self.environment, capture_output=True, text=True, check=False, timeout=5
@@ -64,7 +64,7 @@ class Screen:
         return done.stdout.strip()
 
     def find(self) -> str:
-        """Return the window's id, or '' while there is none."""
+        """Return the window's id; empty while there is none."""
         return self.run("xdotool", "search", "--onlyvisible", "--class", "turtlesim_node").partition("\n")[0]
 
     def size(self, window: str) -> tuple[int, int]:
@@ -82,7 +82,7 @@ class Screen:
 @pytest.fixture
 def screen() -> Iterator[Screen]:
     reading, writing = os.pipe()
-    # Without -noreset it starts anew, and drops whoever is connecting, when the last client goes.
+    # Without -noreset, it restarts when the last client disconnects, and drops new connections.
     command = [
         "Xvfb",
         "-displayfd",
@@ -107,7 +107,7 @@ def screen() -> Iterator[Screen]:
 
 
 class Watcher:
-    """Hears the turtle's pose."""
+    """Subscribes to the turtle's pose."""
 
     def __init__(self) -> None:
         init(args=[])
@@ -148,7 +148,7 @@ def turtlesim(screen: Screen, domain_id: int, start_program: Callable[..., Any])
 
 @pytest.fixture
 def window(turtlesim: Any, screen: Screen, wait_until: Callable[..., None]) -> str:
-    """The window's id. The toolkit may make one or two before that, which go at once."""
+    """The window's id. Before it, the toolkit may create one or two windows, which it closes at once."""
     turtlesim.wait_for("Spawning turtle [turtle1]")
     seen: list[str] = []
 
@@ -161,7 +161,7 @@ def window(turtlesim: Any, screen: Screen, wait_until: Callable[..., None]) -> s
 
 
 def expected(pose: Pose, size_px: int) -> Image.Image:
-    """Paint the scene: the turtle is where it is, and has come there straight from the middle."""
+    """Render the expected picture: the turtle at its position, with a straight stroke from the centre."""
     sim = TurtleSim()
     turtle = sim.world.turtles["turtle1"]
     turtle.teleport(pose.x, pose.y, pose.theta)
@@ -170,13 +170,13 @@ def expected(pose: Pose, size_px: int) -> Image.Image:
 
 
 def unlike(picture: Image.Image, other: Image.Image) -> float:
-    """Return the part of the pixels that differ clearly."""
+    """Return the fraction of pixels that clearly differ."""
     assert picture.size == other.size
     difference = ImageChops.difference(picture, other).convert("L").point(lambda value: 255 * (value > 40))
     return difference.histogram()[255] / (picture.width * picture.height)
 
 
-def test_it_shows_what_keys_make_the_turtle_do(
+def test_window_shows_the_turtle_driven_by_keys(
     turtlesim: Any,
     window: str,
     screen: Screen,
@@ -211,7 +211,7 @@ def test_it_shows_what_keys_make_the_turtle_do(
 
 
 @pytest.mark.parametrize("size", [(1000, 800), (300, 420)])
-def test_it_is_as_sharp_as_it_is_large(
+def test_picture_resolution_follows_the_window_size(
     turtlesim: Any,
     window: str,
     screen: Screen,
@@ -237,7 +237,7 @@ def test_it_is_as_sharp_as_it_is_large(
 
 
 def ask_to_close(display: str, window: int) -> None:
-    """Send what a desktop sends when the user clicks on a window's cross: WM_DELETE_WINDOW."""
+    """Send WM_DELETE_WINDOW, as a desktop does when the user closes a window."""
     x11 = ctypes.CDLL(ctypes.util.find_library("X11"))
     x11.XOpenDisplay.restype = ctypes.c_void_p
     x11.XInternAtom.restype = ctypes.c_ulong
@@ -268,7 +268,7 @@ def ask_to_close(display: str, window: int) -> None:
 
 
 @pytest.mark.skipif(ctypes.util.find_library("X11") is None, reason="no libX11 to ask a window to close with")
-def test_closing_it_ends_the_node(turtlesim: Any, window: str, screen: Screen) -> None:
+def test_closed_window_ends_the_node(turtlesim: Any, window: str, screen: Screen) -> None:
     ask_to_close(screen.name, int(window))
     assert turtlesim.wait() == 0
     assert "Traceback" not in turtlesim.output

@@ -1,4 +1,4 @@
-"""The turtles' physics against numbers worked out by hand, and against a run of the reference."""
+"""The turtles' physics against numbers computed by hand, and against a run of the reference."""
 
 from __future__ import annotations
 
@@ -40,8 +40,8 @@ def steps(world: World, count: int) -> list:
     return [event for _ in range(count) for event in world.step()]
 
 
-def test_starts_in_the_middle(turtle: Turtle) -> None:
-    # What `ros2 topic echo /turtle1/pose` of the reference shows.
+def test_turtle1_starts_at_the_centre(turtle: Turtle) -> None:
+    # The output of the reference's `ros2 topic echo /turtle1/pose`.
     assert to_float32(turtle.x) == to_float32(turtle.y) == 5.544444561004639
     assert turtle.theta == 0.0
 
@@ -54,7 +54,7 @@ def test_straight_line(world: World, turtle: Turtle) -> None:
     assert turtle.linear_velocity == 2.0
 
 
-def test_the_new_heading_moves_the_turtle(world: World, turtle: Turtle) -> None:
+def test_turtle_moves_along_its_new_heading(world: World, turtle: Turtle) -> None:
     world.command(turtle, 1.0, None, 1.0)
     world.step(0.5)
     assert turtle.theta == pytest.approx(0.5)
@@ -65,7 +65,7 @@ def test_the_new_heading_moves_the_turtle(world: World, turtle: Turtle) -> None:
 def test_arc(world: World, turtle: Turtle) -> None:
     world.command(turtle, 1.0, None, 2.0)
     steps(world, 50)
-    # A polygon whose k-th side of v·dt has heading k·ω·dt: a geometric series in the complex plane.
+    # A polygon whose k-th side has length v·dt and heading k·ω·dt: a geometric series in the complex plane.
     turn = complex(math.cos(0.032), math.sin(0.032))
     end = complex(CENTRE, CENTRE) + 0.016 * turn * (turn**50 - 1) / (turn - 1)
     assert (turtle.x, turtle.y) == pytest.approx((end.real, end.imag), abs=1e-6)
@@ -94,7 +94,7 @@ def test_one_key_press_is_two_metres(world: World, turtle: Turtle) -> None:
     assert turtle.x == pytest.approx(CENTRE + 63 * 0.032, abs=1e-6)
 
 
-def test_commands_age_by_the_clock_given() -> None:
+def test_commands_age_by_the_given_clock() -> None:
     now_ns = 5
     world = World(lambda: now_ns)
     turtle = world.turtles["turtle1"]
@@ -132,7 +132,7 @@ def test_the_wall_warns_in_screen_coordinates(world: World, turtle: Turtle) -> N
     assert str(hit) == "Oh no! I hit the wall! (Clamping from [x=5.544445, y=-2.455555])"
 
 
-def test_only_holonomic_turtles_go_sideways(world: World, turtle: Turtle) -> None:
+def test_only_holonomic_turtles_move_sideways(world: World, turtle: Turtle) -> None:
     world.command(turtle, 3.0, 4.0, 0.0)
     world.step(0.1)
     assert (turtle.x, turtle.y) == pytest.approx((CENTRE + 0.3, CENTRE + 0.4), abs=1e-6)
@@ -141,7 +141,7 @@ def test_only_holonomic_turtles_go_sideways(world: World, turtle: Turtle) -> Non
     assert turtle.linear_velocity == 4.0, "what went sideways stays until a holonomic command or the timeout"
 
 
-def test_teleports_wait_for_the_step_and_keep_their_order(world: World, turtle: Turtle) -> None:
+def test_teleports_are_applied_in_order_at_the_next_step(world: World, turtle: Turtle) -> None:
     turtle.teleport(1.0, 2.0, math.pi / 2)
     turtle.teleport_relative(3.0, -math.pi / 2)
     assert turtle.x == pytest.approx(CENTRE, abs=1e-6)
@@ -150,7 +150,7 @@ def test_teleports_wait_for_the_step_and_keep_their_order(world: World, turtle: 
     assert [stroke.end for stroke in strokes] == [pytest.approx((1.0, 2.0)), pytest.approx((4.0, 2.0))]
 
 
-def test_teleport_above_the_world_lands_on_its_edge_unseen(world: World, turtle: Turtle) -> None:
+def test_teleport_above_the_world_ends_on_its_edge_without_a_warning(world: World, turtle: Turtle) -> None:
     turtle.teleport(1.0, 99.0, 7.0)
     assert not [event for event in world.step() if isinstance(event, WallHit)]
     assert (turtle.x, turtle.y) == (1.0, WORLD_SIZE_M)
@@ -178,7 +178,7 @@ def test_rotation_goal_replays_the_reference(world: World, turtle: Turtle) -> No
         -0.02881467342376709,
         -0.012814760208129883,
     ]
-    # The reference's heading had more digits than float32; these do: a quarter of the last place more.
+    # The reference's heading had more digits than float32: a quarter of the last place more.
     turtle.theta = to_float32(1.4) + 0.15681469440460205 + 0.25 * 2**-23
     rotation, aborted = turtle.rotate_to(1.4)
     assert aborted is None
@@ -222,7 +222,7 @@ def test_rotation_ends_for_a_command_a_cancel_and_a_newer_one(world: World, turt
     assert turtle.rotation is None
 
 
-def test_pen(world: World, turtle: Turtle) -> None:
+def test_pen_draws_with_its_colour_and_width(world: World, turtle: Turtle) -> None:
     world.command(turtle, 1.0, None, 0.0)
     moved, stroke = world.step()
     assert moved == Moved(turtle)
@@ -259,7 +259,7 @@ def test_spawned_outside_lands_on_the_edge_at_the_next_step(world: World) -> Non
     assert (turtle.x, turtle.y) == (WORLD_SIZE_M, 0.0)
 
 
-def test_turtles_live_in_order_of_name(world: World) -> None:
+def test_turtles_are_stepped_in_order_of_name(world: World) -> None:
     for name in ("zoe", "amy"):
         spawned = world.spawn(99.0, 1.0, 0.0, name)
         assert spawned is not None

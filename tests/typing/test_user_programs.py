@@ -9,6 +9,7 @@ import venv
 from pathlib import Path
 
 import pytest
+from docs import rclpy_api
 
 pytestmark = pytest.mark.slow
 ROOT = Path(__file__).parents[2]
@@ -59,7 +60,32 @@ def test_programs_pass_against_a_wheel(wheel_python: Path, tmp_path: Path) -> No
     assert result.returncode == 0, result.stdout
 
 
-def test_a_wrong_program_is_refused(tmp_path: Path) -> None:
+def test_every_public_name_passes_mypy(tmp_path: Path) -> None:
+    reasons = rclpy_api.missing()
+    names = [
+        name
+        for name in rclpy_api.all_names()
+        if "." not in name.path and name.path != "TYPE_CHECKING" and not rclpy_api.reason_for(name, reasons)
+    ]
+    lines = [f"from {name.module} import {name.path} as name_{number}" for number, name in enumerate(names)]
+    modules = ["import rclpy, std_msgs", "rclpy.time.Time().nanoseconds + 1", "std_msgs.msg.Bool(data=True)"]
+    program = tmp_path / "all_names.py"
+    program.write_text("\n".join([*lines, *modules, ""]))
+    assert len(names) > 800
+    result = mypy(Path(sys.executable), program, cache=tmp_path)
+    assert result.returncode == 0, result.stdout
+
+
+def test_names_that_a_facade_lacks_are_rejected_by_mypy(tmp_path: Path) -> None:
+    program = tmp_path / "wrong.py"
+    program.write_text(
+        "import rclpy, std_msgs\nfrom rclpy.client import Parameter\nrclpy.spn\nstd_msgs.srv\n"
+    )
+    result = mypy(Path(sys.executable), program, cache=tmp_path)
+    assert result.stdout.count("attr-defined") == 3, result.stdout
+
+
+def test_wrong_program_is_rejected_by_mypy(tmp_path: Path) -> None:
     program = tmp_path / "wrong.py"
     program.write_text("from geometry_msgs.msg import Vector3\n\nVector3(x='one')\nVector3().nope\n")
     result = mypy(Path(sys.executable), program, cache=tmp_path)

@@ -1,4 +1,4 @@
-"""`ament_index_python`: a workspace's packages first, then ours."""
+"""`ament_index_python`: a workspace's packages first, then tfloom's."""
 
 from __future__ import annotations
 
@@ -22,20 +22,20 @@ def prefix(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-def test_a_workspaces_package(prefix: Path) -> None:
+def test_workspace_package_is_found(prefix: Path) -> None:
     assert packages.get_package_prefix("my_pkg") == str(prefix)
     assert packages.get_package_share_directory("my_pkg") == str(prefix / "share" / "my_pkg")
     assert packages.get_packages_with_prefixes()["my_pkg"] == str(prefix)
 
 
-def test_one_of_ours(prefix: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_own_package_is_found(prefix: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert packages.get_package_prefix("turtlesim") == str(index.OWN_PREFIX)
     assert packages.get_packages_with_prefixes()["tf2_ros"] == str(index.OWN_PREFIX)
     assert not packages.get_package_share_path("tf2_tools").exists()
     assert "tf2_tools" in capsys.readouterr().err
 
 
-def test_none(prefix: Path) -> None:
+def test_unknown_package_raises(prefix: Path) -> None:
     with pytest.raises(packages.PackageNotFoundError) as error:
         packages.get_package_prefix("nope")
     assert str(error.value) == f"package 'nope' not found, searching: ['{prefix}']"
@@ -43,7 +43,7 @@ def test_none(prefix: Path) -> None:
         packages.get_package_prefix("../x")
 
 
-def test_resources(prefix: Path) -> None:
+def test_resources_are_found(prefix: Path) -> None:
     assert resources.get_resource("plugins", "my_pkg") == ("a;b", str(prefix))
     assert resources.get_resources("plugins") == {"my_pkg": str(prefix)}
     assert resources.get_resource_types() == {"packages", "plugins"}

@@ -1,4 +1,4 @@
-"""New packages: what is written, and what is refused."""
+"""New packages: the written files, and rejected names."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import pytest
 from tfloom.workspace.create import Package, create_package
 
 
-def test_a_package_with_a_node(tmp_path: Path) -> None:
+def test_package_with_a_node_is_written(tmp_path: Path) -> None:
     package = Package(
         "my_pkg", 'a "quoted" <text> & more', "MIT", "O'Neil \u00e9", "o@example.com", ("tf2_ros",), "my_node"
     )
@@ -34,21 +34,21 @@ def test_a_package_with_a_node(tmp_path: Path) -> None:
     assert '"my_node = my_pkg.my_node:main"' in written[1].read_text("utf-8")
 
 
-def test_a_package_with_none(tmp_path: Path) -> None:
+def test_package_without_a_node_is_written(tmp_path: Path) -> None:
     written = create_package(Package("my_pkg"), tmp_path)
     assert ET.parse(written[0]).getroot().findall("depend") == []
     assert not any(path.name.endswith("_node.py") for path in written)
 
 
 @pytest.mark.parametrize("name", ["", "My", "1a", "a-b", "a b", "../a", "import", "_a"])
-def test_a_name_that_python_cannot_import_is_refused(name: str, tmp_path: Path) -> None:
+def test_name_that_python_cannot_import_is_rejected(name: str, tmp_path: Path) -> None:
     for package in (Package(name), Package("good", node=name or " ")):
-        with pytest.raises(ValueError, match="name: it takes small letters"):
+        with pytest.raises(ValueError, match="name: use lower-case letters"):
             create_package(package, tmp_path)
     assert list(tmp_path.iterdir()) == []
 
 
-def test_what_is_there_is_left_alone(tmp_path: Path) -> None:
+def test_existing_folder_is_not_changed(tmp_path: Path) -> None:
     (tmp_path / "my_pkg").mkdir()
     with pytest.raises(FileExistsError):
         create_package(Package("my_pkg"), tmp_path)

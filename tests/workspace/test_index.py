@@ -1,4 +1,4 @@
-"""The ament index: which prefix wins, what is a program, what is none."""
+"""The ament index: precedence of prefixes, and detection of programs."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def test_only_folders_that_exist_are_searched(prefixes: list[Path]) -> None:
     assert index.search_paths() == [str(prefix) for prefix in prefixes]
 
 
-def test_the_first_prefix_wins(prefixes: list[Path]) -> None:
+def test_first_prefix_takes_precedence(prefixes: list[Path]) -> None:
     overlay, underlay = prefixes
     make_package(underlay, "a_pkg")
     make_package(underlay, "b_pkg")
@@ -47,7 +47,7 @@ def test_the_first_prefix_wins(prefixes: list[Path]) -> None:
     assert index.find_package("c_pkg") is None
 
 
-def test_a_name_with_a_path_in_it_is_no_package(prefixes: list[Path]) -> None:
+def test_name_with_a_path_separator_is_invalid(prefixes: list[Path]) -> None:
     make_package(prefixes[0], "a_pkg")
     assert index.find_package("../packages/a_pkg") is None
     assert index.find_package("") is None
@@ -61,7 +61,7 @@ def test_programs_are_executable_files_at_any_depth(prefixes: list[Path]) -> Non
     assert [index.program_name(path) for path in programs] == ["zeta", "alpha"]
 
 
-def test_without_a_workspace_there_is_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_no_workspace_has_no_packages(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv(index.PREFIX_PATH_VARIABLE, raising=False)
     assert index.search_paths() == []
     assert index.workspace_packages() == {}

@@ -1,4 +1,4 @@
-"""Definitions as text: where they are, what is in them, and what is told when there is none."""
+"""Definitions as text: their packages, their content, and errors."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return share
 
 
-def test_a_workspaces_interfaces_stand_beside_ours(workspace: Path) -> None:
+def test_workspace_interfaces_are_listed_with_own_ones(workspace: Path) -> None:
     packages = interfaces.interface_packages()
     assert packages["my_msgs"] == workspace
     assert list(packages) == sorted(packages)
@@ -56,11 +56,11 @@ OUTER_WITH_ALL = OUTER_WITH_ITS_OWN.replace("\tint32 x\n", "\t# inner\n\tint32 x
     ("comments", "text"),
     [("none", OUTER_WITH_NO_COMMENTS), ("own", OUTER_WITH_ITS_OWN), ("all", OUTER_WITH_ALL)],
 )
-def test_the_types_of_fields_stand_beneath_them(workspace: Path, comments: str, text: str) -> None:
+def test_nested_types_are_expanded_below_their_fields(workspace: Path, comments: str, text: str) -> None:
     assert "\n".join([*interfaces.expanded_definition("my_msgs/msg/Outer", comments), ""]) == text
 
 
-def test_a_bare_header_is_that_of_std_msgs(workspace: Path) -> None:
+def test_bare_header_is_std_msgs_header(workspace: Path) -> None:
     assert [*interfaces.expanded_definition("my_msgs/Stamped", "none")] == [
         "Header header",
         "\tbuiltin_interfaces/Time stamp",
@@ -70,7 +70,7 @@ def test_a_bare_header_is_that_of_std_msgs(workspace: Path) -> None:
     ]
 
 
-def test_a_type_that_holds_itself_has_an_end(workspace: Path) -> None:
+def test_recursive_type_ends(workspace: Path) -> None:
     assert list(interfaces.expanded_definition("my_msgs/Loop")) == ["Loop[] loops"]
 
 
@@ -90,13 +90,13 @@ def test_a_type_that_holds_itself_has_an_end(workspace: Path) -> None:
         ("../msg/Inner", "an interface's name is like std_msgs/msg/String, not '../msg/Inner'"),
     ],
 )
-def test_what_is_not_there_is_told(workspace: Path, name: str, text: str) -> None:
+def test_unknown_names_raise_with_the_nearest(workspace: Path, name: str, text: str) -> None:
     with pytest.raises(LookupError) as error:
         interfaces.read_definition(name)
     assert error.value.args[0] == text
 
 
-def test_a_short_name_finds_its_kind() -> None:
+def test_short_name_finds_its_kind() -> None:
     assert interfaces.split_name("turtlesim/Spawn") == ("turtlesim", "srv", "Spawn")
     assert interfaces.split_name("turtlesim/RotateAbsolute") == ("turtlesim", "action", "RotateAbsolute")
     assert interfaces.split_name("std_msgs/String") == ("std_msgs", "msg", "String")

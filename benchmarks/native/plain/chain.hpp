@@ -1,4 +1,4 @@
-// The product of a chain's transforms, one after the other.
+// The product of a chain's transforms, computed sequentially.
 #pragma once
 
 #include "tf2/transform.hpp"

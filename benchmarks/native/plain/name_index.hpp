@@ -1,4 +1,4 @@
-// Frames' names to their ids, by the standard library's table.
+// Frame names and their ids in std::unordered_map.
 #pragma once
 
 #include <cstddef>
@@ -16,9 +16,9 @@ class NameIndex {
 
   template <class NameOf>
   [[nodiscard]] std::uint32_t find(std::string_view name, NameOf&&) const {
-    return guess(name);
+    return find_by_hash(name);
   }
-  [[nodiscard]] std::uint32_t guess(std::string_view name) const {
+  [[nodiscard]] std::uint32_t find_by_hash(std::string_view name) const {
     const auto found = ids_.find(name);
     return found == ids_.end() ? none : found->second;
   }

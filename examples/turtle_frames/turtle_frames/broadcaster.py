@@ -1,4 +1,4 @@
-"""Listen to a turtle's pose and broadcast it as a transform from the world to the turtle."""
+"""Subscribe to a turtle's pose, and broadcast it as the transform world_from_turtle."""
 
 import math
 
@@ -11,7 +11,7 @@ from turtlesim.msg import Pose
 
 
 class Broadcaster(Node):
-    """Sends world_from_turtle whenever the turtle tells its pose."""
+    """Broadcasts world_from_turtle for each pose of the turtle."""
 
     def __init__(self) -> None:
         super().__init__("broadcaster")
@@ -22,7 +22,7 @@ class Broadcaster(Node):
         self.get_logger().info(f"Broadcasting {self.world} to {self.turtle}")
 
     def on_pose(self, pose: Pose) -> None:
-        """Send the pose [m, rad] as a transform, stamped with the time of now."""
+        """Broadcast the pose [m, rad] as a transform, stamped with the current time."""
         transform = TransformStamped()
         transform.header.stamp = self.get_clock().now().to_msg()
         transform.header.frame_id = self.world

@@ -1,1 +1,1 @@
-"""The commands: `tfloom VERB …`, and `ros2 VERB …` where the distribution `tfloom-ros2` is installed."""
+"""The commands: `tfloom VERB …`, and `ros2 VERB …` if the distribution `tfloom-ros2` is installed."""

@@ -1,4 +1,4 @@
-"""`python -m tfloom.cli`: the command for where no script directory is on the path."""
+"""`python -m tfloom.cli`: the command, for where its script isn't on PATH."""
 
 import sys
 

@@ -1,4 +1,4 @@
-"""Say that recordings can't be made or played yet."""
+"""Explain that recordings can't be made or played yet."""
 
 from __future__ import annotations
 

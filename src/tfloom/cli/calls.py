@@ -22,13 +22,13 @@ from tfloom.rosidl import cdr
 T = TypeVar("T")
 
 HINT_S = 2.0
-"""How long to wait for a server before printing the nearest names [s]: longer than discovery on a busy machine."""
+"""Wait for a server before the nearest names are printed [s]: longer than discovery on a busy machine."""
 PROGRESS_S = 1.0
-"""How long a response may take before the user gets a message about the wait [s]."""
+"""Wait for a response before the user gets a message about it [s]."""
 CHECK_S = 0.005
-"""How often the match with a server is checked [s]; short, because discovery takes most of a command's time."""
+"""Period at which the match with a server is checked [s]; short, because discovery takes most of a command's time."""
 LOOK_AGAIN_S = 0.05
-"""How often a waiting client checks that its server is still matched [s]."""
+"""Period at which a waiting client checks that its server is still matched [s]."""
 
 
 class Client:
@@ -45,12 +45,12 @@ class Client:
     def wait_for_server(
         self, timeout_s: float = math.inf, while_waiting: Callable[[], None] | None = None
     ) -> None:
-        """Wait until a server is there; `while_waiting` is called once if none is there at the start.
+        """Wait until a server is ready; `while_waiting` is called once if none is ready at the start.
 
         After `HINT_S`, a line on stderr names the service, with those of similar names.
 
         Raises:
-            CommandError: there is none within `timeout_s`, or only an incompatible one; the text has the reason.
+            CommandError: no server is ready within `timeout_s`, or it is incompatible; the text has the reason.
         """
         hint_s = time.monotonic() + HINT_S
 
@@ -65,12 +65,12 @@ class Client:
                 while_waiting = None
             if time.monotonic() > hint_s:
                 hint_s = math.inf
-                print(f"nobody serves {self._nearest()}", file=sys.stderr)
+                print(f"no server of {self._nearest()}", file=sys.stderr)
             return False
 
         end_s = time.monotonic() + timeout_s
         if not wait_until_ready(self._requester, is_ready, end_s, look_again_s=CHECK_S):
-            raise CommandError(f"nobody serves {self.name}: waited {timeout_s:g} s for it")
+            raise CommandError(f"no server of {self.name}: waited {timeout_s:g} s for it")
 
     def _nearest(self) -> str:
         """Return the name of the service or its action, and a line with the nearest existing names."""
@@ -90,7 +90,7 @@ class Client:
         """Wait for the response to a request; `meanwhile` is called repeatedly until it arrives.
 
         Raises:
-            CommandError: there is none within `timeout_s`, or the server has gone, or its response is damaged.
+            CommandError: no response arrived within `timeout_s`, the server has left, or its response is damaged.
         """
         end_s = time.monotonic() + timeout_s
         while True:
@@ -99,9 +99,9 @@ class Client:
                     return self._decoded(response.data)
             meanwhile()
             if time.monotonic() > end_s:
-                raise CommandError(f"{self.name} didn't answer within {timeout_s:g} s")
+                raise CommandError(f"no response from {self.name} within {timeout_s:g} s")
             if not self._requester.is_ready():
-                raise CommandError(f"the server of {self.name} has gone without an answer")
+                raise CommandError(f"the server of {self.name} has left without a response")
             self._queue.wait(int(LOOK_AGAIN_S * 1e9))
 
     def call(self, request: Any, timeout_s: float = math.inf) -> Any:
@@ -115,7 +115,7 @@ class Client:
             nonlocal report_s
             if time.monotonic() > report_s:
                 report_s = math.inf
-                print(f"waiting for {self.name} to answer", file=sys.stderr)
+                print(f"waiting for a response from {self.name}", file=sys.stderr)
 
         return self.receive(self.send(request), timeout_s, report_once)
 
@@ -142,8 +142,8 @@ def service_client(
         client.close()
 
 
-def ask_each(asked: Mapping[str, Callable[[], T]]) -> dict[str, T]:
-    """Return the answers of several calls, by name; errors of some are printed on stderr.
+def call_each(asked: Mapping[str, Callable[[], T]]) -> dict[str, T]:
+    """Return the results of several calls, by name; if only some fail, their errors are printed on stderr.
 
     Raises:
         CommandError: all calls failed.

@@ -1,4 +1,4 @@
-"""A child process that ends with this one: signals are passed on to it."""
+"""A child process that ends with this one, and to which signals are passed on."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from collections.abc import Callable, Mapping, Sequence
 from types import FrameType
 
 GRACE_S = 1.0
-"""How long to wait before a signal is passed on to a child that may have received it by itself, as a member of the
-process group [s]: longer than a node takes to leave the graph."""
+"""Wait before a signal is passed on to a child that may have received it, too, as a member of the process group
+[s]: longer than a node takes to leave the graph."""
 PR_SET_PDEATHSIG = 1
 
 
 def run_child(command: Sequence[str]) -> int:
-    """Run a command to its end and return its exit code; -N where signal N ended it.
+    """Run a command to its end and return its exit code; -N if signal N ended it.
 
-    A Ctrl-C at the terminal reaches the child by itself. Any other SIGINT, SIGTERM or SIGHUP is passed on. If
-    this process is killed, so is the child (Linux).
+    A Ctrl-C at the terminal reaches the child directly. Any other SIGINT, SIGTERM or SIGHUP is passed on. If this
+    process is killed, so is the child (Linux).
 
     Raises:
         CommandError: the command can't be started.
@@ -84,7 +84,7 @@ def _child_setup(handlers: Mapping[int, object]) -> Callable[[], None] | None:
     parent = os.getpid()
 
     def setup() -> None:
-        # A handler becomes the default on exec; an ignored signal has to stay ignored (nohup).
+        # A handler becomes the default on exec; an ignored signal must stay ignored (nohup).
         for number, handler in handlers.items():
             if handler == signal.SIG_IGN:
                 signal.signal(number, signal.SIG_IGN)

@@ -15,11 +15,11 @@ if TYPE_CHECKING:
     from tfloom.rosidl.message import Message
 
 MOST_S = 1.0
-"""How long a completion may wait for discovery [s]."""
+"""The longest wait of a completion for discovery [s]."""
 
 
 def fill_typed_verb(parser: VerbParser, line: str) -> None:
-    """Add the arguments of the command line's verb now, because argcomplete reads them before it parses."""
+    """Add the arguments of the command line's verb at once, because argcomplete reads them before it parses."""
     for word in line.split()[1:]:
         parser = parser.words.get(word, parser)
     parser.fill()
@@ -50,12 +50,12 @@ def _topics(_: argparse.Namespace) -> list[str]:
     with graph.joined_participant() as participant:
         graph.wait_until_quiet(participant.graph, MOST_S)
         names = graph.known_topics(participant.graph.endpoints())
-    # Names are valid without their first slash, so they are completed without it, too.
+    # Names are valid without their first slash, so they are also completed without it.
     return [*names, *(name[1:] for name in names)]
 
 
 def _types_of_topic(args: argparse.Namespace) -> list[str]:
-    """Return the type of the topic; all messages where there is no such topic."""
+    """Return the type of the topic; all messages if there is no such topic."""
     from tfloom.cli import graph
 
     with graph.joined_participant() as participant:
@@ -83,7 +83,7 @@ def _services(_: argparse.Namespace) -> list[str]:
 
 
 def _type_of_service(args: argparse.Namespace) -> list[str]:
-    """Return the type of the service; all services where there is no such service."""
+    """Return the type of the service; all services if there is no such service."""
     from tfloom.cli import graph
 
     with graph.joined_participant() as participant:
@@ -99,7 +99,7 @@ def _actions(_: argparse.Namespace) -> list[str]:
 
 
 def _type_of_action(args: argparse.Namespace) -> list[str]:
-    """Return the type of the action; all actions where there is no such action."""
+    """Return the type of the action; all actions if there is no such action."""
     from tfloom.cli.action.common import settled_ends
 
     types = {end.type_name for end in settled_ends() if end.name == args.action_name}
@@ -151,7 +151,7 @@ def _lifecycle_nodes(_: argparse.Namespace) -> list[str]:
 
 
 def _transitions(args: argparse.Namespace) -> list[str]:
-    """Return the transitions that are available on the node now."""
+    """Return the transitions that are available on the node."""
     from tfloom.cli.lifecycle.common import lifecycles
 
     asked = argparse.Namespace(spin_time=MOST_S, include_hidden_nodes=True)

@@ -1,4 +1,4 @@
-"""Say that components need C++."""
+"""Explain that components need C++."""
 
 from __future__ import annotations
 

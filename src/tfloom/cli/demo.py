@@ -1,4 +1,4 @@
-"""Show turtlesim and tf2 at work, in processes of their own on this machine, or in this one where there is no DDS."""
+"""Demonstrate turtlesim and tf2, in several processes on this machine, or in this process if there is no DDS."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ import sys
 from tfloom.cli.numbers import seconds
 
 INTRODUCTION = """\
-One turtle draws a figure, with a laser mounted on it; another follows it by what tf tells of the two.
-Below is what `tf2_echo world laser` sees: the laser in the world. Ctrl-C ends it all."""
+One turtle draws a figure, with a laser mounted on it; another follows it by their transforms on tf.
+Below is the output of `tf2_echo world laser`: the pose of the laser in the world. Ctrl-C ends the demonstration."""
 JOIN_IN = "Join in from another terminal: export ROS_DOMAIN_ID={domain_id}"
 ONE_PROCESS = "{reason}, so all programs run within this process, and other terminals can't join in."
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `demo` takes."""
+    """Add the arguments of `demo`."""
     parser.add_argument(
-        "--seconds", type=seconds, metavar="N", help="how long to go on (default: until Ctrl-C)"
+        "--seconds", type=seconds, metavar="N", help="end after this time (default: at Ctrl-C)"
     )
 
 
@@ -46,7 +46,7 @@ def main(args: argparse.Namespace) -> int:
 
 
 def reason_for_one_process() -> str:
-    """Return why processes can't talk to one another; empty where they can, over DDS."""
+    """Return why processes can't communicate; empty if they can, over DDS."""
     import platform
 
     from tfloom.rmw.backends import is_installed
@@ -57,9 +57,7 @@ def reason_for_one_process() -> str:
         return ""
     version = f"{sys.version_info.major}.{sys.version_info.minor}"
     where = f"{platform.system()} {platform.machine()}"
-    return (
-        f"The library cyclonedds (version 11), which speaks DDS, is missing for Python {version} on {where}"
-    )
+    return f"The library cyclonedds (version 11), which implements DDS, is missing for Python {version} on {where}"
 
 
 def _show_over_dds(seconds: float | None) -> None:

@@ -1,4 +1,4 @@
-"""Check what programs need to run and to discover one another, and print remedies for what is amiss."""
+"""Check the requirements of programs to run and to discover one another, and print remedies for problems."""
 
 from __future__ import annotations
 
@@ -12,14 +12,17 @@ COLOURS = {Verdict.OK: "32", Verdict.WARNING: "33", Verdict.FAILED: "31"}
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `doctor` takes."""
+    """Add the arguments of `doctor`."""
     reports = parser.add_mutually_exclusive_group()
-    reports.add_argument("-r", "--report", action="store_true", help="print all that was found")
+    reports.add_argument("-r", "--report", action="store_true", help="print all details")
     reports.add_argument(
-        "-rf", "--report-failed", action="store_true", help="print all that was found where a check failed"
+        "-rf", "--report-failed", action="store_true", help="print all details of checks that failed"
     )
     parser.add_argument(
-        "-ep", "--exclude-packages", action="store_true", help="leave out versions and who serves which name"
+        "-ep",
+        "--exclude-packages",
+        action="store_true",
+        help="omit the versions and the origin of each package name",
     )
     parser.add_argument("-iw", "--include-warnings", action="store_true", help="count warnings as failures")
     parser.add_argument("--json", action="store_true", help="print a JSON list for programs")

@@ -1,4 +1,4 @@
-"""Errors that end a command with a sentence instead of a traceback."""
+"""Errors that end a command with a message instead of a traceback."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ class CommandError(Exception):
 
 
 def standard_input() -> TextIO:
-    """Return the input.
+    """Return standard input.
 
     Raises:
         CommandError: it is closed.
     """
     if sys.stdin is None:
-        raise CommandError("there is no input to read: it is closed")
+        raise CommandError("standard input is closed")
     return sys.stdin
 
 

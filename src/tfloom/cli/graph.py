@@ -1,4 +1,4 @@
-"""The graph for a command: a participant without a node, and the wait until discovery is complete."""
+"""The graph for a command: a participant without a node, and a wait until discovery is complete."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import EndpointInfo, Graph, Participant
 
 QUIET_S = 0.15
-"""Discovery is complete when nothing new has arrived for this long [s]."""
+"""Discovery is complete when nothing new has arrived for this time [s]."""
 LEAST_S = 0.2
 """The least time to wait [s]."""
 PATIENCE_S = 1.0
-"""How much longer to wait at most for missing entities [s]."""
+"""The longest additional wait for missing entities [s]."""
 LATE_MOST_S = 3.0
-"""How much longer to wait at most on a busy machine [s]."""
+"""The longest additional wait on a busy machine [s]."""
 LOOK_S = 0.05
-"""How long to sleep at a time [s]."""
+"""Length of one sleep [s]."""
 PUNCTUAL_S = 0.005
-"""How late a sleep may end [s]; a later end indicates a busy machine."""
+"""Delay of a sleep's end above which the machine is busy [s]."""
 LATE_WEIGHT = 4.0
-"""How much longer to wait for each second that sleeps ended late."""
+"""Additional wait for each second by which sleeps ended late [s]."""
 MOST_S = 5.0
-"""How long to wait at most without --spin-time [s]."""
+"""The longest wait without --spin-time [s]."""
 
 TOPICS_OF_EVERY_NODE = {
     "/parameter_events": "rcl_interfaces/msg/ParameterEvent",
@@ -42,19 +42,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--spin-time",
         type=seconds,
         default=MOST_S,
-        help=f"longest time to listen for others in seconds (default {MOST_S:g}; it ends when all is quiet)",
+        help=f"longest time of discovery in seconds (default {MOST_S:g}; it ends when nothing new arrives)",
     )
     parser.add_argument(
-        "-s", "--use-sim-time", action="store_true", help="accepted; nothing here depends on the time"
+        "-s", "--use-sim-time", action="store_true", help="accepted and not used: nothing depends on the time"
     )
-    parser.add_argument(
-        "--no-daemon", action="store_true", help="accepted and not needed: there is no daemon"
-    )
+    parser.add_argument("--no-daemon", action="store_true", help="accepted and not used: there is no daemon")
 
 
 @contextmanager
 def joined_participant() -> Iterator[Participant]:
-    """Join the domain of ROS_DOMAIN_ID and leave it at the end."""
+    """Join the domain of ROS_DOMAIN_ID for the block."""
     participant = open_participant()
     try:
         yield participant
@@ -64,7 +62,7 @@ def joined_participant() -> Iterator[Participant]:
 
 @contextmanager
 def settled_graph(args: argparse.Namespace) -> Iterator[Graph]:
-    """Join the domain, wait until discovery is complete, and leave it at the end."""
+    """Join the domain for the block, and wait until discovery is complete."""
     with joined_participant() as participant:
         wait_until_quiet(participant.graph, args.spin_time)
         yield participant.graph

@@ -19,7 +19,7 @@ from tfloom.workspace import index
 
 TRIP_TIMEOUT_S = 5.0
 LARGE_BUFFER = 4 << 20
-"""The receive buffer [octets] that is sufficient for messages of megabytes at best effort."""
+"""Receive buffer that suffices for messages of megabytes at best effort [octets]."""
 
 DISTRIBUTIONS = (
     "tfloom-ros2",
@@ -52,7 +52,7 @@ class Finding(NamedTuple):
     details: dict[str, Any] = {}  # noqa: RUF012  # never changed
 
     def as_dict(self) -> dict[str, Any]:
-        """Return it as JSON values."""
+        """Return the finding as JSON values."""
         return {**self._asdict(), "verdict": self.verdict.value.lower()}
 
 
@@ -71,7 +71,11 @@ def check_wire() -> Finding:
     except WireError as error:
         return Finding(Verdict.FAILED, str(error), details=details)
     why = (
-        "as RMW_IMPLEMENTATION asks" if asked == name else f"in place of {asked}" if asked else "the default"
+        "selected by RMW_IMPLEMENTATION"
+        if asked == name
+        else f"in place of {asked}"
+        if asked
+        else "the default"
     )
     return Finding(Verdict.OK, f"{name}, {why}", details=details)
 
@@ -96,17 +100,19 @@ def check_domain() -> Finding:
     except WireError as error:
         return Finding(Verdict.FAILED, str(error), details=details)
     if os.environ.get("CYCLONEDDS_URI"):
-        return Finding(Verdict.OK, f"domain {domain}, discovery as CYCLONEDDS_URI says", details=details)
+        return Finding(
+            Verdict.OK, f"domain {domain}, discovery as configured by CYCLONEDDS_URI", details=details
+        )
     asked = discovery_range()
     if asked == "OFF":
         advice = (
-            "nobody is met, on this machine neither: export ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST or SUBNET"
+            "discovery is off, on this machine too: export ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST or SUBNET"
         )
         return Finding(Verdict.OK, f"domain {domain}, discovery range OFF", advice, details)
     advice = (
-        "a stock ROS is met only with the same range on both sides: "
+        "a stock ROS is discovered only with the same range on both sides: "
         f"export ROS_AUTOMATIC_DISCOVERY_RANGE={'SUBNET' if asked == 'LOCALHOST' else asked} "
-        f"here and there{' (its default is SUBNET)' if asked == 'LOCALHOST' else ''}"
+        f"on both{' (its default is SUBNET)' if asked == 'LOCALHOST' else ''}"
     )
     return Finding(Verdict.OK, f"domain {domain}, discovery range {asked}", advice, details)
 
@@ -118,8 +124,10 @@ def check_network() -> Finding:
     up = [f"{each.name} ({each.multicast})" for each in interfaces if each.is_up]
     summary = f"interfaces that are up: {', '.join(up) or 'not known on this system'}{_used(interfaces)}"
     if interfaces and _needs_multicast() and not any(each.may_find_others for each in interfaces):
-        advice = "ROS_STATIC_PEERS names hosts to look at without multicast"
-        return Finding(Verdict.WARNING, f"{summary}; none finds others by multicast", advice, details)
+        advice = "ROS_STATIC_PEERS can name hosts to search without multicast"
+        return Finding(
+            Verdict.WARNING, f"{summary}; none can discover other machines by multicast", advice, details
+        )
     limit = Path("/proc/sys/net/core/rmem_max")
     if limit.is_file():
         details["net.core.rmem_max"] = int(limit.read_text())
@@ -132,7 +140,7 @@ def check_network() -> Finding:
     return Finding(Verdict.OK, summary, details=details)
 
 
-def _asked_range() -> str:
+def _requested_range() -> str:
     """Return the discovery range; empty where it is invalid, which another check reports, or has no effect."""
     from tfloom.rmw.backends import DEFAULT, implementation_identifier
     from tfloom.rmw.cyclone_config import discovery_range
@@ -145,17 +153,17 @@ def _asked_range() -> str:
 
 
 def _needs_multicast() -> bool:
-    return _asked_range() == "SUBNET" and not os.environ.get("ROS_STATIC_PEERS")
+    return _requested_range() == "SUBNET" and not os.environ.get("ROS_STATIC_PEERS")
 
 
 def _used(interfaces: list[Interface]) -> str:
-    """Return the interface that the wire uses, as far as it is known."""
-    if _asked_range() in {"LOCALHOST", "OFF"}:
+    """Return a text with the interface that the wire uses; empty if it is unknown."""
+    if _requested_range() in {"LOCALHOST", "OFF"}:
         loopback = next((each.name for each in interfaces if each.is_loopback), "the loopback interface")
-        beside = " and what leads to ROS_STATIC_PEERS" if os.environ.get("ROS_STATIC_PEERS") else ""
+        beside = " and those towards ROS_STATIC_PEERS" if os.environ.get("ROS_STATIC_PEERS") else ""
         return f"; DDS uses {loopback}{beside}, by unicast"
     far = [each.name for each in interfaces if each.may_find_others]
-    return f"; DDS uses {far[0]}, by multicast" if _asked_range() == "SUBNET" and len(far) == 1 else ""
+    return f"; DDS uses {far[0]}, by multicast" if _requested_range() == "SUBNET" and len(far) == 1 else ""
 
 
 class Interface(NamedTuple):
@@ -166,12 +174,12 @@ class Interface(NamedTuple):
 
     @property
     def is_up(self) -> bool:
-        """Whether it is switched on."""
+        """Whether the interface is up."""
         return bool(self.flags & 0x1)
 
     @property
     def is_loopback(self) -> bool:
-        """Whether it leads to this machine alone."""
+        """Whether it is a loopback interface."""
         return bool(self.flags & 0x8)
 
     @property
@@ -186,7 +194,7 @@ class Interface(NamedTuple):
 
     @property
     def may_find_others(self) -> bool:
-        """Whether multicast discovers other machines there."""
+        """Whether multicast can discover other machines there."""
         return self.is_up and not self.is_loopback and self.multicast == "multicast"
 
 
@@ -219,26 +227,29 @@ def check_round_trip() -> Finding:
             if time.monotonic() - start > TRIP_TIMEOUT_S:
                 return Finding(
                     Verdict.FAILED,
-                    f"two participants did not find each other within {TRIP_TIMEOUT_S:g} s",
-                    "a firewall may hold UDP on this interface, or the domain may be full",
+                    f"two participants did not discover each other within {TRIP_TIMEOUT_S:g} s",
+                    "a firewall may block UDP on this interface, or the domain may be full",
                 )
             time.sleep(0.002)
         found_s = time.monotonic() - start
         writer.write(bytes((0, 1, 0, 0, 0, 0, 0, 0)))
         while reader.take() is None:
             if time.monotonic() - start > 2 * TRIP_TIMEOUT_S:
-                return Finding(Verdict.FAILED, "two participants found each other, but a message was lost")
+                return Finding(
+                    Verdict.FAILED, "two participants discovered each other, but a message was lost"
+                )
             time.sleep(0.0005)
     finally:
         here.close()
         there.close()
     return Finding(
-        Verdict.OK, f"two participants found each other in {found_s * 1e3:.0f} ms, a message came through"
+        Verdict.OK,
+        f"two participants discovered each other in {found_s * 1e3:.0f} ms and exchanged a message",
     )
 
 
 def check_names() -> Finding:
-    """Check which distribution serves each of ROS's names to a Python program."""
+    """Check from which distribution a Python program imports each of ROS's names."""
     ours, others = {}, {}
     for folder in sorted((index.OWN_PREFIX / "ros_names").glob("[a-z]*")):
         spec = PathFinder.find_spec(folder.name)
@@ -257,7 +268,11 @@ def check_names() -> Finding:
         )
         return Finding(Verdict.FAILED, "programs can't import rclpy: tfloom.pth wasn't read", advice, details)
     if not ours:
-        return Finding(Verdict.WARNING, "a real ROS serves all names; tfloom's stand back", details=details)
+        return Finding(
+            Verdict.WARNING,
+            "all names come from a real ROS, which takes precedence over tfloom",
+            details=details,
+        )
     mixed = ", ".join(f"{name} from {origin}" for name, origin in list(others.items())[:3])
     advice = "take the real ROS out of PYTHONPATH, or run in a shell that hasn't sourced it"
     verdict = Verdict.FAILED if "rclpy" in others else Verdict.WARNING
@@ -265,7 +280,7 @@ def check_names() -> Finding:
 
 
 def check_commands() -> Finding:
-    """Look for a real ROS on the path."""
+    """Check for a real ROS on the path."""
     found = [
         str(Path(folder, "ros2"))
         for folder in dict.fromkeys(os.environ.get("PATH", "").split(os.pathsep))
@@ -280,12 +295,12 @@ def check_commands() -> Finding:
     if real and len(found) > len(real):
         return Finding(
             Verdict.WARNING,
-            f"beside ours there is a ros2 in {real[0]}",
-            f"the first on the path runs: {found[0]}",
+            f"besides tfloom's, there is a ros2 in {real[0]}",
+            f"the first on the path is run: {found[0]}",
             details,
         )
     if real:
-        return Finding(Verdict.WARNING, f"the command ros2 is {real[0]}", "ours is `tfloom`", details)
+        return Finding(Verdict.WARNING, f"the command ros2 is {real[0]}", "tfloom's is `tfloom`", details)
     return Finding(Verdict.OK, f"no real ROS; workspaces: {details['workspaces']}", details=details)
 
 

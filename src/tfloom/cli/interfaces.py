@@ -1,4 +1,4 @@
-"""Message classes and values from a user's words."""
+"""Message classes and values from command-line arguments."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import re
 import time
 from collections.abc import Callable, Iterable, Iterator
 from itertools import chain
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from tfloom.cli.errors import CommandError
 from tfloom.rosidl import cdr, registry
@@ -14,49 +14,86 @@ from tfloom.rosidl.fill import Filler, StampSetter
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.parse import ParseError
 
+if TYPE_CHECKING:
+    from tfloom.rmw.base import Participant
+
 T = TypeVar("T")
 
 
-def message_class(name: str, *, ask_graph: bool = False) -> type[Message]:
+def message_class(
+    name: str, participant: Participant | None = None, *, search_graph: bool = False
+) -> type[Message]:
     """Return the class of a message type's name.
 
-    Raises:
-        CommandError: there is none, or its definition can't be parsed; the text has the nearest names, with
-            `ask_graph` those on the graph first.
-    """
-    return _class(registry.get_message_class, name, "msg", ask_graph=ask_graph)
-
-
-def service_class(name: str, *, ask_graph: bool = False) -> type[Any]:
-    """Return the class of a service type's name.
+    Args:
+        name: `package/msg/Name`, or `package/Name` for short.
+        participant: Where a type without a definition here is searched for: among the nodes that it has discovered.
+        search_graph: Whether to join the domain for this search, where there is no participant yet.
 
     Raises:
-        CommandError: as `message_class`.
+        CommandError: there is none, or its definition can't be parsed; the text has the nearest names, those on the
+            searched graph first, and why a node's description of the type can't be used.
     """
-    return _class(registry.get_service_class, name, "srv", ask_graph=ask_graph)
+    return _class(registry.get_message_class, name, "msg", participant, search_graph=search_graph)
 
 
-def action_class(name: str, *, ask_graph: bool = False) -> type[Any]:
-    """Return the class of an action type's name.
-
-    Raises:
-        CommandError: as `message_class`.
-    """
-    return _class(registry.get_action_class, name, "action", ask_graph=ask_graph)
+def service_class(
+    name: str, participant: Participant | None = None, *, search_graph: bool = False
+) -> type[Any]:
+    """Return the class of a service type's name; arguments and errors as of `message_class`."""
+    return _class(registry.get_service_class, name, "srv", participant, search_graph=search_graph)
 
 
-def _class(find: Callable[[str], type[T]], name: str, kind: str, *, ask_graph: bool) -> type[T]:
+def action_class(
+    name: str, participant: Participant | None = None, *, search_graph: bool = False
+) -> type[Any]:
+    """Return the class of an action type's name; arguments and errors as of `message_class`."""
+    return _class(registry.get_action_class, name, "action", participant, search_graph=search_graph)
+
+
+def _class(
+    find: Callable[[str], type[T]],
+    name: str,
+    kind: str,
+    participant: Participant | None,
+    *,
+    search_graph: bool,
+) -> type[T]:
     what = {"msg": "message", "srv": "service"}.get(kind, kind)
+    invalid = f"The passed {what} type is invalid"
+    live: set[str] = set()
+    reasons: list[str] = []
     try:
         return find(name)
     except registry.UnknownTypeError:
-        from tfloom.cli.type_names import did_you_mean_type, types_on_graph
-
-        live = types_on_graph(kind) if ask_graph else ()
-        reason = f"there is no {what} type '{name}'{did_you_mean_type(name, kind, live)}"
+        if search_graph or participant:
+            live, reasons = _search_graph(participant, name, kind)
     except (LookupError, ParseError) as error:
-        reason = str(error)
-    raise CommandError(f"The passed {what} type is invalid\n{reason}")
+        raise CommandError(f"{invalid}\n{error}") from None
+    try:
+        return find(name)
+    except registry.UnknownTypeError:
+        from tfloom.cli.type_names import did_you_mean_type
+
+        unknown = f"there is no {what} type '{name}'{did_you_mean_type(name, kind, live - {name})}"
+        raise CommandError("\n".join([invalid, unknown, *reasons])) from None
+
+
+def _search_graph(participant: Participant | None, name: str, kind: str) -> tuple[set[str], list[str]]:
+    """Make the classes of a type from a node's description.
+
+    Returns:
+        The types on the graph, and why the descriptions can't be used; both empty where there is no wire.
+    """
+    from tfloom.cli import peer_types
+    from tfloom.rmw.errors import WireError
+
+    full = name.replace("/", f"/{kind}/") if name.count("/") == 1 else name
+    try:
+        with peer_types.searched_participant(participant) as searched:
+            return peer_types.types_on_graph(searched.graph, kind), peer_types.learn(searched, full, kind)
+    except WireError:
+        return set(), []
 
 
 def yaml_documents(lines: Iterable[str]) -> Iterator[str]:
@@ -71,7 +108,7 @@ def yaml_documents(lines: Iterable[str]) -> Iterator[str]:
 
 
 def parse_yaml(text: str) -> dict[str, Any]:
-    """Return the fields that a YAML text gives.
+    """Return the fields in a YAML text.
 
     Raises:
         CommandError: it isn't YAML, or not a mapping of fields; the text has the position of the mistake.
@@ -124,7 +161,7 @@ def fill_message(message: Message, values: dict[str, Any]) -> list[StampSetter]:
 
 
 def set_stamps(setters: list[StampSetter], now_ns: int) -> None:
-    """Set the times that `fill_message` returned setters for to a time [ns]."""
+    """Call the setters that `fill_message` returned with a time [ns]."""
     if setters:
         from tfloom.interfaces.builtin_interfaces.msg import Time
 

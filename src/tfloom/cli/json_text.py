@@ -9,14 +9,14 @@ from tfloom.rosidl.message import Message
 
 
 def json_text(value: Any, indent: int | None = None) -> str:
-    """Return plain values, messages, arrays and bytes as JSON; NaN and the infinities, which it lacks, as null."""
+    """Return plain values, messages, arrays and bytes as JSON; NaN and infinities, which JSON lacks, as null."""
     import json
 
     return json.dumps(plain(value), indent=indent, ensure_ascii=False, allow_nan=False)
 
 
 def plain(value: Any) -> Any:
-    """Return what JSON can hold of a value: mappings with names, lists, numbers, texts, true, false and null."""
+    """Return a value converted to JSON's types: mappings with names, lists, numbers, texts, true, false and null."""
     if isinstance(value, Message):
         from tfloom.rosidl.yaml_text import message_to_ordereddict
 

@@ -1,4 +1,4 @@
-"""Say that launch files can't be run yet."""
+"""Explain that launch files can't be run yet."""
 
 from __future__ import annotations
 

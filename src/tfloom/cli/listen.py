@@ -24,10 +24,10 @@ from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
 
 PATIENCE_S = 1.0
-"""How long a wait may last before the user gets a message about it [s]."""
+"""Wait before the user gets a message about it [s]."""
 
 HINT_S = 2.0
-"""How long a publisher waits for subscriptions before the user gets a possible reason [s]."""
+"""Wait of a publisher for subscriptions before the user gets a possible reason [s]."""
 
 
 def find_type(graph: Graph, name: str) -> str:
@@ -45,7 +45,7 @@ def find_type(graph: Graph, name: str) -> str:
         )
     if len(types) > 1:
         raise CommandError(
-            f"Cannot tell the type of '{name}', as it contains more than one: [{', '.join(types)}]"
+            f"Cannot determine the type of '{name}', as it contains more than one: [{', '.join(types)}]"
         )
     return types[0]
 
@@ -76,12 +76,14 @@ def wait_for_publishers(graph: Graph, name: str, end_s: float) -> list[EndpointI
 
 
 def unmet(graph: Graph, topic: Topic, *, is_publisher: bool) -> str:
-    """Return why a topic's publisher, or subscription, matches no peer, by names and types; empty if it may match."""
+    """Return why a topic's publisher or subscription matches no peer, by names and types; empty if it may match."""
     others = [end.topic for end in graph.endpoints() if end.is_writer is not is_publisher]
     types = sorted({other.type_name for other in others if other.name == topic.name})
     if not types:
-        verb = "subscribes to" if is_publisher else "publishes"
-        return f"nobody {verb} {topic.name} yet{did_you_mean(topic.name, sorted({each.name for each in others}))}"
+        peer = "subscription" if is_publisher else "publisher"
+        return (
+            f"no {peer} of {topic.name} yet{did_you_mean(topic.name, sorted({each.name for each in others}))}"
+        )
     if topic.type_name in types:
         return ""
     verb = "subscribed to" if is_publisher else "published"
@@ -95,7 +97,7 @@ def cli_node() -> NodeName:
 
 @contextmanager
 def shown_node(participant: Participant, node: NodeName) -> Iterator[NodeName]:
-    """Show a node on the graph for the block."""
+    """Add a node to the graph for the block."""
     participant.add_node(node)
     try:
         yield node
@@ -104,11 +106,11 @@ def shown_node(participant: Participant, node: NodeName) -> Iterator[NodeName]:
 
 
 def decoded(cls: type[Message], sample: Sample) -> Any:
-    """Return a sample's message; where the bytes are not of its type, print a line on stderr and return None."""
+    """Return a sample's message; if the bytes are not of its type, print a line on stderr and return None."""
     try:
         return cdr.decode(cls, sample.data)
     except cdr.DecodeError as error:
-        print(f"a message that can't be decoded was left out: {error}", file=sys.stderr)
+        print(f"dropped a message that can't be decoded: {error}", file=sys.stderr)
         return None
 
 
@@ -120,9 +122,9 @@ def samples(
     end_s: float = math.inf,
     on_lost: Callable[[Count], None] | None = None,
 ) -> Iterator[Sample]:
-    """Yield the samples of a topic as they come, until `end_s` on the monotonic clock.
+    """Yield the samples of a topic as they arrive, until `end_s` on the monotonic clock.
 
-    `on_lost` is called with the count of lost samples, where the wire counts them.
+    `on_lost` is called with the count of lost samples, if the wire counts them.
     """
     for sample in samples_and_ticks(participant, name, message_class, qos, end_s=end_s, on_lost=on_lost):
         if sample is not None:
@@ -139,7 +141,7 @@ def samples_and_ticks(
     end_s: float = math.inf,
     on_lost: Callable[[Count], None] | None = None,
 ) -> Iterator[Sample | None]:
-    """Yield the samples of a topic as they come and None every `tick_s`; `end_s` and `on_lost` as `samples`."""
+    """Yield the samples of a topic as they arrive, and None every `tick_s`; `end_s` and `on_lost` as for `samples`."""
     topic = topic_of(message_class, name)
     with shown_node(participant, cli_node()) as node:
         reader = participant.create_reader(node, topic, qos)
@@ -172,7 +174,7 @@ def samples_and_ticks(
 def _if_counted(
     reader: Reader, queue: ReadyQueue, on_lost: Callable[[Count], None]
 ) -> Callable[[Count], None] | None:
-    """Watch for lost samples and return `on_lost`; None where the wire doesn't count them."""
+    """Enable the event of lost samples and return `on_lost`; None if the wire doesn't count them."""
     try:
         reader.notify_event(Event.MESSAGE_LOST, queue)
     except UnsupportedEventError:

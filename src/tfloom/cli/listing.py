@@ -9,7 +9,7 @@ from tfloom.cli.json_text import json_text
 
 
 def print_names(names: Collection[str], *, as_json: bool = False, only_count: bool = False) -> None:
-    """Print a name a line, or all as a JSON list, or how many there are."""
+    """Print one name on each line, or all as a JSON list, or their number."""
     if as_json:
         print_json(list(names))
     elif only_count:

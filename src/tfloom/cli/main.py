@@ -26,18 +26,18 @@ COMMANDS: dict[str, str | Group] = {
             "type": "Print an action's type",
         },
     ),
-    "bag": "Say that recordings can't be made or played yet",
-    "component": "Say that components need C++",
+    "bag": "Explain that recordings can't be made or played yet",
+    "component": "Explain that components need C++",
     "daemon": Group(
-        "Say that there is no daemon, and that none is needed",
+        "Explain that there is no daemon, and that none is needed",
         {
-            "start": "Say that there is none to start",
-            "status": "Say that there is none to ask",
-            "stop": "Say that there is none to stop",
+            "start": "Explain that there is no daemon to start",
+            "status": "Explain that there is no daemon with a status",
+            "stop": "Explain that there is no daemon to stop",
         },
     ),
-    "demo": "Show a turtle, its frames and tf2 at work",
-    "doctor": "Check what programs need to run and to discover one another",
+    "demo": "Demonstrate turtlesim, its frames and tf2",
+    "doctor": "Check the requirements of programs to run and to discover one another",
     "interface": Group(
         "Look up definitions of messages, services and actions",
         {
@@ -48,9 +48,9 @@ COMMANDS: dict[str, str | Group] = {
             "show": "Print an interface's definition",
         },
     ),
-    "launch": "Say that launch files can't be run yet",
+    "launch": "Explain that launch files can't be run yet",
     "lifecycle": Group(
-        "Inspect nodes that are configured and activated from outside, and change their state",
+        "Inspect lifecycle nodes, and change their state",
         {
             "get": "Print the state of a lifecycle node, or of all",
             "list": "List the transitions that are available on a lifecycle node",
@@ -87,7 +87,7 @@ COMMANDS: dict[str, str | Group] = {
     "pkg": Group(
         "Inspect packages",
         {
-            "create": "Make a new package for a workspace",
+            "create": "Create a package in a workspace",
             "executables": "List the programs that `run` finds",
             "list": "List the packages",
             "prefix": "Print where a package is installed",
@@ -125,7 +125,7 @@ COMMANDS: dict[str, str | Group] = {
 }
 
 INTERRUPTED = 2
-"""Exit code after Ctrl-C, as ros2's."""
+"""Exit code after Ctrl-C, as in ros2."""
 PIPE_CLOSED = 141
 """Exit code when the output pipe is closed: a shell's 128 + SIGPIPE."""
 
@@ -151,7 +151,7 @@ def main(argv: Sequence[str] | None = None, prog: str = "tfloom") -> int:
 def _exit_code(argv: Sequence[str] | None, prog: str) -> int:
     """Run one command line; print the error that ended it, if it is the user's."""
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
-        # A script's background jobs start with it ignored; ROS programs end on SIGINT there, too.
+        # A script's background jobs start with SIGINT ignored; ROS programs end on it there, too.
         signal.signal(signal.SIGINT, signal.default_int_handler)
     signal.signal(signal.SIGTERM, _terminated)
     if argv is None:  # This is the main program of the process.
@@ -164,9 +164,9 @@ def _exit_code(argv: Sequence[str] | None, prog: str) -> int:
         _drop_output()
         return PIPE_CLOSED
     except Exception as error:
-        if (told := _sentence(error, prog)) is None:
+        if (text := _sentence(error, prog)) is None:
             raise
-        print(told, file=sys.stderr)
+        print(text, file=sys.stderr)
         if isinstance(error, OSError):
             _drop_output()
         return error.exit_code if isinstance(error, CommandError) else 1
@@ -174,21 +174,21 @@ def _exit_code(argv: Sequence[str] | None, prog: str) -> int:
 
 
 def _ignore_signals() -> None:
-    """Ignore SIGINT and SIGTERM for the rest of the process: its exit code is known.
+    """Ignore SIGINT and SIGTERM for the rest of the process, whose exit code has been set.
 
-    The interpreter's end would give them their default action, which ends the process with a code of its own.
+    The interpreter's exit would restore their default action, which ends the process with another exit code.
     """
     if hasattr(signal, "setitimer"):
-        signal.setitimer(signal.ITIMER_REAL, 0)  # of `_told_in_vain`
+        signal.setitimer(signal.ITIMER_REAL, 0)  # of `_interrupt_again`
     for number in (signal.SIGINT, signal.SIGTERM):
-        # One that has come and waits for its handler is handled by the first call.
+        # A pending signal, whose handler has not run yet, is handled by the first call.
         with suppress(KeyboardInterrupt, SystemExit):
             signal.signal(number, signal.SIG_IGN)
         signal.signal(number, signal.SIG_IGN)
 
 
 def _sentence(error: Exception, prog: str) -> str | None:
-    """Return the text of an error for the user; None for a bug of tfloom's."""
+    """Return the text of an error for the user; None for a bug in tfloom."""
     from tfloom.rmw.errors import WireError
 
     if isinstance(error, (CommandError, WireError)):
@@ -215,7 +215,7 @@ def _run(argv: Sequence[str] | None, prog: str) -> int:
     if args.run_verb.__module__ != "tfloom.cli.run":
         refuse_bytes(sys.argv[1:] if argv is None else argv)
     if sys.stdout is not None:  # It may have been closed: `>&-`.
-        # A letter that the terminal's encoding lacks is escaped.
+        # A character that the terminal's encoding lacks is escaped.
         sys.stdout.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]
         if not args.use_python_default_buffering:
             sys.stdout.reconfigure(line_buffering=True)  # type: ignore[union-attr]
@@ -223,7 +223,7 @@ def _run(argv: Sequence[str] | None, prog: str) -> int:
 
 
 def _drop_output() -> None:
-    """Discard the rest of the buffer, because the interpreter's flush at its end would raise again."""
+    """Discard the rest of the buffer, because the interpreter's flush at exit would raise again."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
@@ -237,5 +237,5 @@ def _interrupt_again(error: sys.UnraisableHookArgs) -> None:
 
 
 def _terminated(number: int, _: FrameType | None) -> None:
-    """End on a signal as on an error, so that all is closed and the other participants are notified."""
+    """Raise SystemExit on a signal, so that all is closed and the other participants are notified."""
     raise SystemExit(128 + number)

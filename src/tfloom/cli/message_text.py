@@ -10,21 +10,21 @@ from tfloom.cli.numbers import count
 from tfloom.rosidl.message import Message
 
 TRUNCATE_LENGTH = 128
-"""How many elements of arrays, bytes and strings are printed by default."""
+"""Number of elements of arrays, bytes and strings that are printed by default."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the flags that control how a message becomes text."""
-    parser.add_argument("--full-length", "-f", action="store_true", help="print arrays and strings whole")
+    """Add the flags for the conversion of messages to text."""
+    parser.add_argument("--full-length", "-f", action="store_true", help="print arrays and strings in full")
     parser.add_argument(
         "--truncate-length",
         "-l",
         type=count,
         default=TRUNCATE_LENGTH,
-        help=f"print so many elements of arrays, bytes and strings (default: {TRUNCATE_LENGTH})",
+        help=f"number of elements of arrays, bytes and strings to print (default: {TRUNCATE_LENGTH})",
     )
-    parser.add_argument("--no-arr", action="store_true", help="print what arrays are, not what they hold")
-    parser.add_argument("--no-str", action="store_true", help="print what strings are, not what they hold")
+    parser.add_argument("--no-arr", action="store_true", help="print the types of arrays, not their elements")
+    parser.add_argument("--no-str", action="store_true", help="print the lengths of strings, not their text")
     parser.add_argument("--flow-style", action="store_true", help="print collections in one line")
 
 

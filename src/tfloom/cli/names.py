@@ -1,4 +1,4 @@
-"""Names as a user types them."""
+"""Names in command-line arguments."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from tfloom.cli.errors import CommandError
 
 
 def full_topic_name(name: str, what: str = "topic") -> str:
-    """Return a name from the root: `turtle1/pose` becomes `/turtle1/pose`. `what` it names is for the error.
+    """Return a full name: `turtle1/pose` becomes `/turtle1/pose`. `what` is the kind of name, for the error.
 
     Raises:
-        CommandError: it can't be such a name.
+        CommandError: it is not a valid name.
     """
     full = name if name.startswith("/") else f"/{name}"
     if not re.fullmatch(r"(/[A-Za-z_][A-Za-z0-9_]*)+", full):
@@ -25,7 +25,7 @@ def full_topic_name(name: str, what: str = "topic") -> str:
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:
-    """Return a line that names up to three known names near to `name`, or nothing."""
+    """Return a line with up to three known names near to `name`, or an empty text."""
     near = difflib.get_close_matches(name, list(known), 3, 0.5)
     return f"\ndid you mean {or_list(near)}?" if near else ""
 
@@ -39,5 +39,5 @@ def way_to_package(package: str, known: Iterable[str]) -> str:
 
 
 def or_list(names: Sequence[str]) -> str:
-    """Return names as a sentence lists them: `a, b or c`."""
+    """Return names joined as in a sentence: `a, b or c`."""
     return " or ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)

@@ -1,4 +1,4 @@
-"""Numbers as arguments: out of range, they are errors of argparse, as other words are."""
+"""Types of numeric arguments, for argparse's errors about malformed numbers and numbers out of range."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import argparse
 import math
 
 FOREVER_S = 1e9
-"""The longest duration, to which longer ones are cut [s]: 31 years."""
+"""The longest duration, to which longer ones are reduced [s]: 31 years."""
 MOST = 2**31 - 1
 
 

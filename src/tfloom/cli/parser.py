@@ -1,4 +1,4 @@
-"""Parsers that import their verb when they parse, so that no other verb is imported."""
+"""Parsers that import a verb when they parse its arguments, so that no other verb is imported."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from tfloom import __version__
 
 
 class Group(NamedTuple):
-    """A word with verbs of its own, like `topic`."""
+    """A command with verbs, such as `topic`."""
 
     summary: str
     """One line for `--help`."""
@@ -22,10 +22,10 @@ class Group(NamedTuple):
 
 
 class VerbParser(argparse.ArgumentParser):
-    """A parser for one word of the command line, which adds what may follow when it parses.
+    """A parser for one word of the command line, which adds its arguments or verbs when it parses.
 
-    A verb's `module` adds the arguments, and is imported then. A `group` gets a parser for each of its verbs then,
-    because parsers for all verbs of all groups would make a start half as long again.
+    A verb's `module` is imported then, and adds the arguments. For a `group`, a parser for each of its verbs is
+    created then, because parsers for all verbs of all groups would lengthen the start by a half.
     """
 
     def __init__(self, *args: Any, module: str = "", group: Group | None = None, **options: Any) -> None:
@@ -45,7 +45,7 @@ class VerbParser(argparse.ArgumentParser):
         return self._words
 
     def add_words(self) -> Any:
-        """Add the next word's slot; its placeholder is also what argparse's messages call it."""
+        """Add the positional argument for the next word; argparse's messages use its placeholder."""
         self.set_defaults(run_verb=_print_help(self))
         words = self.add_subparsers(
             title="Commands",
@@ -56,7 +56,7 @@ class VerbParser(argparse.ArgumentParser):
         return words
 
     def fill(self) -> None:
-        """Add the arguments of the verb, which is imported, or of the group; once."""
+        """Import the verb and add its arguments, or add the verbs of the group; once."""
         if self._group is not None:
             group, self._group = self._group, None
             _fill_group(self, group)
@@ -71,7 +71,7 @@ class VerbParser(argparse.ArgumentParser):
     def parse_args(  # type: ignore[override]
         self, args: Sequence[str] | None = None, namespace: argparse.Namespace | None = None
     ) -> argparse.Namespace:
-        """Parse as argparse does; the error about an unknown flag has the nearest one."""
+        """Parse as argparse does; the error about an unknown flag has the nearest known one."""
         parsed, unknown = self.parse_known_args(args, namespace)
         if unknown:
             verb = getattr(parsed, "verb_parser", self)
@@ -114,16 +114,16 @@ def build_parser(prog: str, commands: Mapping[str, str | Group]) -> VerbParser:
     """
     top = VerbParser(
         prog=prog,
-        description="TF2, turtlesim and the ROS 2 workflow, with no ROS install.",
+        description="TF2, turtlesim and the ROS 2 workflow, with no ROS installed.",
         epilog=f"`{prog} --version` prints the version.",
     )
     name = prog if prog == "tfloom" else f"{prog} (tfloom)"
-    # Left out of the usage, which is the reference's to the letter.
+    # Omitted from the usage text, which equals the reference's.
     top.add_argument("--version", action="version", version=f"{name} {__version__}", help=argparse.SUPPRESS)
     top.add_argument(
         "--use-python-default-buffering",
         action="store_true",
-        help="leave the output's buffering to Python; without it each line is out as soon as it's whole",
+        help="keep Python's output buffering; without it, each line is written at once",
     )
     words = top.add_words()
     for word, command in commands.items():
@@ -144,7 +144,7 @@ def _fill_group(parser: VerbParser, group: Group) -> None:
         parser.add_argument(
             f"--include-hidden-{group.hidden}",
             action="store_true",
-            help=f"count in {group.hidden} with a part that begins with an underscore",
+            help=f"include {group.hidden} with a part that begins with an underscore",
         )
     verbs = parser.add_words()
     for verb, summary in group.verbs.items():

@@ -1,4 +1,4 @@
-"""The flags that state a quality of service, and the quality that suits a topic's publishers."""
+"""The flags for a quality of service, and the quality that is compatible with a topic's publishers."""
 
 from __future__ import annotations
 
@@ -24,22 +24,22 @@ from tfloom.rmw.qos import (
 
 
 def add_arguments(parser: argparse.ArgumentParser, default: str) -> None:
-    """Add the QoS flags; `default` describes in the help what applies without them."""
+    """Add the QoS flags; `default` describes, for the help text, the quality without them."""
     parser.add_argument(
         "--qos-profile", choices=list(PROFILES), help=f"start from this profile (default: {default})"
     )
-    parser.add_argument("--qos-depth", metavar="N", type=count, help="how many messages to keep")
+    parser.add_argument("--qos-depth", metavar="N", type=count, help="number of messages to keep")
     for policy, kind in POLICIES.items():
         parser.add_argument(f"--qos-{policy}", choices=kind.short_keys(), help=f"{policy} policy")
     parser.add_argument(
         "--qos-liveliness-lease-duration-seconds",
         type=seconds,
-        help="how long a publisher may be silent in seconds",
+        help="longest time without an assertion of liveliness in seconds",
     )
 
 
-def asked_qos(args: argparse.Namespace, base: QoS) -> QoS | None:
-    """Return the quality of the flags, on top of that of --qos-profile or else `base`; None without a flag.
+def requested_qos(args: argparse.Namespace, base: QoS) -> QoS | None:
+    """Return the quality of the flags, with the rest from --qos-profile or else `base`; None without a flag.
 
     Raises:
         CommandError: they request an UNKNOWN policy.
@@ -47,7 +47,7 @@ def asked_qos(args: argparse.Namespace, base: QoS) -> QoS | None:
     qos = base if args.qos_profile is None else _profile(args.qos_profile)
     asked = {policy: getattr(args, f"qos_{policy}") for policy in POLICIES if getattr(args, f"qos_{policy}")}
     if "unknown" in asked.values():
-        raise CommandError("'unknown' is what a policy of others can be, not one to ask for")
+        raise CommandError("'unknown' is a policy that peers can have, but that can't be requested")
     changes: dict[str, Any] = {
         policy: POLICIES[policy].get_from_short_key(choice) for policy, choice in asked.items()
     }
@@ -86,6 +86,6 @@ def _warn_of_split(publishers: Sequence[EndpointInfo], policy: str, strict: QoSP
     if any(offers) and not all(offers):
         print(
             f"{sum(offers)} of {len(offers)} publishers of {publishers[0].topic.name} offer "
-            f"{strict.name}; listening without it, to hear all of them",
+            f"{strict.name}; subscribing without it, to receive from all of them",
             file=sys.stderr,
         )

@@ -1,4 +1,4 @@
-"""Run a program of a package: of a workspace, or one of tfloom's own."""
+"""Run a program of a package, in a workspace or in tfloom."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from tfloom.workspace import index
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add what `run` takes."""
     parser.add_argument(
-        "--prefix", help="words to put before the program, as in --prefix 'gdb -ex run --args'"
+        "--prefix", help="command to run the program with, for example --prefix 'gdb -ex run --args'"
     )
-    parser.add_argument("package_name", help="package the program is in")
+    parser.add_argument("package_name", help="package of the program")
     parser.add_argument("executable_name", help="name of the program")
-    parser.add_argument("argv", nargs=argparse.REMAINDER, help="everything after it is the program's own")
+    parser.add_argument("argv", nargs=argparse.REMAINDER, help="arguments of the program")
 
 
 def hint_after_error(args: argparse.Namespace) -> str:
@@ -47,7 +47,7 @@ def package_programs(package: str) -> list[str] | None:
 
 
 def main(args: argparse.Namespace) -> int:
-    """Run the program to its end and return its exit code; a signal that ended it is a negative one."""
+    """Run the program to its end and return its exit code, -N if signal N ended it."""
     command = find_command(args.package_name, args.executable_name)
     if isinstance(command, str) and args.prefix is None:
         code = run_here(command, args.executable_name, args.argv)
@@ -101,10 +101,10 @@ def _command_of(path: Path) -> list[str]:
 
 
 def _interpreter_with_space(path: Path) -> str | None:
-    """Return the interpreter that a script's first line names, if there is a space in its path; else None.
+    """Return the interpreter in a script's first line, if there is a space in its path; else None.
 
     The kernel cuts the line at the space. Setuptools writes such lines, in quotes, for an environment whose path has
-    one.
+    a space.
     """
     try:
         with path.open("rb") as script:
@@ -119,12 +119,12 @@ def run_here(target: str, name: str, argv: list[str]) -> int:
     """Run one of tfloom's own programs in this process and return its exit code.
 
     Raises:
-        CommandError: its arguments can't be used.
+        CommandError: its arguments are invalid.
     """
     refuse_bytes(argv)
     module, _, function = target.partition(":")
     sys.argv = [name, *argv]
-    # Signals are handled by the program, as in a process of its own.
+    # The program handles signals, as in a separate process.
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     try:
         return int(getattr(import_module(module), function)(argv) or 0)
@@ -141,7 +141,7 @@ def run_here(target: str, name: str, argv: list[str]) -> int:
 
 
 def _is_input_error(error: Exception) -> bool:
-    """Return whether an error is about names, parameters or ROS arguments that were given, not a bug of ours."""
+    """Return whether an error is about given names, parameters or ROS arguments, not a bug in tfloom."""
     from tfloom.node.context.arguments import UnknownROSArgsError
     from tfloom.node.parameters.exceptions import ParameterException
     from tfloom.node.values.exceptions import RCLError

@@ -11,10 +11,10 @@ from tfloom.rosidl.message import Message
 
 
 def message_filter(expression: str | None) -> Callable[[Message], bool]:
-    """Return the test of a Python expression over the message `m`; None passes every message.
+    """Return a function that evaluates a Python expression for a message `m`; None: one that accepts all messages.
 
     Raises:
-        CommandError: it isn't a Python expression; the test raises it where the expression fails.
+        CommandError: it isn't a Python expression; the function raises it if the evaluation fails.
     """
     if expression is None:
         return lambda _: True
@@ -23,14 +23,14 @@ def message_filter(expression: str | None) -> Callable[[Message], bool]:
     except SyntaxError as error:
         raise CommandError(f"--filter isn't a Python expression: {error.msg}\n  {expression}") from None
 
-    def wanted(message: Message) -> bool:
+    def accepts(message: Message) -> bool:
         try:
             return bool(eval(code, {"m": message}))  # noqa: S307  # the user's own expression, on their machine
-        except Exception as error:  # noqa: BLE001  # whatever a user's expression raises
+        except Exception as error:  # noqa: BLE001  # a user's expression may raise anything
             fields = _there_are(error.obj) if isinstance(error, AttributeError) else ""
             raise CommandError(f"--filter failed: {type(error).__name__}: {error}{fields}") from None
 
-    return wanted
+    return accepts
 
 
 def field_picker(paths: Sequence[str]) -> Callable[[Message], Any]:
@@ -39,7 +39,7 @@ def field_picker(paths: Sequence[str]) -> Callable[[Message], Any]:
     Without a path it returns the whole message, with several a mapping of each path to its field.
 
     Raises:
-        CommandError: one isn't a path; the picker raises it where a message has no such field.
+        CommandError: one isn't a path; the function raises it if a message has no such field.
     """
     if not paths:
         return lambda message: message

@@ -15,15 +15,15 @@ from tfloom.rmw.qos import QoS, ReliabilityPolicy
 from tfloom.rmw.typed_names import topic_of
 
 NowNs = Callable[[], int]
-"""Returns the time [ns]; 0 before it is known."""
+"""A function that returns the time [ns]; 0 before it is known."""
 
 PATIENCE_S = 1.0
-"""How long to wait for the time before the user gets a message about it [s]."""
+"""Wait for the time before the user gets a message about it [s]."""
 
 
 @contextmanager
 def clock(participant: Participant, node: NodeName, *, simulated: bool) -> Iterator[NowNs]:
-    """Yield the function that returns the time: this machine's, or the one on /clock."""
+    """Yield a function that returns the time: this machine's, or the one on /clock."""
     if not simulated:
         yield time.time_ns
         return

@@ -1,40 +1,37 @@
-"""The types that a user may have meant by an unknown name."""
+"""Known types near to an unknown name."""
 
 from __future__ import annotations
 
-import argparse
 import difflib
 import sys
 from collections.abc import Collection, Iterable
 
-from tfloom.cli import graph
 from tfloom.cli.names import or_list
-from tfloom.rmw.errors import WireError
 from tfloom.workspace.interfaces import known_interfaces
 
 FAMILIAR = ("std_msgs", "geometry_msgs", "sensor_msgs", "nav_msgs", "tf2_msgs", "std_srvs", "turtlesim")
-"""Packages that are preferred to others with an interface of the same name."""
+"""Packages preferred to others with an interface of the same name."""
 NEAR = 0.7
-"""The least likeness, from 0 to 1, of a near name."""
+"""The least similarity, from 0 to 1, of a near name."""
 SPREAD = 0.03
-"""The largest difference in likeness from the nearest name."""
+"""The largest difference in similarity from the nearest name."""
 SAME_BASE = 0.95
-"""Likeness of names that differ only before the last slash, or in upper and lower case."""
+"""Similarity of names that differ only before the last slash, or in upper and lower case."""
 LIVE_S = 0.5
-"""How long to wait at most for discovery [s]."""
+"""The longest wait for discovery [s]."""
 
 
 def did_you_mean_type(name: str, kind: str, live: Collection[str] = ()) -> str:
     """Return a line with the types of a kind (msg, srv, action) nearest to a name, or an empty text.
 
-    Of types that are equally near, those in `live` come first, then those of familiar packages.
+    Of types that are equally near, those in `live` are first, then those of familiar packages.
     """
     near = nearest_types(name, known_interfaces(kind) + list(live), live)
     return f"\ndid you mean {or_list(near)}?" if near else ""
 
 
 def warn_if_unknown(name: str, kind: str, live: Collection[str]) -> None:
-    """Print on stderr if a type is neither among the interfaces here nor in `live`, with the nearest that are."""
+    """Print a line on stderr, with the nearest types, if a type is neither known here nor in `live`."""
     if name not in live and name not in known_interfaces(kind):
         what = {"msg": "message", "srv": "service"}.get(kind, kind)
         print(f"there is no {what} type '{name}'{did_you_mean_type(name, kind, live)}", file=sys.stderr)
@@ -46,21 +43,6 @@ def nearest_types(name: str, known: Iterable[str], live: Collection[str] = ()) -
     best = max(likeness.values(), default=0.0)
     near = [each for each, like in likeness.items() if like >= max(NEAR, best - SPREAD)]
     return sorted(near, key=lambda each: (each not in live, -likeness[each], _rank(each), each))[:3]
-
-
-def types_on_graph(kind: str) -> set[str]:
-    """Return the types of a kind that are on the graph now; empty without a wire."""
-    try:
-        with graph.settled_graph(argparse.Namespace(spin_time=LIVE_S)) as found:
-            if kind == "msg":
-                return {end.topic.type_name for end in found.endpoints()}
-            if kind == "srv":
-                return {end.type_name for end in found.service_ends()}
-            from tfloom.cli.action.common import action_ends
-
-            return {end.type_name for end in action_ends(found)}
-    except WireError:
-        return set()
 
 
 def _likeness(name: str, known: str) -> float:

@@ -1,7 +1,7 @@
-"""Run a program that ends when its starter does: `python -m tfloom.demos.child MODULE:FUNCTION [ARGS]`.
+"""Run a program that ends with its parent process: `python -m tfloom.demos.child MODULE:FUNCTION [ARGS]`.
 
-Its standard input is a pipe that the starter holds and never writes to. However the starter ends, killed included,
-the pipe ends with it, on every system.
+Its standard input is a pipe to which the parent writes nothing. When the parent ends for any reason, even if it is
+killed, the pipe is closed, on every system.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import time
 from importlib import import_module
 
 GRACE_S = 2.0
-"""How long the program has to end by itself [s]."""
+"""Time in which the program must end after the parent's end [s]."""
 
 
 def _end_with_starter() -> None:
@@ -26,7 +26,7 @@ def _end_with_starter() -> None:
 
 
 def main() -> int:
-    """Run the program that the command line names; return its exit code."""
+    """Run the program in the command line; return its exit code."""
     threading.Thread(target=_end_with_starter, daemon=True).start()
     module, _, function = sys.argv[1].partition(":")
     return int(getattr(import_module(module), function)(sys.argv[2:]) or 0)

@@ -1,6 +1,6 @@
-"""multisim: two turtlesims side by side, in the namespaces turtlesim1 and turtlesim2.
+"""multisim: two turtlesims, in the namespaces turtlesim1 and turtlesim2.
 
-Each is a separate program with its window; one may be closed before the other.
+Each is a separate program with its own window; one may be closed before the other.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ from tfloom.node.context.utilities import remove_ros_args
 
 NAMESPACES = ("turtlesim1", "turtlesim2")
 GRACE_S = 5.0
-"""How long to wait for them to end by themselves [s]."""
+"""The longest wait for them to end before they are killed [s]."""
 
 Process = subprocess.Popen[bytes]
 
 
-class Stopped(Exception):  # noqa: N818  # no error
-    """The program got a signal to end."""
+class Stopped(Exception):  # noqa: N818  # not an error
+    """The program has received a signal to end."""
 
 
 def command_line(namespace: str, args: Sequence[str]) -> list[str]:
@@ -37,7 +37,7 @@ def run(args: Sequence[str]) -> int:
     try:
         for namespace in NAMESPACES:
             process = subprocess.Popen(command_line(namespace, args), stdin=subprocess.PIPE)
-            # One by one, so that the first is ended if the second can't start.
+            # One after the other, so that the first is ended if the second can't start.
             processes.append(process)
         for process in processes:
             process.wait()
@@ -49,7 +49,7 @@ def run(args: Sequence[str]) -> int:
 
 
 def end(processes: Sequence[Process]) -> list[int]:
-    """Interrupt those that still run, kill them if they don't end in time, and return all exit codes."""
+    """Interrupt the running ones, kill them if they don't end in time, and return all exit codes."""
     for process in processes:
         if process.stdin is not None:
             process.stdin.close()
@@ -79,7 +79,7 @@ def main(args: list[str] | None = None) -> int:
     args = sys.argv[1:] if args is None else args
     parser = argparse.ArgumentParser(
         prog="multisim",
-        description="Run two turtlesims, in the namespaces turtlesim1 and turtlesim2. ROS arguments go to both.",
+        description="Run two turtlesims, in the namespaces turtlesim1 and turtlesim2. Both receive the ROS arguments.",
     )
     parser.add_argument("--headless", action="store_true", help="open no windows")
     parser.parse_args(remove_ros_args(args))

@@ -1,4 +1,4 @@
-"""The demonstration's programs as processes of their own, which talk over DDS on this machine alone."""
+"""The demonstration's programs as separate processes, which communicate over DDS on this machine alone."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from collections.abc import Callable, Iterator, Mapping
 from tfloom.demos.show import END_GRACE_S, LOG_LINES, ShowError, StartProgram
 
 DOMAINS = range(1, 101)
-"""Domains whose ports, by DDS's formula, stay clear of those that the system gives out."""
+"""Domains whose ports, by DDS's formula, are outside the system's range of ephemeral ports."""
 
 
 @contextlib.contextmanager
 def own_domain() -> Iterator[int]:
-    """Give a DDS domain that no other demonstration on this machine uses: a TCP port is the lock."""
+    """Reserve, for the block, a DDS domain that no other demonstration on this machine uses; a TCP port is the lock."""
     for domain in random.sample(DOMAINS, len(DOMAINS)):
         lock = socket.socket()
         try:
@@ -36,7 +36,7 @@ def own_domain() -> Iterator[int]:
 
 
 def process_starter(domain_id: int) -> StartProgram:
-    """Return what starts a program as a process on a DDS domain, on the loopback interface alone."""
+    """Return a function that starts a program as a process on a DDS domain, on the loopback interface alone."""
     environment = os.environ | {
         "ROS_DOMAIN_ID": str(domain_id),
         "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
@@ -47,12 +47,12 @@ def process_starter(domain_id: int) -> StartProgram:
 
 
 class ProcessProgram:
-    """A process under our care; see `show.Program`.
+    """A program as a process; see `show.Program`.
 
     Args:
         command: `module:function` and arguments.
         environment: Its environment variables.
-        on_line: Takes each line that it prints, on a thread of its own; `log` keeps the last of them, too.
+        on_line: Called with each printed line, on a separate thread; `log` keeps the last lines, too.
     """
 
     def __init__(
@@ -69,7 +69,7 @@ class ProcessProgram:
             stderr=subprocess.STDOUT,
             text=True,
             env=environment,
-            start_new_session=True,  # a Ctrl-C is for us, who then end the others
+            start_new_session=True,  # a Ctrl-C reaches this process alone, which then ends the others
         )
         self._reader = threading.Thread(target=self._read, args=(on_line,), daemon=True)
         self._reader.start()
@@ -81,19 +81,19 @@ class ProcessProgram:
                 on_line(self.log[-1])
 
     def exit_code(self) -> int | None:
-        """Return its exit code, None while it runs."""
+        """Return its exit code; None while it runs."""
         code = self._process.poll()
         if code is not None:
             self._reader.join(END_GRACE_S)
         return code
 
-    def ask_to_end(self) -> None:
-        """Send it what Ctrl-C would."""
+    def request_end(self) -> None:
+        """Send the signal of Ctrl-C."""
         if self._process.poll() is None:
             self._process.send_signal(signal.SIGINT if os.name == "posix" else signal.SIGTERM)
 
     def end(self, grace_s: float) -> None:
-        """Wait for its end, and kill it when that takes too long."""
+        """Wait for its end, and kill it after `grace_s`."""
         try:
             self._process.wait(grace_s)
         except subprocess.TimeoutExpired:

@@ -1,7 +1,7 @@
-"""The demonstration: a turtle that draws, one that follows it, a sensor, and what tf2 makes of them.
+"""The demonstration: a turtle that draws, one that follows it, a sensor, and their frames in tf2.
 
-How its programs run is the caller's choice: as processes over DDS (`processes.py`), as a user's would, or on threads
-of this process (`threads.py`), where there is no DDS. All of them end with this one.
+The caller selects how its programs run: as processes over DDS (`processes.py`), as a user would run them, or on
+threads of this process (`threads.py`), if there is no DDS. All of them end with this process.
 """
 
 from __future__ import annotations
@@ -39,50 +39,50 @@ PROGRAMS: dict[str, list[str]] = {
     ],
     "driver": [f"{DEMOS}.curve_driver:main"],
 }
-"""What runs all the time: `module:function` and arguments. Turtlesim opens its window where there is a display."""
+"""The programs: `module:function` and arguments. Turtlesim opens its window if there is a display."""
 ECHO = ["tfloom.tf2_tools.echo:main", "world", "laser"]
 VIEW_FRAMES = ["tfloom.tf2_tools.view_frames:main", "-o", "frames", "-t", "3"]
 PATIENCE_S = 40.0
-"""How long it may take until the tree is drawn [s]."""
+"""The longest time until the tree is drawn [s]."""
 END_GRACE_S = 3.0
 LOG_LINES = 40
-"""How many of a program's last lines are kept."""
+"""Number of a program's last lines that are kept."""
 
 
 class ShowError(Exception):
-    """The demonstration can't go on; its text says why."""
+    """The demonstration can't continue; the text has the reason."""
 
 
 class Program(Protocol):
-    """A program under our care: from its start on it runs by itself."""
+    """A program that has been started."""
 
     @property
     def log(self) -> Iterable[str]:
         """The last lines that it printed."""
 
     def exit_code(self) -> int | None:
-        """Return its exit code, None while it runs."""
+        """Return its exit code; None while it runs."""
 
-    def ask_to_end(self) -> None:
-        """End it as Ctrl-C would."""
+    def request_end(self) -> None:
+        """Request its end, as Ctrl-C does."""
 
     def end(self, grace_s: float) -> None:
-        """Wait for its end, `grace_s` at most, and leave nothing open."""
+        """Wait for its end, `grace_s` at most, and release its resources."""
 
 
 StartProgram = Callable[[list[str], Callable[[str], object] | None], Program]
-"""Starts `[module:function, *arguments]` in the current folder; the second argument takes each line that it prints, on
-a thread of the program's own."""
+"""A function that starts `[module:function, *arguments]` in the current folder; its second argument is called with
+each printed line, on a thread of the program's own."""
 
 
 class Show:
-    """Runs the programs and prints what tf2_echo sees; a context that leaves none of them running.
+    """Runs the programs and prints the output of tf2_echo; a context manager that ends all programs on exit.
 
     Drawings go to the current folder.
 
     Args:
         start: Starts a program.
-        programs: What runs all the time beside tf2_echo, as `PROGRAMS`.
+        programs: The programs besides tf2_echo, as `PROGRAMS`.
     """
 
     def __init__(self, start: StartProgram, programs: Mapping[str, list[str]] = PROGRAMS) -> None:
@@ -111,21 +111,21 @@ class Show:
 
     def _end(self) -> None:
         for program in self._programs.values():
-            program.ask_to_end()
+            program.request_end()
         end = time.monotonic() + END_GRACE_S
         for program in self._programs.values():
             program.end(max(0.0, end - time.monotonic()))
         if (self._folder / PICTURE).exists():
-            print(f"What the turtles drew is in {self._folder / PICTURE}")
+            print(f"The picture of the turtles is in {self._folder / PICTURE}")
 
     def run(self, seconds: float | None) -> None:
-        """Print what tf2_echo sees, and draw the tree as soon as it is complete.
+        """Print the output of tf2_echo, and draw the tree as soon as it is complete.
 
         Args:
-            seconds: How long, but until the tree is drawn at least; None goes on until interrupted.
+            seconds: Duration, extended until the tree is drawn; None: until interrupted.
 
         Raises:
-            ShowError: a program ended by itself, or there was nothing to draw for too long.
+            ShowError: a program ended unexpectedly, or the tree was not complete in time.
         """
         started = time.monotonic()
         end = math.inf if seconds is None else started + seconds
@@ -140,17 +140,17 @@ class Show:
                 raise ShowError(f"the turtle's frames could not be drawn in {PATIENCE_S:.0f} s")
 
     def _is_complete(self) -> bool:
-        """Whether the second turtle is there, too."""
+        """Return whether the second turtle is in the tree, too."""
         return any("Successfully spawned" in line for line in list(self._programs["listener"].log))
 
     def _check(self) -> None:
-        """Tell of the drawing once it is there; raise for a program that failed or shouldn't have ended."""
+        """Print the drawing's path when it is complete; raise ShowError for a program that has ended unexpectedly."""
         for name, program in self._programs.items():
             code = program.exit_code()
             if code is None or (name == "view_frames" and self._has_drawn):
                 continue
             if code or name != "view_frames":
                 log = "\n".join(program.log)
-                raise ShowError(f"{name} ended by itself with exit code {code}\n{log}".rstrip())
+                raise ShowError(f"{name} ended unexpectedly with exit code {code}\n{log}".rstrip())
             self._has_drawn = True
             print(f"The tree of frames is drawn in {self._folder / 'frames.pdf'}")

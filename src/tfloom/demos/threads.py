@@ -1,6 +1,6 @@
-"""The demonstration's programs on threads of this process, where no DDS is: they talk over the wire `tfloom_local`.
+"""The demonstration's programs on threads of this process, for machines without DDS, over the wire `tfloom_local`.
 
-Each runs by the same `main` as in a process of its own, with its own command line, its own context, and its own output.
+Each runs by the same `main` as in a process, with its own command line, context and output.
 """
 
 from __future__ import annotations
@@ -23,17 +23,17 @@ from tfloom.node.context.context import Context
 from tfloom.node.context.defaults import own_defaults
 
 WINDOWLESS_PROGRAMS = PROGRAMS | {"turtlesim": [*PROGRAMS["turtlesim"], "--headless"]}
-"""The programs without turtlesim's window, which only a program's main thread may open."""
+"""The programs, turtlesim's without its window, because only the main thread may open one."""
 
 POLL_S = 0.05
-"""How long a wait for a program's end lasts before the program is asked again [s]."""
+"""Time after which the request to end is repeated [s]."""
 
 
 @contextlib.contextmanager
 def thread_starter() -> Iterator[StartProgram]:
-    """Give what starts a program on a thread; for the block, this process is on the wire `tfloom_local`.
+    """Yield a function that starts a program on a thread; for the block, this process uses the wire `tfloom_local`.
 
-    What the threads of programs print goes to their logs, and all else where it went before.
+    The output of the programs' threads is added to their logs; other output is unchanged.
     """
     with (
         _environment(RMW_IMPLEMENTATION="tfloom_local", ROS_DOMAIN_ID="0"),
@@ -62,7 +62,7 @@ class ThreadProgram:
 
     Args:
         command: `module:function` and arguments.
-        on_line: Takes each line that it prints, on the program's thread; `log` keeps the last of them, too.
+        on_line: Called with each printed line, on the program's thread; `log` keeps the last lines, too.
     """
 
     def __init__(self, command: list[str], on_line: Callable[[str], object] | None = None) -> None:
@@ -73,7 +73,7 @@ class ThreadProgram:
         self._code = 0
         target, *args = command
         module, _, function = target.partition(":")
-        # Imported here, one after the other: threads that import modules of one ring could wait for each other.
+        # Imported here, one after the other, because threads that import modules of one ring could deadlock.
         main = getattr(import_module(module), function)
         self._thread = threading.Thread(target=self._run, args=(main, args), name=module, daemon=True)
         self._thread.start()
@@ -94,7 +94,7 @@ class ThreadProgram:
                 self.take("\n")
 
     def take(self, text: str) -> None:
-        """Take what the program prints, of which each whole line is logged; on the program's thread."""
+        """Add a part of the program's output, and log each complete line; on the program's thread."""
         *lines, self._rest = (self._rest + text).split("\n")
         for line in lines:
             self.log.append(line)
@@ -102,23 +102,23 @@ class ThreadProgram:
                 self._on_line(line)
 
     def exit_code(self) -> int | None:
-        """Return its exit code, None while it runs."""
+        """Return its exit code; None while it runs."""
         return None if self._thread.is_alive() else self._code
 
-    def ask_to_end(self) -> None:
-        """Shut its context down as Ctrl-C would; without effect before it has initialised it."""
+    def request_end(self) -> None:
+        """Shut its context down, as Ctrl-C does; without effect before the context is initialised."""
         self._context.interrupt()
 
     def end(self, grace_s: float) -> None:
-        """Wait for its end, `grace_s` at most: a thread can't be killed, but ends with this process."""
+        """Wait for its end, `grace_s` at most, because a thread can't be killed; it ends with this process."""
         until = time.monotonic() + grace_s
         while self._thread.is_alive() and (left := until - time.monotonic()) > 0.0:
-            self.ask_to_end()
+            self.request_end()
             self._thread.join(min(left, POLL_S))
 
 
 def _exit_code(end: SystemExit) -> int:
-    """Return the exit code that the interpreter makes of `end`, and print its text if it has one."""
+    """Return the interpreter's exit code for a SystemExit, and print its text if it has one."""
     if isinstance(end.code, str):
         print(end.code, file=sys.stderr)
         return 1
@@ -126,11 +126,11 @@ def _exit_code(end: SystemExit) -> int:
 
 
 _printing: ContextVar[ThreadProgram | None] = ContextVar("printing", default=None)
-"""The program whose thread this is."""
+"""The program that runs on the current thread."""
 
 
 class _Output(io.TextIOBase):
-    """Stands for a standard stream: gives what programs print to them, and the rest to the stream.
+    """Replacement of a standard stream: passes the output of programs to them, and all other output to the stream.
 
     Args:
         stream: The stream; None if it is closed.
@@ -148,7 +148,8 @@ class _Output(io.TextIOBase):
         return len(text)
 
     def flush(self) -> None:
-        if _printing.get() is None and self._stream is not None:
+        # Called on collection, too, when the stream may be closed already.
+        if _printing.get() is None and self._stream is not None and not self._stream.closed:
             self._stream.flush()
 
     def isatty(self) -> bool:

@@ -55,7 +55,7 @@ __all__ = [
 
 
 class InitContextManager:
-    """The result of `init`; a `with` of it shuts the context down at its end."""
+    """The result of `init`: a context manager that shuts the context down on exit."""
 
     def __init__(self, context: Context, *, uninstall_handlers: bool) -> None:
         self.context = context
@@ -82,7 +82,7 @@ def init(
 ) -> InitContextManager:
     """Initialise a context: read the ROS arguments, and handle Ctrl-C and SIGTERM.
 
-    As in later releases, `with rclpy.init():` shuts down at its end, unless it is done already.
+    As in later releases, `with rclpy.init():` shuts the context down on exit, unless that has been done.
 
     Args:
         args: Command line; None: `sys.argv`.
@@ -91,9 +91,9 @@ def init(
         signal_handler_options: Which signals to handle; None: both for the default context, else none.
 
     Raises:
-        RuntimeError: the context was initialised before; the default one, unless it has ended since.
-        RCLInvalidROSArgsError: a ROS argument can't be understood.
-        UnknownROSArgsError: a ROS argument isn't known.
+        RuntimeError: the context was initialised before; the default one: and has not been shut down since.
+        RCLInvalidROSArgsError: a ROS argument is malformed.
+        UnknownROSArgsError: a ROS argument is unknown.
     """
     if signal_handler_options is None:
         is_default = context is None or context is get_default_context()
@@ -115,7 +115,7 @@ def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None 
 
     Raises:
         RuntimeError: the context was never initialised.
-        RCLError: it is shut down already; `try_shutdown` accepts that.
+        RCLError: it was shut down before; `try_shutdown` accepts that.
     """
     try:
         _shutdown(context=context)
@@ -138,7 +138,7 @@ def create_node(
     automatically_declare_parameters_from_overrides: bool = False,
     enable_logger_service: bool = False,
 ) -> Node:
-    """Create a node; the arguments are those of the class."""
+    """Return a new node; the arguments are those of `Node`."""
     from tfloom.node.node import Node
 
     return Node(
@@ -157,7 +157,7 @@ def create_node(
 
 
 def get_global_executor() -> Executor:
-    """Return the executor that the functions below use if none is given."""
+    """Return the executor that `spin` and its variants use if none is given."""
     from tfloom.node.executing.executors import get_global_executor as get
 
     return get()
@@ -175,7 +175,7 @@ def _temporarily_added(node: Node, executor: Executor) -> Iterator[None]:
         yield
     finally:
         if is_new:
-            still_there = node in executor.get_nodes()  # a callback may have destroyed it, or moved it on
+            still_there = node in executor.get_nodes()  # a callback may have destroyed or moved it
             executor.remove_node(node)
             if before is not None and still_there:
                 with suppress(ShutdownException):
@@ -196,7 +196,7 @@ def spin(node: Node, executor: Executor | None = None) -> None:
 
 
 def spin_once(node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
-    """Wait for one callback and run it; return without one after `timeout_sec` [s] (None: never)."""
+    """Wait for one callback and run it; after `timeout_sec` [s] (None: no limit), return without one."""
     executor = executor or get_global_executor()
     with _temporarily_added(node, executor):
         executor.spin_once(timeout_sec=timeout_sec)
@@ -205,7 +205,7 @@ def spin_once(node: Node, *, executor: Executor | None = None, timeout_sec: floa
 def spin_until_future_complete(
     node: Node, future: Future[Any], executor: Executor | None = None, timeout_sec: float | None = None
 ) -> None:
-    """Run a node's callbacks until a future is done, or `timeout_sec` [s] are over (None: never)."""
+    """Run a node's callbacks until a future is done, or for `timeout_sec` [s] (None: no limit)."""
     executor = executor or get_global_executor()
     with _temporarily_added(node, executor):
         executor.spin_until_future_complete(future, timeout_sec)

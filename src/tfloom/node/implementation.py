@@ -1,11 +1,11 @@
-"""The names of rclpy's compiled half that programs use: errors, and what a program's own waitables wait for."""
+"""Names of rclpy's compiled module that programs use: errors, and entities for wait sets of a program's waitables."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tfloom.node.context.arguments import RCLInvalidROSArgsError, UnknownROSArgsError
-from tfloom.node.endpoints.endpoint import Endpoint, TakingEndpoint
+from tfloom.node.endpoints.endpoint import ReceivingEndpoint, TakingEndpoint
 from tfloom.node.executing import guard_condition, timer
 from tfloom.node.executing.event_handler import UnsupportedEventTypeError
 from tfloom.node.executing.signals import SignalHandlerOptions
@@ -29,7 +29,6 @@ from tfloom.rmw.typed_names import service_of, topic_of
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:
-    from tfloom._native import ReadyQueue
     from tfloom.node.base.node_base import NodeBase
     from tfloom.node.clock.clock import Clock
     from tfloom.node.context.context import Context
@@ -58,13 +57,13 @@ __all__ = [
 
 
 class ServiceInfo(NamedTuple):
-    """Which request something belongs to, and when it arrived."""
+    """The request that something belongs to, and its stamps."""
 
     request_id: RequestId
     source_timestamp: int
-    """When it was sent [ns since epoch]."""
+    """Time of sending [ns since epoch]."""
     received_timestamp: int
-    """When it arrived [ns since epoch]."""
+    """Time of arrival [ns since epoch]."""
 
 
 class GuardCondition(guard_condition.GuardCondition):
@@ -99,7 +98,7 @@ class Timer(timer.Timer):
         self.take()
 
     def is_timer_ready(self) -> bool:
-        """Return whether the period is over."""
+        """Return whether the period has ended."""
         return self.is_ready()
 
     def is_timer_canceled(self) -> bool:
@@ -115,12 +114,12 @@ class Timer(timer.Timer):
         self.reset()
 
     def destroy_when_not_in_use(self) -> None:
-        """Stop becoming ready, for good."""
+        """Stop becoming ready, permanently."""
         self.destroy()
 
 
-class _WaitedEndpoint(Endpoint[TakingEndpoint]):
-    """An endpoint on the wire that a wait set waits for, and the program takes from; destroyed with its node."""
+class _WaitedEndpoint(ReceivingEndpoint[TakingEndpoint]):
+    """An endpoint that a wait set waits for and the program takes from; destroyed with its node."""
 
     def __init__(self, endpoint: TakingEndpoint, name: str, node: NodeBase) -> None:
         super().__init__(endpoint, name)
@@ -132,18 +131,8 @@ class _WaitedEndpoint(Endpoint[TakingEndpoint]):
         """The endpoint on the wire."""
         return self._endpoint
 
-    def attach(self, queue: ReadyQueue, token: int) -> None:
-        """Post `token` when data has arrived."""
-        if not self._destroyed:
-            self._endpoint.notify(queue, token)
-
-    def detach(self) -> None:
-        """Stop posting."""
-        if not self._destroyed:
-            self._endpoint.notify(None)
-
     def deadline_ns(self) -> int | None:
-        """Return None, because arriving data posts."""
+        """Return None, because arriving data posts the token."""
         return None
 
     def becomes_ready(self) -> bool:
@@ -153,7 +142,7 @@ class _WaitedEndpoint(Endpoint[TakingEndpoint]):
         return self._seen is not None
 
     def _take(self, message_type: type[Message]) -> tuple[Any, Any]:
-        """Return the oldest item and the message in it, or None twice; data that can't be decoded is dropped."""
+        """Return the oldest item and its message, or (None, None); drop data that can't be decoded."""
         while self._alive().becomes_ready():
             incoming, self._seen = self._seen, None
             try:
@@ -182,7 +171,7 @@ class Subscription(_WaitedEndpoint[Reader]):
         owner = unwrap_handle(node)
         name = owner.resolve_topic_name(topic)
         wire_topic = topic_of(pymsg_type, name, is_native=pyqos_profile.avoid_ros_namespace_conventions)
-        reader = owner._open(  # noqa: SLF001  # how endpoints are opened that no executor runs
+        reader = owner._open(  # noqa: SLF001  # opens endpoints that no executor runs
             self, lambda wire, whose: wire.create_reader(whose, wire_topic, pyqos_profile.to_wire())
         )
         super().__init__(reader, name, owner)
@@ -225,7 +214,7 @@ class Service(_WaitedEndpoint[Responder]):
         super().__init__(responder, name, owner)
 
     def service_take_request(self, pyrequest_type: type[Message]) -> tuple[Any, ServiceInfo | None]:
-        """Return the oldest request and its header; None twice if there is none."""
+        """Return the oldest request and its header; (None, None) if there is none."""
         incoming, request = self._take(pyrequest_type)
         return request, None if incoming is None else _info(incoming)
 
@@ -264,7 +253,7 @@ class Client(_WaitedEndpoint[Requester]):
         return self._alive().endpoint.is_ready()
 
     def take_response(self, pyresponse_type: type[Message]) -> tuple[ServiceInfo | None, Any]:
-        """Return the oldest response's header and the response; None twice if there is none."""
+        """Return the header of the oldest response, and the response; (None, None) if there is none."""
         incoming, response = self._take(pyresponse_type)
         return None if incoming is None else _info(incoming), response
 

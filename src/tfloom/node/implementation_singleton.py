@@ -1,4 +1,4 @@
-"""The name under which programs import what rclpy has compiled."""
+"""The name under which programs import rclpy's compiled module."""
 
 from __future__ import annotations
 

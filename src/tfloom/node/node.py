@@ -36,18 +36,18 @@ HIDDEN_NODE_PREFIX = "_"
 class Node(NodeBase):
     """A node: a name on the graph, under which it publishes, subscribes, and has parameters and timers.
 
-    Its callbacks run while an executor that it is added to spins. A reference to anything that it created keeps it
+    Its callbacks run while an executor that it was added to spins. A reference to anything that it created keeps it
     alive. An unreferenced node leaves the graph when another node is created, or at shutdown.
 
     Args:
         node_name: Its name; `-r __node:=` on the command line replaces it.
         context: The context it belongs to; None: the default one.
-        cli_args: Arguments for this node alone, `--ros-args` included; they come before the program's.
+        cli_args: Arguments for this node alone, `--ros-args` included; they take precedence over the program's.
         namespace: Its namespace, with or without the first slash; None: the root. `-r __ns:=` replaces it.
         use_global_arguments: Whether the program's ROS arguments apply to it.
         enable_rosout: Whether its log records are published on /rosout.
         start_parameter_services: Whether it has services that read and set its parameters.
-        parameter_overrides: First values of parameters; they win over those of the command line.
+        parameter_overrides: First values of parameters; they take precedence over those of the command line.
         allow_undeclared_parameters: Whether parameters may be set that aren't declared.
         automatically_declare_parameters_from_overrides: Whether each parameter that is given a first value is
             declared at once.
@@ -57,7 +57,7 @@ class Node(NodeBase):
         NotInitializedException: the context isn't initialised, or shut down.
         InvalidNodeNameException: the name isn't valid.
         InvalidNamespaceException: the namespace isn't valid.
-        RCLInvalidROSArgsError: one of `cli_args` can't be understood.
+        RCLInvalidROSArgsError: one of `cli_args` is malformed.
     """
 
     PARAM_REL_TOL = 1e-6
@@ -101,7 +101,7 @@ class Node(NodeBase):
             if start_parameter_services:
                 ParameterService(self)
             if enable_logger_service:
-                # Imported here because it is off by default, and start-up time is a feature.
+                # Imported here, because it is off by default and the import costs start-up time.
                 from tfloom.node.builtin.logging_service import LoggingService
 
                 LoggingService(self)
@@ -111,7 +111,7 @@ class Node(NodeBase):
             raise
 
     def destroy_node(self) -> None:
-        """Leave the executor and the graph, with all that was created. Destroying again does nothing."""
+        """Leave the executor and the graph, and destroy all that was created. Destroying again does nothing."""
         time_source, self.__time_source = self.__time_source, None
         if time_source is not None:
             time_source.detach_node()

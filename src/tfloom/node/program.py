@@ -1,4 +1,4 @@
-"""The beginning and end of our own programs: they end quietly however they are stopped."""
+"""Start and end of tfloom's own programs, which end without a traceback when they are stopped."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ __all__ = ["expect_no_arguments", "run_program"]
 def run_program(args: list[str] | None, body: Callable[[], int | None], *, if_stopped: int = 0) -> int:
     """Initialise the default context, run `body()`, and shut down.
 
-    Ctrl-C, SIGTERM and a shutdown end the body quietly at any point.
+    Ctrl-C, SIGTERM and a shutdown end the body at any point, without a traceback.
 
     Args:
         args: Command line, with its ROS arguments; None: `sys.argv`.
@@ -26,7 +26,7 @@ def run_program(args: list[str] | None, body: Callable[[], int | None], *, if_st
         The exit code.
 
     Raises:
-        Exception: raised by the body for another reason than being stopped.
+        Exception: raised by the body, unless it was stopped.
     """
     context = get_default_context()
     try:
@@ -35,7 +35,7 @@ def run_program(args: list[str] | None, body: Callable[[], int | None], *, if_st
     except (KeyboardInterrupt, ExternalShutdownException):
         return if_stopped
     except Exception as error:
-        # A signal came between two calls, of which the second needs the context.
+        # A signal arrived between two calls, of which the second needs the context.
         if not context.explains(error):
             raise
         return if_stopped
@@ -44,15 +44,15 @@ def run_program(args: list[str] | None, body: Callable[[], int | None], *, if_st
 
 
 def expect_no_arguments(program: str, description: str, args: list[str] | None = None) -> None:
-    """Exit with a usage text if a command line has more than ROS arguments, and with the help on `--help`.
+    """Exit with a usage text if a command line has other than ROS arguments, and with the help text on `--help`.
 
     Args:
         program: The program's name.
-        description: What it does, for the help.
+        description: What it does, for the help text.
         args: Command line; None: `sys.argv`.
 
     Raises:
-        RCLInvalidROSArgsError: a ROS argument can't be understood.
+        RCLInvalidROSArgsError: a ROS argument is malformed.
     """
     words = remove_ros_args(sys.argv[1:] if args is None else args)
     if words:

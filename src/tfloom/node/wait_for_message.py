@@ -1,4 +1,4 @@
-"""Waiting for one message."""
+"""Wait for one message of a topic."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ def wait_for_message(
 ) -> tuple[bool, Any]:
     """Wait for the next message of a topic.
 
-    A node that is in no executor is spun here meanwhile. Otherwise another thread must spin it, so this can't be
-    called from one of its callbacks.
+    A node that is in no executor is spun here during the wait. Otherwise another thread must spin it, so this must
+    not be called from one of its callbacks.
 
     Args:
         msg_type: Class of the message.
@@ -37,10 +37,10 @@ def wait_for_message(
         time_to_wait: The longest wait [s]; negative: no limit.
 
     Returns:
-        Whether one arrived, and the message.
+        (True, the message), or (False, None) if none arrived in time or before shutdown.
 
     Raises:
-        RuntimeError: called from a callback of a single-threaded executor, which would wait for itself.
+        RuntimeError: called from a callback of a single-threaded executor, which would block its own thread.
     """
     future: Future[Any] = Future()
 
@@ -50,7 +50,9 @@ def wait_for_message(
 
     executor = node.executor
     if executor is not None and executor.would_wait_for_itself():
-        raise RuntimeError(f"wait_for_message on {topic} in a callback would wait for its own thread")
+        raise RuntimeError(
+            f"wait_for_message on {topic} in a callback would block the thread that receives messages"
+        )
     subscription = node.create_subscription(
         msg_type, topic, on_message, qos_profile, callback_group=MutuallyExclusiveCallbackGroup()
     )

@@ -19,7 +19,7 @@ BACKENDS = {
 """ROS's name of each wire, and the module that implements it."""
 
 LIBRARIES = {"rmw_cyclonedds_cpp": "tfloom.rmw.cyclone_library"}
-"""The module whose `find_library` locates the library of a wire; a wire that isn't here needs none."""
+"""The module whose `find_library` locates the library of a wire; other wires need none."""
 
 STAND_INS = {
     "rmw_fastrtps_cpp": "rmw_cyclonedds_cpp",
@@ -71,7 +71,7 @@ def implementation_identifier() -> str:
 
 
 def is_installed(name: str) -> bool:
-    """Return whether the library of a wire is there, in a version that can be used; it isn't loaded for that.
+    """Return whether the library of a wire is installed in a supported version, without loading it.
 
     Args:
         name: The wire, a key of `BACKENDS`.

@@ -14,14 +14,14 @@ from tfloom.rmw.qos import QoS
 
 
 class Sample(NamedTuple):
-    """One message off the wire."""
+    """One message received from the wire."""
 
     data: bytes
     """Encapsulation header (4 octets) and CDR; on DDS padded with zeros to a multiple of 4 octets."""
     source_stamp_ns: int
-    """When it was written, by the writer's clock [ns since epoch]."""
+    """Time of writing, by the writer's clock [ns since epoch]."""
     received_stamp_ns: int
-    """When it was taken off the wire here [ns since epoch]."""
+    """Time of receipt, by this host's clock [ns since epoch]."""
     publisher_gid: bytes
     """Gid of its writer: 16 octets."""
 
@@ -30,7 +30,7 @@ class NodeName(NamedTuple):
     """A node on the graph."""
 
     namespace: str
-    """`/` or `/a/b`, never with a slash at its end."""
+    """`/` or `/a/b`, without a slash at its end."""
     name: str
 
     @property
@@ -74,7 +74,7 @@ class Service(NamedTuple):
     request_hash: str = ""
     """`RIHS01_` and 64 hex digits, of the request's type; empty if unknown."""
     response_hash: str = ""
-    """The same of the response's type."""
+    """The same for the response's type."""
 
 
 class ServiceEndInfo(NamedTuple):
@@ -83,7 +83,7 @@ class ServiceEndInfo(NamedTuple):
     name: str
     type_name: str
     node: NodeName | None
-    """None where an `EndpointInfo` has None."""
+    """None as in `EndpointInfo`."""
     is_server: bool
     gid: bytes
     """16 octets: of a server's reader of requests, of a client's writer of requests."""
@@ -91,7 +91,7 @@ class ServiceEndInfo(NamedTuple):
 
 
 class RequestId(NamedTuple):
-    """The id of a request, which its response carries, too."""
+    """The id of a request and of its response."""
 
     client_gid: bytes
     """16 octets."""
@@ -100,7 +100,7 @@ class RequestId(NamedTuple):
 
 
 class Request(NamedTuple):
-    """One request off the wire, without any header of the wire's own."""
+    """One request received from the wire, without the wire's header."""
 
     data: bytes
     """Encapsulation header (4 octets) and CDR."""
@@ -110,7 +110,7 @@ class Request(NamedTuple):
 
 
 class Response(NamedTuple):
-    """One response to a request of ours."""
+    """One response to a request of this client."""
 
     data: bytes
     """Encapsulation header (4 octets) and CDR."""
@@ -174,7 +174,7 @@ class Endpoint(Protocol):
 
 
 class Writer(Endpoint, Protocol):
-    """The sending end of a topic."""
+    """A writer of a topic."""
 
     def write(self, data: bytes) -> None:
         """Send one sample: encapsulation header and CDR. Never blocks for longer than the wire's own limit."""
@@ -190,7 +190,7 @@ class Writer(Endpoint, Protocol):
 
 
 class Reader(Endpoint, Protocol):
-    """The receiving end of a topic."""
+    """A reader of a topic."""
 
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` when there is something to take, at once if there may be already; None ends it.
@@ -236,10 +236,10 @@ class Requester(Protocol):
         """Post `token` to `queue` when `is_ready` may have changed, and once at the start; None ends it."""
 
     def is_ready(self) -> bool:
-        """Return whether a server is matched in both directions, so that it will receive and answer a request."""
+        """Return whether a server is matched in both directions, so that it will receive and reply to a request."""
 
     def obstacle(self) -> str:
-        """Return, for the user, why this client cannot become ready with the present servers; empty if it can."""
+        """Return a text for the user: why this client cannot become ready with the present servers; empty if it can."""
 
     def close(self) -> None:
         """Leave the service. Closing again does nothing."""
@@ -254,7 +254,7 @@ class Responder(Protocol):
         """Remove and return the oldest waiting request, or None. Never blocks."""
 
     def send(self, request_id: RequestId, data: bytes) -> None:
-        """Answer a request: encapsulation header and CDR. It is no error if the client has left.
+        """Reply to a request: encapsulation header and CDR. It is not an error if the client has left.
 
         May wait, for 0.1 s at most, until the client's reader is matched.
 
@@ -266,10 +266,10 @@ class Responder(Protocol):
         """Post `token` to `queue` when there may be something to take; see `Reader.notify`."""
 
     def obstacle(self) -> str:
-        """Return, for the user, why some of the present clients can't be served; empty if all can be."""
+        """Return a text for the user: why some of the present clients can't be served; empty if all can be."""
 
     def refusal(self) -> str:
-        """Return, for the user, why the last dropped request was dropped; empty if none was."""
+        """Return a text for the user: why the last dropped request was dropped; empty if none was."""
 
     def close(self) -> None:
         """Leave the service. Closing again does nothing."""
@@ -285,7 +285,7 @@ class Participant(Protocol):
         """All that this participant has discovered."""
 
     def add_node(self, node: NodeName) -> None:
-        """Show a node on the graph."""
+        """Add a node to the graph."""
 
     def remove_node(self, node: NodeName) -> None:
         """Remove a node from the graph; its writers and readers must be closed before."""

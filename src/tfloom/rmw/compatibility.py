@@ -14,14 +14,14 @@ from tfloom.rmw.qos import (
 
 
 def incompatible_policies(offered: QoS, requested: QoS) -> list[QoSPolicyKind]:
-    """Return the policies that keep a writer and a reader from connecting; empty if they connect.
+    """Return the policies that prevent a writer and a reader from connecting; empty if they connect.
 
     Args:
         offered: The writer's quality, resolved (`QoS.resolved`).
         requested: The reader's quality, resolved.
     """
     apart = {
-        # In ROS's numbering, the stronger choice has the lower number.
+        # In ROS's numbering, the stronger policy has the lower number.
         QoSPolicyKind.DURABILITY: offered.durability > requested.durability,
         QoSPolicyKind.DEADLINE: offered.deadline_ns > requested.deadline_ns,
         QoSPolicyKind.LIVELINESS: offered.liveliness < requested.liveliness

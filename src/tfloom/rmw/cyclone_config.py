@@ -1,6 +1,6 @@
 """Cyclone's XML configuration for the range of discovery.
 
-ROS_AUTOMATIC_DISCOVERY_RANGE: LOCALHOST (ours where it isn't set), SUBNET, OFF or SYSTEM_DEFAULT.
+ROS_AUTOMATIC_DISCOVERY_RANGE: LOCALHOST (tfloom's default), SUBNET, OFF or SYSTEM_DEFAULT.
 ROS_STATIC_PEERS: further hosts to search, separated by semicolons. A CYCLONEDDS_URI takes precedence over both.
 """
 
@@ -14,16 +14,16 @@ from tfloom.rmw.errors import ConfigurationError
 RANGES = ("LOCALHOST", "SUBNET", "OFF", "SYSTEM_DEFAULT")
 DEFAULT_RANGE = "LOCALHOST"
 LOCAL_PARTICIPANTS = 60
-"""How many programs can discover one another on one machine, because each is searched at a port of its own."""
+"""Most programs that can discover one another on one machine, because each is searched at its own port."""
 
 _LOOPBACK = ("127.0.0.1", "localhost", "::1")
 
-# Linux's loopback takes 64 KiB in one piece, which halves the cost of a message of 1 MB.
+# Linux's loopback interface transfers 64 KiB in one packet, which halves the cost of a message of 1 MB.
 _LARGE_DATAGRAMS = "<MaxMessageSize>65500B</MaxMessageSize><FragmentSize>65000B</FragmentSize>"
 # A message of 5 MB at best effort arrives in one burst; the system may limit the buffer to less.
 _RECEIVE_BUFFER = '<SocketReceiveBufferSize max="4MB"/>'
-# A writer that leaves waits until its last samples are acknowledged, which it requests this often. Cyclone's own 100 ms
-# are for networks; on one machine they would delay the end of each program by 0.2 s.
+# A closing writer waits until its last samples are acknowledged, and requests this with this period. Cyclone's default
+# of 100 ms is for networks; on one machine it would delay the end of each program by 0.2 s.
 _PROMPT_ACKNOWLEDGEMENTS = "<HeartbeatInterval>20ms</HeartbeatInterval>"
 
 
@@ -37,7 +37,7 @@ def configuration() -> str:
 
 
 def discovery_range() -> str:
-    """Return the one of `RANGES` that the environment selects.
+    """Return the range, one of `RANGES`, that the environment selects.
 
     Raises:
         ConfigurationError: ROS_AUTOMATIC_DISCOVERY_RANGE isn't one of them.
@@ -53,10 +53,10 @@ def discovery_range() -> str:
 
 
 def look_up_peers() -> None:
-    """Check the hosts of ROS_STATIC_PEERS, because an unknown one makes Cyclone abort the process.
+    """Resolve the hosts of ROS_STATIC_PEERS, because an unknown one makes Cyclone abort the process.
 
     Raises:
-        ConfigurationError: one can't be found.
+        ConfigurationError: one can't be resolved.
     """
     import socket
 

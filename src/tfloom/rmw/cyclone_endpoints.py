@@ -16,10 +16,10 @@ _POLICY_KINDS = {
     8: QoSPolicyKind.LIVELINESS,
     11: QoSPolicyKind.RELIABILITY,
 }
-"""ROS's policy kinds, by the numbers of DDS (1.4, 2.2.3)."""
+"""ROS's policy kinds, by DDS's policy ids (1.4, 2.2.3)."""
 
 _ACKS_SLICE_NS = 100_000_000
-"""How long to wait between two checks for signals."""
+"""Time between two checks for signals."""
 
 
 class CycloneEndpoint:
@@ -46,7 +46,7 @@ class CycloneEndpoint:
         """Post `token` to `queue` when `take_event(event)` may have a new status, and once at the start; None ends it.
 
         Raises:
-            UnsupportedEventError: the event is one of the other kind of endpoint.
+            UnsupportedEventError: the other kind of endpoint has this event, this one does not.
         """
         try:
             self._endpoint.notify_event(event, queue, token)
@@ -57,7 +57,7 @@ class CycloneEndpoint:
         """Return the status of `event` if it has changed since it was taken last, or None.
 
         Raises:
-            UnsupportedEventError: the event is one of the other kind of endpoint.
+            UnsupportedEventError: the other kind of endpoint has this event, this one does not.
         """
         try:
             fields = self._endpoint.take_event(event)
@@ -84,7 +84,7 @@ def _status(event: Event, fields: tuple[int, int, int, int]) -> Status:
 
 
 class CycloneWriter(CycloneEndpoint):
-    """The sending end; see `base.Writer`."""
+    """A writer; see `base.Writer`."""
 
     native_type = DdsWriter
 
@@ -139,7 +139,7 @@ class CycloneWriter(CycloneEndpoint):
 
 
 class CycloneReader(CycloneEndpoint):
-    """The receiving end; see `base.Reader`."""
+    """A reader; see `base.Reader`."""
 
     native_type = DdsReader
 

@@ -54,7 +54,7 @@ def _check_version(package: str) -> None:
 
 
 def _names_in(folder: str) -> list[str]:
-    # By os alone, because importing pathlib would take longer than all the rest here.
+    # By os alone, because importing pathlib would take longer than the rest of this module.
     try:
         return [entry.name for entry in os.scandir(folder)]
     except OSError:

@@ -1,7 +1,7 @@
 """Matching of servers and clients on DDS, and detection of incompatible vendors.
 
 rmw_cyclonedds writes `serviceid=` into the USER_DATA of both endpoints of a server and `clientid=` into a client's, so
-that a peer can check that both are matched. Other vendors put no header into the CDR and would misread ours.
+that a peer can check that both are matched. Other vendors write no header into the CDR and would misread this one.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from tfloom.rmw.cyclone_endpoints import CycloneReader, CycloneWriter
 from tfloom.rmw.topic_names import key_values
 
 CYCLONE_VENDOR = b"\x01\x10"
-"""The first octets of Cyclone's GUIDs (RTPS 2.5, 8.3.3.1.3)."""
+"""The first octets of Cyclone's GUIDs, its vendor id (RTPS 2.5, 8.3.3.1.3)."""
 
 SERVER_KEY = "serviceid"
 CLIENT_KEY = "clientid"
@@ -36,13 +36,13 @@ def end_user_data(key: str, identifier: str, type_hash: str) -> bytes:
 
 
 def _ids(peers: list[tuple[bytes, bytes]], key: str) -> set[str]:
-    """Return the ids in these peers' USER_DATA; an empty text stands for those without one."""
+    """Return the ids in these peers' USER_DATA; empty for a peer without one."""
     return {_id(user_data, key) for _, user_data in peers}
 
 
 @lru_cache(maxsize=1024)
 def _id(user_data: bytes, key: str) -> str:
-    """Return the value of `key` in a peer's USER_DATA; cached, because the same peers are looked up again and again."""
+    """Return the value of `key` in a peer's USER_DATA; cached, because the same peers are looked up repeatedly."""
     return key_values(user_data).get(key, "")
 
 
@@ -55,11 +55,11 @@ class _Peers:
         self._others = others
 
     def accepts(self, publisher_gid: bytes) -> bool:
-        """Return whether this peer is Cyclone's."""
+        """Return whether this peer runs on Cyclone."""
         return publisher_gid.startswith(CYCLONE_VENDOR)
 
     def obstacle(self) -> str:
-        """Return what to do about a peer of another vendor, or an empty text."""
+        """Return the remedy for a peer of another vendor, or an empty text."""
         if all(self.accepts(gid) for gid, _ in self._requests_end.matched()):
             return ""
         return (

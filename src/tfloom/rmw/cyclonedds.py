@@ -47,8 +47,8 @@ def open_participant(domain_id: int, enclave: str = "/") -> Participant:
 
     Raises:
         NoBackendError: cyclonedds isn't installed, or isn't version 11.
-        ConfigurationError: ROS_AUTOMATIC_DISCOVERY_RANGE isn't a range.
-        WireError: the library can't join; the text has the reason.
+        ConfigurationError: ROS_AUTOMATIC_DISCOVERY_RANGE isn't one of the ranges.
+        WireError: the library can't join the domain; the text has the reason.
     """
     participant = CycloneParticipant(domain_id, enclave)
     _open_participants.add(participant)
@@ -57,7 +57,7 @@ def open_participant(domain_id: int, enclave: str = "/") -> Participant:
 
 @atexit.register
 def _close_all() -> None:
-    """Close all participants, because peers would otherwise wait until the lease ends."""
+    """Close all participants, because their peers would otherwise keep them until the lease ends."""
     for participant in list(_open_participants):
         participant.close()
 
@@ -103,10 +103,10 @@ class CycloneParticipant:
         except WireError:
             raise
         except RuntimeError as error:
-            raise WireError(f"{error}; see above what Cyclone says of it, and {_advice()}") from None
+            raise WireError(f"{error}; see Cyclone's message above, and {_advice()}") from None
 
     def add_node(self, node: NodeName) -> None:
-        """Show a node on the graph."""
+        """Add a node to the graph."""
         with self._lock:
             self._nodes.append(node)
             self._publish_nodes()
@@ -166,7 +166,7 @@ class CycloneParticipant:
     def _open_service(
         self, key: str, asking: type[_End], answering: type[_End2], node: NodeName, service: Service, qos: QoS
     ) -> tuple[_End, _End2]:
-        """Open the ends of a server or a client: that of requests, and that of responses."""
+        """Open the endpoints of a server or a client: for requests, and for responses."""
         waiting = waiting_qos(qos, is_client=key == CLIENT_KEY)
         identifier = end_id(self._native.gid, next(self._service_end_numbers))
         topic = response_topic(service)

@@ -1,4 +1,4 @@
-"""A writer or a reader on the graph as text, in the reference's words."""
+"""The text that describes a writer or a reader on the graph, in the reference's format."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from tfloom.rmw.base import NodeName
 from tfloom.rmw.qos import INFINITE_NS, HistoryPolicy, QoS
 
 UNKNOWN_NODE = NodeName("_NODE_NAMESPACE_UNKNOWN_", "_NODE_NAME_UNKNOWN_")
-"""Shown for an endpoint without a node: its participant's node list has not arrived, or it is not ROS's."""
+"""Shown for an endpoint without a node: its participant's node list has not arrived, or it is not a ROS program."""
 
 
 def endpoint_text(
@@ -15,12 +15,12 @@ def endpoint_text(
     """Return the lines that describe an endpoint.
 
     Args:
-        node: The node that has it.
+        node: The node of the endpoint.
         type_name: Name of the topic's type.
         type_hash: The type's hash as text.
         kind: PUBLISHER, SUBSCRIPTION or INVALID.
         gid: 16 octets.
-        qos: What it offers or requests.
+        qos: The offered or requested quality of service.
     """
     return "\n".join(
         [

@@ -3,7 +3,7 @@
 WireError (RuntimeError)
 ├── NoBackendError         the selected wire is unknown, or not installed
 ├── ConfigurationError     an environment variable or an argument is invalid for the wire
-├── ClosedError            an endpoint was used after it had left its topic
+├── ClosedError            an endpoint was used after it was closed
 ├── ForeignPeerError       a service's peer uses another vendor's format
 └── UnsupportedEventError  this wire, or this kind of endpoint, has no such event
 """
@@ -12,7 +12,7 @@ from __future__ import annotations
 
 
 class WireError(RuntimeError):
-    """The wire refused an operation; the text has the reason and the remedy."""
+    """An operation of the wire failed; the text has the reason and the remedy."""
 
 
 class NoBackendError(WireError):
@@ -24,7 +24,7 @@ class ConfigurationError(WireError):
 
 
 class ClosedError(WireError):
-    """A writer was used after it had been closed."""
+    """An endpoint was used after it was closed."""
 
 
 class ForeignPeerError(WireError):

@@ -12,7 +12,7 @@ from tfloom.rmw.qos import QoSPolicyKind
 
 
 class Event(IntEnum):
-    """The events. Writers and readers have all but those marked as the other's."""
+    """The events. Both writers and readers have those without a mark."""
 
     MATCHED = 0
     INCOMPATIBLE_QOS = 1
@@ -20,7 +20,7 @@ class Event(IntEnum):
     LIVELINESS_LOST = 3
     """Of writers: this one did not assert its liveliness in time."""
     LIVELINESS_CHANGED = 4
-    """Of readers: a writer did not, or does again."""
+    """Of readers: a writer lost its liveliness, or regained it."""
     MESSAGE_LOST = 5
     """Of readers: samples that were lost."""
 

@@ -1,7 +1,7 @@
 """The in-process wire: a sample is in the matched readers before `write` returns.
 
 Participants of one process on the same domain match as on DDS: same topic, same type, compatible qualities of service.
-Nothing leaves the process, there is no thread, and the order of samples is the order of writes.
+No data leaves the process, there is no thread, and the order of samples is the order of writes.
 """
 
 from __future__ import annotations
@@ -190,7 +190,7 @@ class LocalParticipant:
         self._closed = False
 
     def add_node(self, node: NodeName) -> None:
-        """Show a node on the graph."""
+        """Add a node to the graph."""
         self._nodes.append(node)
         self._domain.add_node(node, self.enclave)
 

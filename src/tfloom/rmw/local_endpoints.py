@@ -58,7 +58,7 @@ class LocalEndpoint:
 
 
 class LocalWriter(LocalEndpoint):
-    """The sending end; see `base.Writer`."""
+    """A writer; see `base.Writer`."""
 
     def __init__(self, info: EndpointInfo, leave: Callable[[LocalWriter], None]) -> None:
         super().__init__(info)
@@ -122,8 +122,8 @@ class LocalWriter(LocalEndpoint):
     def assert_liveliness(self) -> None:
         """Do nothing, because leases don't end on this wire."""
 
-    def wait_for_acks(self, timeout_ns: int) -> bool:  # noqa: ARG002 - there is nothing to wait for
-        """Return True, because a written sample has arrived."""
+    def wait_for_acks(self, timeout_ns: int) -> bool:  # noqa: ARG002 - samples are delivered at once
+        """Return True, because a write delivers its sample before it returns."""
         return True
 
     def close(self) -> None:
@@ -139,7 +139,7 @@ class LocalWriter(LocalEndpoint):
 
 
 class LocalReader(LocalEndpoint):
-    """The receiving end; see `base.Reader`."""
+    """A reader; see `base.Reader`."""
 
     def __init__(self, info: EndpointInfo, leave: Callable[[LocalReader], None]) -> None:
         super().__init__(info)

@@ -1,4 +1,4 @@
-"""Servers and clients of a service on the in-process wire, as each other's peers."""
+"""The peers of servers and clients on the in-process wire."""
 
 from __future__ import annotations
 
@@ -28,10 +28,10 @@ class LocalClients:
         """Return an empty text, because all peers use the same format."""
         return ""
 
-    def accepts(self, publisher_gid: bytes) -> bool:  # noqa: ARG002 - the same for all
+    def accepts(self, publisher_gid: bytes) -> bool:  # noqa: ARG002 - the same for all clients
         """Return True, because all peers use the same format."""
         return True
 
-    def is_matched(self, publisher_gid: bytes) -> bool | None:  # noqa: ARG002 - the same for all
+    def is_matched(self, publisher_gid: bytes) -> bool | None:  # noqa: ARG002 - the same for all clients
         """Return True, because a client opens its reader first."""
         return True

@@ -29,7 +29,7 @@ class NodeEnds(NamedTuple):
 
 
 class NodeListError(ValueError):
-    """The bytes aren't a list of nodes; the text has the octet."""
+    """The bytes aren't a node list; the text has the offset."""
 
 
 def encode(participant_gid: bytes, nodes: list[NodeEnds]) -> bytes:

@@ -1,7 +1,7 @@
-"""The one table of policies, their choices and the named profiles, and a quality of service as a wire uses it.
+"""The table of policies and named profiles, and the quality of service that a wire takes.
 
-`tfloom.node.qos.qos` has rclpy's `QoSProfile` besides, because that one is mutable, checks assigned values and holds
-`Duration` objects; `tfloom.cli.qos` has the flags of the command line, made from this table without loading a node.
+`tfloom.node.qos.qos` also has rclpy's `QoSProfile`, because that one is mutable, checks assigned values and holds
+`Duration` objects; `tfloom.cli.qos` makes the flags of the command line from this table, without loading a node.
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
 INFINITE_NS = 0x7FFF_FFFF_FFFF_FFFF
-"""The endless duration [ns]: no deadline, no lifespan, no lease."""
+"""The infinite duration [ns]: no deadline, no lifespan, no lease."""
 
 BEST_AVAILABLE_NS = INFINITE_NS - 1
-"""The duration [ns] that stands for the best one that is compatible with the topic's other endpoints."""
+"""The duration [ns] that requests the best one compatible with the topic's other endpoints."""
 
 
 class QoSPolicyKind(IntEnum):
@@ -47,7 +47,7 @@ class QoSPolicyEnum(IntEnum):
         """Return the policy of a short name.
 
         Raises:
-            KeyError: there is none of that name.
+            KeyError: no policy has that short name.
         """
         return cls[name.upper()]
 
@@ -78,7 +78,7 @@ class DurabilityPolicy(QoSPolicyEnum):
 
 
 class HistoryPolicy(QoSPolicyEnum):
-    """Whether an end keeps all samples or the last `depth`."""
+    """Whether an endpoint keeps all samples or the last `depth`."""
 
     SYSTEM_DEFAULT = 0
     KEEP_LAST = 1
@@ -97,7 +97,7 @@ class LivelinessPolicy(QoSPolicyEnum):
 
 
 class QoS(NamedTuple):
-    """What a writer offers or a reader requests. Durations in nanoseconds, `INFINITE_NS` for none."""
+    """The quality that a writer offers or a reader requests. Durations in nanoseconds; `INFINITE_NS`: no limit."""
 
     reliability: ReliabilityPolicy = ReliabilityPolicy.RELIABLE
     durability: DurabilityPolicy = DurabilityPolicy.VOLATILE
@@ -135,7 +135,7 @@ POLICIES: dict[str, type[QoSPolicyEnum]] = {
     "durability": DurabilityPolicy,
     "liveliness": LivelinessPolicy,
 }
-"""The policies that are a choice, by the name of their field."""
+"""The policies with named choices, by the name of their field."""
 
 _UNSET = QoS(deadline_ns=0, lifespan_ns=0, liveliness=LivelinessPolicy.SYSTEM_DEFAULT, liveliness_lease_ns=0)
 

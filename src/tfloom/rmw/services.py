@@ -1,7 +1,7 @@
 """Services over two topics in rmw_cyclonedds' format: a header within the CDR identifies client and request.
 
 The encapsulation header is followed by 8 octets that identify the client, a 64-bit sequence number, and the message.
-Every client receives every response and keeps its own.
+Every client receives every response, and drops those for other clients.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from tfloom.rmw.events import Event
 from tfloom.rmw.qos import QoS
 
 CLIENT_WAIT_S = 0.1
-"""How long a response waits until its client's reader is matched."""
+"""The longest wait of a response until its client's reader is matched [s]."""
 
 LEAST_WAITING = 1000
 """The least number of requests, or responses, that a reader keeps until they are taken."""
@@ -35,7 +35,7 @@ class Servers(Protocol):
     """The servers of a client, as its wire has discovered them."""
 
     def is_ready(self) -> bool:
-        """Return whether one is matched in both directions."""
+        """Return whether a server is matched in both directions."""
 
     def obstacle(self) -> str:
         """Return why a peer is incompatible, or an empty text."""
@@ -48,7 +48,7 @@ class Clients(Protocol):
         """Return why a peer is incompatible, or an empty text."""
 
     def accepts(self, publisher_gid: bytes) -> bool:
-        """Return whether this client's requests are in our format."""
+        """Return whether this client's requests have this format."""
 
     def is_matched(self, publisher_gid: bytes) -> bool | None:
         """Return whether the response reader of this writer's client is matched; None if the client has left."""
@@ -57,8 +57,8 @@ class Clients(Protocol):
 def waiting_qos(qos: QoS, *, is_client: bool) -> QoS:
     """Return the quality that the reader of a server or a client requests.
 
-    A server's one reader receives all clients' requests, and a client's receives all clients' responses: with ROS's
-    default depth of 10, one is lost when eleven arrive at once. A server with a smaller depth keeps that depth.
+    A server's reader receives all clients' requests, and a client's reader all clients' responses: with ROS's default
+    depth of 10, one is lost when eleven arrive at once. A server with a smaller depth keeps that depth.
     """
     if is_client or qos.depth >= QoS().depth:
         return qos._replace(depth=max(qos.depth, LEAST_WAITING))
@@ -168,13 +168,13 @@ class HeaderResponder:
         self._gids[key] = publisher_gid
 
     def send(self, request_id: RequestId, data: bytes) -> None:
-        """Answer a request; waits for `CLIENT_WAIT_S` at most until the client's reader is matched.
+        """Reply to a request; wait for `CLIENT_WAIT_S` at most until the client's reader is matched.
 
         Raises:
             ClosedError: the responder is closed.
         """
         if self._closed:
-            raise ClosedError("cannot answer a request: the server is closed")
+            raise ClosedError("cannot reply to a request: the server is closed")
         key = request_id.client_gid[:_KEY_SIZE]
         publisher_gid = self._gids.get(key)
         if publisher_gid is None or self._wait_for_client(publisher_gid):

@@ -1,4 +1,4 @@
-"""Names as DDS carries them for ROS: `/pose` is `rt/pose`, `turtlesim/msg/Pose` is `turtlesim::msg::dds_::Pose_`."""
+"""ROS names on DDS: `/pose` is `rt/pose`, `turtlesim/msg/Pose` is `turtlesim::msg::dds_::Pose_`."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ def topic_to_dds(name: str) -> str:
 
 
 def topic_from_dds(name: str) -> str | None:
-    """Return the fully qualified name of a ROS topic, or None if the DDS topic is not ROS's."""
+    """Return the fully qualified name of a ROS topic, or None for a DDS topic without ROS's prefix."""
     prefix, slash, rest = name.partition("/")
     return slash + rest if prefix == TOPIC_PREFIX and rest else None
 
 
 def request_topic(service: Service) -> Topic:
-    """Return the topic of a service's requests; its name is DDS's own, `rq/spawnRequest`."""
+    """Return the topic of a service's requests, by its DDS name: `rq/spawnRequest`."""
     prefix, suffix = _REQUEST
     return Topic(prefix + service.name + suffix, service.type_name + _REQUEST_TYPE, service.request_hash)
 
 
 def response_topic(service: Service) -> Topic:
-    """Return the topic of a service's responses; its name is DDS's own, `rr/spawnReply`."""
+    """Return the topic of a service's responses, by its DDS name: `rr/spawnReply`."""
     prefix, suffix = _RESPONSE
     return Topic(prefix + service.name + suffix, service.type_name + _RESPONSE_TYPE, service.response_hash)
 

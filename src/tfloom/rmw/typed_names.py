@@ -1,4 +1,4 @@
-"""Topics and services of message and service classes, as a wire needs them."""
+"""Topics and services of message and service classes, in the form that a wire takes."""
 
 from __future__ import annotations
 

@@ -10,11 +10,11 @@ from tfloom._native import ReadyQueue
 from tfloom.rmw.base import Requester
 
 LOOK_AGAIN_S = 0.1
-"""How often a waiting client checks its server [s], because a few causes of readiness post no token here."""
+"""Period at which a waiting client checks its server [s], because a few causes of readiness post no token here."""
 
 
 def wait_for_token(queue: ReadyQueue, end_s: float) -> None:
-    """Wait for a token until `end_s` on the monotonic clock; inf: for ever."""
+    """Wait for a token until `end_s` on the monotonic clock [s]; inf: no limit."""
     if end_s == math.inf:
         queue.wait(-1)
     elif (left_s := end_s - time.monotonic()) > 0:
@@ -35,8 +35,8 @@ def wait_until_ready(
     Args:
         requester: The client; each match of it ends a sleep.
         is_ready: Evaluated at the start, after each match, and every `look_again_s`. An exception ends the wait.
-        end_s: When to give up, on the monotonic clock [s].
-        queue: Queue to wait on, if other tokens have to end a sleep, too.
+        end_s: End of the wait, on the monotonic clock [s].
+        queue: Queue to wait on, if other tokens must end a sleep, too.
         is_open: Evaluated as `is_ready` is; False ends the wait.
         look_again_s: The longest time between two evaluations [s].
 

@@ -1,4 +1,4 @@
-"""The type code by which `array.array` and numpy hold a sequence of each number type."""
+"""The type code of each number type in `array.array` and numpy."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What `check_fields=True` checks, with the reference's texts."""
+"""The checks of `check_fields=True`, with the reference's texts."""
 
 from __future__ import annotations
 

@@ -21,8 +21,8 @@ def load(name: str) -> Any:
     """Make the classes of a definition that `sources` finds.
 
     Raises:
-        LookupError: there is none of that name.
-        ParseError: it can't be read, refers to an unknown message, or contains itself.
+        LookupError: there is no definition of that name.
+        ParseError: it can't be parsed, refers to an unknown message, or contains itself.
     """
     interface = sources.find_interface(name)
     _check_references(interface)
@@ -48,12 +48,15 @@ def _check_references(interface: spec.Interface) -> None:
         ParseError: one is unknown, or contains itself.
     """
     known = {message.name: message for message in spec.messages_of(interface)}
+    checked: set[str] = set()
 
     def visit(message: spec.Message, above: tuple[str, ...]) -> None:
         for field in message.fields:
             if field.type.is_primitive:
                 continue
             chain = (*above, message.name, field.type.base)
+            if field.type.base in checked:
+                continue
             if field.type.base in chain[:-1]:
                 raise _at(message, field, f"a message contains itself: {' -> '.join(chain)}")
             try:
@@ -61,6 +64,7 @@ def _check_references(interface: spec.Interface) -> None:
             except LookupError as error:
                 raise _at(message, field, str(error)) from None
             visit(nested, chain[:-1])
+        checked.add(message.name)
 
     for message in known.values():
         visit(message, ())
@@ -72,7 +76,7 @@ def _at(message: spec.Message, field: spec.Field, reason: str) -> ParseError:
 
 
 def _class(name: str, base: type, attributes: dict[str, Any]) -> Any:
-    """Make a class that pickle finds again, by `dynamic.__getattr__`."""
+    """Make a class that pickle can find, by `dynamic.__getattr__`."""
     return type(
         name.rpartition("/")[2],
         (base,),
@@ -122,7 +126,9 @@ def _action_class(action: spec.Action, parts: dict[str, Any]) -> type[Action]:
             "Goal": parts[action.goal.name],
             "Result": parts[action.result.name],
             "Feedback": parts[action.feedback.name],
-            "Impl": type("Impl", (), {"__doc__": "What carries the action.", **carriers}),
+            "Impl": type(
+                "Impl", (), {"__doc__": "The services and messages that carry the action.", **carriers}
+            ),
         },
     )
     return made

@@ -17,7 +17,7 @@ class UnknownTypeError(LookupError):
 
 
 def find_class(name: str) -> Any:
-    """Return the class of a message, service or action by its whole name.
+    """Return the class of a message, service or action by its full name.
 
     Raises:
         LookupError: there is none; the text has the nearest name that exists.
@@ -37,7 +37,7 @@ def find_class_of_kind(name: str, kind: str, base: type[T]) -> type[T]:
 
     Args:
         name: The type's name.
-        kind: What a short name leaves out: msg, srv or action.
+        kind: The part that a short name omits: msg, srv or action.
         base: The base class of this kind.
 
     Raises:
@@ -72,7 +72,7 @@ def _find_by_definition(name: str) -> Any:
         return None
     if (
         definition != name
-    ):  # a part of a class that may exist, so that loading its definition would make a second one
+    ):  # it may be a part of an existing class, of which loading the definition would make a second one
         return _part(find_class(definition), name)
     with class_factory.LOCK:  # one class for all threads
         if class_table.registered(name) is None:

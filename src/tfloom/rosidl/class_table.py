@@ -1,4 +1,4 @@
-"""Interface classes by type name: the table that all other modules about classes import.
+"""The table of interface classes by type name, which all other modules about classes import.
 
 `message` passes its base class to `set_message_base` instead of being imported here: the first use of a message class
 compiles its fields, which may make another class from a definition, so `message` itself imports the class factory.
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from tfloom.rosidl.spec import Value
 
     class MessageClass(Protocol):
-        """What every message class states about its type; `message.Message` documents each."""
+        """The attributes of a message class that describe its type; `message.Message` documents each."""
 
         _TYPE_NAME: ClassVar[str]
         _FIELDS: ClassVar[dict[str, str]]
@@ -32,22 +32,22 @@ _bases: dict[str, type[Any]] = {"msg": MessageBase}
 
 
 def set_message_base(cls: type[Any]) -> None:
-    """Set what message classes made at run time derive from."""
+    """Set the base of message classes made at run time."""
     _bases["msg"] = cls
 
 
 def message_base() -> type[Any]:
-    """Return what message classes made at run time derive from."""
+    """Return the base of message classes made at run time."""
     return _bases["msg"]
 
 
 def register(name: str, cls: type[Any]) -> None:
-    """Enter a class under a name."""
+    """Add a class to the table under a name."""
     _classes[name] = cls
 
 
 def registered(name: str) -> Any:
-    """Return the class entered under a name, or None."""
+    """Return the class in the table under a name, or None."""
     return _classes.get(name)
 
 
@@ -58,7 +58,7 @@ def forget(name: str) -> None:
 
 
 def find(name: str) -> Any:
-    """Return the class of `package/kind/Name` that is entered, or that a Python module holds, or None.
+    """Return the class of `package/kind/Name` from the table or from a Python module, or None.
 
     Modules are `tfloom.interfaces.package.kind` and `package.kind`, in this order.
     """
@@ -83,7 +83,7 @@ def _find_in_modules(name: str) -> Any:
 
 
 def _import(module_name: str) -> Any:
-    """Import a module; return None if it or its package is missing. What fails inside it is raised."""
+    """Import a module; return None if it or its package is missing. Errors inside the module are raised."""
     try:
         __import__(module_name)
     except ModuleNotFoundError as error:

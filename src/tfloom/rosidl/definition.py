@@ -1,4 +1,4 @@
-"""`rosidl_parser.definition`: IDL's types and definitions as objects, with rclpy's names.
+"""`rosidl_parser.definition`: classes for IDL types and interface definitions, with the reference's names.
 
     AbstractType
       AbstractNestableType    BasicType  NamedType  NamespacedType
@@ -95,7 +95,7 @@ class NamedType(AbstractNestableType):
 
 
 class NamespacedType(AbstractNestableType):
-    """A message, service or action by its whole name."""
+    """A message, service or action by its full name."""
 
     __slots__ = ("name", "namespaces")
 

@@ -1,4 +1,4 @@
-"""Files of definitions, `package/kind/Name.kind`: those of sourced workspaces, then those that come with tfloom."""
+"""Definition files, `package/kind/Name.kind`, of sourced workspaces, then of tfloom."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ KINDS = ("msg", "srv", "action")
 
 
 def find_path(name: str) -> Path | None:
-    """Return the file that defines `package/kind/Name`, in a sourced workspace or of tfloom's own, or None."""
+    """Return the file that defines `package/kind/Name`, in a sourced workspace or in tfloom, or None."""
     parts = name.split("/")
     if len(parts) != 3 or parts[1] not in KINDS or not all(part.isidentifier() for part in parts):
         return None
@@ -23,12 +23,12 @@ def find_path(name: str) -> Path | None:
 
 
 def definitions_folder() -> Path:
-    """Return the folder of the definitions that come with tfloom: `package/kind/Name.kind`."""
+    """Return the folder of tfloom's definitions: `package/kind/Name.kind`."""
     return Path(__file__).parent / "definitions"
 
 
 def interface_names(kind: str = "msg") -> list[str]:
-    """Return the names of all interfaces of a kind (msg, srv, action) that come with tfloom, sorted."""
+    """Return the names of all tfloom's interfaces of a kind (msg, srv, action), sorted."""
     return sorted(
         f"{path.parent.parent.name}/{kind}/{path.stem}"
         for path in definitions_folder().glob(f"*/{kind}/*.{kind}")

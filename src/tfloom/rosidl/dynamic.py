@@ -1,4 +1,4 @@
-"""Classes of types that no Python package holds, made at run time from their definitions.
+"""Classes made at run time from definitions, for types without a Python package.
 
     Custom = define("my_msgs/msg/Custom", "float64[<=3] ranges")
     classes = define_folder("my_ws/src/my_msgs")
@@ -22,7 +22,7 @@ def define(name: str, text: str, path: str | None = None) -> Any:
     Args:
         name: `package/kind/Name`; the kind (msg, srv or action) determines how the text is parsed.
         text: The text of a definition file.
-        path: Where the text comes from, for errors.
+        path: Path of the text, for errors.
 
     Returns:
         A subclass of `Message`, `Service` or `Action`.
@@ -49,7 +49,7 @@ def define_folder(folder: str | Path) -> dict[str, Any]:
     """Make the classes of all definitions in a package's folder, by name.
 
     Args:
-        folder: Holds `msg`, `srv` and `action`, and is named as the package is.
+        folder: The folder of `msg`, `srv` and `action`; its name is the package's.
 
     Raises:
         FileNotFoundError: the folder holds no definitions.

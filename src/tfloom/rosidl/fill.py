@@ -1,4 +1,4 @@
-"""Messages from plain values, such as YAML on a command line."""
+"""Filling of messages from plain values, such as YAML on a command line."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tfloom.rosidl.registry import get_message_class
 from tfloom.rosidl.spec import FLOATS, INTEGER_RANGES, STRINGS, Type
 
 StampSetter = Callable[[Message], None]
-"""Sets a `builtin_interfaces/msg/Time` in a field whose value was `now` or `auto`."""
+"""A function that sets a `builtin_interfaces/msg/Time` in a field whose value was `now` or `auto`."""
 
 
 def set_message_fields(
@@ -25,11 +25,11 @@ def set_message_fields(
         msg: The message to change. Fields that are not in `values` stay unchanged.
         values: Field names to plain values, which are converted to the field's type if that is exact: 1 to 1.0,
             '5' to 5. None leaves `msg` unchanged.
-        expand_header_auto: A `std_msgs/msg/Header` may be the word `auto`: its stamp is to be set later.
-        expand_time_now: A `builtin_interfaces/msg/Time` may be the word `now`: it is to be set later.
+        expand_header_auto: Whether a `std_msgs/msg/Header` may be the word `auto`: its stamp is set later.
+        expand_time_now: Whether a `builtin_interfaces/msg/Time` may be the word `now`: it is set later.
 
     Returns:
-        A function for each time to be set later, to be called with the time of publishing.
+        A function for each time that is set later, to be called with the time of publishing.
 
     Raises:
         AttributeError: there is no such field.
@@ -46,7 +46,7 @@ class Filler:
     def __init__(self, *, auto: bool, now: bool) -> None:
         self.setters: list[StampSetter] = []
         self.path: list[str] = []
-        """The steps to the field that is being set, or was when an error was raised: `.poses`, `[1]`, `.header`."""
+        """The path of the field that is being set, or that raised an error: `.poses`, `[1]`, `.header`."""
         self.words = {"std_msgs/msg/Header": "auto"} if auto else {}
         if now:
             self.words["builtin_interfaces/msg/Time"] = "now"

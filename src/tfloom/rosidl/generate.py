@@ -1,4 +1,4 @@
-"""Specs to Python source: `python -m tfloom.rosidl.generate` writes `tfloom/interfaces` and the packages' façades."""
+"""Generation of Python source: `python -m tfloom.rosidl.generate` writes `tfloom/interfaces` and the façades."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def load_definitions(folder: Path | None = None) -> dict[str, spec.Interface]:
     """Parse all definitions below `package/kind/Name.kind`, by name.
 
     Raises:
-        ParseError: one can't be read.
+        ParseError: one can't be parsed.
     """
     interfaces: dict[str, spec.Interface] = {}
     for path in sorted((folder or definitions_folder()).glob("*/*/*")):
@@ -102,6 +102,8 @@ class _Module:
         for name, local in self.local_names.items():
             package, kind, base = name.split("/")
             typed.append((f"{self.home}{package}.{kind}", base if local == base else f"{base} as {local}"))
+        if any(field.default is not None for message in self.messages for field in message.fields):
+            typed.append(("typing", "ClassVar as _ClassVar"))
         if self.kind != "msg":  # explicit, because the base class declares variables of these names
             typed.append(("typing", "TypeAlias as _TypeAlias"))
         if typed:
@@ -142,6 +144,9 @@ class _Module:
         named = [each for each in fields if each.name not in {"self", "check_fields"}]
         parameters = "".join(f"{each.name}: {self._takes(each.type)} = ..., " for each in named)
         yield f"        def __init__(self, *, {parameters}check_fields: bool | None = None) -> None: ..."
+        for field in message.fields:
+            if field.default is not None:
+                yield f"        {field.name.upper()}__DEFAULT: _ClassVar[{self._gives(field.type)}]"
         for field in fields:
             takes, gives = self._takes(field.type), self._gives(field.type)
             if takes == gives:
@@ -194,7 +199,12 @@ class _Module:
         yield f'    _TYPE_HASH = "{type_hash(action, self.find)}"'
         for part in ("Goal", "Result", "Feedback"):
             yield f"    {part}: _TypeAlias = {base}_{part}"
-        yield from ("", "    class Impl:", '        """What carries the action."""', "")
+        yield from (
+            "",
+            "    class Impl:",
+            '        """The services and messages that carry the action."""',
+            "",
+        )
         yield f"        SendGoalService = {base}_SendGoal"
         yield f"        GetResultService = {base}_GetResult"
         yield f"        FeedbackMessage = {base}_FeedbackMessage"
@@ -203,7 +213,7 @@ class _Module:
 
 
 def _import_lines(imports: list[tuple[str, str]], indent: str) -> Iterator[str]:
-    """Write `from module import name` for each pair, one statement a module, in isort's order."""
+    """Yield `from module import name` for each pair, one statement for each module, in isort's order."""
     for module in sorted({module for module, _ in imports}):
         names = sorted((name for each, name in imports if each == module), key=_isort_key)
         # A name with an alias needs a statement of its own.
@@ -223,7 +233,7 @@ def _import_lines(imports: list[tuple[str, str]], indent: str) -> Iterator[str]:
 
 
 def _isort_key(name: str) -> tuple[bool, str]:
-    """Constants, names all in capitals, come first."""
+    """Return the sort key of a name: constants, which are all in capitals, are first."""
     return (not (name.isupper() and len(name) > 1), name)
 
 
@@ -246,6 +256,20 @@ def _quoted(value: spec.Value) -> str:
     return f'{prefix}"{text[len(prefix) + 1 : -1]}"' if plain else text
 
 
+def _facade(package: str, kinds: list[str]) -> str:
+    """Return the source of a package's façade, whose modules load when they are named."""
+    imports = "".join(f"    from {package} import {kind} as {kind}\n" for kind in kinds)
+    return (
+        f'"""The interfaces of {package}."""\n\n'
+        "TYPE_CHECKING = False\n"
+        "if TYPE_CHECKING:\n"
+        f"{imports}"
+        "else:\n"
+        "    from tfloom.ros_modules import submodules\n\n"
+        f'    __getattr__ = submodules("{package}")\n'
+    )
+
+
 def generate_all(definitions: Path | None = None) -> dict[str, str]:
     """Return the source of every file below `tfloom/`, by its path: the interfaces and their façades."""
     interfaces = load_definitions(definitions)
@@ -256,7 +280,7 @@ def generate_all(definitions: Path | None = None) -> dict[str, str]:
         group = [each for name, each in interfaces.items() if name.startswith(f"{package}/{kind}/")]
         files[f"interfaces/{package}/__init__.py"] = f'"""The interfaces of {package}."""\n'
         files[f"interfaces/{package}/{kind}.py"] = generate(group, specs.__getitem__)
-        files[f"ros_names/{package}/__init__.py"] = f'"""The interfaces of {package}."""\n'
+        files[f"ros_names/{package}/__init__.py"] = _facade(package, [k for p, k in kinds if p == package])
         files[f"ros_names/{package}/py.typed"] = ""
         files[f"ros_names/{package}/{kind}/__init__.py"] = (
             f'"""The {KIND_WORDS[kind]} of {package}."""\n\n'

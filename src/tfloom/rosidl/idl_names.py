@@ -1,11 +1,11 @@
-"""IDL's names of field types, as `get_fields_and_field_types` returns them."""
+"""IDL names of field types, as `get_fields_and_field_types` returns them."""
 
 from __future__ import annotations
 
 from tfloom.rosidl.spec import Type
 
 PRIMITIVES = {"bool": "boolean", "byte": "octet", "char": "uint8", "float32": "float", "float64": "double"}
-"""The primitives that have another name in IDL."""
+"""The primitives with another name in IDL."""
 
 
 def idl_name(type_: Type) -> str:

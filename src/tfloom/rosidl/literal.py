@@ -1,4 +1,4 @@
-"""The values in a definition: constants and defaults."""
+"""Parsing of the values in a definition: constants and defaults."""
 
 from __future__ import annotations
 

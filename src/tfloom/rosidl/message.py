@@ -34,6 +34,16 @@ class _SlotTypes:
         return tuple(to_type(parse_type(text)) for text in owner._FIELDS.values())
 
 
+class _Default:
+    """`X__DEFAULT`: what field `x`, whose definition has a default, holds in a new message."""
+
+    def __init__(self, field: str) -> None:
+        self._field = field
+
+    def __get__(self, instance: object, owner: type[Message]) -> Any:
+        return getattr(owner(), self._field)
+
+
 class Message(MessageBase):
     """A ROS message: a plain object with a slot for each field.
 
@@ -48,9 +58,9 @@ class Message(MessageBase):
     _TYPE_NAME: ClassVar[str] = ""
     _TYPE_HASH: ClassVar[str] = ""
     _FIELDS: ClassVar[dict[str, str]] = {}
-    """The type of each field, as a definition writes it, with whole message names."""
+    """The type of each field, as a definition writes it, with full message names."""
     _DEFAULTS: ClassVar[dict[str, Value]] = {}
-    """The defaults, of the fields whose definition has one."""
+    """The default of each field whose definition has one."""
     _PLAN: ClassVar[Plan | None] = None
     _check_fields: bool
     SLOT_TYPES = _SlotTypes()
@@ -62,12 +72,14 @@ class Message(MessageBase):
         for name, type_text in cls._FIELDS.items():
             member = cls.__dict__[f"_{name}"]
             setattr(cls, name, _converting(name, member) if _is_numeric_array(type_text) else member)
+        for name in cls._DEFAULTS:
+            setattr(cls, f"{name.upper()}__DEFAULT", _Default(name))
         cls.__slots__ = [*(f"_{name}" for name in cls._FIELDS), "_check_fields"]
         cls._PLAN = None
 
     @classmethod
     def get_fields_and_field_types(cls) -> dict[str, str]:
-        """Return the type of each field, in IDL's names: `double`, `sequence<uint8>`, `geometry_msgs/Vector3`."""
+        """Return the type of each field, by IDL names: `double`, `sequence<uint8>`, `geometry_msgs/Vector3`."""
         from tfloom.rosidl.idl_names import idl_name
         from tfloom.rosidl.parse import parse_type
 
@@ -150,7 +162,7 @@ class DecodeError(ValueError):
     path: str
     reason: str
     offset: int
-    """Where decoding failed [bytes from the start of the encapsulation header]."""
+    """Offset at which decoding failed [bytes from the start of the encapsulation header]."""
 
 
 set_message_base(Message)

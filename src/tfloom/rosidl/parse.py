@@ -1,4 +1,4 @@
-"""Definition text (.msg, .srv, .action) to specs. An error is a `ParseError` with file, line and column."""
+"""Parsing of definitions (.msg, .srv, .action). An error is a `ParseError` with file, line and column."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def parse_interface(text: str, name: str, path: str | None = None) -> spec.Inter
     Args:
         text: The content of the file.
         name: `package/kind/Name`; the kind (msg, srv or action) determines how many parts `---` divides the text into.
-        path: Where the text comes from, for errors; by default `package/kind/Name.kind`.
+        path: Path of the text, for errors; by default `package/kind/Name.kind`.
 
     Raises:
         ParseError: the text is not such a definition.
@@ -76,19 +76,19 @@ def parse_type(text: str, package: str = "") -> spec.Type:
 
 
 def without_comment(line: str) -> str:
-    """Return a line of a definition up to its comment, stripped on the right."""
+    """Return a line of a definition without its comment, stripped on the right."""
     return line[: _comment_start(line)].rstrip()
 
 
 def message_in_field(line: str, package: str) -> str | None:
-    """Return the whole name of the message that a line of a definition has a field of.
+    """Return the full name of the message that is the type of the field on a line of a definition.
 
     Args:
-        line: The line, which may hold anything.
+        line: Any line.
         package: The definition's package, to which a bare name belongs.
 
     Returns:
-        None for a field of a primitive type, a constant, or no member at all.
+        None for a field of a primitive type, a constant, or a line without a member.
     """
     match = _LINE.match(without_comment(line))
     if match is None or match["equals"] or not match["name"]:
@@ -110,7 +110,7 @@ def _split_name(name: str) -> tuple[str, str, str]:
 
 
 def _resolve(base: str, package: str) -> str:
-    """Return the whole name of a type: a bare name is of the same package, except `Header`."""
+    """Return the full name of a type: a bare name is of the same package, except `Header`."""
     if base in spec.PRIMITIVES:
         return base
     parts = base.split("/")
@@ -136,7 +136,7 @@ class _Line:
 
 
 def _comment_start(text: str) -> int:
-    """Return where the comment starts: the first # that is not inside quotes."""
+    """Return the index of the first # that is not inside quotes."""
     quote = ""
     escaped = False
     for i, letter in enumerate(text):
@@ -184,7 +184,7 @@ class _Parser:
                 continue
             member, column = self._member(line)
             if member.name in fields or member.name in constants:
-                raise self.fail(line, column, f"'{member.name}' is there twice")
+                raise self.fail(line, column, f"'{member.name}' is defined twice")
             if isinstance(member, spec.Constant):
                 constants[member.name] = member
             else:
@@ -201,7 +201,7 @@ class _Parser:
             raise self.fail(line, match.start("type"), str(error)) from None
         name, column, rest = match["name"], match.start("name"), line.text[match.end() :]
         if not name:
-            raise self.fail(line, column, f"'{match['type']}' is followed by no name")
+            raise self.fail(line, column, f"'{match['type']}' is not followed by a name")
         if match["equals"]:
             return self._constant(line, type_, name, column, rest, match.end()), column
         if not _FIELD_NAME.fullmatch(name):

@@ -1,4 +1,4 @@
-"""Compilation of message classes to the plans that the native codec walks."""
+"""Compilation of message classes to the plans of the native codec."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _ZEROS: dict[str, Any] = {
 }
 
 _compiling: list[type[MessageClass]] = []
-_lock = threading.RLock()  # because a plan that others point to must not be replaced by a second one
+_lock = threading.RLock()  # because a plan that others refer to must not be replaced by a second one
 
 
 def compile_plan(cls: type[MessageClass]) -> Plan:
@@ -97,7 +97,7 @@ def _add_field(plan: Plan, name: str, type_text: str, default: Any) -> None:
 
 
 def _empty(base: str, length: int) -> Any:
-    """Return a numeric array without content: zeros if its length is fixed, else one of length 0."""
+    """Return the initial value of a numeric array: zeros if its length is fixed, else an array of length 0."""
     if length:
         import numpy as np
 
@@ -114,7 +114,7 @@ def _filled(type_text: str, default: Any) -> Any:
 
 
 def _initial(base: str, shape: str, length: int, default: Any) -> Any:
-    """Return the default of a field other than a numeric array; None for a message, which is built each time."""
+    """Return the default of a field other than a numeric array; None for a message, which is built anew each time."""
     zero = _ZEROS.get(base)
     if shape:
         return list(default or ([zero] * length if shape == "array" and base in _ZEROS else []))

@@ -1,4 +1,4 @@
-"""Interface types by name."""
+"""Interface classes by type name."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ from tfloom.rosidl.service import Action, Service
 
 
 def get_interface(identifier: str) -> Any:
-    """Return the class of a message, service or action by its whole name.
+    """Return the class of a message, service or action by its full name.
 
     Raises:
         ValueError: there is none.
@@ -58,7 +58,7 @@ def _found(find: Any, identifier: str) -> Any:
 
 
 def get_namespaced_type(identifier: str) -> NamespacedType:
-    """Return a name of at least two parts as an object.
+    """Return a type name of at least two parts as a `NamespacedType`.
 
     Raises:
         ValueError: it has fewer parts, or an empty one.
@@ -72,7 +72,7 @@ def get_namespaced_type(identifier: str) -> NamespacedType:
 
 
 def get_message_namespaced_type(identifier: str) -> NamespacedType:
-    """Return a message's name as an object, with `msg` inserted where it is missing.
+    """Return a message's name as a `NamespacedType`, with `msg` inserted where it is missing.
 
     Raises:
         ValueError: it has fewer than two parts, or an empty one.
@@ -81,7 +81,7 @@ def get_message_namespaced_type(identifier: str) -> NamespacedType:
 
 
 def get_service_namespaced_type(identifier: str) -> NamespacedType:
-    """Return a service's name as an object, with `srv` inserted where it is missing.
+    """Return a service's name as a `NamespacedType`, with `srv` inserted where it is missing.
 
     Raises:
         ValueError: it has fewer than two parts, or an empty one.
@@ -90,7 +90,7 @@ def get_service_namespaced_type(identifier: str) -> NamespacedType:
 
 
 def get_action_namespaced_type(identifier: str) -> NamespacedType:
-    """Return an action's name as an object, with `action` inserted where it is missing.
+    """Return an action's name as a `NamespacedType`, with `action` inserted where it is missing.
 
     Raises:
         ValueError: it has fewer than two parts, or an empty one.
@@ -111,12 +111,12 @@ def is_message(interface: object) -> bool:
 
 
 def is_service(interface: object) -> bool:
-    """Return whether a class is a service's."""
+    """Return whether an object is a service class."""
     return _is(interface, Service)
 
 
 def is_action(interface: object) -> bool:
-    """Return whether a class is an action's."""
+    """Return whether an object is an action class."""
     return _is(interface, Action)
 
 

@@ -1,4 +1,4 @@
-"""The bases of service and action classes: names for their messages, never instantiated."""
+"""The bases of service and action classes, which hold their message classes and have no instances."""
 
 from __future__ import annotations
 

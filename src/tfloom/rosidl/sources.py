@@ -1,4 +1,4 @@
-"""Sources of definitions: those that a program defined, sourced workspaces, and those that come with tfloom."""
+"""Sources of definitions: the program's own, sourced workspaces, and tfloom."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _defined: dict[str, Source] = {}
 
 
 def replace(name: str, source: Source | None) -> Source | None:
-    """Set the definition of `package/kind/Name`, which precedes all others, or remove it; return the previous one."""
+    """Set or remove the program's definition of `package/kind/Name`, which has precedence; return the previous one."""
     before = _defined.pop(name, None)
     if source is not None:
         _defined[name] = source

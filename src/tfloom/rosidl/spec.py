@@ -22,7 +22,7 @@ STRINGS = frozenset({"string", "wstring"})
 PRIMITIVES = frozenset({"bool", *INTEGER_RANGES, *FLOATS, *STRINGS})
 
 EMPTY_FIELD = "structure_needs_at_least_one_member"
-"""The uint8 by which a message without fields is represented on the wire and in the hash."""
+"""The uint8 that represents a message without fields on the wire and in the hash."""
 
 Value: TypeAlias = bool | int | float | str | bytes | list["Value"] | None
 """A default or a constant."""
@@ -34,7 +34,7 @@ class Type(NamedTuple):
     base: str
     """A primitive's name, or a message's: `geometry_msgs/msg/Point`."""
     string_bound: int = 0
-    """Greatest length of a string [characters]; 0 if not bounded."""
+    """Greatest length of a string [characters]; 0 if unbounded."""
     shape: str = ""
     """Empty for a single value, `array`, `bounded` or `unbounded`."""
     length: int = 0
@@ -47,11 +47,11 @@ class Type(NamedTuple):
 
     @property
     def element(self) -> Type:
-        """The same without its shape."""
+        """The type of an element: the same type without its shape."""
         return Type(self.base, self.string_bound)
 
     def __str__(self) -> str:
-        """Return the text as a definition writes it, with whole message names."""
+        """Return the type as a definition writes it, with full message names."""
         bound = f"<={self.string_bound}" if self.string_bound else ""
         shape = {"": "", "array": f"[{self.length}]", "bounded": f"[<={self.length}]", "unbounded": "[]"}
         return f"{self.base}{bound}{shape[self.shape]}"
@@ -94,7 +94,7 @@ class Message(NamedTuple):
 
     @property
     def references(self) -> list[str]:
-        """The names of the messages among its fields, each once, in order of appearance."""
+        """The names of the message types of its fields, each once, in order of appearance."""
         return list(dict.fromkeys(f.type.base for f in self.fields if not f.type.is_primitive))
 
 

@@ -1,4 +1,4 @@
-"""A field's type as text, in the spelling of message classes: `float64[36]`, `geometry_msgs/msg/Point[<=5]`."""
+"""Parsing of a field's type as message classes spell it: `float64[36]`, `geometry_msgs/msg/Point[<=5]`."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from __future__ import annotations
 def split_type(text: str) -> tuple[str, int, str, int]:
     """Split a type into base, string bound, shape (``, `array`, `bounded`, `unbounded`) and length.
 
-    The text is one that `spec.Type` writes; it is not checked.
+    The text must be one that `spec.Type` writes; it is not checked.
     """
     element, bracket, rest = text.partition("[")
     base, _, bound = element.partition("<=")

@@ -1,4 +1,4 @@
-"""Messages as text in the formats of `ros2 topic echo` (YAML and CSV), and from the values of `ros2 topic pub`."""
+"""Conversion of messages to the text of `ros2 topic echo` (YAML and CSV), and from the values of `ros2 topic pub`."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ def message_to_yaml(
 
     Args:
         msg: The message.
-        truncate_length: Cut arrays and strings after so many elements and put `...` in place of the rest.
-        no_arr: Show the type and length of arrays instead of what is in them.
-        no_str: Show the length of strings instead of what is in them.
+        truncate_length: Truncate arrays and strings to this length, followed by `...`; None: no limit.
+        no_arr: Show the type and length of arrays instead of their elements.
+        no_str: Show the length of strings instead of their characters.
         flow_style: Write arrays on one line, in brackets.
     """
     import yaml
@@ -52,7 +52,7 @@ def message_to_yaml(
 def message_to_csv(
     msg: Message, *, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False
 ) -> str:
-    """Return all values of a message, those of nested messages and arrays too, with commas between them.
+    """Return all values of a message, nested messages and arrays included, separated by commas.
 
     The arguments are those of `message_to_yaml`.
     """
@@ -101,7 +101,7 @@ class _Options:
             return _describe_array(type_, len(value)) if self.no_arr else self.array(value, type_.element)
         if isinstance(value, Message):
             return self.message(value)
-        return value.item() if hasattr(value, "item") else value  # a number of numpy's
+        return value.item() if hasattr(value, "item") else value  # a numpy number
 
     def string(self, value: str) -> str:
         if self.no_str:

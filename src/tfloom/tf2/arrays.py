@@ -61,14 +61,14 @@ class Arrays(Frames):
     ) -> Poses:
         """Return target_from_source at many stamps, each as `lookup` returns it.
 
-        Ascending stamps are fastest; any order is valid. Transforms inserted meanwhile may affect some of the rows.
+        Ascending stamps are fastest; any order is valid. Transforms inserted during the call may affect some rows.
 
         Args:
             target_frame: Frame to express the data in.
-            source_frame: Frame the data is in now.
+            source_frame: Frame the data is expressed in.
             stamps_ns: (N,) integers or datetime64 [ns since epoch]; 0 is the latest time.
             strict: Whether to raise for a stamp whose lookup fails.
-            workers: How many threads share the work.
+            workers: Number of threads.
 
         Raises:
             TransformException: as `lookup`, for the first stamp that fails if `strict`; its `index` is the stamp's.
@@ -99,8 +99,8 @@ class Arrays(Frames):
 
         Args:
             points: (N, 3) float32 or float64 [m]; other numbers become float64.
-            target_frame: Frame to express them in.
-            source_frame: Frame they are in.
+            target_frame: Frame to express the points in.
+            source_frame: Frame the points are expressed in.
             stamp_ns: Time of the transform [ns since epoch]; 0 is the latest.
             out: Array to write into, of the points' shape and type, C-contiguous; it may be `points`.
 
@@ -130,20 +130,20 @@ class Arrays(Frames):
         out: NDArray[Any] | None = None,
         workers: int = 1,
     ) -> NDArray[Any]:
-        """Return points that were taken one after the other by a moving sensor, as if at one time.
+        """Return points that a moving sensor measured one after the other, as if measured at one time.
 
-        Point i goes from `source_frame` at `stamps_ns[i]` by way of `fixed_frame`, which does not move, to
+        Point i is transformed from `source_frame` at `stamps_ns[i]` by way of `fixed_frame`, which does not move, to
         `target_frame` at `target_stamp_ns`.
 
         Args:
             points: (N, 3) float32 or float64 [m]; other numbers become float64.
-            stamps_ns: (N,) when each point was taken [ns since epoch].
-            target_frame: Frame to express them in.
+            stamps_ns: (N,) time of each point [ns since epoch].
+            target_frame: Frame to express the points in.
             source_frame: The sensor's frame.
-            fixed_frame: A frame that did not move meanwhile: odom or map.
-            target_stamp_ns: The one time [ns since epoch]; 0 is the latest.
+            fixed_frame: A frame that did not move during the scan: odom or map.
+            target_stamp_ns: Common time of the result [ns since epoch]; 0 is the latest.
             out: Array to write into, as in `transform_points`.
-            workers: How many threads share the work.
+            workers: Number of threads.
 
         Returns:
             (N, 3) of the points' type: `out`, or a new array.
@@ -185,11 +185,11 @@ class Arrays(Frames):
             child_frame_id: The child frame.
             stamps_ns: (N,) integers or datetime64 [ns since epoch], in any order.
             positions: (N, 3) [m].
-            rotations_xyzw: (N, 4), of any length but zero.
+            rotations_xyzw: (N, 4) quaternions, of any length but zero.
             authority: Name of the publisher.
 
         Returns:
-            How many were stored; the others were rejected, as `set` rejects.
+            Number of stored transforms; the others were rejected, for the reasons of `set`.
 
         Raises:
             TypeError, ValueError: an array has the wrong type or shape.
@@ -235,7 +235,7 @@ def _stamps_of_dates(dates: NDArray[np.datetime64]) -> NDArray[np.int64]:
     import numpy as np
 
     if np.isnat(dates).any():
-        raise ValueError("stamps_ns holds NaT, which is no time")
+        raise ValueError("stamps_ns contains NaT")
     try:
         in_ns = dates.astype("datetime64[ns]")
     except OverflowError:  # from numpy 2.5 on; before it, they wrap

@@ -16,7 +16,7 @@ class Buffer(Velocities):
     """A tree of frames over time. All methods may be called from any thread.
 
     Args:
-        cache_time_ns: How far back each frame's history reaches from its newest sample [ns]; None: without limit.
+        cache_time_ns: Length of each frame's history, before its newest sample [ns]; None: no limit.
 
     Rejected transforms are logged to the logger `tfloom.tf2`, or by the function of `set_log_callback`.
     """

@@ -2,15 +2,15 @@
 
     TransformException
     ├── ConnectivityException            the frames are in different trees
-    ├── LookupException                  a frame has never been heard of, or the chain is a loop
+    ├── LookupException                  a frame is unknown, or the chain is a loop
     ├── InvalidArgumentException         a frame's name is empty or starts with a slash
-    ├── TimeoutException                 a server did not answer in time
+    ├── TimeoutException                 a server did not reply in time
     └── ExtrapolationException           the stamp lies outside a frame's history:
         ├── BackwardExtrapolationException       before its oldest sample
         ├── ForwardExtrapolationException        after its newest sample
         └── NoDataForExtrapolationException      there is one sample only, or none
 
-The texts are tf2's to the letter; attributes hold the same facts as data.
+The texts are exactly tf2's; attributes hold the same facts as data.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ class TransformException(Exception):  # noqa: N818, public names are tf2's
     """The frame that is missing or whose history is exceeded; None where the error is not about a single frame."""
 
     def __reduce__(self) -> tuple[object, ...]:
-        """Pickle by this module's name, because there is no module `tf2` to find the class in."""
+        """Pickle by this module's name, because there is no module `tf2` in which to find the class."""
         return _rebuild, (type(self).__name__, self.args), self.__dict__ or None
 
 
@@ -48,7 +48,7 @@ class ConnectivityException(TransformException):
 
 
 class LookupException(TransformException):
-    """A frame has never been heard of, or the chain is a loop."""
+    """A frame is unknown, or the chain is a loop."""
 
     __module__ = "tf2"
 
@@ -60,7 +60,7 @@ class InvalidArgumentException(TransformException):
 
 
 class TimeoutException(TransformException):
-    """A server did not answer in time."""
+    """A server did not reply in time."""
 
     __module__ = "tf2"
 
@@ -79,7 +79,7 @@ class ExtrapolationException(TransformException):
 
     @property
     def gap_ns(self) -> int | None:
-        """By how much `requested_ns` misses the nearest stamp of `frame_id` [ns]; None if it has no data."""
+        """Distance of `requested_ns` from the nearest stamp of `frame_id` [ns]; None if it has no data."""
         if self.requested_ns is None or self.oldest_ns is None or self.newest_ns is None:
             return None
         if self.requested_ns < self.oldest_ns:

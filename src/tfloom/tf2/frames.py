@@ -1,4 +1,4 @@
-"""The tree as data, and why a lookup fails."""
+"""The tree as data, and the explanation of a failed lookup."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Explanation(NamedTuple):
     target_frame: str
     source_frame: str
     stamp_ns: int
-    """The requested time; 0: the latest."""
+    """The requested time [ns since epoch]; 0: the latest."""
     chain: list[str]
     """The frames from the source to the target; where they are not connected, the path from each to its root."""
     edges: list[Edge]
@@ -35,14 +35,14 @@ class Explanation(NamedTuple):
     """How to resolve the failure; empty if the lookup succeeds."""
 
     def __str__(self) -> str:
-        asked = "the latest time" if self.stamp_ns == 0 else f"{self.stamp_ns / 1e9:.6f}"
+        stamp = "the latest time" if self.stamp_ns == 0 else f"{self.stamp_ns / 1e9:.6f}"
         lines = [
-            f"{self.target_frame} from {self.source_frame} at {asked}: {str(self.error or 'known').rstrip()}"
+            f"{self.target_frame} from {self.source_frame} at {stamp}: {str(self.error or 'known').rstrip()}"
         ]
         for edge, frame_id in zip(self.edges, self._parents(), strict=True):
             line = f"  {frame_id} -> {edge.child_frame_id}: {_span(edge)}"
             if frame_id != edge.frame_id:
-                line += f"; by now it's below {edge.frame_id}"
+                line += f"; its present parent is {edge.frame_id}"
             lines.append(line + (" <-- here" if edge is self.failing_edge else ""))
         if self.remedy:
             lines.append(self.remedy)
@@ -57,7 +57,7 @@ class Explanation(NamedTuple):
 
 
 class Frames(_native.Buffer):
-    """The part of a buffer that shows its tree."""
+    """The part of a buffer that returns its tree."""
 
     def parents(self) -> dict[str, str | None]:
         """Return each frame's parent, by its newest sample; None for a root."""
@@ -65,21 +65,21 @@ class Frames(_native.Buffer):
         return {name: known.get(name) for name in self.frame_names()}
 
     def children(self) -> dict[str, list[str]]:
-        """Return each frame's children, in order of first mention."""
+        """Return each frame's children, in the order in which they were first inserted."""
         children: dict[str, list[str]] = {name: [] for name in self.frame_names()}
         for edge in self.edges():
             children[edge.frame_id].append(edge.child_frame_id)
         return children
 
     def chain(self, target_frame: str, source_frame: str, stamp_ns: int = 0) -> list[str]:
-        """Return the frames that a lookup goes through, from the source to the target. Raises as `lookup` does."""
+        """Return the frames of a lookup's chain, from the source to the target. Raises as `lookup` does."""
         return self.path(target_frame, source_frame, stamp_ns)
 
     def common_time(self, *frames: str) -> int:
         """Return the newest time at which all of these frames are known to each other [ns since epoch].
 
-        0 if all that is between them is static. Of one frame, its newest stamp. Raises as `latest_common_time` does,
-        and ValueError without a frame.
+        0 if all transforms between them are static; for one frame, its newest stamp. Raises as `latest_common_time`
+        does, and ValueError without a frame.
         """
         if not frames:
             raise ValueError("common_time needs the name of a frame, or of several")
@@ -109,7 +109,7 @@ class Frames(_native.Buffer):
             failing = next((edge for edge in edges if edge.child_frame_id == error.frame_id), None)
         remedy = "" if error is None else _remedy(error, failing, (up, down), edges, self)
         if failing is not None and len(edges) < len(chain) - 1:
-            remedy += f" Nor is {down[-1]}, the root above one end, connected with {up[-1]}."
+            remedy += f" Also, {down[-1]}, the root above one end, is not connected with {up[-1]}."
         return Explanation(target_frame, source_frame, stamp_ns, chain, edges, error, failing, remedy)
 
     def _error(self, target_frame: str, source_frame: str, stamp_ns: int) -> TransformException | None:
@@ -161,18 +161,18 @@ def _remedy(
     names = [down[0], up[0]] if up and down else []
     if isinstance(error, InvalidArgumentException):
         stripped = next((name.lstrip("/") for name in names if name.startswith("/")), "")
-        return f"Ask for {stripped}, without the slash." if stripped else "Give both frames a name."
+        return (
+            f"Request {stripped}, without the slash." if stripped else "Both frame names must be non-empty."
+        )
     unknown = [name for name in names if not frames.has_frame(name)]
     if unknown:
-        return (
-            f"Nobody has published {' or '.join(unknown)} yet: check the name, and that its publisher runs."
-        )
+        return f"No transform of {' or '.join(unknown)} has been received: check the name, and that its publisher runs."
     if isinstance(error, ConnectivityException):
         return f"Publish a transform that connects {down[-1]}, the root above one end, with {up[-1]}."
     circle = _circle(frames.parents(), names)
     if circle:
-        return f"See which two publishers make a circle of parents: {', '.join(circle)}."
-    return "A chain of more than 1000 links counts as a circle: shorten it."
+        return f"Find the publishers of this loop of parents: {', '.join(circle)}."
+    return "A chain of more than 1000 links is treated as a loop: shorten it."
 
 
 def _circle(parents: dict[str, str | None], starts: list[str]) -> list[str]:
@@ -195,13 +195,13 @@ def _remedy_of_gap(error: ExtrapolationException, failing: Edge | None, edges: l
     first, last = max(edge.oldest_ns for edge in moving), min(edge.newest_ns for edge in moving)
     name, gap_s = failing.child_frame_id, (error.gap_ns or 0) / 1e9
     if first > last:
-        return f"At no time are all of these known: {name} alone misses the time asked for by {gap_s:.6f} s."
+        return f"The frames have no common time: {name} alone misses the requested time by {gap_s:.6f} s."
     if error.requested_ns > failing.newest_ns:
         return (
-            f"{name} ends {gap_s:.6f} s before the time asked for: wait for it with a timeout, or ask for a time up "
+            f"{name} ends {gap_s:.6f} s before the requested time: wait for it with a timeout, or request a time up "
             f"to {last / 1e9:.6f}."
         )
     return (
-        f"{name} begins {gap_s:.6f} s after the time asked for: ask for a time from {first / 1e9:.6f} on, or keep "
+        f"{name} begins {gap_s:.6f} s after the requested time: request a time from {first / 1e9:.6f} on, or keep "
         "more history."
     )

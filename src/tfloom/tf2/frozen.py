@@ -23,10 +23,10 @@ class Files(Arrays):
         Inserts are blocked while the samples are copied to memory, but not while they are written.
 
         Args:
-            path: Where to; its folder must exist.
+            path: File to write; its folder must exist.
 
         Raises:
-            OSError: it can't be written there.
+            OSError: the file can't be written.
         """
         from pathlib import Path
 
@@ -46,24 +46,24 @@ class Files(Arrays):
 
     @classmethod
     def map(cls, path: str | os.PathLike[str]) -> Self:
-        """Return a buffer with the content of a file, which answers as the frozen buffer did.
+        """Return a buffer with the content of a file: its lookups return what those of the frozen buffer returned.
 
         The file is mapped for reading: samples stay in it until they are read, and processes that map the same file
-        share them. The file stays unchanged: inserts are kept in memory. Overwriting or truncating it in place
-        meanwhile is not allowed; `freeze` to the same path is.
+        share them. The file stays unchanged: inserts are kept in memory. It must not be overwritten or truncated in
+        place while it is mapped; `freeze` to the same path is allowed.
 
         Args:
-            path: What `freeze` wrote.
+            path: File that `freeze` wrote.
 
         Raises:
             OSError: the file can't be read.
-            ValueError: it is no frozen buffer, or incomplete; the text names the defect and its byte.
+            ValueError: it is not a frozen buffer, or incomplete; the text has the defect and its byte.
         """
         from mmap import ACCESS_READ, mmap
         from pathlib import Path
 
         with Path(path).open("rb") as file:
-            is_empty = os.fstat(file.fileno()).st_size == 0  # which mmap refuses
+            is_empty = os.fstat(file.fileno()).st_size == 0  # mmap rejects an empty file
             data = memoryview(b"" if is_empty else mmap(file.fileno(), 0, access=ACCESS_READ))
         buffer = cls()
         try:

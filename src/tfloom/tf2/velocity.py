@@ -1,4 +1,4 @@
-"""Velocities by differences of transforms: a correct twist, and tf2's lookupVelocity as it is."""
+"""Velocities by differences of transforms: a correct twist, and tf2's lookupVelocity unchanged."""
 
 from __future__ import annotations
 
@@ -36,15 +36,14 @@ class Velocities(Files):
         interval_ns: int = 100_000_000,
         axes_frame: str | None = None,
     ) -> Twist:
-        """Return how `body_frame` moves in `fixed_frame`: its origin's velocity, and its rotation.
+        """Return the velocity of `body_frame` in `fixed_frame`: linear, of its origin, and angular.
 
-        Both are means over the interval around `stamp_ns`, which is moved back where it reaches beyond the newest
-        data.
+        Both are means over the interval around `stamp_ns`, which is shifted back if it ends after the newest data.
 
         Args:
             body_frame: The frame that moves.
-            fixed_frame: The frame that it moves in.
-            stamp_ns: When [ns since epoch]; 0 is the latest.
+            fixed_frame: The frame of reference.
+            stamp_ns: Time of the velocity [ns since epoch]; 0 is the latest.
             interval_ns: Time over which to take the mean [ns].
             axes_frame: Frame in whose axes the vectors are expressed; None: `fixed_frame`.
 
@@ -75,17 +74,17 @@ class Velocities(Files):
         reference_point: Triple = (0.0, 0.0, 0.0),
         reference_point_frame: str | None = None,
     ) -> Twist:
-        """Return what tf2's lookupVelocity does, formula and all; `velocity` gives a twist to compute with.
+        """Return the result of tf2's lookupVelocity, by its formula; `velocity` returns a correct twist.
 
         Its differences from a twist: the velocity is turned by reference-from-tracking, not -from-observation, and
         the reference point adds the product of the components of ω and the arm, not their cross product.
 
         Args:
             tracking_frame: The frame that moves.
-            observation_frame: The frame that it moves in.
-            stamp_ns: When [ns since epoch].
+            observation_frame: The frame of reference.
+            stamp_ns: Time of the velocity [ns since epoch].
             interval_s: Time over which to take the mean [s].
-            reference_frame: Frame of the answer; None: `observation_frame`.
+            reference_frame: Frame of the result; None: `observation_frame`.
             reference_point: A point of the moving body [m].
             reference_point_frame: The frame of that point; None: `tracking_frame`.
 

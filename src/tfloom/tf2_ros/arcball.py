@@ -1,4 +1,4 @@
-"""Rotating with the mouse, by the names of tf_transformations: a virtual trackball that the cursor drags."""
+"""Rotation with the mouse, by tf_transformations' names: a virtual trackball."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ NOTHING = float(np.finfo(float).eps) * 4
 class Arcball:
     """A virtual trackball (K. Shoemake, "ARCBALL", Graphics Interface 1992).
 
-    Window coordinates are in pixels, y downwards. Each drag turns by twice the angle that the cursor goes on the ball.
+    Window coordinates are in pixels, y downwards. A drag rotates by twice the angle that the cursor covers on the ball.
 
     Args:
-        initial: Where it starts: a quaternion x, y, z, w, or a matrix (4, 4); None: unturned.
+        initial: Initial rotation: a quaternion (x, y, z, w), or a matrix (4, 4); None: the identity.
 
     Raises:
         ValueError: `initial` is neither.
@@ -49,15 +49,15 @@ class Arcball:
         self._is_constrained = False
 
     def place(self, center: Sequence[float], radius: float) -> None:
-        """Place the ball in the window."""
+        """Set the ball's centre and radius in the window."""
         self._center, self._radius = (float(center[0]), float(center[1])), float(radius)
 
     def setaxes(self, *axes: ArrayLike) -> None:
-        """Set the axes that drags are constrained to while `setconstrain` is on; without axes they are free."""
+        """Set the axes to which drags are constrained while `setconstrain` is on; without axes they are free."""
         self._axes = [unit_vector(axis) for axis in axes] or None
 
     def setconstrain(self, constrain: bool) -> None:
-        """Set whether the next drag turns about the nearest of the axes only."""
+        """Set whether the next drag rotates about the nearest of the axes only."""
         self._is_constrained = constrain is True
 
     def getconstrain(self) -> bool:
@@ -74,7 +74,7 @@ class Arcball:
             self._down = arcball_constrain_to_axis(self._down, self._axis)
 
     def drag(self, point: Sequence[float]) -> None:
-        """Go on with the drag, to the cursor."""
+        """Continue the drag to the cursor."""
         here = arcball_map_to_sphere(point, self._center, self._radius)
         if self._axis is not None:
             here = arcball_constrain_to_axis(here, self._axis)
@@ -86,11 +86,11 @@ class Arcball:
             self._now = quaternion_multiply(np.append(across, self._down @ here), self._at_down)
 
     def next(self, acceleration: float = 0.0) -> None:
-        """Go on turning as in the last drag."""
+        """Continue the rotation of the last drag."""
         self._before, self._now = self._now, quaternion_slerp(self._before, self._now, 2.0 + acceleration)
 
     def matrix(self) -> Vector:
-        """Return how the ball is turned, as a matrix (4, 4)."""
+        """Return the ball's rotation as a matrix (4, 4)."""
         return quaternion_matrix(self._now)
 
 

@@ -1,4 +1,4 @@
-"""The buffer that programs use: lookups with a timeout, and futures of transforms."""
+"""The buffer of a program: lookups with a timeout, and futures of transforms."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ __all__ = ["Buffer"]
 LEAST_JUMP_BACK = Duration(seconds=-1)
 LONGEST_MARGIN_NS = 1_000_000_000
 SLICE_S = 0.25
-"""How often a wait checks whether its context was shut down [s]."""
+"""Period at which a wait checks whether its context was shut down [s]."""
 
 
 class Buffer(BufferCore, BufferInterface):
@@ -41,9 +41,9 @@ class Buffer(BufferCore, BufferInterface):
     may wait for a transform.
 
     Args:
-        cache_time: How far back each frame's history reaches from its newest sample; None: 10 s.
-        node: Node that serves `tf2_frames`, which returns the frames as YAML. Its clock is watched: a jump back in
-            simulated time clears the buffer. A listener's node is always watched.
+        cache_time: Length of each frame's history, before its newest sample; None: 10 s.
+        node: Node that serves `tf2_frames`, which returns the frames as YAML. A jump backward of its simulated time
+            clears the buffer, as does one of a listener's node.
     """
 
     def __init__(self, cache_time: Any = None, node: Node | None = None) -> None:
@@ -57,7 +57,7 @@ class Buffer(BufferCore, BufferInterface):
             self.srv = node.create_service(FrameGraph, "tf2_frames", _frames_callback(weakref.ref(self)))
 
     def watch_clock(self, node: Node) -> None:
-        """Clear the buffer when the clock of `node` jumps back. Watching the same clock again does nothing."""
+        """Clear the buffer when the clock of `node` jumps backward. Watching the same clock again does nothing."""
         self._context = node.context
         clock = node.get_clock()
         if clock not in self._jump_handles:
@@ -67,12 +67,12 @@ class Buffer(BufferCore, BufferInterface):
             )
 
     def time_jump_callback(self, time_jump: TimeJump) -> None:  # noqa: ARG002, tf2's signature
-        """Clear the buffer, after a jump back in time."""
+        """Clear the buffer, after a jump backward in time."""
         get_logger("tf2_buffer").warning("Detected jump back in time. Clearing tf buffer.")
         self.clear()
 
     def _ignore_stragglers(self, jump_ns: int, now_ns: int) -> None:
-        """Ignore for a moment transforms that were sent before a jump back, by their stamps near the old time."""
+        """For a short time, ignore transforms sent before the jump, which have stamps near the old time."""
         margin_ns = min(-jump_ns // 2, LONGEST_MARGIN_NS)
         self.ignore_from(now_ns - jump_ns - margin_ns, margin_ns / 1e9)
 
@@ -83,12 +83,12 @@ class Buffer(BufferCore, BufferInterface):
 
         Args:
             target_frame: Frame to express the data in.
-            source_frame: Frame the data is in now.
+            source_frame: Frame the data is expressed in.
             time: Time of the transform; `Time()` is the newest time at which the whole chain is known.
-            timeout: How long to wait for it.
+            timeout: The longest wait for it.
 
         Raises:
-            LookupException: a frame has never been heard of, or the chain is a loop.
+            LookupException: a frame is unknown, or the chain is a loop.
             ConnectivityException: the two frames are in different trees.
             ExtrapolationException: the time lies outside the stored history.
             InvalidArgumentException: a frame's name is empty or starts with a slash.
@@ -106,9 +106,9 @@ class Buffer(BufferCore, BufferInterface):
         fixed_frame: str,
         timeout: Any = NO_WAIT,
     ) -> TransformStamped:
-        """Return the transform of data at `source_time`, by way of `fixed_frame`, to the target at `target_time`.
+        """Return the transform, by way of `fixed_frame`, from the source to the target at another time.
 
-        `fixed_frame` is one that does not move between the two times. Raises as `lookup_transform` does.
+        `fixed_frame` must not move between the two times. Raises as `lookup_transform` does.
         """
         query = target_frame, target_time, source_frame, source_time, fixed_frame
         if timeout is not NO_WAIT:
@@ -123,7 +123,7 @@ class Buffer(BufferCore, BufferInterface):
         timeout: Any = NO_WAIT,
         return_debug_tuple: bool = False,
     ) -> bool | tuple[bool, str]:
-        """Return whether `lookup_transform` succeeds within `timeout`; with `return_debug_tuple` also why not."""
+        """Return whether `lookup_transform` succeeds within `timeout`; with `return_debug_tuple`, also why not."""
         if timeout is not NO_WAIT:
             self._wait(timeout, self.wait, target_frame, source_frame, time_ns(time))
         verdict = self.can_transform_core(target_frame, source_frame, time)
@@ -151,7 +151,7 @@ class Buffer(BufferCore, BufferInterface):
         while (left_s := end_s - (start_s := monotonic())) > 0:
             slice_s = min(left_s, SLICE_S)
             if wait(*query, timeout_s=slice_s) or monotonic() - start_s < slice_s / 2:
-                return  # it is there; or it cannot come, where the wait ends early
+                return  # it is available; or it cannot become available, and the wait ends early
             if self._context is not None and not self._context.ok():
                 return
 
@@ -160,8 +160,8 @@ class Buffer(BufferCore, BufferInterface):
     ) -> Future[TransformStamped]:
         """Return a future of the transform that `lookup_transform` will return once it is available.
 
-        It is completed on the thread that inserts the missing transform. A lookup that cannot succeed any more sets
-        its exception; after `timeout` it is a LookupException. Cancelling the future ends the waiting.
+        It is completed on the thread that inserts the missing transform. If the lookup can no longer succeed, its
+        exception is set; after `timeout`, a LookupException. Cancelling the future ends the wait.
         """
         query = target_frame, source_frame, time
         return self._future(
@@ -224,7 +224,7 @@ class Buffer(BufferCore, BufferInterface):
                 return
             try:
                 future.set_result(look_up())
-            except Exception as error:  # noqa: BLE001, it is raised where the future is awaited
+            except Exception as error:  # noqa: BLE001, the future raises it
                 future.set_exception(error)
 
         handle = request(complete)
@@ -233,7 +233,7 @@ class Buffer(BufferCore, BufferInterface):
             return future
 
         def expire() -> None:
-            if self.cancel_request(handle):  # else it is being completed
+            if self.cancel_request(handle):  # otherwise it is being completed
                 future.set_exception(LookupException(f"timed out: {obstacle()}"))
 
         future.add_done_callback(lambda ended: ended.cancelled() and self.cancel_request(handle))
@@ -244,7 +244,7 @@ class Buffer(BufferCore, BufferInterface):
 
 
 def _jump_callback(buffer: weakref.ref[Buffer], clock: weakref.ref[Clock]) -> Callable[[TimeJump], None]:
-    """Make a callback that keeps neither the buffer nor the clock alive."""
+    """Return a jump callback that keeps neither the buffer nor the clock alive."""
 
     def jumped(time_jump: TimeJump) -> None:
         alive, source = buffer(), clock()

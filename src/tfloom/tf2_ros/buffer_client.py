@@ -1,4 +1,4 @@
-"""Lookups in a buffer of another program."""
+"""Lookups in the buffer of another program."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from tfloom.tf2.errors import (
 from tfloom.tf2_ros.buffer_core import S_TO_NS, duration_ns, time_ns
 from tfloom.tf2_ros.buffer_interface import NO_WAIT, BufferInterface
 
-# Actions are imported where they are used, because `import tf2_ros` has to be quick.
+# Actions are imported where they are used, because `import tf2_ros` must be quick.
 if TYPE_CHECKING:
     from tfloom.interfaces.geometry_msgs.msg import TransformStamped
     from tfloom.interfaces.tf2_msgs.action import LookupTransform_Goal
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 __all__ = ["BufferClient"]
 
 LONGEST_S = 2**31 - 1
-"""The longest duration that a message can hold, 68 years; rclpy's Infinite is longer [s]."""
+"""The longest duration that a message can hold [s], 68 years; rclpy's Infinite is longer."""
 PADDING = Duration(seconds=2.0)
 WRONG = "Something is likely wrong with the server."
 ERRORS: dict[int, type[TransformException]] = {
@@ -46,23 +46,23 @@ ERRORS: dict[int, type[TransformException]] = {
 }
 """The exception for each error code of a result; other codes raise TransformException."""
 LOOK_AGAIN_S = 0.1
-"""How often a query checks whether its node is still spun elsewhere [s]."""
+"""Period at which a query checks whether its node is still spun elsewhere [s]."""
 
 _lock = threading.Lock()
 _spinning: weakref.WeakKeyDictionary[Node, threading.Lock] = weakref.WeakKeyDictionary()
 
 
 class BufferClient(BufferInterface):
-    """The queries of a buffer, answered by the `BufferServer` of another program, or tf2's own.
+    """The queries of a buffer, sent to the `BufferServer` of another program, tf2's included.
 
-    They may be called from any thread. A node in an executor must be spun on another thread meanwhile; a node in none
-    is spun by the query itself.
+    They may be called from any thread. Another thread must spin a node that is in an executor; a node in none is spun
+    by the query.
 
     Args:
         node: The node of the action client.
         ns: Name of the server's action, as `tf2_buffer_server`.
         check_frequency: Accepted for tf2's signature and unused, because results arrive as events.
-        timeout_padding: How much longer than the query's timeout its result may take; a Duration, or seconds.
+        timeout_padding: Time that a result may take beyond the query's timeout; a Duration, or seconds.
     """
 
     def __init__(
@@ -79,7 +79,7 @@ class BufferClient(BufferInterface):
         self.timeout_padding = timeout_padding
 
     def wait_for_server(self, timeout_sec: float | None = None) -> bool:
-        """Wait until the server is there; return False after `timeout_sec` [s] (None: no limit) or at shutdown."""
+        """Wait until the server is ready; return False after `timeout_sec` [s] (None: no limit) or at shutdown."""
         return self.action_client.wait_for_server(timeout_sec)
 
     def lookup_transform(
@@ -89,9 +89,9 @@ class BufferClient(BufferInterface):
 
         Args:
             target_frame: Frame to express the data in.
-            source_frame: Frame the data is in now.
+            source_frame: Frame the data is expressed in.
             time: Time of the transform, as a Time or a stamp; zero is the newest at which the whole chain is known.
-            timeout: How long the server waits for it.
+            timeout: The longest wait of the server for it.
 
         Raises:
             TimeoutException: there is no server, or the transform or the server's result did not arrive in time.
@@ -99,7 +99,7 @@ class BufferClient(BufferInterface):
                 `Buffer.lookup_transform` raises them, at the server.
             TransformException: the server sent no result, or one with an unknown error.
             TypeError: `time` has neither `sec` and `nanosec` nor `nanoseconds`.
-            RuntimeError: called in a callback of the single-threaded executor that has to process the result.
+            RuntimeError: called in a callback of the single-threaded executor that must receive the result.
         """
         goal = self._goal_type(
             target_frame=target_frame,
@@ -107,7 +107,7 @@ class BufferClient(BufferInterface):
             source_time=_time_message(time),
             timeout=_duration_message(timeout),
         )
-        return self._ask(goal)
+        return self._query(goal)
 
     def lookup_transform_full(
         self,
@@ -118,9 +118,9 @@ class BufferClient(BufferInterface):
         fixed_frame: str,
         timeout: Any = NO_WAIT,
     ) -> TransformStamped:
-        """Return the transform of data at `source_time`, by way of `fixed_frame`, to the target at `target_time`.
+        """Return the transform, by way of `fixed_frame`, from the source to the target at another time.
 
-        `fixed_frame` is one that does not move between the two times. Raises as `lookup_transform` does.
+        `fixed_frame` must not move between the two times. Raises as `lookup_transform` does.
         """
         goal = self._goal_type(
             target_frame=target_frame,
@@ -131,18 +131,18 @@ class BufferClient(BufferInterface):
             fixed_frame=fixed_frame,
             advanced=True,
         )
-        return self._ask(goal)
+        return self._query(goal)
 
     def destroy(self) -> None:
         """Destroy the action client."""
         self.action_client.destroy()
 
-    def _ask(self, goal: LookupTransform_Goal) -> TransformStamped:
+    def _query(self, goal: LookupTransform_Goal) -> TransformStamped:
         executor = self.node.executor
         if executor is not None and executor.would_wait_for_itself():
             raise RuntimeError(
-                "Waiting for the BufferServer in a callback would last for ever: its executor takes in the answer on "
-                "this very thread. Use a MultiThreadedExecutor, or a Buffer of your own"
+                "Waiting for the BufferServer in a callback would never end, because its executor receives the result "
+                "on this thread. Use a MultiThreadedExecutor, or a Buffer of your own"
             )
         if not self.action_client.server_is_ready():
             raise TimeoutException("The BufferServer is not ready.")
@@ -166,7 +166,7 @@ class BufferClient(BufferInterface):
         """Return the result of a future once the node's executor has completed it.
 
         Raises:
-            TimeoutException: it isn't there by `end_s`, by the steady clock, or at shutdown.
+            TimeoutException: it isn't complete at `end_s`, by the steady clock, or at shutdown.
         """
         ended = threading.Event()
         future.when_complete(ended.set)
@@ -185,7 +185,7 @@ class BufferClient(BufferInterface):
         return future.result()
 
     def _spin_alone(self, future: Future[Any], timeout_s: float) -> bool:
-        """Spin the node, which is in no executor, until a future is complete; False if another query does."""
+        """Spin the node, which is in no executor, until a future is complete; False if another query spins it."""
         with _lock:
             alone = _spinning.setdefault(self.node, threading.Lock())
         if not alone.acquire(blocking=False):
@@ -210,15 +210,15 @@ def _transform_of(response: Any, goal: LookupTransform_Goal) -> TransformStamped
     if error.error != TF2Error.NO_ERROR:
         raise ERRORS.get(error.error, TransformException)(error.error_string)
     if response.status == GoalStatus.STATUS_ABORTED:
-        # tf2's own server ends a goal that timed out like this, with an empty transform that looks like a result.
+        # tf2's server ends a goal after its timeout in this way, with an empty transform that looks like a result.
         raise TimeoutException(
             f"Timed out after {duration_ns(goal.timeout) / 1e9:g} s waiting for the transform from "
             f"{goal.source_frame} to {goal.target_frame}"
         )
     if response.status != GoalStatus.STATUS_SUCCEEDED:
         raise TransformException(
-            f"The BufferServer gave no transform from {goal.source_frame} to {goal.target_frame}: "
-            "the lookup was canceled, or is unknown to it"
+            f"The BufferServer returned no transform from {goal.source_frame} to {goal.target_frame}: "
+            "the lookup was canceled, or its goal is unknown"
         )
     transform: TransformStamped = result.transform
     return transform

@@ -23,13 +23,13 @@ class BufferCore(tf2_buffer.Buffer):
     """A tree of frames over time that accepts and returns `geometry_msgs/msg/TransformStamped`.
 
     Times and durations may be ROS messages (`sec`, `nanosec`) or rclpy's objects (`nanoseconds`). Messages may be of
-    any class, a real ROS install's included: their fields are read by attribute.
+    any class, a real ROS install's included, because their fields are read by attribute.
 
     Args:
-        cache_time: How far back each frame's history reaches from its newest sample; None: 10 s. As in tf2_py, it's
-            given by position, and unknown keywords are ignored.
+        cache_time: Length of each frame's history, before its newest sample; None: 10 s. As in tf2_py, it is
+            positional, and unknown keywords are ignored.
 
-    The methods named as in `tfloom.tf2.buffer.Buffer` are there too: names, nanoseconds and numbers.
+    It also has the methods of `tfloom.tf2.buffer.Buffer`, which take names, nanoseconds and numbers.
     """
 
     def __init__(self, cache_time: Any = None, /, **_ignored: object) -> None:
@@ -49,14 +49,14 @@ class BufferCore(tf2_buffer.Buffer):
         self.set_message(transform, authority, static=True)
 
     def can_transform_core(self, target_frame: str, source_frame: str, time: Any) -> tuple[bool, str]:
-        """Return whether `lookup_transform_core` would succeed, and if not, why."""
+        """Return whether `lookup_transform_core` would succeed, and the reason if not."""
         obstacle = self.find_obstacle(target_frame, source_frame, time_ns(time))
         return obstacle is None, obstacle or ""
 
     def can_transform_full_core(
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
     ) -> tuple[bool, str]:
-        """Return whether `lookup_transform_full_core` would succeed, and if not, why."""
+        """Return whether `lookup_transform_full_core` would succeed, and the reason if not."""
         obstacle = self.find_obstacle_full(
             target_frame, time_ns(target_time), source_frame, time_ns(source_time), fixed_frame
         )
@@ -67,11 +67,11 @@ class BufferCore(tf2_buffer.Buffer):
 
         Args:
             target_frame: Frame to express the data in.
-            source_frame: Frame the data is in now.
+            source_frame: Frame the data is expressed in.
             time: Time of the transform; zero is the newest time at which the whole chain is known.
 
         Raises:
-            LookupException: a frame has never been heard of, or the chain is a loop.
+            LookupException: a frame is unknown, or the chain is a loop.
             ConnectivityException: the two frames are in different trees.
             ExtrapolationException: the time lies outside the stored history.
             InvalidArgumentException: a frame's name is empty or starts with a slash.
@@ -82,7 +82,7 @@ class BufferCore(tf2_buffer.Buffer):
     def lookup_transform_full_core(
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
     ) -> TransformStamped:
-        """Return the transform of data at `source_time`, by way of `fixed_frame`, to the target at `target_time`.
+        """Return the transform, by way of `fixed_frame`, from the source to the target at another time.
 
         The result has the target's time. Raises as `lookup_transform_core` does.
         """
@@ -95,7 +95,7 @@ class BufferCore(tf2_buffer.Buffer):
         """Return the newest time at which the whole chain is known; zero if all of it is static.
 
         Raises:
-            LookupException: a frame has never been heard of.
+            LookupException: a frame is unknown.
             InvalidArgumentException: a frame's name is empty or starts with a slash.
             TransformException: the two frames are in different trees, or the chain is a loop.
         """
@@ -113,7 +113,7 @@ class BufferCore(tf2_buffer.Buffer):
     def lookupVelocityCore(  # noqa: N802, tf2_py's name
         self, tracking_frame: str, observation_frame: str, time: Any, averaging_interval: Any
     ) -> tuple[Triple, Triple]:
-        """Return how one frame moves in another, linear and angular, by tf2's formula; see `lookup_velocity`."""
+        """Return the linear and angular velocity of one frame in another, by tf2's formula; see `lookup_velocity`."""
         interval_s = duration_ns(averaging_interval) / 1e9
         twist = self.lookup_velocity(tracking_frame, observation_frame, time_ns(time), interval_s)
         return twist.linear, twist.angular
@@ -128,7 +128,7 @@ class BufferCore(tf2_buffer.Buffer):
         time: Any,
         averaging_interval: Any,
     ) -> tuple[Triple, Triple]:
-        """Return the same for a point of the moving body, in another frame; see `lookup_velocity`."""
+        """Return the velocity of a point of the moving body, in a third frame; see `lookup_velocity`."""
         twist = self.lookup_velocity(
             tracking_frame,
             observation_frame,

@@ -1,6 +1,6 @@
-"""The interface of buffers: transforming whole objects by functions that are registered for their types."""
+"""The interface of buffers: transform objects by the functions registered for their types."""
 
-# ruff: noqa: ARG002, an interface's methods use none of theirs
+# ruff: noqa: ARG002, an interface's methods don't use their arguments
 from __future__ import annotations
 
 from collections.abc import Callable, Collection
@@ -60,7 +60,7 @@ class NotImplementedException(Exception):  # noqa: N818, tf2's name
 
 
 class BufferInterface:
-    """The queries that a buffer answers, and `transform` on top of them."""
+    """The queries of a buffer, and `transform` on top of them."""
 
     def __init__(self) -> None:
         self.registration = TransformRegistration()
@@ -71,14 +71,14 @@ class BufferInterface:
         """Return `object_stamped`, which has a header, in `target_frame` at its own time.
 
         Args:
-            object_stamped: Of a type that a package such as tf2_geometry_msgs has registered.
+            object_stamped: An object of a type that a package such as tf2_geometry_msgs has registered.
             target_frame: Frame to express it in.
-            timeout: How long to wait for the transform.
+            timeout: The longest wait for the transform.
             new_type: Type to convert the result to.
 
         Raises:
             TypeException: nothing is registered for the object's type, or for `new_type`.
-            TransformException: as `lookup_transform` raises.
+            TransformException: as from `lookup_transform`.
         """
         return self._transform(
             object_stamped,
@@ -128,11 +128,11 @@ class BufferInterface:
         fixed_frame: str,
         timeout: Any = NO_WAIT,
     ) -> Any:
-        """Return the transform from one frame at its time to another at its own."""
+        """Return the transform from one frame at one time to another frame at another time."""
         raise NotImplementedException
 
     def can_transform(self, target_frame: str, source_frame: str, time: Any, timeout: Any = NO_WAIT) -> Any:
-        """Return whether `lookup_transform` gets a transform, within `timeout`."""
+        """Return whether `lookup_transform` succeeds within `timeout`."""
         try:
             self.lookup_transform(target_frame, source_frame, time, timeout)
         except TransformException:
@@ -148,7 +148,7 @@ class BufferInterface:
         fixed_frame: str,
         timeout: Any = NO_WAIT,
     ) -> Any:
-        """Return whether `lookup_transform_full` gets a transform, within `timeout`."""
+        """Return whether `lookup_transform_full` succeeds within `timeout`."""
         query = target_frame, target_time, source_frame, source_time, fixed_frame
         try:
             self.lookup_transform_full(*query, timeout)
@@ -158,7 +158,7 @@ class BufferInterface:
 
 
 def Stamped(obj: Any, stamp: Any, frame_id: str) -> Any:  # noqa: N802, tf2's name
-    """Set a header with this stamp and frame on `obj`, in place, and return `obj`."""
+    """Set the header of `obj` to one with this stamp and frame, in place, and return `obj`."""
     message = stamp.to_msg() if isinstance(stamp, Time) else stamp
     obj.header = Header(frame_id=frame_id, stamp=message)
     return obj
@@ -167,7 +167,7 @@ def Stamped(obj: Any, stamp: Any, frame_id: str) -> Any:  # noqa: N802, tf2's na
 class TransformRegistration:
     """The functions that transform objects, by type: one table for the whole process."""
 
-    _functions: dict[Any, Callable[..., Any]] = {}  # noqa: RUF012, shared on purpose
+    _functions: dict[Any, Callable[..., Any]] = {}  # noqa: RUF012, shared by all instances
 
     def print_me(self) -> None:
         """Print the table."""
@@ -181,7 +181,7 @@ class TransformRegistration:
         """Return the function for a type.
 
         Raises:
-            TypeException: there is none; a note names the package that registers one.
+            TypeException: no function is registered for it; a note names the package that registers one.
         """
         try:
             return _get(self._functions, key)
@@ -194,7 +194,7 @@ class TransformRegistration:
 class ConvertRegistration:
     """The functions that convert between types: one table for the whole process."""
 
-    _to_msg: dict[Any, Callable[[Any], Any]] = {}  # noqa: RUF012, shared on purpose
+    _to_msg: dict[Any, Callable[[Any], Any]] = {}  # noqa: RUF012, shared by all instances
     _from_msg: dict[Any, Callable[[Any], Any]] = {}  # noqa: RUF012
     _convert: dict[tuple[Any, Any], Callable[[Any], Any]] = {}  # noqa: RUF012
 
@@ -224,7 +224,7 @@ class ConvertRegistration:
 
 
 def convert(a: Any, b_type: Any) -> Any:
-    """Return `a` as a `b_type`: by the function registered for the two, as a copy, or by way of a message.
+    """Return `a` converted to `b_type`: by the function registered for the two, as a copy, or by way of a message.
 
     Raises:
         TypeException: no such conversion is registered.
@@ -263,7 +263,7 @@ def _get(table: dict[Any, Callable[..., Any]], key: Any) -> Callable[..., Any]:
 
 
 def _twin(table: dict[Any, Callable[..., Any]], key: Any) -> Any:
-    """Return the table's message class of the same ROS name, because a real ROS install has classes of its own."""
+    """Return the table's message class of the same ROS name, because a real ROS install has other classes."""
     name = _ros_name(key)
     return next((each for each in table if name is not None and _ros_name(each) == name), None)
 

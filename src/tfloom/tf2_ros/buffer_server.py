@@ -1,4 +1,4 @@
-"""Lookups for other programs in a buffer of this one, by the action `tf2_msgs/action/LookupTransform`."""
+"""Lookups for other programs in this program's buffer, by the action `tf2_msgs/action/LookupTransform`."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ CODES: dict[type[TransformException], int] = {
 }
 """The error code of each exception in a result; the kinds of ExtrapolationException share one."""
 RESULT_TIMEOUT_S = 10.0
-"""How long a result is kept for a client that requests it late."""
+"""Time for which a result is kept for a client that requests it late [s]."""
 MOST_SECONDS = 2**31 - 1
 """The largest number of seconds in a stamp."""
 
@@ -48,8 +48,8 @@ class BufferServer:
 
     A goal whose transform is available, or whose timeout is zero, ends at once, and succeeds even with an error as its
     result, as in tf2. Any other goal waits for its transform, without a thread and without polling. It succeeds with
-    the transform; it is aborted with an error when its timeout is over, or as soon as the requested time is older
-    than the buffer's history. A waiting goal can be cancelled.
+    the transform; it is aborted with an error after its timeout, or as soon as the requested time is older than the
+    buffer's history. A waiting goal can be cancelled.
 
     Args:
         buffer: The buffer to look up in.
@@ -69,7 +69,7 @@ class BufferServer:
             self._execute,
             cancel_callback=lambda _handle: CancelResponse.ACCEPT,
             result_timeout=RESULT_TIMEOUT_S,
-            forget_told_results=True,  # because the list of goals, published at every change, would grow without end
+            forget_sent_results=True,  # because the list of goals, published at every change, would grow without end
         )
 
     async def _execute(self, handle: ServerGoalHandle) -> LookupTransform_Result:
@@ -79,7 +79,7 @@ class BufferServer:
             handle.succeed()
             return result
         waiting = query.wait()
-        # Cancelled already, it is called at once.
+        # If the goal was cancelled before, it is called at once.
         handle.cancel_future.when_complete(waiting.cancel)
         await waiting
         if handle.is_cancel_requested:
@@ -93,7 +93,7 @@ class BufferServer:
         return result
 
     def destroy(self) -> None:
-        """Destroy the action server. Waiting goals get no result."""
+        """Destroy the action server. No result is sent for waiting goals."""
         self._server.destroy()
 
 
@@ -119,19 +119,19 @@ class _Query:
         return self._timeout_s <= 0 or self._find_obstacle() is None
 
     def answer(self) -> LookupTransform_Result:
-        """Return the transform, or the error that its lookup raises."""
+        """Return the transform, or the exception of its lookup."""
         from tfloom.interfaces.tf2_msgs.action import LookupTransform_Result
 
         try:
             transform = self._look_up()
         except TransformException as error:
             return _failure(error)
-        if transform.header.stamp.sec > MOST_SECONDS:  # a goal's nanoseconds may be some seconds more
-            return _failure(TransformException("the time asked for is later than a stamp can tell"))
+        if transform.header.stamp.sec > MOST_SECONDS:  # a goal's nanoseconds may add some seconds
+            return _failure(TransformException("the requested time is later than a stamp can hold"))
         return LookupTransform_Result(transform=transform)
 
     def wait(self) -> Future[bool]:
-        """Return a future: True once the transform is available or cannot come any more, False after the timeout."""
+        """Return a future: True once the transform is available or can't become so, False after the timeout."""
         waiting: Future[bool] = Future()
         request = self._add_request(lambda _handle, _is_available: waiting.set_result(True))
         if not request:
@@ -139,7 +139,7 @@ class _Query:
             return waiting
 
         def expire() -> None:
-            if self._buffer.cancel_request(request):  # else it is being completed
+            if self._buffer.cancel_request(request):  # otherwise it is being completed
                 waiting.set_result(False)
 
         deadline = call_after(self._timeout_s, expire)
@@ -156,7 +156,7 @@ class _Query:
         goal = self._goal
         return TimeoutException(
             f"Timed out after {self._timeout_s:g} s waiting for the transform from {goal.source_frame} to "
-            f"{goal.target_frame}: {self._find_obstacle() or 'it came too late'}"
+            f"{goal.target_frame}: {self._find_obstacle() or 'it arrived too late'}"
         )
 
     def _find_obstacle(self) -> str | None:

@@ -1,4 +1,4 @@
-"""Delayed calls, all on one thread that starts with the first of them."""
+"""Delayed calls, all on one thread that starts at the first call."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from itertools import count
 __all__ = ["Deadline", "call_after"]
 
 MOST_CANCELLED = 1000
-"""How many cancelled calls may stay in the heap before it is rebuilt."""
+"""Most cancelled calls in the heap before it is rebuilt."""
 
 _waiting: list[tuple[float, int]] = []
 _functions: dict[int, Callable[[], None]] = {}
@@ -21,13 +21,13 @@ _thread: threading.Thread | None = None
 
 
 class Deadline:
-    """A delayed call; `call_after` makes one."""
+    """A delayed call; `call_after` creates one."""
 
     def __init__(self, number: int) -> None:
         self._number = number
 
     def cancel(self) -> None:
-        """Cancel the call, unless it has been made."""
+        """Cancel the call, unless it has begun."""
         with _changed:
             _functions.pop(self._number, None)
             if len(_waiting) > 2 * len(_functions) + MOST_CANCELLED:

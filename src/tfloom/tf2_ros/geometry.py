@@ -1,6 +1,6 @@
-"""Messages of geometry_msgs through transforms. Importing this registers them for `Buffer.transform`.
+"""Transforms messages of geometry_msgs. Importing this registers them for `Buffer.transform`.
 
-Arguments stay unchanged. Messages may be of any class that has the fields; the result is of the same class.
+Arguments are not changed. Messages may be of any class that has the fields; the result is of the same class.
 """
 
 from __future__ import annotations
@@ -67,20 +67,20 @@ def from_msg_msg(msg: Any) -> Any:
 
 
 def value_of(transform: Any) -> Transform:
-    """Return a Transform or TransformStamped message as a value; a zero quaternion counts as no rotation."""
+    """Return a Transform or TransformStamped message as a value; a zero quaternion is the identity."""
     message = getattr(transform, "transform", transform)
     return Transform(_xyz(message.translation), _rotation(message.rotation))
 
 
 def do_transform_point(point: Any, transform: Any) -> Any:
-    """Return a PointStamped through a TransformStamped, whose header it gets; or a Point or Point32 through either."""
+    """Transform a PointStamped, whose new header is the TransformStamped's; or a Point or Point32."""
     if hasattr(point, "point"):
         return _stamped(point, transform, "point", do_transform_point)
     return _with(point, value_of(transform).apply(_xyz(point)))
 
 
 def do_transform_vector3(vector3: Any, transform: Any) -> Any:
-    """Return a Vector3Stamped, turned by a TransformStamped, whose header it gets; or a Vector3.
+    """Rotate a Vector3Stamped, whose new header is the TransformStamped's; or a Vector3.
 
     A vector is rotated but not translated, because it has no position.
     """
@@ -90,7 +90,7 @@ def do_transform_vector3(vector3: Any, transform: Any) -> Any:
 
 
 def do_transform_pose(pose: Any, transform: Any) -> Any:
-    """Return a Pose through a TransformStamped; its orientation has w ≥ 0."""
+    """Transform a Pose by a TransformStamped; its orientation has w ≥ 0."""
     result = type(pose)()
     moved = value_of(transform) @ Transform(_xyz(pose.position), _rotation(pose.orientation))
     _put(result.position, moved.translation)
@@ -100,12 +100,12 @@ def do_transform_pose(pose: Any, transform: Any) -> Any:
 
 
 def do_transform_pose_stamped(pose: Any, transform: Any) -> Any:
-    """Return a PoseStamped through a TransformStamped, whose header it gets."""
+    """Transform a PoseStamped; its new header is the TransformStamped's."""
     return _stamped(pose, transform, "pose", do_transform_pose)
 
 
 def do_transform_pose_with_covariance(pose: Any, transform: Any) -> Any:
-    """Return a PoseWithCovariance through a TransformStamped."""
+    """Transform a PoseWithCovariance by a TransformStamped."""
     result = type(pose)()
     result.pose = do_transform_pose(pose.pose, transform)
     result.covariance = transform_covariance(pose.covariance, transform)
@@ -113,12 +113,12 @@ def do_transform_pose_with_covariance(pose: Any, transform: Any) -> Any:
 
 
 def do_transform_pose_with_covariance_stamped(pose: Any, transform: Any) -> Any:
-    """Return a PoseWithCovarianceStamped through a TransformStamped, whose header it gets."""
+    """Transform a PoseWithCovarianceStamped; its new header is the TransformStamped's."""
     return _stamped(pose, transform, "pose", do_transform_pose_with_covariance)
 
 
 def do_transform_polygon(polygon: Any, transform: Any) -> Any:
-    """Return a Polygon through a TransformStamped."""
+    """Transform a Polygon by a TransformStamped."""
     result = type(polygon)()
     value = value_of(transform)
     result.points = [_with(point, value.apply(_xyz(point))) for point in polygon.points]
@@ -126,12 +126,12 @@ def do_transform_polygon(polygon: Any, transform: Any) -> Any:
 
 
 def do_transform_polygon_stamped(polygon: Any, transform: Any) -> Any:
-    """Return a PolygonStamped through a TransformStamped, whose header it gets."""
+    """Transform a PolygonStamped; its new header is the TransformStamped's."""
     return _stamped(polygon, transform, "polygon", do_transform_polygon)
 
 
 def do_transform_quaternion(quaternion: Any, transform: Any) -> Any:
-    """Return a Quaternion turned by a TransformStamped."""
+    """Rotate a Quaternion by a TransformStamped."""
     result = type(quaternion)()
     q = quaternion
     _put_quaternion(result, _product(value_of(transform).rotation_xyzw, (q.x, q.y, q.z, q.w)))
@@ -139,12 +139,12 @@ def do_transform_quaternion(quaternion: Any, transform: Any) -> Any:
 
 
 def do_transform_quaternion_stamped(quaternion: Any, transform: Any) -> Any:
-    """Return a QuaternionStamped turned by a TransformStamped, whose header it gets."""
+    """Rotate a QuaternionStamped; its new header is the TransformStamped's."""
     return _stamped(quaternion, transform, "quaternion", do_transform_quaternion)
 
 
 def do_transform_transform(moved: Any, transform: Any) -> Any:
-    """Return target_from_child, a Transform, of source_from_child and a TransformStamped target_from_source."""
+    """Return target_from_child from the Transform source_from_child and the TransformStamped target_from_source."""
     result = type(moved)()
     value = value_of(transform) @ value_of(moved)
     _put(result.translation, value.translation)
@@ -153,12 +153,12 @@ def do_transform_transform(moved: Any, transform: Any) -> Any:
 
 
 def do_transform_transform_stamped(moved: Any, transform: Any) -> Any:
-    """Return a TransformStamped of the same child with another before it, whose header it gets."""
+    """Return target_from_child, with the header of the TransformStamped target_from_source."""
     return _stamped(moved, transform, "transform", do_transform_transform, "child_frame_id")
 
 
 def do_transform_wrench(wrench: Any, transform: Any) -> Any:
-    """Return a Wrench at the transform's target: F' = R F, τ' = R τ + cross(t, F')."""
+    """Transform a Wrench to the target frame: F' = R F, τ' = R τ + cross(t, F')."""
     result = type(wrench)()
     force, torque = _shifted(value_of(transform), _xyz(wrench.force), _xyz(wrench.torque))
     _put(result.force, force)
@@ -167,12 +167,12 @@ def do_transform_wrench(wrench: Any, transform: Any) -> Any:
 
 
 def do_transform_wrench_stamped(wrench: Any, transform: Any) -> Any:
-    """Return a WrenchStamped at the target of a TransformStamped, whose header it gets."""
+    """Transform a WrenchStamped; its new header is the TransformStamped's."""
     return _stamped(wrench, transform, "wrench", do_transform_wrench)
 
 
 def do_transform_twist(twist: Any, transform: Any) -> Any:
-    """Return a Twist of the same body at the transform's target: ω' = R ω, v' = R v + cross(t, ω')."""
+    """Transform a Twist of the same body to the target frame: ω' = R ω, v' = R v + cross(t, ω')."""
     result = type(twist)()
     angular, linear = _shifted(value_of(transform), _xyz(twist.angular), _xyz(twist.linear))
     _put(result.angular, angular)
@@ -181,19 +181,19 @@ def do_transform_twist(twist: Any, transform: Any) -> Any:
 
 
 def do_transform_twist_stamped(twist: Any, transform: Any) -> Any:
-    """Return a TwistStamped at the target of a TransformStamped, whose header it gets."""
+    """Transform a TwistStamped; its new header is the TransformStamped's."""
     return _stamped(twist, transform, "twist", do_transform_twist)
 
 
 def do_transform_velocity_stamped(velocity: Any, transform: Any) -> Any:
-    """Return a VelocityStamped at the target of a TransformStamped, whose header it gets; its frames stay."""
+    """Transform a VelocityStamped; its new header is the TransformStamped's, its other frames are kept."""
     return _stamped(
         velocity, transform, "velocity", do_transform_twist, "body_frame_id", "reference_frame_id"
     )
 
 
 def transform_covariance(cov_in: ArrayLike, transform: Any) -> NDArray[np.float64]:
-    """Return a covariance (36,), row-major over x, y, z and turns about them, each block turned: R C Rᵀ."""
+    """Rotate a covariance (36,), row-major over x, y, z and rotations about them: R C Rᵀ for each 3 x 3 block."""
     import numpy as np
 
     turn = value_of(transform).matrix()[:3, :3]
@@ -235,7 +235,7 @@ def _put(part: Any, xyz: Triple) -> None:
 
 
 def _rotation(q: Any) -> Quadruple:
-    """Return a quaternion (x, y, z, w); one of zeros, as an unset message has it, counts as no rotation."""
+    """Return a quaternion (x, y, z, w); one of zeros, as in an unset message, is the identity."""
     rotation = (q.x, q.y, q.z, q.w)
     return rotation if any(rotation) else (0.0, 0.0, 0.0, 1.0)
 
@@ -249,7 +249,7 @@ def _turned(value: Transform, vector: Triple) -> Triple:
 
 
 def _shifted(value: Transform, resultant: Triple, moment: Triple) -> tuple[Triple, Triple]:
-    """Return a force and its torque, or an angular velocity and a linear one, at the transform's target.
+    """Transform a force and its torque, or an angular and a linear velocity, to the target frame.
 
     f' = R f and m' = R m + t x f'.
     """

@@ -1,4 +1,4 @@
-"""Messages that are held until they can be transformed."""
+"""A filter that holds messages until they can be transformed."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def get_filter_failure_reason_string(reason: int) -> str:
 
 
 class _Held:
-    """A held message, and the transforms it waits for."""
+    """A held message, and the requests for its transforms."""
 
     def __init__(self, message: Any, missing: int) -> None:
         self.message = message
@@ -62,7 +62,7 @@ class _Held:
 
 
 class MessageFilter(SimpleFilter):
-    """Passes on the messages of a filter once the buffer can transform them into one frame or several.
+    """Passes on the messages of a filter when the buffer can transform them into one or several frames.
 
     Callbacks run on the executor that spins the node; without a node, on the thread that adds the message or the
     missing transform.
@@ -71,9 +71,9 @@ class MessageFilter(SimpleFilter):
         f: The input filter, such as a `message_filters.Subscriber`; None: messages come from `add` alone.
         buffer: The buffer to look up in.
         target_frame: The frame, or all of the frames, that messages must be transformable into.
-        queue_size: How many messages to hold; the oldest are dropped. 0: any number.
+        queue_size: Most messages to hold; the oldest are dropped. 0: no limit.
         node: Node whose executor runs the callbacks; None: that of the filter's node, if it has one.
-        buffer_timeout: How long to hold a message by the steady clock; None: until it's dropped for another reason.
+        buffer_timeout: The longest time to hold a message, by the steady clock; None: no limit.
     """
 
     def __init__(
@@ -104,15 +104,15 @@ class MessageFilter(SimpleFilter):
             self.connectInput(f)
 
     def connectInput(self, f: Any) -> None:  # noqa: N802, message_filters' name
-        """Take the messages of a filter."""
+        """Connect to an input filter."""
         self.incoming_connection = f.registerCallback(self.add)
 
     def setTargetFrame(self, target_frame: str) -> None:  # noqa: N802, tf2_ros' name
-        """Set the frame that messages must be transformable into, from the next one on."""
+        """Set the frame that messages must be transformable into, starting with the next message."""
         self.setTargetFrames([target_frame])
 
     def setTargetFrames(self, target_frames: Sequence[str]) -> None:  # noqa: N802, tf2_ros' name
-        """Set the frames that messages must be transformable into, from the next one on."""
+        """Set the frames that messages must be transformable into, starting with the next message."""
         self._targets = [frame.removeprefix("/") for frame in target_frames]
 
     def getTargetFramesString(self) -> str:  # noqa: N802, tf2_ros' name
@@ -120,15 +120,15 @@ class MessageFilter(SimpleFilter):
         return "".join(f"{frame} " for frame in self._targets)
 
     def setTolerance(self, tolerance: Any) -> None:  # noqa: N802, tf2_ros' name
-        """Require the transform a duration after the stamp as well, from the next message on."""
+        """Also require the transform at this duration after the stamp, starting with the next message."""
         self._tolerance_ns = duration_ns(tolerance)
 
     def setQueueSize(self, new_queue_size: int) -> None:  # noqa: N802, tf2_ros' name
-        """Set how many messages to hold; 0: any number."""
+        """Set the most messages to hold; 0: no limit."""
         self._queue_size = new_queue_size
 
     def getQueueSize(self) -> int:  # noqa: N802, tf2_ros' name
-        """Return how many messages are held at most."""
+        """Return the most messages that are held."""
         return self._queue_size
 
     def registerFailureCallback(self, callback: Callable[[Any, FilterFailureReason], Any]) -> None:  # noqa: N802
@@ -136,7 +136,7 @@ class MessageFilter(SimpleFilter):
         self._failure_callbacks.append(callback)
 
     def clear(self) -> None:
-        """Discard all held messages."""
+        """Drop all held messages."""
         with self._lock:
             forgotten = list(self._held.values())
             self._held.clear()
@@ -146,7 +146,7 @@ class MessageFilter(SimpleFilter):
             self._cancel(held)
 
     def add(self, msg: Any) -> None:
-        """Pass a message on as soon as the buffer can transform it."""
+        """Add a message, which is passed on as soon as the buffer can transform it."""
         header = msg.header
         frame = header.frame_id.removeprefix("/")
         if not frame:
@@ -157,7 +157,7 @@ class MessageFilter(SimpleFilter):
         queries = [(target, frame, at) for target in self._targets for at in stamps]
         held = _Held(
             msg, len(queries) + 1
-        )  # one more than queries, because it must stay open until all are requested
+        )  # one more than the requests, so that it can't complete before all are made
         for query in queries:
             handle = self._buffer.add_request(*query, partial(self._answer, held))
             if handle is None:
@@ -187,7 +187,7 @@ class MessageFilter(SimpleFilter):
             self._cancel(each)
             self._drop(each.message, FilterFailureReason.QueueFull)
         if is_settled:
-            self._cancel(held)  # the requests made after it had failed
+            self._cancel(held)  # the requests made after the failure
         elif is_ready:
             self.signalMessage(held.message)
         elif self._timeout_s is not None:

@@ -1,4 +1,4 @@
-"""Messages of several topics matched by their stamps, with message_filters' interface."""
+"""Synchronization of messages of several topics by their stamps, with message_filters' interface."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ __all__ = ["ApproximateTimeSynchronizer", "Cache", "Chain", "SimpleFilter", "Sub
 
 
 class SimpleFilter:
-    """Passes messages on to callbacks."""
+    """Base of filters: calls callbacks with messages."""
 
     _clock: Clock | None = None
     """The clock for the arrival time of messages without a header; None: the system's clock."""
@@ -48,8 +48,8 @@ class Subscriber(SimpleFilter):
     """Passes on the messages of a topic.
 
     Args:
-        args: Node, type and topic, and the other arguments of `Node.create_subscription`; the callback is the filter's
-            own, and the history's default depth is 10.
+        args: Node, type and topic, and the other arguments of `Node.create_subscription` but the callback; the
+            history's default depth is 10.
     """
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
@@ -66,7 +66,7 @@ class Subscriber(SimpleFilter):
         self.signalMessage(msg)
 
     def getTopic(self) -> str:  # noqa: N802, message_filters' name
-        """Return the topic as passed in."""
+        """Return the topic's name as given."""
         return str(self.topic)
 
     def __getattr__(self, name: str) -> Any:
@@ -81,9 +81,9 @@ class Cache(SimpleFilter):
 
     Args:
         f: The input filter; None: messages come from `add` alone.
-        cache_size: How many.
-        allow_headerless: Whether a message without a header gets the time of its arrival, by the subscriber's node's
-            clock.
+        cache_size: Most messages to keep.
+        allow_headerless: Whether a message without a header is stamped with its time of arrival, by the clock of the
+            subscriber's node.
     """
 
     def __init__(self, f: Any, cache_size: int = 1, allow_headerless: bool = False) -> None:
@@ -95,7 +95,7 @@ class Cache(SimpleFilter):
         self.connectInput(f)
 
     def connectInput(self, f: Any) -> None:  # noqa: N802, message_filters' name
-        """Take the messages of a filter."""
+        """Connect to an input filter."""
         if f is not None:
             self._clock = getattr(f, "_clock", None)
             self.incoming_connection = f.registerCallback(self.add)
@@ -145,7 +145,7 @@ class Cache(SimpleFilter):
 
 
 class Chain(SimpleFilter):
-    """Several filters in a row, as one: messages enter the first and leave the last.
+    """A sequence of filters: messages enter the first and leave the last.
 
     Args:
         message_filter: The input filter; None: messages come from `add` alone.
@@ -160,10 +160,10 @@ class Chain(SimpleFilter):
             self.connectInput(message_filter)
 
     def connectInput(self, message_filter: Any) -> None:  # noqa: N802, message_filters' name
-        """Take the messages of a filter.
+        """Connect to an input filter.
 
         Raises:
-            RuntimeError: the chain is connected to another filter already.
+            RuntimeError: the chain is connected to another filter.
         """
         if self.incoming_connection is not None:
             raise RuntimeError("Already connected")
@@ -171,7 +171,7 @@ class Chain(SimpleFilter):
         self.incoming_connection = message_filter.registerCallback(self.add)
 
     def add(self, message: Any) -> None:
-        """Put a message into the first filter; without filters it leaves the chain at once."""
+        """Add a message to the first filter; without filters, pass it on at once."""
         if self._filters:
             self._filters[0].add(message)
         else:
@@ -188,16 +188,16 @@ class Chain(SimpleFilter):
         self._output = message_filter.registerCallback(self.signalMessage)
 
     def getFilter(self, index: int) -> Any:  # noqa: N802, message_filters' name
-        """Return a filter by its place, from 0; KeyError if there is none."""
+        """Return a filter by its index, from 0; KeyError if there is none."""
         return self._filters[index]
 
 
 class TimeSynchronizer(SimpleFilter):
-    """Passes on messages of several filters that have the very same stamp, together.
+    """Passes on messages of several filters together, if they have exactly the same stamp.
 
     Args:
         fs: The filters.
-        queue_size: How many messages of each to keep; the oldest go first.
+        queue_size: Most messages of each to keep; the oldest are dropped.
     """
 
     def __init__(self, fs: Sequence[Any], queue_size: int) -> None:
@@ -207,7 +207,7 @@ class TimeSynchronizer(SimpleFilter):
         self.connectInput(fs)
 
     def connectInput(self, fs: Sequence[Any]) -> None:  # noqa: N802, message_filters' name
-        """Take the messages of these filters, in this order."""
+        """Connect to these filters, in this order."""
         self.queues: list[dict[int, Any]] = [{} for _ in fs]
         self._clock = next((f._clock for f in fs if getattr(f, "_clock", None) is not None), None)  # noqa: SLF001
         self.input_connections = [
@@ -216,7 +216,7 @@ class TimeSynchronizer(SimpleFilter):
         ]
 
     def add(self, msg: Any, my_queue: dict[int, Any], my_queue_index: int | None = None) -> None:  # noqa: ARG002
-        """Keep a message, and pass on the sets that are complete."""
+        """Keep a message, and pass on the complete sets."""
         stamp = _stamp(msg, False, self._clock)
         if stamp is None:
             return
@@ -230,14 +230,14 @@ class TimeSynchronizer(SimpleFilter):
 
 
 class ApproximateTimeSynchronizer(TimeSynchronizer):
-    """Passes on messages of several filters with stamps near each other, together; each message once.
+    """Passes on messages of several filters together, if their stamps are near each other; each message once.
 
     Args:
         fs: The filters.
-        queue_size: How many messages of each to keep.
-        slop: The stamps must differ by less than this [s].
-        allow_headerless: Whether a message without a header gets the time of its arrival, by the subscribers' node's
-            clock.
+        queue_size: Most messages of each to keep.
+        slop: Upper limit for the difference of stamps, exclusive [s].
+        allow_headerless: Whether a message without a header is stamped with its time of arrival, by the clock of the
+            subscribers' node.
     """
 
     def __init__(
@@ -248,7 +248,7 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
         self.allow_headerless = allow_headerless
 
     def add(self, msg: Any, my_queue: dict[int, Any], my_queue_index: int | None = None) -> None:  # noqa: ARG002
-        """Keep a message, and pass on the nearest to it of each other filter, if all are near enough."""
+        """Keep a message, and pass it on with the nearest of each other filter, if all are near enough."""
         stamp = _stamp(msg, self.allow_headerless, self._clock)
         if stamp is None:
             return
@@ -270,7 +270,7 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
             else sorted((at for at in queue if abs(at - stamp) < slop), key=lambda at: abs(at - stamp))
             for queue in self.queues
         ]
-        # The nearest of each first; any two of the set have to be near each other.
+        # The nearest of each first; any two of a set must be near each other.
         return next((stamps for stamps in product(*choices) if max(stamps) - min(stamps) < slop), None)
 
 
@@ -281,7 +281,7 @@ def _keep(queue: dict[int, Any], stamp: int, msg: Any, size: int) -> None:
 
 
 def _stamp(msg: Any, allow_headerless: bool, clock: Clock | None) -> Any:
-    """Return a message's stamp; the time now for one without a header, or None with a warning."""
+    """Return a message's stamp; for one without a header, the present time, or None with a warning."""
     stamp = getattr(getattr(msg, "header", None), "stamp", None)
     if stamp is not None:
         return stamp
@@ -289,7 +289,7 @@ def _stamp(msg: Any, allow_headerless: bool, clock: Clock | None) -> Any:
         from tfloom.node.log.logging import get_logger
 
         get_logger("message_filters").warning(
-            f"dropped a {type(msg).__name__} without a header: allow_headerless=True gives it the time of its arrival"
+            f"dropped a {type(msg).__name__} without a header: allow_headerless=True stamps it with its time of arrival"
         )
         return None
     from tfloom.node.clock.clock import ROSClock

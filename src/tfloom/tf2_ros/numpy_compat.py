@@ -1,4 +1,4 @@
-"""Conversion between arrays with named fields and plain ones, by sensor_msgs_py's names."""
+"""Conversion of structured arrays to plain ones and back, by sensor_msgs_py's names."""
 
 from __future__ import annotations
 

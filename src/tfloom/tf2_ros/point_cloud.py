@@ -1,4 +1,4 @@
-"""PointCloud2 through transforms. Importing this registers it for `Buffer.transform`."""
+"""Transforms PointCloud2. Importing this registers it for `Buffer.transform`."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ __all__ = ["deskew_cloud", "do_transform_cloud", "from_msg_msg", "to_msg_msg", "
 
 
 def transform_points(point_cloud: ArrayLike, transform: Any) -> NDArray[np.float64]:
-    """Return points (N, 3) through a Transform message, float64."""
+    """Transform points (N, 3) by a Transform message; the result is float64."""
     points = np.ascontiguousarray(point_cloud, np.float64)
     moved = np.empty_like(points)
     _native.move_points_float64(_row(transform), points, moved)
@@ -28,10 +28,10 @@ def transform_points(point_cloud: ArrayLike, transform: Any) -> NDArray[np.float
 
 
 def do_transform_cloud(cloud: Any, transform: Any) -> Any:
-    """Return a cloud through a Transform or TransformStamped message.
+    """Transform a cloud by a Transform or TransformStamped message.
 
-    Size, padding, other fields and `is_dense` stay as they are, and so does the cloud that is passed in. The header
-    keeps its stamp; its frame becomes that of a TransformStamped.
+    The argument is not changed. The result has the same size, padding, other fields and `is_dense`, and the same stamp;
+    its frame is that of a TransformStamped.
 
     Raises:
         AssertionError: the cloud has no fields x, y and z.
@@ -54,10 +54,10 @@ def deskew_cloud(
     fixed_frame: str,
     target_stamp_ns: int = 0,
 ) -> Any:
-    """Return a cloud whose points were taken one after the other as if at one time; see `Buffer.deskew`.
+    """Return a cloud whose points were measured one after the other, as if at one time; see `Buffer.deskew`.
 
-    `stamps_ns` has a stamp for each point, row after row. The header gets the target's frame and, unless it's the
-    latest, its stamp.
+    `stamps_ns` has a stamp for each point, row by row. The header has the target's frame, and its stamp unless that
+    is the latest.
 
     Raises:
         AssertionError: the cloud has no fields x, y and z.

@@ -1,4 +1,4 @@
-"""PointCloud2 as numpy arrays, with sensor_msgs_py.point_cloud2's interface."""
+"""Conversion of PointCloud2 to numpy arrays and back, with sensor_msgs_py.point_cloud2's interface."""
 
 from __future__ import annotations
 
@@ -48,13 +48,13 @@ def dtype_from_fields(
     """Return the structured dtype of a point.
 
     Args:
-        fields: What a point has. One without a name becomes `unnamed_field_<i>`; a count above 1 gives `<name>_<k>`.
-        point_step: Octets from point to point; None: just what the fields take.
+        fields: Fields of a point. One without a name becomes `unnamed_field_<i>`; a count above 1 gives `<name>_<k>`.
+        point_step: Octets from point to point; None: the sum of the fields' sizes.
         is_bigendian: The byte order of the numbers.
 
     Raises:
         AssertionError: two fields have one name, or one has no elements.
-        ValueError: a field's datatype is none of PointField's, or the fields take more than `point_step`.
+        ValueError: a field's datatype isn't one of PointField's, or the fields need more than `point_step`.
     """
     names: list[str] = []
     formats: list[str] = []
@@ -86,7 +86,7 @@ def dtype_from_fields(
 
 
 def points_view(cloud: PointCloud2, data: Any = None) -> NDArray[Any]:
-    """Return the points (height, width) as a structured view of the cloud's bytes, or of `data` laid out alike.
+    """Return the points (height, width) as a structured view of the cloud's bytes, or of `data` of the same layout.
 
     Raises:
         ValueError: there are fewer bytes than the cloud's sizes require.
@@ -96,7 +96,7 @@ def points_view(cloud: PointCloud2, data: Any = None) -> NDArray[Any]:
     row_step = max(cloud.row_step, cloud.width * cloud.point_step) if cloud.height > 1 else 0
     needed = max(0, cloud.height - 1) * row_step + cloud.width * cloud.point_step
     if cloud.height and cloud.width and len(octets) < needed:
-        raise ValueError(f"the cloud's data has {len(octets)} bytes, its sizes ask for {needed}")
+        raise ValueError(f"the cloud's data has {len(octets)} bytes, its sizes require {needed}")
     shape, strides = (cloud.height, cloud.width), (row_step, cloud.point_step)
     view: NDArray[Any] = np.ndarray(shape, dtype, buffer=octets, strides=strides)
     return view
@@ -112,14 +112,14 @@ def read_points(
     """Return the points as a structured array (N,), a copy in this machine's byte order.
 
     Args:
-        cloud: The cloud; it is left as it is.
-        field_names: Which fields; None: all.
-        skip_nans: Whether to leave out points with a NaN in one of these.
+        cloud: The cloud; it is not changed.
+        field_names: Names of the fields; None: all.
+        skip_nans: Whether to omit points with a NaN in one of these.
         uvs: Indices of the points to return; None: all.
-        reshape_organized_cloud: Whether an organised cloud comes as (height, width).
+        reshape_organized_cloud: Whether the result for an organised cloud has the shape (height, width).
 
     Raises:
-        AssertionError: a field is not there.
+        AssertionError: the cloud has no such field.
         ValueError: there are fewer bytes than the cloud's sizes require.
     """
     points = points_view(cloud)
@@ -178,14 +178,14 @@ def read_points_list(
 def create_cloud(
     header: Header, fields: Iterable[PointField], points: Any, point_step: int | None = None
 ) -> PointCloud2:
-    """Make a cloud.
+    """Return a new cloud.
 
     Args:
         header: Its header.
-        fields: What a point has.
+        fields: Fields of a point.
         points: A structured array of the fields' dtype, a plain array (N, fields), or an iterable of points. A
             structured array (height, width), or a plain one (height, width, fields), makes an organised cloud.
-        point_step: Octets from point to point; None: those of a structured array, else just what the fields take.
+        point_step: Octets from point to point; None: those of a structured array, else the sum of the fields' sizes.
 
     Raises:
         AssertionError: the array doesn't fit the fields.
@@ -231,7 +231,7 @@ def create_cloud(
 
 
 def create_cloud_xyz32(header: Header, points: Any) -> PointCloud2:
-    """Make a cloud of float32 x, y and z from an array (N, 3) or an iterable of points."""
+    """Return a cloud of float32 x, y and z from an array (N, 3) or an iterable of points."""
     fields = [
         PointField(name=name, offset=4 * index, datatype=PointField.FLOAT32, count=1)
         for index, name in enumerate("xyz")

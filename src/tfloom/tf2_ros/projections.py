@@ -20,7 +20,7 @@ __all__ = [
 Matrix = NDArray[np.float64]
 
 NOTHING = 1e-8
-"""What is below it, of a matrix of size one, counts as zero."""
+"""Absolute values below this are treated as zero, in a matrix scaled to size one."""
 
 
 def projection_matrix(
@@ -35,10 +35,10 @@ def projection_matrix(
     Args:
         point: A point of the plane.
         normal: The plane's normal, of any length but zero.
-        direction: What a parallel projection goes along; None: the normal.
-        perspective: The point that a perspective projection looks from; None: the projection is parallel.
-        pseudo: Whether a perspective projection keeps relative depth: what it gives, projected onto the plane along
-            the normal, is the perspective projection.
+        direction: Direction of a parallel projection; None: the normal.
+        perspective: Viewpoint of a perspective projection; None: the projection is parallel.
+        pseudo: Whether a perspective projection keeps relative depth: its result, projected onto the plane along the
+            normal, is the perspective projection.
 
     Raises:
         ValueError: the normal is zero, or the direction lies in the plane.
@@ -47,7 +47,7 @@ def projection_matrix(
     offset = float(place @ unit)
     matrix = np.identity(4)
     if perspective is not None:
-        # A point x goes to (h + n·(p - x)) x + (n·x - n·p) e, to scale: from the eye e, whose height is h = n·(e - p).
+        # A point x is mapped to (h + n·(p - x)) x + (n·x - n·p) e, up to scale, with the eye e and h = n·(e - p).
         eye = _three(perspective)
         seen = eye + unit if pseudo else eye
         matrix[:3, :3] *= float((eye - place) @ unit)
@@ -67,24 +67,24 @@ def projection_matrix(
 def projection_from_matrix(
     matrix: ArrayLike, pseudo: bool = False
 ) -> tuple[Matrix, Matrix, Matrix | None, Matrix | None, bool]:
-    """Return what `projection_matrix` takes to make a matrix.
+    """Return the arguments of `projection_matrix` that result in a matrix.
 
     Args:
-        matrix: The projection, to any scale; to a positive one if `pseudo`.
+        matrix: The projection, of any scale; of a positive one if `pseudo`.
         pseudo: Whether it keeps relative depth.
 
     Returns:
-        A point of the plane (4,), its unit normal (3,), the unit direction (3,) of a parallel projection that doesn't
-        go along the normal, the perspective point (3,) of a perspective one, and `pseudo`, False for a parallel one.
+        A point of the plane (4,), its unit normal (3,), the unit direction (3,) of a parallel projection if it isn't
+        the normal, the viewpoint (3,) of a perspective projection, and `pseudo`, False for a parallel one.
 
     Raises:
-        ValueError: the matrix is no projection.
+        ValueError: the matrix is not a projection.
     """
     given = np.asarray(matrix, np.float64)
     given = given / np.abs(given).max()
     if pseudo and np.linalg.norm(given[3, :3]) > NOTHING:
         return _pseudo_parts(given)
-    # The plane is all that comes out, and the direction or the eye is what goes to nowhere.
+    # The plane is the matrix's range, and the direction or the eye is its null space.
     outputs, sizes, inputs = np.linalg.svd(given)
     plane, lost = outputs[:, 3], inputs[3]
     if sizes[3] > NOTHING or sizes[2] <= NOTHING or np.linalg.norm(plane[:3]) <= NOTHING:
@@ -124,8 +124,8 @@ def clip_matrix(
 ) -> Matrix:
     """Return the matrix from a view's volume, a box, to coordinates from -1 to 1.
 
-    With `perspective` the volume is a truncated pyramid: the eye is at the origin and looks along z, and the box's x
-    and y hold at `near`. What the matrix gives is then to be divided by its last number.
+    With `perspective` the volume is a truncated pyramid: the eye is at the origin, its view is along z, and the
+    bounds of x and y are those at `near`. The product must then be divided by its last element.
 
     Raises:
         ValueError: the bounds are not in order, or `near` is not in front of the eye.
@@ -150,11 +150,11 @@ def clip_matrix(
 
 
 def orthogonalization_matrix(lengths: ArrayLike, angles: ArrayLike) -> Matrix:
-    """Return the matrix from a crystal cell's coordinates to rectangular ones; its inverse leads back.
+    """Return the matrix from a crystal cell's coordinates to Cartesian ones; its inverse converts back.
 
     Args:
-        lengths: Of the cell's edges a, b, c.
-        angles: Between b and c, c and a, a and b [degrees].
+        lengths: Lengths of the cell's edges a, b, c.
+        angles: Angles between b and c, c and a, a and b [degrees].
     """
     a, b, c = (float(value) for value in np.asarray(lengths, np.float64))
     alpha, beta, gamma = np.radians(np.asarray(angles, np.float64))
@@ -175,13 +175,13 @@ def orthogonalization_matrix(lengths: ArrayLike, angles: ArrayLike) -> Matrix:
 def superimposition_matrix(
     v0: ArrayLike, v1: ArrayLike, scaling: bool = False, usesvd: bool = True
 ) -> Matrix:
-    """Return the matrix that turns and moves one set of points onto another, with the least squared distances.
+    """Return the rigid transform of one set of points onto another, with the least sum of squared distances.
 
     Args:
         v0: Points as columns, (3, N) or (4, N), N ≥ 3.
-        v1: Where each should come to, alike.
-        scaling: Whether to scale them too, the same in all directions.
-        usesvd: By singular values (Kabsch), or by the greatest eigenvector of a quaternion form (Horn).
+        v1: The corresponding target points, of the same shape.
+        scaling: Whether to scale them too, uniformly.
+        usesvd: By singular values (Kabsch), else by the greatest eigenvector of a quaternion form (Horn).
 
     Raises:
         ValueError: the two differ in shape, or hold fewer than three points.

@@ -1,4 +1,4 @@
-"""Sends static transforms, which hold at all times."""
+"""Publication of static transforms, which hold at all times."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ __all__ = ["StaticTransformBroadcaster"]
 class StaticTransformBroadcaster:
     """Publishes on /tf_static, to present subscriptions and to later ones.
 
-    Each message holds all transforms that this broadcaster has sent, because late joiners get the last message alone.
+    Each message holds all transforms that were sent, because late subscriptions receive the last message alone.
     A transform replaces the previous one of the same child frame.
 
     Args:
         node: The node that publishes.
-        qos: What the publisher offers; None: reliable, transient local, the last 1.
-        qos_overriding_options: What parameters may override of it; None: nothing.
+        qos: The offered QoS; None: reliable, transient local, depth 1.
+        qos_overriding_options: The policies that parameters may override; None: none.
     """
 
     def __init__(
@@ -45,7 +45,7 @@ class StaticTransformBroadcaster:
         self.net_message = TFMessage()
 
     def send_transform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:
-        """Send one transform or several, together with all that were sent before."""
+        """Publish one transform or several, together with all that were sent before."""
         by_child = {each.child_frame_id: each for each in [*self.net_message.transforms, *as_list(transform)]}
         self.net_message = TFMessage(transforms=list(by_child.values()))
         self.pub_tf.publish(self.net_message)

@@ -1,4 +1,4 @@
-"""Sends transforms that change."""
+"""Publication of transforms that change."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ class TransformBroadcaster:
 
     Args:
         node: The node that publishes.
-        qos: What the publisher offers; None: reliable, volatile, the last 100.
+        qos: The offered QoS; None: reliable, volatile, depth 100.
     """
 
     def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
         self.pub_tf = node.create_publisher(TFMessage, "/tf", QoSProfile(depth=100) if qos is None else qos)
 
     def send_transform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:
-        """Send one transform or several, in one message."""
+        """Publish one transform or several, in one message."""
         self.pub_tf.publish(TFMessage(transforms=as_list(transform)))
 
     sendTransform = send_transform  # noqa: N815, tf2's name

@@ -30,21 +30,21 @@ JOIN_TIMEOUT_S = 2.0
 class TransformListener:
     """Subscribes to /tf and /tf_static and inserts all transforms into a buffer.
 
-    The bytes go from the wire's thread straight into the native buffer: no message is built, no executor has to
-    spin, and no callback waits behind them. Only where `callback`, `static_callback` or the buffer's
-    `set_transform` are overridden, messages are built and pass through these, on the executor.
+    The wire's thread passes the bytes directly to the native buffer: no message is built, and no executor is needed.
+    If `callback`, `static_callback` or the buffer's `set_transform` are overridden, messages are built and passed to
+    these, on the executor.
 
-    It lasts as long as its node, even without a reference to it, or until `unregister`.
+    It is kept alive by its node, even without another reference to it, until `unregister`.
 
     Args:
-        buffer: What to fill.
-        node: The node that subscribes; None: one of the listener's own.
-        spin_thread: Whether to spin the node on a thread of the listener's. The transforms don't need it.
-        qos: What to ask for on /tf; None: reliable, volatile, the last 100.
-        static_qos: What to ask for on /tf_static; None: reliable, transient local, the last 100.
+        buffer: The buffer to fill.
+        node: The node that subscribes; None: a hidden node of the listener.
+        spin_thread: Whether to spin the node on a thread of the listener. The transforms don't need it.
+        qos: The requested QoS of /tf; None: reliable, volatile, depth 100.
+        static_qos: The requested QoS of /tf_static; None: reliable, transient local, depth 100.
         tf_topic: Topic of the transforms that change.
-        tf_static_topic: Topic of those that don't.
-        static_only: Whether to leave /tf alone.
+        tf_static_topic: Topic of the static transforms.
+        static_only: Whether to subscribe to /tf_static alone.
     """
 
     def __init__(
@@ -83,7 +83,7 @@ class TransformListener:
 
     @property
     def buffer(self) -> Any:
-        """The buffer. After assigning another one, new transforms go there."""
+        """The buffer. After another one is assigned, new transforms are inserted there."""
         return self._buffer
 
     @buffer.setter
@@ -99,7 +99,7 @@ class TransformListener:
                 subscription.feed(buffer.tf_sink(AUTHORITY, static=name == "static_callback"))
 
     def _is_direct(self, callback: str, setter: str) -> bool:
-        """Return whether no override lies between the wire and the native buffer."""
+        """Return whether there is no override between the wire and the native buffer."""
         kind = type(self._buffer)
         return (
             isinstance(self._buffer, BufferCore)
@@ -109,12 +109,12 @@ class TransformListener:
         )
 
     def callback(self, data: TFMessage) -> None:
-        """Put the transforms of a message into the buffer."""
+        """Insert the transforms of a message into the buffer."""
         for transform in data.transforms:
             self._buffer.set_transform(transform, AUTHORITY)
 
     def static_callback(self, data: TFMessage) -> None:
-        """Put the transforms of a message into the buffer, as static ones."""
+        """Insert the transforms of a message into the buffer, as static ones."""
         for transform in data.transforms:
             self._buffer.set_transform_static(transform, AUTHORITY)
 
@@ -131,7 +131,7 @@ class TransformListener:
         self.dedicated_listener_thread.start()
 
     def unregister(self) -> None:
-        """Stop listening. What the buffer holds stays."""
+        """Destroy the subscriptions. The buffer keeps its content."""
         for subscription in (self.tf_sub, self.tf_static_sub):
             if subscription is not None:
                 self.node.destroy_subscription(subscription)

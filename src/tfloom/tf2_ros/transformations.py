@@ -1,9 +1,9 @@
-"""Rotations and matrices by the names of tf_transformations, on numpy and, for some, transforms3d.
+"""Functions for rotations and matrices, by tf_transformations' names, on numpy and, for some, transforms3d.
 
-Quaternions are x, y, z, w. Matrices are homogeneous, (4, 4). Angles are in radians. Axes of Euler angles are four
-letters: `s` for fixed or `r` for turning axes, then the three axes: `sxyz` is roll, pitch, yaw.
+Quaternions are (x, y, z, w). Matrices are homogeneous, (4, 4). Angles are in radians. Axes of Euler angles are four
+letters: `s` for static or `r` for rotating axes, then the three axes: `sxyz` is roll, pitch, yaw.
 
-`projections` and `arcball` have the rest of them.
+The other functions of tf_transformations are in `projections` and `arcball`.
 """
 
 from __future__ import annotations
@@ -69,25 +69,25 @@ def _transforms3d(module: str) -> ModuleType:
 
 
 def identity_matrix() -> Matrix:
-    """Return the matrix that changes nothing."""
+    """Return the identity matrix."""
     return np.identity(4)
 
 
 def translation_matrix(direction: ArrayLike) -> Matrix:
-    """Return the matrix that moves by a vector."""
+    """Return the matrix of a translation by a vector."""
     matrix = np.identity(4)
     matrix[:3, 3] = np.asarray(direction)[:3]
     return matrix
 
 
 def translation_from_matrix(matrix: ArrayLike) -> Matrix:
-    """Return the vector that a matrix moves by."""
+    """Return the translation vector of a matrix."""
     vector: Matrix = np.array(matrix, np.float64)[:3, 3].copy()
     return vector
 
 
 def inverse_matrix(matrix: ArrayLike) -> Matrix:
-    """Return the inverse of a matrix; LinAlgError if it has none."""
+    """Return the inverse of a matrix; LinAlgError if it is singular."""
     inverse: Matrix = np.linalg.inv(np.asarray(matrix, np.float64))
     return inverse
 
@@ -101,13 +101,13 @@ def concatenate_matrices(*matrices: ArrayLike) -> Matrix:
 
 
 def is_same_transform(matrix0: ArrayLike, matrix1: ArrayLike) -> bool:
-    """Return whether two matrices are the same but for a common factor."""
+    """Return whether two matrices are equal up to a common factor."""
     first, second = np.asarray(matrix0, np.float64), np.asarray(matrix1, np.float64)
     return bool(np.allclose(first / first[3, 3], second / second[3, 3]))
 
 
 def rotation_matrix(angle: float, direction: ArrayLike, point: ArrayLike | None = None) -> Matrix:
-    """Return the matrix that turns by `angle` about an axis through `point`, or through the origin."""
+    """Return the matrix of a rotation by `angle` about an axis through `point`, or through the origin."""
     axis = [float(value) for value in np.asarray(direction, np.float64)[:3]]
     matrix = np.asarray(Transform.from_axis_angle(axis, angle).rows(), np.float64)
     if point is not None:
@@ -117,14 +117,14 @@ def rotation_matrix(angle: float, direction: ArrayLike, point: ArrayLike | None 
 
 
 def rotation_from_matrix(matrix: ArrayLike) -> tuple[float, Matrix, Matrix]:
-    """Return angle, unit axis, and a point of the axis (4,) of a matrix that turns.
+    """Return angle, unit axis, and a point of the axis (4,) of a rotation matrix.
 
     Raises:
-        ValueError: the matrix is no rotation.
+        ValueError: the matrix is not a rotation.
     """
     given = np.asarray(matrix, np.float64)
     axis, angle = Transform.from_matrix(given).axis_angle
-    # The point is what the matrix leaves in its place: (I - R) p = t, whose least solution lies nearest the origin.
+    # The point is a fixed point of the matrix: (I - R) p = t, whose least-norm solution is nearest to the origin.
     point, *_ = np.linalg.lstsq(np.identity(3) - given[:3, :3], given[:3, 3], rcond=1e-9)
     if not np.allclose(given[:3, :3] @ point + given[:3, 3], point, atol=1e-6):
         raise ValueError("the matrix moves along its axis, so it is no rotation about a point")
@@ -132,13 +132,13 @@ def rotation_from_matrix(matrix: ArrayLike) -> tuple[float, Matrix, Matrix]:
 
 
 def quaternion_matrix(quaternion: ArrayLike) -> Matrix:
-    """Return the matrix of a quaternion of any length; that of zero is the identity."""
+    """Return the rotation matrix of a quaternion of any length; the identity for zero."""
     q = _four(quaternion)
     return np.identity(4) if not any(q) else np.asarray(Transform((0.0, 0.0, 0.0), q).rows(), np.float64)
 
 
 def quaternion_from_matrix(matrix: ArrayLike) -> Matrix:
-    """Return the unit quaternion of a matrix's rotation, w ≥ 0; of one that scales or shears too, as it's decomposed.
+    """Return the unit quaternion of a matrix's rotation, w ≥ 0; scale and shear are removed by decomposition.
 
     Raises:
         ValueError: the matrix has no rotation.
@@ -156,7 +156,7 @@ def quaternion_from_matrix(matrix: ArrayLike) -> Matrix:
 
 
 def quaternion_multiply(quaternion1: ArrayLike, quaternion0: ArrayLike) -> Matrix:
-    """Return the product: the rotation `quaternion0`, then `quaternion1`."""
+    """Return the product `quaternion1 * quaternion0`."""
     x1, y1, z1, w1 = _four(quaternion1)
     x0, y0, z0, w0 = _four(quaternion0)
     return np.array(
@@ -170,7 +170,7 @@ def quaternion_multiply(quaternion1: ArrayLike, quaternion0: ArrayLike) -> Matri
 
 
 def quaternion_conjugate(quaternion: ArrayLike) -> Matrix:
-    """Return the conjugate: the inverse, of a unit quaternion."""
+    """Return the conjugate, which is the inverse of a unit quaternion."""
     x, y, z, w = _four(quaternion)
     return np.array([-x, -y, -z, w])
 
@@ -182,7 +182,7 @@ def quaternion_inverse(quaternion: ArrayLike) -> Matrix:
 
 
 def quaternion_about_axis(angle: float, axis: ArrayLike) -> Matrix:
-    """Return the unit quaternion that turns by `angle` about `axis`."""
+    """Return the unit quaternion of a rotation by `angle` about `axis`."""
     unit = np.asarray(axis, np.float64)[:3]
     length = np.linalg.norm(unit)
     if not length > 0:
@@ -193,10 +193,10 @@ def quaternion_about_axis(angle: float, axis: ArrayLike) -> Matrix:
 def quaternion_slerp(
     quat0: ArrayLike, quat1: ArrayLike, fraction: float, spin: int = 0, shortestpath: bool = True
 ) -> Matrix:
-    """Return what is between two quaternions on the arc from one (fraction 0) to the other (1).
+    """Return the spherical linear interpolation from one quaternion (fraction 0) to another (fraction 1).
 
-    A fraction below 0 or above 1 goes on beyond the ends. `spin` adds half turns; without `shortestpath` the arc may
-    be the longer one.
+    A fraction below 0 or above 1 extrapolates. `spin` adds half turns; without `shortestpath` the arc may be the
+    longer one.
     """
     first: Matrix = unit_vector(_four(quat0))
     second: Matrix = unit_vector(_four(quat1))
@@ -205,7 +205,7 @@ def quaternion_slerp(
     if shortestpath and float(first @ second) < 0:
         second = -second
     angle = 2 * math.atan2(float(np.linalg.norm(first - second)), float(np.linalg.norm(first + second)))
-    if spin % 2:  # half a turn further on is the same rotation with the other sign
+    if spin % 2:  # after another half turn, the quaternion is that of the same rotation with the other sign
         second = -second
     angle += spin * math.pi
     sine = math.sin(angle)
@@ -239,12 +239,12 @@ def quaternion_from_euler(ai: float, aj: float, ak: float, axes: str = "sxyz") -
 
 
 def reflection_matrix(point: ArrayLike, normal: ArrayLike) -> Matrix:
-    """Return the matrix that mirrors at the plane through a point."""
+    """Return the matrix of a reflection at the plane through a point."""
     return np.asarray(_transforms3d("reflections").rfnorm2aff(_three(normal), _three(point)), np.float64)
 
 
 def reflection_from_matrix(matrix: ArrayLike) -> tuple[Matrix, Matrix]:
-    """Return a point of a reflection's plane (4,) and its normal (3,); ValueError if it's none."""
+    """Return a point of a reflection's plane (4,) and its normal (3,); ValueError if it is not a reflection."""
     normal, point = _transforms3d("reflections").aff2rfnorm(np.asarray(matrix, np.float64))
     return np.append(point, 1.0), normal
 
@@ -252,19 +252,19 @@ def reflection_from_matrix(matrix: ArrayLike) -> tuple[Matrix, Matrix]:
 def scale_matrix(
     factor: float, origin: ArrayLike | None = None, direction: ArrayLike | None = None
 ) -> Matrix:
-    """Return the matrix that scales about an origin, in one direction or in all; factor -1 mirrors at the point."""
+    """Return the matrix that scales about an origin, in one direction or in all; factor -1 is a point reflection."""
     parts = [None if part is None else _three(part) for part in (direction, origin)]
     return np.asarray(_transforms3d("zooms").zfdir2aff(factor, *parts), np.float64)
 
 
 def scale_from_matrix(matrix: ArrayLike) -> tuple[float, Matrix, Matrix | None]:
-    """Return a scale's factor, origin (4,) and direction (3,), None for all; ValueError if it's no scale."""
+    """Return a scale's factor, origin (4,) and direction (3,), None for all; ValueError if it is not a scale."""
     factor, direction, origin = _transforms3d("zooms").aff2zfdir(np.asarray(matrix, np.float64))
     return float(factor), np.append(origin, 1.0), direction
 
 
 def shear_matrix(angle: float, direction: ArrayLike, point: ArrayLike, normal: ArrayLike) -> Matrix:
-    """Return the matrix that shears along a direction in the plane through a point; ValueError if it's not in it."""
+    """Return the matrix of a shear along a direction in the plane through a point; ValueError if it isn't in it."""
     parts = _three(direction), _three(normal), _three(point)
     if abs(np.dot(parts[0], parts[1])) > 1e-6 * vector_norm(parts[0]) * vector_norm(parts[1]):
         raise ValueError("direction must lie in the plane: it isn't at right angles to normal")
@@ -272,7 +272,7 @@ def shear_matrix(angle: float, direction: ArrayLike, point: ArrayLike, normal: A
 
 
 def shear_from_matrix(matrix: ArrayLike) -> tuple[float, Matrix, Matrix, Matrix]:
-    """Return a shear's angle, direction (3,), point of its plane (4,) and normal (3,); ValueError if it's none."""
+    """Return a shear's angle, direction (3,), plane point (4,) and normal (3,); ValueError if it is not a shear."""
     angle, direction, normal, point = _transforms3d("shears").aff2sadn(np.asarray(matrix, np.float64))
     return float(angle), direction, np.append(point, 1.0), normal
 
@@ -284,9 +284,9 @@ def compose_matrix(
     translate: ArrayLike | None = None,
     perspective: ArrayLike | None = None,
 ) -> Matrix:
-    """Return the matrix that shears, scales, turns by fixed-axis Euler angles, moves, and projects, in this order.
+    """Return the matrix that shears, scales, rotates by static-axis Euler angles, translates, projects, in this order.
 
-    `perspective` is the last row (4,) of what projects.
+    `perspective` is the last row (4,) of the projection.
     """
     matrix = _transforms3d("affines").compose(
         np.zeros(3) if translate is None else np.asarray(translate, np.float64)[:3],
@@ -303,7 +303,7 @@ def compose_matrix(
 
 
 def decompose_matrix(matrix: ArrayLike) -> tuple[Matrix, Matrix, tuple[float, float, float], Matrix, Matrix]:
-    """Return scale, shear, fixed-axis Euler angles, translation and perspective: what `compose_matrix` takes.
+    """Return scale, shear, static-axis Euler angles, translation and perspective, as `compose_matrix` takes them.
 
     Raises:
         ValueError: the matrix is degenerate.
@@ -319,7 +319,7 @@ def decompose_matrix(matrix: ArrayLike) -> tuple[Matrix, Matrix, tuple[float, fl
 
 
 def random_quaternion(rand: ArrayLike | None = None) -> Matrix:
-    """Return a unit quaternion, uniform over all rotations; of three numbers from 0 to 1 if they're given."""
+    """Return a unit quaternion, uniform over all rotations; computed from three numbers in [0, 1] if given."""
     # K. Shoemake, "Uniform random rotations", Graphics Gems III, 1992.
     u, v, w = np.random.default_rng().random(3) if rand is None else np.asarray(rand, np.float64)
     inner, outer = math.sqrt(1 - u), math.sqrt(u)
@@ -335,12 +335,12 @@ def random_rotation_matrix(rand: ArrayLike | None = None) -> Matrix:
 
 
 def random_vector(size: int | tuple[int, ...]) -> Matrix:
-    """Return numbers from 0 to 1, 1 excluded, of a shape."""
+    """Return an array of random numbers in [0, 1)."""
     return np.random.default_rng().random(size)
 
 
 def vector_norm(data: ArrayLike, axis: int | None = None, out: Matrix | None = None) -> Any:
-    """Return the length of a vector, or of each along an axis; None where it's written to `out`."""
+    """Return the length of a vector, or of each along an axis; None if it is written to `out`."""
     values = np.asarray(data, np.float64)
     if out is None:
         return np.sqrt((values * values).sum(axis=axis))
@@ -349,7 +349,7 @@ def vector_norm(data: ArrayLike, axis: int | None = None, out: Matrix | None = N
 
 
 def unit_vector(data: ArrayLike, axis: int | None = None, out: Matrix | None = None) -> Any:
-    """Return a vector of length one in the same direction, or each along an axis; None where it's written to `out`."""
+    """Return the normalized vector, or each along an axis; None if it is written to `out`."""
     values = np.asarray(data, np.float64)
     length = np.sqrt((values * values).sum(axis=axis))
     unit: Matrix = np.divide(values, length if axis is None else np.expand_dims(length, axis), out=out)

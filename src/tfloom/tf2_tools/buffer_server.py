@@ -1,4 +1,4 @@
-"""buffer_server: keep all transforms of the last minutes, and look them up for other programs."""
+"""buffer_server: keep all transforms of the last minutes, and serve lookups of other programs."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from tfloom.tf2_ros.buffer_server import BufferServer
 from tfloom.tf2_ros.transform_listener import TransformListener
 
 DESCRIPTION = (
-    "Keep all transforms of the last two minutes (--ros-args -p buffer_size:=120.0 [s]), and look them up for others: "
+    "Keep all transforms of the last two minutes (--ros-args -p buffer_size:=120.0 [s]), and serve lookups: "
     "action tf2_buffer_server, tf2_msgs/action/LookupTransform."
 )
 ACTION = "tf2_buffer_server"
@@ -26,7 +26,7 @@ LONGEST_S = 9e9
 class TfBuffer(Node):
     """Subscribes to /tf and /tf_static, and serves the action `tf2_buffer_server`.
 
-    The parameter `buffer_size` is how far back each frame's history reaches [s].
+    The parameter `buffer_size` is the length of each frame's history [s].
 
     Raises:
         InvalidParameterValueException: `buffer_size` is not a valid duration.

@@ -1,4 +1,4 @@
-"""tf2_echo: print the transform between two frames, again and again."""
+"""tf2_echo: print the transform between two frames repeatedly."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ NO_NUMBER = 2
 TRAILING_TEXT = 3
 """Exit codes for a rate that is not a number, and for one with text after the number."""
 POLL_S = 0.05
-"""How long a wait may last before it checks for shutdown."""
+"""The longest wait between two checks for shutdown."""
 
 _NUMBER = re.compile(
     r"\s*[-+]?(?:\d+\.?\d*(?:e[-+]?\d+)?|\.\d+(?:e[-+]?\d+)?|inf(?:inity)?|nan)", re.IGNORECASE

@@ -145,7 +145,7 @@ class _Drawing:
         canvas.save()
 
     def _point(self, breadth: float, depth: float) -> tuple[float, float]:
-        """Return x and y, from the tree's upper left corner."""
+        """Return x and y on the page for a breadth and a depth, from the tree's upper left corner."""
         return (depth, -breadth) if self.sideways else (breadth, -depth)
 
     def _extent(self, part: _Box | _Card) -> float:

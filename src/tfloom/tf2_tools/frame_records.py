@@ -10,13 +10,13 @@ NO_DATA = "No tf data received"
 
 
 class FrameRecord(NamedTuple):
-    """A frame and the transform that leads to it from its parent."""
+    """A frame and its transform from its parent."""
 
     child: str
     parent: str
     broadcaster: str
     rate: float
-    """Transforms a second [Hz]; 10000 for a single one, or a static one."""
+    """Rate of the transform [Hz]; 10000 for a single or a static one."""
     most_recent: float
     """Newest stamp [s since epoch]; 0 if static."""
     oldest: float
@@ -56,7 +56,7 @@ _NUMBERS = ("rate", "most_recent", "oldest", "buffer_length")
 
 
 def parse_frames_yaml(text: str) -> list[FrameRecord]:
-    """Read what `all_frames_as_yaml` wrote; text without a frame, `[]` or an empty one, has none.
+    """Parse the text of `all_frames_as_yaml`; `[]` and an empty text have no frames.
 
     Raises:
         ValueError: the text is neither, or a number in it is invalid.

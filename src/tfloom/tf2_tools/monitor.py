@@ -26,7 +26,7 @@ USAGE = "TF_Monitor: usage: tf2_monitor framea frameb"
 WRONG_USAGE = 255
 """Exit code; the reference returns -1."""
 AUTHORITY = "<no authority available>"
-"""Shown as the publisher, because messages don't name theirs."""
+"""Shown as the publisher, because messages don't contain its name."""
 ROUNDS = 21
 ROUND_S = 0.5
 """Results are printed after this many rounds of this length [s]."""
@@ -59,7 +59,7 @@ class Delays:
 
 
 class NetDelay:
-    """How old a chain's latest transform is: a slow average, and the greatest [s]."""
+    """Age of a chain's latest transform: a slow average, and the greatest [s]."""
 
     def __init__(self) -> None:
         self.average_s = 0.0
@@ -157,7 +157,7 @@ class Monitor(Node):
         print(flush=True)
 
     def _look(self) -> None:
-        """Add the present age of the pair's transform. One without a stamp is static and has none."""
+        """Add the present age of the pair's transform, unless it is static and has no stamp."""
         if self._pair is None:
             return
         try:

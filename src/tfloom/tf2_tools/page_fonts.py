@@ -14,7 +14,7 @@ from reportlab.pdfgen.canvas import Canvas
 __all__ = ["Font", "printable"]
 
 FACES = (
-    ("Vera.ttf", "VeraBd.ttf"),  # come with reportlab
+    ("Vera.ttf", "VeraBd.ttf"),  # part of reportlab
     (
         "DejaVuSans.ttf",
         "DejaVuSans-Bold.ttf",
@@ -41,7 +41,7 @@ class Font(NamedTuple):
         return self.size * 1.32
 
     def width(self, text: str) -> float:
-        """Return how long a line is."""
+        """Return the length of a line."""
         return sum(pdfmetrics.stringWidth(part, face, self.size) for face, part in self._runs(text))
 
     def draw(self, canvas: Canvas, x: float, y: float, text: str) -> None:

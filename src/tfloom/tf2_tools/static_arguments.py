@@ -11,7 +11,7 @@ usage: static_transform_publisher [--x X] [--y Y] [--z Z] \\
            [--qx QX --qy QY --qz QZ --qw QW | --roll ROLL --pitch PITCH --yaw YAW] \\
            --frame-id FRAME --child-frame-id CHILD_FRAME [--ros-args ...]
 
-Keep one transform that never changes on /tf_static: where CHILD_FRAME is, as FRAME sees it.
+Publish one static transform on /tf_static: the pose of CHILD_FRAME in FRAME.
 
   --x --y --z              position of CHILD_FRAME's origin in FRAME [m]; 0 where left out
   --qx --qy --qz --qw      rotation as a quaternion; no rotation where left out
@@ -30,7 +30,7 @@ OLD_FORMS = {
     8: (*TRANSLATION, "--yaw", "--pitch", "--roll", *FRAMES),
     9: (*TRANSLATION, *QUATERNION, *FRAMES),
 }
-"""The meanings of the older form's words, by their number."""
+"""The meanings of the words in the older form, by the number of words."""
 
 
 class ArgumentsError(ValueError):

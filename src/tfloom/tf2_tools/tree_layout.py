@@ -1,6 +1,6 @@
-"""Layout of a forest: parents centred over children, nothing overlapping.
+"""Layout of a forest: parents centred over children, without overlaps.
 
-Two axes, whichever way the drawing turns them: siblings lie along the breadth, generations along the depth.
+It has two axes, which the drawing maps to x and y: siblings lie along the breadth, generations along the depth.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ class Layout(NamedTuple):
     places: dict[str, Place]
     roots: list[str]
     loop_starts: frozenset[str]
-    """Roots that do have a parent, one of their own descendants: where a cycle was cut open."""
+    """Roots whose parent is one of their descendants, because a cycle was cut there."""
     size: Size
 
 
@@ -100,7 +100,7 @@ def _find_roots(parents: Mapping[str, str], nodes: Iterable[str]) -> tuple[list[
 
 
 def _walk(roots: Iterable[str], children: Mapping[str, list[str]]) -> Iterator[tuple[str, int]]:
-    """Yield each node after its parent, with its generation; no recursion, chains may be long."""
+    """Yield each node after its parent, with its generation; not recursive, because chains may be long."""
     stack = [(root, 0) for root in reversed(list(roots))]
     while stack:
         node, generation = stack.pop()
@@ -149,7 +149,7 @@ def _offsets(
 
 
 def _side_by_side(trees: list[_Contour], gap: float) -> tuple[list[float], _Contour]:
-    """Move trees together until they nearly touch; return each one's shift, and the outline of all."""
+    """Move trees together to the least distance; return the shift of each, and the outline of all."""
     if not trees:
         return [], _Contour([], [])
     low, high = trees[0]

@@ -1,6 +1,6 @@
-"""Ten turtles, drawn from above: shapes in a turtle's own coordinates, painted in any size and direction.
+"""Ten turtles, drawn from above: shapes in a turtle's coordinates, painted in any size and direction.
 
-A turtle is one unit long, looks along x and is symmetric about it; y is to its left.
+A turtle is one unit long, heads along x and is symmetric about it; y is to its left.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from typing import NamedTuple
 from tfloom.turtlesim.picture import Color, Ink, Picture, Point
 
 SMOOTHING = 4
-"""How many times finer than the result a turtle is painted, for smooth edges."""
+"""Oversampling factor of a turtle's picture, for smooth edges."""
 HEADINGS = 180
 """Number of headings with a sprite: one every two degrees."""
 OUTLINE: Color = (38, 43, 40)
@@ -66,7 +66,7 @@ def _mirrored(points: Iterable[Point]) -> list[Point]:
 
 
 def _outlined(points: list[Point], fill: Color, rim: float = 0.02) -> Iterator[Shape]:
-    """Yield a shape with a dark rim: the same shape, grown from its middle, beneath it."""
+    """Yield a shape with a dark rim: below it, the same shape scaled up about its centre."""
     x = sum(point[0] for point in points) / len(points)
     y = sum(point[1] for point in points) / len(points)
     grown = []
@@ -79,11 +79,11 @@ def _outlined(points: list[Point], fill: Color, rim: float = 0.02) -> Iterator[S
 
 
 SHELL = (-0.03, 0.0, 0.31, 0.26)
-"""Middle and half axes of the shell."""
+"""Centre and half axes of the shell."""
 
 
 def turtle_shapes(look: Look) -> Iterator[Shape]:
-    """Yield a turtle's shapes from the lowest to the uppermost."""
+    """Yield a turtle's shapes, from the lowest to the uppermost."""
     yield from _outlined([(-0.31, 0.05), (-0.31, -0.05), (-0.47, 0.0)], look.skin)
     front, rear = _ellipse(0.19, 0.28, 0.17, 0.075, 1.0), _ellipse(-0.25, 0.23, 0.13, 0.065, 2.4)
     for limb in (front, rear, _mirrored(front), _mirrored(rear)):
@@ -168,7 +168,7 @@ PATTERNS = {
 
 
 def sprite(kind: int, theta_rad: float, length_px: float) -> Picture:
-    """Return a square picture of a turtle on transparent ground, the turtle's origin in its middle.
+    """Return a square picture of a turtle on a transparent background, with the turtle's origin at its centre.
 
     Args:
         kind: Index into `LOOKS`, modulo its length.

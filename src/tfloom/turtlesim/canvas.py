@@ -1,4 +1,4 @@
-"""The turtles' world as a picture: pen strokes that stay, turtles on top. Window, records and notebooks use it."""
+"""The picture of the turtles' world: pen strokes, with turtles on top. Used by window, recordings and notebooks."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ from tfloom.turtlesim.picture import Box, Ink, Picture, plain, to_png
 from tfloom.turtlesim.world import PX_PER_M, WINDOW_PX, WORLD_SIZE_M, Color, Stroke, Turtle
 
 FINENESS = 4
-"""How many times finer than the original's picture strokes are kept: smooth there, and sharp in larger ones."""
+"""Resolution of the stored strokes, as a multiple of the original picture's, so that larger pictures are sharp."""
 FINE_PX = WINDOW_PX * FINENESS
 NOTHING_DRAWN: Color = (255, 255, 255)
-"""The colour sensor's reading where there is no stroke, for any background."""
+"""The colour sensor's value where there is no stroke, for any background."""
 DEFAULT_BACKGROUND: Color = (0x45, 0x56, 0xFF)
 
 
 class Canvas:
-    """Keeps the strokes, and paints pictures of them with turtles on top.
+    """Stores the strokes, and renders pictures of them with turtles on top.
 
     Args:
-        background: Colour behind everything.
+        background: Background colour.
     """
 
     def __init__(self, background: Color = DEFAULT_BACKGROUND) -> None:
@@ -53,7 +53,7 @@ class Canvas:
         self._changed = int(low), int(top), int(high) + 1, int(bottom) + 1
 
     def color_at(self, x: float, y: float) -> Color:
-        """Return the colour of the strokes at a place [m]; white where there is none."""
+        """Return the colour of the strokes at a point [m]; white where there is none."""
         px, py = (min(max(int(value), 0), FINE_PX - 1) for value in _fine(x, y))
         return self._ink.color_at(px, py) or NOTHING_DRAWN
 
@@ -72,7 +72,7 @@ class Canvas:
         return to_png(self.render(turtles, size_px))
 
     def _ground_at(self, size_px: int) -> Picture:
-        """Return background and strokes in this size; only the changed part is scaled again."""
+        """Return background and strokes in this size; only the changed part is scaled anew."""
         ground, changed = self._ground, self._changed
         self._changed = None
         if ground is None or ground.width != size_px or self._ground_color != self.background:
@@ -93,5 +93,5 @@ class Canvas:
 
 
 def _fine(x: float, y: float) -> tuple[float, float]:
-    """Return the ink's pixel at a place [m]."""
+    """Return the ink's pixel at a point [m]."""
     return x * PX_PER_M * FINENESS, (WORLD_SIZE_M - y) * PX_PER_M * FINENESS

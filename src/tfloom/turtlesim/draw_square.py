@@ -1,4 +1,4 @@
-"""draw_square: let turtle1 draw a square of two metres, again and again."""
+"""draw_square: drive turtle1 along a square of two metres, repeatedly."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class Goal:
 
 
 class DrawSquare(Node):
-    """Resets turtlesim, then drives ahead and turns left in turn, with a stop after each."""
+    """Resets turtlesim, then alternately drives ahead and turns left, with a stop after each."""
 
     def __init__(self) -> None:
         super().__init__("draw_square")
@@ -89,7 +89,7 @@ class DrawSquare(Node):
             self._command(SPEED, 0.0)
 
     def _set_goal(self, pose: Pose) -> None:
-        """Aim at a left turn, or at the side's other end."""
+        """Set the goal: a left turn, or the other end of the side."""
         self._is_stopping = False
         if self._is_turning:
             goal = Goal(pose.x, pose.y, pose.theta + math.pi / 2)
@@ -108,6 +108,6 @@ class DrawSquare(Node):
 def main(args: list[str] | None = None) -> int:
     """Draw until stopped; return the exit code."""
     expect_no_arguments(
-        "draw_square", "Reset turtlesim, then let turtle1 draw a square, again and again.", args
+        "draw_square", "Reset turtlesim, then drive turtle1 along a square, repeatedly.", args
     )
     return run_program(args, lambda: spin(DrawSquare()))

@@ -1,4 +1,4 @@
-"""Single key presses from a terminal, whose mode is restored however the program ends."""
+"""Single key presses from a terminal, whose mode is always restored at the program's end."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _KEY = re.compile(
 )
 _UNFINISHED = re.compile(r"\x1b(?:[O[][\d;?]*)?\Z")
 ESCAPE_WAIT_S = 0.05
-"""How long the rest of an arrow key's sequence may take to arrive."""
+"""The longest wait for the rest of an arrow key's sequence."""
 
 
 class NoTerminalError(Exception):
@@ -28,10 +28,10 @@ class NoTerminalError(Exception):
 
 
 def decode_keys(text: str) -> list[str]:
-    """Return the keys in what a terminal sent: `up`, `down`, `left`, `right` or a letter.
+    """Return the keys in a terminal's input: `up`, `down`, `left`, `right` or a letter.
 
-    A repeated key counts once, because a terminal repeats a key that is held down, and repetitions that have piled
-    up are to be dropped. Sequences of other keys are ignored.
+    A repeated key is returned once, because a terminal repeats a key that is held down, and accumulated repetitions
+    must be dropped. Sequences of other keys are ignored.
     """
     keys: list[str] = []
     for match in _KEY.finditer(text):
@@ -46,10 +46,10 @@ if sys.platform != "win32":
     import termios
 
     class Keyboard:
-        """Key presses on standard input, which has to be a terminal; a context that sets and restores its mode.
+        """Key presses on standard input, which must be a terminal; a context manager that sets and restores its mode.
 
-        Ctrl-C stays a signal. Hang-up and quit end the program by SystemExit; a stop (Ctrl-Z) gives the
-        terminal back until the program goes on. To be entered in the main thread.
+        Ctrl-C remains a signal. Hang-up and quit end the program by SystemExit; a stop (Ctrl-Z) restores the
+        mode until the program continues. To be entered in the main thread.
         """
 
         def __init__(self) -> None:
@@ -77,7 +77,7 @@ if sys.platform != "win32":
                 signal.signal(number, handler)
 
         def read(self, timeout_s: float) -> list[str]:
-            """Wait for keys and return all that were pressed; empty when the time is over.
+            """Wait for keys and return all that were pressed; empty after the timeout.
 
             Raises:
                 EOFError: the terminal is closed.
@@ -105,12 +105,12 @@ if sys.platform != "win32":
             termios.tcsetattr(self._fd, termios.TCSADRAIN, mode)
 
         def _restore_mode(self) -> None:
-            # In the background this would stop the process before the terminal is restored.
+            # In the background, this would stop the process before the terminal is restored.
             old = signal.signal(signal.SIGTTOU, signal.SIG_IGN)
             try:
                 termios.tcsetattr(self._fd, termios.TCSANOW, self._found)
             except termios.error:
-                pass  # the terminal is closed, and needs no mode
+                pass  # the terminal is closed
             finally:
                 signal.signal(signal.SIGTTOU, old)
 
@@ -132,7 +132,7 @@ else:
     POLL_S = 0.01
 
     class Keyboard:
-        """Key presses at the console, which has no mode to set."""
+        """Key presses at the console, which needs no mode."""
 
         def __enter__(self) -> Self:
             if not sys.stdin.isatty():
@@ -145,7 +145,7 @@ else:
             pass
 
         def read(self, timeout_s: float) -> list[str]:
-            """Wait for keys and return all that were pressed; empty when the time is over."""
+            """Wait for keys and return all that were pressed; empty after the timeout."""
             end = time.monotonic() + timeout_s
             while not msvcrt.kbhit() and time.monotonic() < end:
                 time.sleep(POLL_S)

@@ -1,6 +1,6 @@
-"""turtlesim's interfaces, under the name that the distribution in ROS_DISTRO gives them.
+"""turtlesim's interfaces, by their name in the distribution of ROS_DISTRO.
 
-From Kilted on they are `turtlesim_msgs/…`, with the same fields. Jazzy's name holds where ROS_DISTRO isn't set.
+From Kilted on the name is `turtlesim_msgs/…`, with the same fields. Without ROS_DISTRO, it is Jazzy's.
 """
 
 from __future__ import annotations
@@ -8,7 +8,7 @@ from __future__ import annotations
 import os
 
 FIRST_WITH_OWN_PACKAGE = "kilted"
-"""Distributions' names are in alphabetical order; `rolling` is later than all so far."""
+"""Distributions' names are in alphabetical order; `rolling` is the last."""
 
 if os.environ.get("ROS_DISTRO", "") < FIRST_WITH_OWN_PACKAGE:
     from tfloom.interfaces.turtlesim.action import RotateAbsolute

@@ -1,4 +1,4 @@
-"""mimic: one turtle copies another's motion."""
+"""mimic: command one turtle with the velocities of another."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ class Mimic(Node):
 
 
 def main(args: list[str] | None = None) -> int:
-    """Mimic until stopped; return the exit code."""
+    """Copy velocities until stopped; return the exit code."""
     expect_no_arguments(
         "mimic",
-        "Let one turtle do what another does: --ros-args -r input/pose:=turtle1/pose "
+        "Command one turtle with another's velocities: --ros-args -r input/pose:=turtle1/pose "
         "-r output/cmd_vel:=turtle2/cmd_vel.",
         args,
     )

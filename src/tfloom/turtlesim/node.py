@@ -56,7 +56,7 @@ class TurtlesimNode(Node):
         self._timer = self.create_timer(STEP_S, self._step, clock=Clock(clock_type=ClockType.STEADY_TIME))
 
     def set_parameters_atomically(self, parameter_list: list[Parameter]) -> SetParametersResult:
-        """Set all parameters, or none of them if one is refused, with the reference's reason."""
+        """Set all parameters, or none of them if one is rejected, with the reference's reason."""
         for parameter in parameter_list:
             if reason := parameters.refusal(self, parameter):
                 return SetParametersResult(successful=False, reason=reason)
@@ -68,7 +68,7 @@ class TurtlesimNode(Node):
         return self.sim.render(size_px)
 
     def show_in(self, window: Window) -> None:
-        """Keep the picture in `window` up to date; once the user closes it, shut down."""
+        """Update the picture in `window`; when the user closes it, shut down."""
 
         def refresh() -> None:
             if not window.show(self.render):
@@ -146,7 +146,7 @@ class TurtlesimNode(Node):
 
 
 def open_window(node: Node) -> Window | None:
-    """Open the window; where that is impossible, log the reason and return None."""
+    """Open the window; if that is impossible, log the reason and return None."""
     try:
         from tfloom.turtlesim.window import NoDisplayError, Window
     except ImportError as error:
@@ -163,8 +163,8 @@ def parse_arguments(words: list[str]) -> argparse.Namespace:
     """Read a command line without its ROS arguments; exit with a usage text if it is invalid."""
     parser = argparse.ArgumentParser(
         prog="turtlesim_node",
-        description="Simulate turtles. Each listens to NAME/cmd_vel (geometry_msgs/msg/Twist) and tells where "
-        "it is on NAME/pose (turtlesim/msg/Pose), 62.5 times a second; the first is turtle1.",
+        description="Simulate turtles. Each subscribes to NAME/cmd_vel (geometry_msgs/msg/Twist) and publishes "
+        "NAME/pose (turtlesim/msg/Pose), 62.5 times a second; the first is turtle1.",
     )
     parser.add_argument("--headless", action="store_true", help="open no window")
     parser.add_argument(

@@ -1,4 +1,4 @@
-"""turtlesim's parameters: the background's colour, and whether turtles may go sideways."""
+"""turtlesim's parameters: the background's colour, and whether turtles are holonomic."""
 
 from __future__ import annotations
 
@@ -60,12 +60,12 @@ def background(node: Node) -> Color:
 
 
 def is_holonomic(node: Node) -> bool:
-    """Return whether turtles may go sideways."""
+    """Return whether turtles are holonomic: they can move sideways."""
     return bool(node.get_parameter(HOLONOMIC).value)
 
 
 def refusal(node: Node, parameter: Parameter) -> str | None:
-    """Return the reference's reason why a declared parameter can't be set to this, or None if it has none."""
+    """Return the reference's reason for rejecting this value of a declared parameter, or None if it accepts it."""
     if not node.has_parameter(parameter.name):
         return None
     descriptor = node.describe_parameter(parameter.name)

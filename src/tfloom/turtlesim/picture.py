@@ -57,7 +57,7 @@ class Ink:
         self._draw = ImageDraw.Draw(self._image)
 
     def clear(self) -> None:
-        """Make all of it transparent."""
+        """Make all pixels transparent."""
         self._image.paste(CLEAR, (0, 0, *self._image.size))
 
     def line(self, ends: list[Point], color: Color, width_px: int) -> None:
@@ -81,7 +81,7 @@ class Ink:
         return red, green, blue
 
     def reduced(self, factor: int) -> Picture:
-        """Return the whole, smaller by a whole factor."""
+        """Return the picture, reduced by an integer factor."""
         return self._image.reduce(factor)
 
     def lay_onto(self, ground: Picture, part: Box, background: Color) -> None:
@@ -89,7 +89,7 @@ class Ink:
         ratio = self._image.width / ground.width
         left, top, right, bottom = part
         x, y = int(left * ratio), int(top * ratio)
-        # The part alone, because resize() would first copy all of an image with transparency.
+        # Cut out first, because resize() would copy the whole of an image with transparency.
         ink = self._image.crop((x, y, math.ceil(right * ratio), math.ceil(bottom * ratio)))
         source = (left * ratio - x, top * ratio - y, right * ratio - x, bottom * ratio - y)
         ink = ink.resize((right - left, bottom - top), Image.Resampling.BOX, source)

@@ -39,7 +39,7 @@ def open_recorder(path: Path) -> Recorder:
     """Return a recorder for a file, by its name's ending.
 
     Raises:
-        RecordingError: no such kind of recording, its folder isn't there, or ffmpeg is missing for a film.
+        RecordingError: no such kind of recording, its folder doesn't exist, or ffmpeg is missing for a film.
     """
     if not path.parent.is_dir():
         raise RecordingError(f"can't record to {path}: there is no folder {path.parent}")
@@ -50,7 +50,7 @@ def open_recorder(path: Path) -> Recorder:
         return Animation(path)
     if kind == ".mp4":
         return Film(path)
-    raise RecordingError(f"can't record to {path}: the name has to end in .gif, .webp, .png or .mp4")
+    raise RecordingError(f"can't record to {path}: the name must end in .gif, .webp, .png or .mp4")
 
 
 class Still:
@@ -71,7 +71,7 @@ class Still:
 
 
 class Animation:
-    """Keeps all pictures, compressed; one that stays the same is kept once, with the time that it lasts."""
+    """Keeps all pictures, compressed; equal successive pictures are kept once, with their duration."""
 
     def __init__(self, path: Path) -> None:
         self._path = path
@@ -94,7 +94,7 @@ class Animation:
             yield from_rgb(zlib.decompress(frame), SIDE_PX)
 
     def finish(self) -> None:
-        """Write the animation, which repeats for ever."""
+        """Write the animation, which repeats without end."""
         if self._frames:
             pictures = self._pictures()
             first = next(pictures)
@@ -121,7 +121,7 @@ class Film:
             str(1000 // FRAME_MS),
         ]
         command = [ffmpeg, "-y", "-loglevel", "error", *source, "-i", "-", "-pix_fmt", "yuv420p", str(path)]
-        # In a session of its own, because Ctrl-C ends the recording first, and ffmpeg at the end of its input.
+        # In a separate session, because Ctrl-C must end the recording first, and ffmpeg at the end of its input.
         self._ffmpeg = subprocess.Popen(
             command, stdin=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True
         )

@@ -15,7 +15,7 @@ from tfloom.turtlesim.messages import RotateAbsolute
 from tfloom.turtlesim.world import Rotation, Turtle, is_usable
 
 FAREWELL_S = 1.0
-"""How long the results of a removed turtle's goals can still be requested [s]."""
+"""Time for which the results of a removed turtle's goals can be requested [s]."""
 
 
 class _Running(NamedTuple):
@@ -25,9 +25,9 @@ class _Running(NamedTuple):
 
 
 class RotationServer:
-    """Accepts every goal and every cancel; a new goal aborts the one before it.
+    """Accepts all goals and all cancel requests; a new goal aborts the previous one.
 
-    It belongs to a turtle's name: a new turtle of that name, spawned while the old one's goals end, is served on.
+    It belongs to a turtle's name, and also serves a new turtle of that name, spawned while the old one's goals end.
 
     Args:
         node: The node that serves.
@@ -39,7 +39,7 @@ class RotationServer:
         self._turtle: Turtle | None = None
         self._running: _Running | None = None
         self._unfinished = 0
-        # The turtles of the accepted goals that have not begun, in their order.
+        # The turtles of the accepted goals that have not begun, in order.
         self._meant_for: deque[Turtle] = deque()
         self._farewell: Timer | None = None
         self.is_destroyed = False
@@ -53,12 +53,12 @@ class RotationServer:
         )
 
     def serve(self, turtle: Turtle) -> None:
-        """Serve this turtle from now on."""
+        """Set the turtle that is served."""
         self._turtle = turtle
         self._stop_farewell()
 
     def release(self) -> None:
-        """Stop serving the turtle. Its goals are aborted, and their results can be requested for a while."""
+        """Stop serving the turtle. Its goals are aborted; their results can be requested for a limited time."""
         self._turtle = None
         if self._running is not None:
             self._running.rotation.state = "aborted"
@@ -93,7 +93,7 @@ class RotationServer:
         self._settle()
 
     def abort_for_command(self) -> None:
-        """Abort the goal, because the turtle got a velocity command."""
+        """Abort the goal, because a velocity command for the turtle has arrived."""
         self._node.get_logger().warning("Velocity command received during rotation goal. Aborting goal")
         self._settle()
 
@@ -135,7 +135,7 @@ class RotationServer:
         return RotateAbsolute.Result(delta=rotation.delta)
 
     def _settle(self) -> None:
-        """End the goal as its rotation has ended, if it has."""
+        """End the goal if its rotation has ended, with the same outcome."""
         running = self._running
         if running is None or running.rotation.state == "active":
             return

@@ -1,4 +1,4 @@
-"""A world and its picture together: turtles for a notebook, a page or a test, with no ROS around them.
+"""A world and its picture: turtles for a notebook, a page or a test, without ROS.
 
 sim = TurtleSim()
 turtle = sim.world.turtles["turtle1"]
@@ -29,7 +29,7 @@ class TurtleSim:
         self.canvas = Canvas()
 
     def step(self, on_event: Callable[[Event], object] | None = None, dt_s: float = STEP_S) -> None:
-        """Advance by `dt_s`. `on_event` is called with each event in order, while the picture is that of its time."""
+        """Advance by `dt_s`, and call `on_event` with each event in order, at the picture of the event's time."""
         for event in self.world.step(dt_s):
             if on_event is not None:
                 on_event(event)

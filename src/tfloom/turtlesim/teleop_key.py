@@ -1,4 +1,4 @@
-"""turtle_teleop_key: drive a turtle by keys."""
+"""turtle_teleop_key: drive a turtle with the keyboard."""
 
 from __future__ import annotations
 
@@ -25,8 +25,7 @@ Use arrow keys to move the turtle.
 Use G|B|V|C|D|E|R|T keys to rotate to absolute orientations. 'F' to cancel a rotation.
 'Q' to quit."""
 NO_TERMINAL = (
-    "turtle_teleop_key reads single keys and needs a terminal, but its input is none: "
-    "run it in a terminal of its own"
+    "turtle_teleop_key reads single keys, and its input is not a terminal: run it in a terminal of its own"
 )
 DIRECTIONS = {"up": (1.0, 0.0), "down": (-1.0, 0.0), "left": (0.0, 1.0), "right": (0.0, -1.0)}
 """The command of each arrow key: parts of the linear and of the angular scale."""
@@ -40,15 +39,15 @@ HEADINGS = {
     "v": -1.5708,
     "b": -0.7854,
 }
-"""The heading of each key [rad]: around G on the keyboard as around the turtle."""
+"""The heading of each key [rad], which is the key's direction from G on the keyboard."""
 CANCEL = "f"
 QUIT = "q"
 POLL_S = 0.1
-"""How long a wait for keys may last before it checks for shutdown."""
+"""The longest wait for keys between two checks for shutdown."""
 
 
 class TeleopTurtle(Node):
-    """Publishes a velocity command for each arrow key, and sends a goal for each heading's.
+    """Publishes a velocity command for each arrow key, and sends a goal for each heading key.
 
     Parameters: scale_linear [m/s], scale_angular [rad/s].
     """
@@ -82,7 +81,7 @@ class TeleopTurtle(Node):
             self._sent = self._rotator.send_goal_async(RotateAbsolute.Goal(theta=theta))
 
     def _cancel(self) -> None:
-        """Cancel the goal that was sent last, once it is known to be accepted."""
+        """Cancel the last goal, after its acceptance is known."""
         sent, self._sent = self._sent, None
         if sent is not None:
             sent.add_done_callback(

@@ -21,11 +21,11 @@ SIDE = 500
 
 
 class NoDisplayError(Exception):
-    """There is no screen to open a window on; the text has the reason."""
+    """There is no display for a window; the text has the reason."""
 
 
 class Window:
-    """Shows square pictures, as large as the window and as sharp as its screen. For the main thread.
+    """Shows square pictures in the size of the window and the resolution of its screen. For the main thread.
 
     Raises:
         NoDisplayError: there is no display.
@@ -42,7 +42,7 @@ class Window:
             raise NoDisplayError(str(error)) from None
 
     def show(self, draw: Callable[[int], Picture]) -> bool:
-        """Show the picture that `draw` makes in the size it is given [px]; return False once the window is closed."""
+        """Show the picture that `draw(size_px)` returns; return False after the window was closed."""
         if any(event.type in {pygame.QUIT, pygame.WINDOWCLOSE} for event in pygame.event.get()):
             return False
         surface = self._window.get_surface()

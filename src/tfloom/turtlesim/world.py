@@ -1,7 +1,7 @@
 """The turtles' world: positions, velocities and pens, in steps of 16 ms, without ROS and without a picture.
 
 Lengths are metres, x to the right and y up, (0, 0) in the lower left corner; angles are radians, from x
-towards y. Where the reference rounds to float32 (the world's size, what is left of a rotation), so do these.
+towards y. Values that the reference rounds to float32 (the world's size, the rest of a rotation) are rounded here, too.
 """
 
 from __future__ import annotations
@@ -71,12 +71,12 @@ class Stroke(NamedTuple):
 
 
 class WallHit(NamedTuple):
-    """A turtle left the world and was put back on its edge."""
+    """A turtle left the world and was moved back to its edge."""
 
     turtle: str
     x: float
     y_down: float
-    """Metres below the world's upper edge, as the reference logs it."""
+    """Distance from the world's upper edge [m], as the reference logs it."""
 
     def __str__(self) -> str:
         return f"Oh no! I hit the wall! (Clamping from [x={self.x:f}, y={self.y_down:f}])"
@@ -90,7 +90,7 @@ class RotationStep(NamedTuple):
 
 
 class Moved(NamedTuple):
-    """A turtle has moved in this step: its pose and sensor can be published; its stroke follows."""
+    """A turtle has moved in this step: its pose and sensor can be published; its stroke is the next event."""
 
     turtle: Turtle
 
@@ -99,7 +99,7 @@ Event = Stroke | WallHit | RotationStep | Moved
 
 
 class Rotation:
-    """A turn to an absolute heading, under way or ended."""
+    """A rotation to an absolute heading, active or ended."""
 
     __slots__ = ("cancel_requested", "delta", "goal", "remaining", "start", "state")
 
@@ -107,9 +107,9 @@ class Rotation:
         self.goal = to_float32(goal)
         self.start = start
         self.remaining = 0.0
-        """Heading still to turn [rad], before the step's own turn; negative is clockwise."""
+        """Remaining angle before this step [rad]; negative is clockwise."""
         self.delta = 0.0
-        """Start minus heading [rad]: the turn so far with the opposite sign, as in the reference."""
+        """Start minus heading [rad]: the angle turned, with the opposite sign, as in the reference."""
         self.cancel_requested = False
         self.state: Literal["active", "succeeded", "canceled", "aborted"] = "active"
 
@@ -186,11 +186,11 @@ class Turtle:
         return self.rotation, aborted
 
     def teleport(self, x: float, y: float, theta: float) -> None:
-        """Jump there at the next step; above the world's upper edge means onto it."""
+        """Jump to a pose at the next step; a position above the world's upper edge is moved onto it."""
         self._teleports.append(_Teleport(x, max(0.0, WORLD_SIZE_M - y), theta))
 
     def teleport_relative(self, distance: float, angle: float) -> None:
-        """At the next step turn by `angle`, then jump `distance` along the new heading."""
+        """At the next step, turn by `angle`, then jump by `distance` along the new heading."""
         self._teleports.append(_RelativeTeleport(distance, angle))
 
     def set_pen(self, color: Color, width_px: int, *, off: bool) -> None:
@@ -269,7 +269,7 @@ class Turtle:
 
 
 class World:
-    """All turtles, by name. Initially, turtle1 is in its middle.
+    """All turtles, by name. Initially, turtle1 is at the centre.
 
     Args:
         clock_ns: Returns the time by which commands age [ns]; None: time advances by the steps alone.
@@ -284,7 +284,7 @@ class World:
         self.reset()
 
     def reset(self) -> Turtle:
-        """Remove all turtles and put a new turtle1 into the middle, heading to the right."""
+        """Remove all turtles and add a new turtle1 at the centre, heading to the right."""
         self.turtles.clear()
         self._count = 0
         turtle = self.spawn(WORLD_SIZE_M / 2, WORLD_SIZE_M / 2, 0.0)
@@ -293,13 +293,13 @@ class World:
         return turtle
 
     def spawn(self, x: float, y: float, theta: float, name: str = "") -> Turtle | None:
-        """Add a turtle; outside of the world it lands on the edge at the next step.
+        """Add a turtle; outside of the world it is moved to the edge at the next step.
 
         Args:
             x: Metres from the left edge.
             y: Metres from the lower edge.
             theta: Heading [rad].
-            name: Its name; "" takes the first free one of turtle1, turtle2, …
+            name: Its name; "": the first free one of turtle1, turtle2, …
 
         Returns:
             The turtle; None if the name is taken.

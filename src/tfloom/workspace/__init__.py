@@ -1,1 +1,1 @@
-"""ROS workspaces: what colcon has built, and our own programs beside it."""
+"""ROS workspaces: packages that colcon has built, and tfloom's own programs."""

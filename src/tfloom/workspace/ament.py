@@ -1,7 +1,7 @@
 """The functions of `ament_index_python`: paths of packages and their files.
 
-Packages of a sourced workspace precede tfloom's own, which let code look up `turtlesim` or `geometry_msgs` without a
-ROS. Without AMENT_PREFIX_PATH there is no workspace, which is no error.
+Packages of a sourced workspace precede tfloom's own, so that code can look up `turtlesim` or `geometry_msgs` without a
+ROS. Without AMENT_PREFIX_PATH there is no workspace, which is not an error.
 """
 
 from __future__ import annotations
@@ -50,17 +50,17 @@ def get_package_prefix(package_name: str) -> str:
 
     Raises:
         PackageNotFoundError: there is no such package.
-        ValueError: it can't be a package's name.
+        ValueError: it is not a valid package name.
     """
     return _find(package_name) or str(index.OWN_PREFIX)
 
 
 def get_package_share_path(package_name: str, print_warning: bool = True) -> Path:
-    """Return the folder of a package's files; print a warning on stderr where it doesn't exist.
+    """Return the folder of a package's files; print a warning on stderr if it doesn't exist.
 
     Raises:
         PackageNotFoundError: there is no such package.
-        ValueError: it can't be a package's name.
+        ValueError: it is not a valid package name.
     """
     path = index.share_folder(package_name, _find(package_name))
     if print_warning and not path.exists():
@@ -74,7 +74,7 @@ def get_package_share_directory(package_name: str, print_warning: bool = True) -
 
 
 def get_resource(resource_type: str, resource_name: str) -> tuple[str, str]:
-    """Return the text of a resource's marker file, and the prefix it is under.
+    """Return the text of a resource's marker file, and its prefix.
 
     Raises:
         LookupError: no prefix has it.

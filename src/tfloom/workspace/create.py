@@ -112,8 +112,8 @@ def create_package(package: Package, folder: Path) -> list[Path]:
     """Write a package into `folder/<name>` and return its files.
 
     Raises:
-        FileExistsError: that folder exists already.
-        ValueError: a name can't be one of a package, of a node or of a dependency.
+        FileExistsError: the folder exists.
+        ValueError: a name is not a valid one of a package, a node or a dependency.
     """
     check_name(package.name, "package")
     if package.node is not None:
@@ -135,15 +135,15 @@ def create_package(package: Package, folder: Path) -> list[Path]:
 
 
 def check_name(name: str, what: str) -> None:
-    """Check that a name can be that of a Python module.
+    """Check that a name is valid for a Python module.
 
     Raises:
-        ValueError: it doesn't begin with a small letter, has other characters than those, digits and
+        ValueError: it doesn't begin with a lower-case letter, has characters other than those, digits and
             underscores, or is a keyword.
     """
     if not re.fullmatch(r"[a-z][a-z0-9_]*", name) or keyword.iskeyword(name):
         raise ValueError(
-            f"'{name}' can't be a {what}'s name: it takes small letters, digits and underscores, a letter first"
+            f"'{name}' can't be a {what}'s name: use lower-case letters, digits and underscores, a letter first"
         )
 
 

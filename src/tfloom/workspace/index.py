@@ -1,7 +1,7 @@
 """Packages and their programs: the ament index over AMENT_PREFIX_PATH, then tfloom's own programs.
 
-A prefix is a folder that colcon installed into. Under it, `share/ament_index/resource_index/<type>/<name>` is a
-marker file (type `packages`: the package is there), `share/<name>` holds the package's files and `lib/<name>` its
+A prefix is a folder into which colcon installs. Under it, `share/ament_index/resource_index/<type>/<name>` is a
+marker file (type `packages`: the package is installed), `share/<name>` has the package's files and `lib/<name>` its
 programs.
 """
 
@@ -71,7 +71,7 @@ def search_paths() -> list[str]:
 
 
 def resources(resource_type: str) -> dict[str, str]:
-    """Return the prefix of each resource of a type, by the resource's name; the first prefix wins."""
+    """Return the prefix of each resource of a type, by the resource's name; the first prefix takes precedence."""
     found: dict[str, str] = {}
     for prefix in search_paths():
         folder = Path(prefix, RESOURCE_INDEX, resource_type)
@@ -111,7 +111,7 @@ def own_packages() -> list[str]:
 def share_folder(package: str, prefix: str | None) -> Path:
     """Return the folder of a package's files: under its prefix, or, with None, of one of tfloom's own.
 
-    The folder of an interface package of tfloom's own holds `msg/*.msg` as an installed one would; others have none.
+    The folder of one of tfloom's interface packages holds `msg/*.msg`, as an installed one does; the others have none.
     """
     if prefix is not None:
         return Path(prefix, "share", package)

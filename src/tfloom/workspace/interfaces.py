@@ -1,4 +1,4 @@
-"""Definitions of messages, services and actions: of sourced workspaces, and tfloom's own."""
+"""Definitions of messages, services and actions, of sourced workspaces and of tfloom."""
 
 from __future__ import annotations
 
@@ -81,11 +81,11 @@ def _nearest(name: str, known: list[str]) -> str:
 
 
 def expanded_definition(name: str, comments: str = "own") -> Iterator[str]:
-    """Yield the lines of a definition, and under each field of an interface's type that type's, a tab deeper.
+    """Yield the lines of a definition, and below each field of an interface's type that type's, indented by a tab.
 
     Args:
         name: Full name of the interface.
-        comments: Which comments stay: `all`, `none`, or those of the interface's `own` file.
+        comments: Comments to keep: `all`, `none`, or those of the interface's `own` file.
     """
     name = "/".join(split_name(name))
     yield from _expand(name, comments, "", (name,))

@@ -1,4 +1,4 @@
-"""Nodes on DDS: one side in the test, the other in programs of their own."""
+"""Nodes on DDS: one side in the test, the other in separate programs."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ PROGRAMS = Path(__file__).parent / "programs"
 
 @pytest.fixture(autouse=True)
 def local_wire(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[None]:
-    """Stand in the place of the in-process wire."""
+    """Replace the in-process wire with DDS."""
     monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_cyclonedds_cpp")
     monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "log"))
     yield
@@ -38,7 +38,7 @@ def context(domain_id: int) -> Iterator[Context]:
 
 @pytest.fixture
 def node(make_node: Callable[..., Node], executor: SingleThreadedExecutor) -> Node:
-    """Give a node, /tester, that the executor spins."""
+    """Yield a node, /tester, that the executor spins."""
     node = make_node()
     executor.add_node(node)
     return node
@@ -58,7 +58,7 @@ def finish(executor: SingleThreadedExecutor) -> Callable[..., Any]:
 
 @pytest.fixture
 def start(start_program: Callable[..., Program]) -> Callable[..., Program]:
-    """Start one of the programs next to this file, and wait until it says `ready`."""
+    """Start one of the programs next to this file, and wait until it prints `ready`."""
 
     def run(name: str, *arguments: object) -> Program:
         program = start_program("python", PROGRAMS / f"{name}.py", *(str(each) for each in arguments))

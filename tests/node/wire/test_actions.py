@@ -1,4 +1,4 @@
-"""Actions between processes: every way a goal may go, and ends that die under it."""
+"""Actions between processes: all outcomes of a goal, and processes killed during one."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def send(client: ActionClient, order: int, **options: Any) -> Future[Any]:
     return client.send_goal_async(Fibonacci.Goal(order=order), **options)
 
 
-def test_a_goal_is_accepted_tells_how_far_it_is_and_succeeds(
+def test_goal_is_accepted_gives_feedback_and_succeeds(
     client: ActionClient, finish: Finish, spin_until: SpinUntil
 ) -> None:
     feedback: list[list[int]] = []
@@ -58,14 +58,14 @@ def test_a_goal_is_accepted_tells_how_far_it_is_and_succeeds(
     assert feedback[-1] == [0, 1, 1, 2, 3, 5]
 
 
-def test_a_goal_is_refused(client: ActionClient, server: Program, finish: Finish) -> None:
+def test_goal_is_rejected(client: ActionClient, server: Program, finish: Finish) -> None:
     handle = finish(send(client, -1))
     assert not handle.accepted
     assert finish(handle.get_result_async()).status == GoalStatus.STATUS_UNKNOWN
     assert "executing -1" not in server.output
 
 
-def test_goals_that_fail_are_aborted_and_the_server_lives(
+def test_failing_goals_are_aborted_and_the_server_continues(
     client: ActionClient, server: Program, finish: Finish
 ) -> None:
     for order in (50, 60):
@@ -76,7 +76,7 @@ def test_goals_that_fail_are_aborted_and_the_server_lives(
     assert finish(send(client, 1)).accepted
 
 
-def test_one_goal_is_cancelled(client: ActionClient, finish: Finish, spin_until: SpinUntil) -> None:
+def test_single_goal_is_cancelled(client: ActionClient, finish: Finish, spin_until: SpinUntil) -> None:
     handle = finish(send(client, WAITS))
     spin_until(lambda: handle.status == GoalStatus.STATUS_EXECUTING)
     response = finish(handle.cancel_goal_async())
@@ -89,14 +89,14 @@ def test_one_goal_is_cancelled(client: ActionClient, finish: Finish, spin_until:
     assert unknown.return_code == CancelGoal.Response.ERROR_UNKNOWN_GOAL_ID
 
 
-def test_a_cancel_may_be_refused(client: ActionClient, finish: Finish) -> None:
+def test_cancel_can_be_rejected(client: ActionClient, finish: Finish) -> None:
     handle = finish(send(client, WAITS_ON))
     response = finish(handle.cancel_goal_async())
     assert response.return_code == CancelGoal.Response.ERROR_REJECTED
     assert not response.goals_canceling
 
 
-def test_goals_are_cancelled_by_time_and_all(client: ActionClient, finish: Finish) -> None:
+def test_goals_are_cancelled_by_time_or_all(client: ActionClient, finish: Finish) -> None:
     handles = [finish(send(client, WAITS)) for _ in range(4)]
     by_time = CancelGoal.Request(goal_info=GoalInfo(stamp=handles[1].stamp))
     assert len(finish(client._cancel.call_async(by_time)).goals_canceling) == 2
@@ -128,7 +128,7 @@ def test_several_goals_of_several_clients_run_at_once(
     finish(waiting.cancel_goal_async())
 
 
-def test_who_comes_late_is_told_the_states_of_all_goals(
+def test_late_client_receives_the_states_of_all_goals(
     client: ActionClient, node: Node, finish: Finish, spin_until: SpinUntil
 ) -> None:
     done, waiting = (finish(send(client, order)) for order in (2, WAITS))
@@ -145,7 +145,7 @@ def test_who_comes_late_is_told_the_states_of_all_goals(
     }
 
 
-def test_results_are_kept_for_as_long_as_the_server_wants(
+def test_results_are_kept_for_the_timeout_of_the_server(
     node: Node, start: Start, finish: Finish, spin_until: SpinUntil
 ) -> None:
     start("action_server", 0.3)
@@ -157,7 +157,7 @@ def test_results_are_kept_for_as_long_as_the_server_wants(
     assert finish(client.cancel(handle.goal_id)).return_code == CancelGoal.Response.ERROR_UNKNOWN_GOAL_ID
 
 
-def test_a_client_killed_in_mid_goal_leaves_the_server_well(
+def test_server_continues_after_a_client_is_killed_during_a_goal(
     client: ActionClient, server: Program, start: Start, finish: Finish
 ) -> None:
     other = start("action_client")
@@ -171,7 +171,7 @@ def test_a_client_killed_in_mid_goal_leaves_the_server_well(
     assert finish(finish(send(client, 4)).get_result_async()).status == GoalStatus.STATUS_SUCCEEDED
 
 
-def test_a_server_killed_in_mid_goal(
+def test_restarted_server_accepts_goals_after_a_kill(
     short_lease: float, client: ActionClient, server: Program, start: Start, finish: Finish
 ) -> None:
     handle = finish(send(client, WAITS))
@@ -188,17 +188,17 @@ def test_a_server_killed_in_mid_goal(
     assert not result.done()
     assert (
         finish(handle.get_result_async()).status == GoalStatus.STATUS_UNKNOWN
-    )  # the new one never heard of it
+    )  # the new server doesn't have that goal
 
 
-def test_a_server_may_be_destroyed_under_a_goal_and_made_anew(
+def test_server_can_be_destroyed_during_a_goal_and_recreated(
     client: ActionClient, server: Program, finish: Finish, executor: SingleThreadedExecutor
 ) -> None:
     finish(send(client, 70))
     server.wait_for("destroyed False 0")
 
     def is_answered() -> bool:
-        """Send a goal; one that the old server had not yet left for is answered by nobody."""
+        """Send a goal; one sent before the old server has left the graph gets no response."""
         assert client.wait_for_server(timeout_sec=20)
         sent.append(send(client, 4))
         executor.spin_until_future_complete(sent[-1], timeout_sec=1.0)

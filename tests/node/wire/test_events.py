@@ -50,12 +50,12 @@ def tell(talker: Program, word: object) -> None:
 
 
 def told(talker: Program, event: str) -> list[dict[str, int]]:
-    """Return what a talker has told of one event."""
+    """Return the statuses of one event that a talker has printed."""
     lines = [json.loads(line) for line in talker.lines if line.startswith("[")]
     return [status for name, status in lines if name == event]
 
 
-def test_peers_come_and_go(node: Node, start_talker: StartTalker, spin_until: SpinUntil) -> None:
+def test_matched_events_count_peers(node: Node, start_talker: StartTalker, spin_until: SpinUntil) -> None:
     seen: list[Any] = []
     subscription = node.create_subscription(
         String, "chatter", print, 10, event_callbacks=SubscriptionEventCallbacks(matched=seen.append)
@@ -74,7 +74,7 @@ def test_peers_come_and_go(node: Node, start_talker: StartTalker, spin_until: Sp
     assert last == {"total_count": 1, "total_count_change": 0, "current_count": 0, "current_count_change": -1}
 
 
-def test_both_ends_are_told_of_a_missed_deadline(
+def test_missed_deadline_is_reported_to_both_endpoints(
     node: Node, start_talker: StartTalker, spin_until: SpinUntil
 ) -> None:
     seen: list[Any] = []
@@ -95,7 +95,7 @@ def test_both_ends_are_told_of_a_missed_deadline(
     assert told(talker, "deadline")[0]["total_count"] >= 1
 
 
-def test_a_talker_that_must_say_so_loses_its_liveliness_and_finds_it_again(
+def test_manual_liveliness_is_lost_and_regained(
     node: Node, start_talker: StartTalker, spin_until: SpinUntil
 ) -> None:
     seen: list[Any] = []
@@ -117,7 +117,7 @@ def test_a_talker_that_must_say_so_loses_its_liveliness_and_finds_it_again(
     spin_until(lambda: "did assert" in talker.lines)
 
 
-def test_a_killed_talker_isnt_alive_when_its_lease_ends(
+def test_killed_publisher_is_not_alive_after_its_lease(
     node: Node, start_talker: StartTalker, spin_until: SpinUntil
 ) -> None:
     seen: list[Any] = []
@@ -169,7 +169,7 @@ def test_a_killed_talker_isnt_alive_when_its_lease_ends(
         ),
     ],
 )
-def test_incompatible_qos_is_told_to_both_ends_with_both_sides(
+def test_incompatible_qos_is_reported_on_both_sides_with_both_policies(
     node: Node,
     start_talker: StartTalker,
     spin_until: SpinUntil,
@@ -201,7 +201,7 @@ def test_incompatible_qos_is_told_to_both_ends_with_both_sides(
     assert not heard
 
 
-def test_messages_whose_lifespan_has_ended_are_not_kept_for_who_comes_late(
+def test_expired_messages_are_not_delivered_to_late_subscriptions(
     node: Node, start_talker: StartTalker, spin_until: SpinUntil
 ) -> None:
     talker = start_talker(durability=TRANSIENT_LOCAL, lifespan=0.5)
@@ -218,7 +218,7 @@ def test_messages_whose_lifespan_has_ended_are_not_kept_for_who_comes_late(
     assert heard == ["0"]
 
 
-def test_all_events_may_be_watched_at_once(
+def test_all_events_can_be_handled_at_once(
     node: Node, start_talker: StartTalker, spin_until: SpinUntil
 ) -> None:
     seen: list[str] = []
@@ -238,7 +238,7 @@ def test_all_events_may_be_watched_at_once(
     assert set(seen) == {"matched", "liveliness"}
 
 
-def test_best_available_follows_the_talkers(
+def test_best_available_matches_the_talkers(
     node: Node, start_talker: StartTalker, spin_until: SpinUntil
 ) -> None:
     start_talker(reliability=BEST_EFFORT, durability=TRANSIENT_LOCAL)

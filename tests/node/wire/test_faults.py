@@ -1,4 +1,4 @@
-"""What goes wrong between processes, and what comes of it: an error that says so, or a recovery."""
+"""Faults between processes: each leads to an error message or to a recovery."""
 
 from __future__ import annotations
 
@@ -28,9 +28,7 @@ MANY_TOPICS = 500
 MEGABYTE = 2**20
 
 
-def test_a_publisher_of_another_type_is_not_heard_and_disturbs_nobody(
-    node: Node, spin_until: SpinUntil
-) -> None:
+def test_publisher_of_another_type_is_ignored(node: Node, spin_until: SpinUntil) -> None:
     heard: list[object] = []
     subscription = node.create_subscription(String, "chatter", heard.append, 10)
     with Context() as other_context:
@@ -49,7 +47,7 @@ def test_a_publisher_of_another_type_is_not_heard_and_disturbs_nobody(
         other.destroy_node()
 
 
-def test_a_type_hash_that_differs_is_heard_as_long_as_it_can_be_read(
+def test_different_type_hash_is_received_if_decodable(
     node: Node, domain_id: int, spin_until: SpinUntil, capsys: pytest.CaptureFixture[str]
 ) -> None:
     heard: list[str] = []
@@ -75,7 +73,7 @@ def test_a_type_hash_that_differs_is_heard_as_long_as_it_can_be_read(
         participant.close()
 
 
-def test_a_callback_that_raises_ends_its_program_with_a_traceback_and_leaves_the_graph(
+def test_callback_error_ends_the_program_with_a_traceback_and_leaves_the_graph(
     node: Node, start: Start
 ) -> None:
     program = start("raising")
@@ -86,13 +84,11 @@ def test_a_callback_that_raises_ends_its_program_with_a_traceback_and_leaves_the
     assert program.wait() == 1
     assert "Traceback (most recent call last):" in program.output
     assert program.lines[-1] == "ValueError: cannot bear this"
-    # Well before its lease ends: it has said goodbye.
+    # Well before its lease ends, because it has left the domain.
     wait_until(lambda: "raising" not in node.get_node_names(), timeout_s=8.0)
 
 
-def test_messages_of_ten_megabytes_arrive_as_they_were(
-    node: Node, start: Start, spin_until: SpinUntil
-) -> None:
+def test_messages_of_ten_megabytes_arrive_unchanged(node: Node, start: Start, spin_until: SpinUntil) -> None:
     start("echo_image")
     back: list[Image] = []
     qos = QoSProfile(depth=10)
@@ -121,7 +117,7 @@ def test_five_hundred_topics_in_one_process(node: Node, start: Start) -> None:
     assert len(names) == MANY_TOPICS
 
 
-def test_a_domain_without_room_is_one_sentence(
+def test_full_domain_gives_one_error_message(
     domain_id: int, monkeypatch: pytest.MonkeyPatch, start_program: Callable[..., Program], tmp_path: Path
 ) -> None:
     from tfloom.rmw.cyclone_config import configuration
@@ -143,7 +139,7 @@ def test_a_domain_without_room_is_one_sentence(
         first.destroy()
 
 
-def test_a_slow_listener_is_waited_for_where_nothing_may_be_lost(node: Node, spin_until: SpinUntil) -> None:
+def test_reliable_writer_waits_for_a_slow_subscription(node: Node, spin_until: SpinUntil) -> None:
     all_of_them = QoSProfile(history=HistoryPolicy.KEEP_ALL)
     heard: list[int] = []
     node.create_subscription(Int32, "numbers", lambda message: heard.append(message.data), all_of_them)
@@ -158,7 +154,7 @@ def test_a_slow_listener_is_waited_for_where_nothing_may_be_lost(node: Node, spi
         other.destroy_node()
 
 
-def test_a_node_on_a_closed_wire_says_so(node: Node, context: Context) -> None:
+def test_closed_wire_gives_an_error_message(node: Node, context: Context) -> None:
     publisher = node.create_publisher(String, "chatter", 10)
     publisher._endpoint.close()
     with pytest.raises(WireError, match="cannot write to /chatter"):

@@ -1,4 +1,4 @@
-"""A lifecycle node in another process: changed, asked, watched, and its log read where it goes."""
+"""A lifecycle node in another process: its services, its events, and its log outputs."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def state(call: Call) -> str:
     return str(call(GetState, "get_state").current_state.label)
 
 
-def test_it_goes_where_it_is_told_and_everybody_hears(
+def test_requested_transitions_are_made_and_published(
     node: Node, call: Call, managed: Program, spin_until: SpinUntil
 ) -> None:
     events: list[TransitionEvent] = []
@@ -100,7 +100,7 @@ def test_it_goes_where_it_is_told_and_everybody_hears(
         ("raise", [("transition_error", "errorprocessing"), ("transition_success", "unconfigured")]),
     ],
 )
-def test_a_transition_that_goes_wrong(
+def test_failing_transitions_are_reported(
     node: Node,
     call: Call,
     managed: Program,
@@ -127,7 +127,7 @@ def test_a_transition_that_goes_wrong(
     assert change(call, "configure")
 
 
-def test_what_it_can_do(call: Call) -> None:
+def test_available_states_and_transitions_are_listed(call: Call) -> None:
     states = call(GetAvailableStates, "get_available_states").available_states
     assert [(each.id, each.label) for each in states] == [
         (0, "unknown"),
@@ -151,7 +151,7 @@ def test_what_it_can_do(call: Call) -> None:
     assert len(graph) == 25
 
 
-def test_its_log_goes_to_the_console_to_rosout_and_to_a_file_at_the_level_that_is_set(
+def test_log_goes_to_console_rosout_and_file_at_the_set_level(
     node: Node, call: Call, managed: Program, spin_until: SpinUntil, tmp_path: Path
 ) -> None:
     records: list[Log] = []
@@ -160,7 +160,7 @@ def test_its_log_goes_to_the_console_to_rosout_and_to_a_file_at_the_level_that_i
     spin_until(lambda: all(each.get_publisher_count() == 2 for each in node.subscriptions))
     names = ["managed", "rclpy", ""]
     levels = call(GetLoggerLevels, "get_logger_levels", names=names).levels
-    assert [each.level for each in levels] == [0, 0, 20]  # what was set for each name
+    assert [each.level for each in levels] == [0, 0, 20]  # the level set for each name
     assert change(call, "configure")
     spin_until(lambda: records)
     assert change(call, "cleanup")

@@ -1,4 +1,4 @@
-"""Parameters of a node in another process: read, set, watched, and given by file."""
+"""Parameters of a node in another process: read, set, watched, and loaded from files."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def values(response: Any) -> list[Any]:
     return [parameter_value_to_python(value) for value in response.values]
 
 
-def test_every_type_goes_there_and_back(client: AsyncParameterClient, finish: Finish) -> None:
+def test_values_of_every_type_survive_set_and_get(client: AsyncParameterClient, finish: Finish) -> None:
     types = finish(client.get_parameter_types(list(TYPES))).types
     assert list(types) == [kind for _, kind in TYPES.values()]
     wishes = [Parameter(name, value=value) for name, (value, _) in TYPES.items()]
@@ -56,16 +56,16 @@ def test_every_type_goes_there_and_back(client: AsyncParameterClient, finish: Fi
     ] == [value for value, _ in TYPES.values()]
 
 
-def test_changes_are_told_to_everybody(
+def test_changes_are_published_to_all_nodes(
     client: AsyncParameterClient, finish: Finish, spin_until: SpinUntil
 ) -> None:
     events: list[ParameterEvent] = []
     subscription = client.on_parameter_event(events.append)
-    spin_until(lambda: subscription.get_publisher_count() == 2)  # this node's too
+    spin_until(lambda: subscription.get_publisher_count() == 2)  # this node's event, too
     finish(client.set_parameters([Parameter("integer", value=8), Parameter("unset", value="set")]))
     finish(client.set_parameters([Parameter("free", value="another type")]))
     finish(client.delete_parameters(["free"]))
-    finish(client.set_parameters([Parameter("integer", value=13)]))  # refused: nothing to tell
+    finish(client.set_parameters([Parameter("integer", value=13)]))  # rejected: no event
     finish(client.set_parameters_atomically([Parameter("integer", value=1), Parameter("part", value=0.0)]))
     spin_until(lambda: len(events) == 5)
     assert {event.node for event in events} == {"/ns/remote"}
@@ -96,7 +96,7 @@ def test_changes_are_told_to_everybody(
         ("/*", False),
     ],
 )
-def test_a_file_is_for_the_nodes_that_it_names(
+def test_parameter_file_applies_to_the_named_nodes(
     node: Node, start: Start, finish: Finish, tmp_path: Path, pattern: str, is_meant: bool
 ) -> None:
     path = tmp_path / "p.yaml"
@@ -107,7 +107,7 @@ def test_a_file_is_for_the_nodes_that_it_names(
     assert values(finish(client.get_parameters(["from_file"]))) == ["found" if is_meant else ""]
 
 
-def test_qos_and_values_from_files_and_the_command_line(
+def test_qos_and_values_come_from_files_and_the_command_line(
     node: Node, start: Start, finish: Finish, spin_until: SpinUntil, tmp_path: Path
 ) -> None:
     path = tmp_path / "p.yaml"
@@ -145,7 +145,7 @@ def test_qos_and_values_from_files_and_the_command_line(
     assert refused.reason == f"Trying to set a read-only parameter: {prefix}depth."
 
 
-def test_a_file_is_loaded_into_a_running_node(
+def test_parameter_file_is_loaded_into_a_running_node(
     client: AsyncParameterClient, finish: Finish, tmp_path: Path
 ) -> None:
     path = tmp_path / "p.yaml"

@@ -1,4 +1,4 @@
-"""Parameters of one node in another process that many tests ask, and leave as they were."""
+"""Parameters of one node in another process, which the tests read and leave unchanged."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def remote(module_domain_id: int, start_module_program: Callable[..., Program]) 
 
 @pytest.fixture
 def domain_id(module_domain_id: int) -> int:
-    """Put each test's node on the domain of the module."""
+    """Use the domain of the module for each test's node."""
     return module_domain_id
 
 
@@ -50,7 +50,7 @@ def client(node: Node) -> AsyncParameterClient:
         ("unknown", 1, "Invalid access to undeclared parameter(s): ['unknown']"),
     ],
 )
-def test_a_refusal_has_its_reason(
+def test_rejection_has_a_reason(
     client: AsyncParameterClient, finish: Finish, name: str, value: object, reason: str
 ) -> None:
     (before,) = finish(client.get_parameters(["integer"])).values
@@ -68,7 +68,7 @@ def test_a_refusal_has_its_reason(
     assert finish(client.get_parameters(["integer"])).values == [before]
 
 
-def test_lists_descriptions_and_what_isnt_there(client: AsyncParameterClient, finish: Finish) -> None:
+def test_lists_descriptions_and_unknown_names(client: AsyncParameterClient, finish: Finish) -> None:
     result = finish(client.list_parameters(["group"])).result
     assert (result.names, result.prefixes) == (["group.inner.deep"], ["group.inner"])
     assert finish(client.list_parameters(["group"], depth=1)).result.names == []

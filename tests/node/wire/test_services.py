@@ -1,4 +1,4 @@
-"""Servers that are killed, many clients at once, and servers that must not be spoken to."""
+"""Killed servers, many clients at once, and servers of other vendors."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ Start = Callable[..., Program]
 Finish = Callable[..., Any]
 
 
-def test_a_server_killed_in_mid_call(
+def test_server_killed_during_a_call(
     short_lease: float, node: Node, executor: SingleThreadedExecutor, start: Start, finish: Finish
 ) -> None:
     server = start("service_server")
@@ -61,19 +61,21 @@ def test_a_server_killed_in_mid_call(
     assert not lost.done()
 
 
-def test_a_server_that_is_back_at_once_is_called_at_once(node: Node, start: Start, finish: Finish) -> None:
+def test_restarted_server_is_called_at_once(node: Node, start: Start, finish: Finish) -> None:
     client = node.create_client(AddTwoInts, "add")
     server = start("service_server")
     assert client.wait_for_service(timeout_sec=20)
     server.signal(signal.SIGKILL)
     server.wait()
     start("service_server")
-    wait_until(lambda: client._endpoint._requests.matched_count() == 2)  # the dead one still has its lease
+    wait_until(
+        lambda: client._endpoint._requests.matched_count() == 2
+    )  # the lease of the killed one has not ended
     wait_until(lambda: client._endpoint._responses.matched_count() == 2)
     assert finish(client.call_async(AddTwoInts.Request(a=1, b=2))).sum == 3
 
 
-def test_both_ends_of_a_call_tell_of_it_by_the_same_ids(
+def test_client_and_server_events_have_the_same_ids(
     node: Node, start: Start, finish: Finish, spin_until: Callable[..., None]
 ) -> None:
     start("service_server")
@@ -101,7 +103,7 @@ def test_both_ends_of_a_call_tell_of_it_by_the_same_ids(
         assert not told[ServiceEventInfo.REQUEST_SENT].request  # metadata alone
 
 
-def test_many_clients_in_many_processes_get_their_own_answers(
+def test_each_of_many_client_processes_receives_its_responses(
     domain_id: int, start: Start, start_program: Callable[..., Program]
 ) -> None:
     start("service_server")
@@ -124,7 +126,7 @@ def test_many_clients_in_many_processes_get_their_own_answers(
         assert caller.lines[-1] == "right: 200"
 
 
-def test_a_client_of_another_vendor_is_not_answered_and_the_log_says_once_what_to_do(
+def test_client_of_another_vendor_is_ignored_with_one_log_line(
     node: Node,
     executor: SingleThreadedExecutor,
     start: Start,
@@ -138,7 +140,7 @@ def test_a_client_of_another_vendor_is_not_answered_and_the_log_says_once_what_t
         return response
 
     node.create_service(AddTwoInts, "add", add)
-    monkeypatch.setattr(cyclone_services, "CYCLONE_VENDOR", b"\x01\x0f")  # as if all others were of Fast DDS
+    monkeypatch.setattr(cyclone_services, "CYCLONE_VENDOR", b"\x01\x0f")  # as if all peers were Fast DDS's
     start("service_caller")
     advice = (
         "dropped a request: a client of /add runs on another DDS vendor, whose form of services isn't ours"
@@ -158,7 +160,7 @@ def test_a_client_of_another_vendor_is_not_answered_and_the_log_says_once_what_t
     assert not asked
 
 
-def test_a_server_of_another_vendor_is_not_called_and_the_log_says_once_what_to_do(
+def test_server_of_another_vendor_is_not_called_with_one_log_line(
     node: Node,
     start: Start,
     finish: Finish,
@@ -168,7 +170,7 @@ def test_a_server_of_another_vendor_is_not_called_and_the_log_says_once_what_to_
     server = start("service_server")
     client = node.create_client(AddTwoInts, "hang")
     assert client.wait_for_service(timeout_sec=20)
-    monkeypatch.setattr(cyclone_services, "CYCLONE_VENDOR", b"\x01\x0f")  # as if all others were of Fast DDS
+    monkeypatch.setattr(cyclone_services, "CYCLONE_VENDOR", b"\x01\x0f")  # as if all peers were Fast DDS's
     assert not client.service_is_ready()
     assert not client.wait_for_service(timeout_sec=0.3)
     advice = (
@@ -184,4 +186,4 @@ def test_a_server_of_another_vendor_is_not_called_and_the_log_says_once_what_to_
     adding = node.create_client(AddTwoInts, "add")
     assert adding.wait_for_service(timeout_sec=20)
     assert finish(adding.call_async(AddTwoInts.Request(a=1, b=1))).sum == 2
-    assert "hanging" not in server.output  # nothing of the refused call went out before
+    assert "hanging" not in server.output  # no part of the rejected call was sent before

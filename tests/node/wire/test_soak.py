@@ -1,4 +1,4 @@
-"""The soak of the benchmarks, for some seconds: guests come and go, and what a node that stays hears is whole."""
+"""The soak test of the benchmarks, for some seconds: processes join and leave, and no message is lost."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ pytestmark = pytest.mark.slow
 ROOT = Path(__file__).parents[3]
 
 
-def test_nothing_is_lost_while_processes_come_and_go(
+def test_no_message_is_lost_while_processes_join_and_leave(
     domain_id: int, start_program: Callable[..., Program]
 ) -> None:
     program = start_program("python", "-m", "benchmarks.node.soak", "--seconds", "8", cwd=ROOT)

@@ -1,7 +1,7 @@
-# cyclonedds reads its annotations as types, so they can't be put off: no `from __future__ import annotations`.
-"""Talk or listen on `rt/chatter` as a std_msgs/msg/String, with the classes and types of cyclonedds' Python API.
+# No `from __future__ import annotations`, because cyclonedds evaluates annotations as types.
+"""Write or read std_msgs/msg/String on `rt/chatter`, with the classes and types of cyclonedds' Python API.
 
-Arguments: the domain, and `talk` or `listen`. Prints what it hears; ends after three messages.
+Arguments: the domain, and `talk` or `listen`. Prints the received messages; ends after three.
 """
 
 import sys

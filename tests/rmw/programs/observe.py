@@ -1,6 +1,6 @@
-"""Print each endpoint and participant of a domain as a bare DDS participant sees them, a line of JSON each.
+"""Print each endpoint and participant of a domain that a plain DDS participant discovers, a line of JSON each.
 
-Arguments: the domain, and how many endpoints on `rt/…` to wait for.
+Arguments: the domain, and the number of endpoints on `rt/…` to wait for.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A participant of its own process, told by lines of JSON on stdin what to do: one answer line for each."""
+"""A participant in a separate process, controlled by lines of JSON on stdin, with one reply line for each."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ class Peer:
         return [node.full for node in self.participant.graph.nodes()]
 
     def cpu_s(self, during_s: float) -> float:
-        """Return the CPU time of all threads in a stretch of doing nothing."""
+        """Return the CPU time of all threads during an idle period."""
         before = time.process_time()
         time.sleep(during_s)
         return time.process_time() - before

@@ -1,4 +1,4 @@
-"""User code that a strict type checker has nothing to say about."""
+"""User code without errors for a strict type checker."""
 
 import numpy as np
 from geometry_msgs.msg import PoseWithCovariance, TransformStamped, Twist

@@ -1,4 +1,4 @@
-"""Each line that says `# error: CODE` must be one for a type checker, and no other."""
+"""Each line with `# error: CODE` must be an error for a type checker, and no other line."""
 
 from geometry_msgs.msg import Twist, Vector3
 from std_msgs.msg import String

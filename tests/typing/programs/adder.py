@@ -1,4 +1,4 @@
-"""A service, its client and an action's client, as a rclpy user writes them."""
+"""A service, its client and an action's client, as in rclpy programs."""
 
 import rclpy
 from example_interfaces.action import Fibonacci
@@ -8,7 +8,7 @@ from rclpy.node import Node
 
 
 class Adder(Node):
-    """Adds two integers, and asks itself to."""
+    """Adds two integers, and calls its own service."""
 
     def __init__(self) -> None:
         super().__init__("adder")

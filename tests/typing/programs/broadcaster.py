@@ -1,4 +1,4 @@
-"""A node as a rclpy user writes it."""
+"""A node as in rclpy programs."""
 
 import rclpy
 from geometry_msgs.msg import TransformStamped, Twist, Vector3
@@ -18,7 +18,7 @@ from turtlesim.msg import Pose
 
 
 class Broadcaster(Node):
-    """Hands a pose on as a transform."""
+    """Broadcasts a pose as a transform."""
 
     def __init__(self) -> None:
         super().__init__("broadcaster")
@@ -42,7 +42,7 @@ class Broadcaster(Node):
         self.static_broadcaster.sendTransform([transform])
 
     def on_timer(self) -> None:
-        """Look where the turtle is."""
+        """Look up the pose of the turtle."""
         try:
             found = self.buffer.lookup_transform("world", self.child, Time(), timeout=Duration(seconds=1.0))
         except TransformException as error:

@@ -1,4 +1,4 @@
-"""A waitable, an executor of its own, and what rclpy offers for both."""
+"""A waitable, a custom executor, and rclpy's classes for both."""
 
 from typing import Any
 

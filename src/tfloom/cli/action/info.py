@@ -8,10 +8,10 @@ from tfloom.cli.action.common import ActionEnd, ends_of_action
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `action info` takes."""
+    """Add the arguments of `action info`."""
     parser.add_argument("action_name", help="name of the action")
     parser.add_argument("-t", "--show-types", action="store_true", help="show the type that each node uses")
-    parser.add_argument("-c", "--count", action="store_true", help="show only how many there are")
+    parser.add_argument("-c", "--count", action="store_true", help="show only the number")
     parser.add_argument("--json", action="store_true", help="print JSON for programs")
 
 

@@ -9,9 +9,9 @@ from tfloom.cli.listing import print_json
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `action list` takes."""
+    """Add the arguments of `action list`."""
     parser.add_argument("-t", "--show-types", action="store_true", help="show each action's types")
-    parser.add_argument("-c", "--count-actions", action="store_true", help="show only how many there are")
+    parser.add_argument("-c", "--count-actions", action="store_true", help="show only the number")
     parser.add_argument("--json", action="store_true", help="print a JSON list for programs")
 
 

@@ -20,26 +20,28 @@ from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl.yaml_text import message_to_yaml
 
 STATUS = ("UNKNOWN", "ACCEPTED", "EXECUTING", "CANCELING", "SUCCEEDED", "CANCELED", "ABORTED")
-"""The names of the numbers of `action_msgs/msg/GoalStatus`."""
-CANCEL_REFUSALS = {1: "it was rejected", 2: "it knows no such goal", 3: "the goal has ended already"}
+"""The names of the constants of `action_msgs/msg/GoalStatus`."""
+CANCEL_REFUSALS = {1: "it was rejected", 2: "the goal is unknown", 3: "the goal has ended"}
 """The meanings of the codes of `action_msgs/srv/CancelGoal`."""
 CANCEL_TIMEOUT_S = 5.0
 FEEDBACK_TIMEOUT_S = 2.0
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `action send_goal` takes."""
+    """Add the arguments of `action send_goal`."""
     parser.add_argument("action_name", help="name of the action")
-    parser.add_argument("action_type", help="its type, as turtlesim/action/RotateAbsolute")
-    parser.add_argument("goal", nargs="?", default="{}", help="the goal's fields in YAML, as '{theta: 1.57}'")
-    parser.add_argument("--stdin", action="store_true", help="read the goal's YAML from the input")
-    parser.add_argument("-f", "--feedback", action="store_true", help="print the feedback as it comes")
+    parser.add_argument("action_type", help="its type, for example turtlesim/action/RotateAbsolute")
+    parser.add_argument(
+        "goal", nargs="?", default="{}", help="the goal's fields in YAML, for example '{theta: 1.57}'"
+    )
+    parser.add_argument("--stdin", action="store_true", help="read the goal's YAML from standard input")
+    parser.add_argument("-f", "--feedback", action="store_true", help="print the feedback")
 
 
 def main(args: argparse.Namespace) -> int:
-    """Send the goal and wait for its end; Ctrl-C cancels it. Return 1 where it didn't succeed."""
+    """Send the goal and wait for its end; Ctrl-C cancels it. Return 1 if it did not succeed."""
     name = full_topic_name(args.action_name, "action")
-    cls = action_class(args.action_type, ask_graph=True)
+    cls = action_class(args.action_type, search_graph=True)
     goal = cls.Goal()
     fill_message(goal, parse_yaml(standard_input().read() if args.stdin else args.goal))
     with ExitStack() as ends:
@@ -91,12 +93,12 @@ class _ActionClient:
         self._feedback: Reader | None = None
 
     def wait_for_server(self) -> None:
-        """Wait until all three services of the action are there."""
+        """Wait until all three services of the action are ready."""
         for client in (self._send_goal, self._get_result, self._cancel_goal):
             client.wait_for_server()
 
     def listen_to_feedback(self, participant: Participant, node: NodeName, ends: ExitStack) -> None:
-        """Print feedback from now on, and wait until its publisher is matched."""
+        """Subscribe to feedback, to print it, and wait until its publisher is matched."""
         cls = self._class.Impl.FeedbackMessage
         topic = topic_of(cls, self._name + FEEDBACK)
         self._feedback = participant.create_reader(node, topic, QoS())

@@ -9,7 +9,7 @@ from tfloom.cli.listing import print_names
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `action type` takes."""
+    """Add the arguments of `action type`."""
     parser.add_argument("action_name", help="name of the action")
     parser.add_argument("--json", action="store_true", help="print a JSON list for programs")
 

@@ -1,1 +1,1 @@
-"""`daemon`: the verbs print that there is none."""
+"""`daemon`: the verbs explain that there is none."""

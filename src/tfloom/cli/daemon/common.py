@@ -4,8 +4,8 @@ from __future__ import annotations
 
 
 def no_daemon() -> int:
-    """Print that none is needed."""
+    """Print that no daemon is needed."""
     print(
-        "There is no daemon, and none is needed: each command finds the others by itself, in a quarter of a second."
+        "There is no daemon, and none is needed: each command discovers the other programs in a quarter of a second."
     )
     return 0

@@ -1,4 +1,4 @@
-"""Say that there is no daemon to start."""
+"""Explain that there is no daemon to start."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from tfloom.cli.daemon.common import no_daemon
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `daemon start` takes."""
-    parser.add_argument("--debug", action="store_true", help="accepted and not needed")
+    """Add the arguments of `daemon start`."""
+    parser.add_argument("--debug", action="store_true", help="accepted and not used")
 
 
 def main(_: argparse.Namespace) -> int:

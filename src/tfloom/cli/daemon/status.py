@@ -1,4 +1,4 @@
-"""Say that there is no daemon to ask."""
+"""Explain that there is no daemon with a status."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from tfloom.cli.daemon.common import no_daemon
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `daemon status` takes."""
+    """Add the arguments of `daemon status`: none."""
     del parser  # It takes nothing.
 
 

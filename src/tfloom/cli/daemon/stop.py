@@ -1,4 +1,4 @@
-"""Say that there is no daemon to stop."""
+"""Explain that there is no daemon to stop."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from tfloom.cli.daemon.common import no_daemon
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `daemon stop` takes."""
+    """Add the arguments of `daemon stop`: none."""
     del parser  # It takes nothing.
 
 

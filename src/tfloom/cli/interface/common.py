@@ -17,7 +17,7 @@ def add_kind_flags(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--json", action="store_true", help="print JSON for programs")
 
 
-def asked_kinds(args: argparse.Namespace) -> list[str]:
+def requested_kinds(args: argparse.Namespace) -> list[str]:
     """Return the kinds that the flags select; all without a flag."""
     asked = dict(zip(KINDS, (args.only_msgs, args.only_srvs, args.only_actions), strict=True))
     return [kind for kind in KINDS if asked[kind]] or list(KINDS)

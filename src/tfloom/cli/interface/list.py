@@ -4,19 +4,19 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.interface.common import TITLES, add_kind_flags, asked_kinds
+from tfloom.cli.interface.common import TITLES, add_kind_flags, requested_kinds
 from tfloom.cli.listing import print_json
 from tfloom.workspace.interfaces import known_interfaces
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `interface list` takes."""
+    """Add the arguments of `interface list`."""
     add_kind_flags(parser)
 
 
 def main(args: argparse.Namespace) -> int:
     """Print the names of each kind under the kind's title."""
-    names = {kind: known_interfaces(kind) for kind in asked_kinds(args)}
+    names = {kind: known_interfaces(kind) for kind in requested_kinds(args)}
     if args.json:
         print_json(names)
         return 0

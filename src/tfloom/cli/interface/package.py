@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 
 from tfloom.cli.errors import CommandError
-from tfloom.cli.interface.common import add_kind_flags, asked_kinds
+from tfloom.cli.interface.common import add_kind_flags, requested_kinds
 from tfloom.cli.listing import print_names
 from tfloom.cli.names import did_you_mean
 from tfloom.rosidl.definition_files import interfaces_of
@@ -13,7 +13,7 @@ from tfloom.workspace.interfaces import interface_packages
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `interface package` takes."""
+    """Add the arguments of `interface package`."""
     parser.add_argument("package_name", help="name of the package")
     add_kind_flags(parser)
 
@@ -28,7 +28,7 @@ def main(args: argparse.Namespace) -> int:
         )
     names = [
         f"{args.package_name}/{kind}/{name}"
-        for kind in asked_kinds(args)
+        for kind in requested_kinds(args)
         for name in interfaces_of(folder, kind)
     ]
     print_names(names, as_json=args.json)

@@ -4,20 +4,20 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.interface.common import add_kind_flags, asked_kinds
+from tfloom.cli.interface.common import add_kind_flags, requested_kinds
 from tfloom.cli.listing import print_names
 from tfloom.rosidl.definition_files import interfaces_of
 from tfloom.workspace.interfaces import interface_packages
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `interface packages` takes."""
+    """Add the arguments of `interface packages`."""
     add_kind_flags(parser)
 
 
 def main(args: argparse.Namespace) -> int:
     """Print the packages in order of their names."""
-    kinds = asked_kinds(args)
+    kinds = requested_kinds(args)
     names = [
         package
         for package, folder in interface_packages().items()

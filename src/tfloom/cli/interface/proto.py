@@ -1,4 +1,4 @@
-"""Print a YAML value to start from: a message's fields, a service's request or an action's goal."""
+"""Print a YAML template: a message's fields, a service's request or an action's goal."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from tfloom.rosidl.yaml_text import message_to_yaml
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `interface proto` takes."""
-    parser.add_argument("--no-quotes", action="store_true", help="print no quotes around it")
-    parser.add_argument("type", help="name of the interface, as geometry_msgs/msg/Twist")
+    """Add the arguments of `interface proto`."""
+    parser.add_argument("--no-quotes", action="store_true", help="print without quotes")
+    parser.add_argument("type", help="name of the interface, for example geometry_msgs/msg/Twist")
 
 
 def main(args: argparse.Namespace) -> int:

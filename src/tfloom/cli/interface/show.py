@@ -1,4 +1,4 @@
-"""Print an interface's definition, the fields of its fields' types beneath them."""
+"""Print an interface's definition, with the fields of nested types below each field."""
 
 from __future__ import annotations
 
@@ -11,12 +11,13 @@ from tfloom.workspace.interfaces import expanded_definition
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `interface show` takes."""
+    """Add the arguments of `interface show`."""
     comments = parser.add_mutually_exclusive_group()
-    comments.add_argument("--all-comments", action="store_true", help="comments of the inner types, too")
-    comments.add_argument("--no-comments", action="store_true", help="no comments and no empty lines")
+    comments.add_argument("--all-comments", action="store_true", help="show comments of nested types, too")
+    comments.add_argument("--no-comments", action="store_true", help="show no comments and no empty lines")
     parser.add_argument(
-        "type", help="name of the interface, as std_msgs/msg/String; - reads names from the input"
+        "type",
+        help="name of the interface, for example std_msgs/msg/String; - reads names from standard input",
     )
 
 

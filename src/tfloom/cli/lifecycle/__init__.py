@@ -1,1 +1,1 @@
-"""`lifecycle`: nodes that are configured, activated and shut down from outside."""
+"""`lifecycle`: states and transitions of lifecycle nodes."""

@@ -1,4 +1,4 @@
-"""The common part of the verbs about lifecycle nodes: the nodes with a lifecycle, and their services."""
+"""The common part of the verbs about lifecycle nodes: the nodes, and their services."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class Lifecycle:
         return self._call("get_state", srv.GetState, srv.GetState.Request()).current_state
 
     def transitions(self, *, of_all_states: bool = False) -> list[Any]:
-        """Return the transitions that are available now, or all that the node has."""
+        """Return the transitions that are available in the present state, or all of the node."""
         service = "get_transition_graph" if of_all_states else "get_available_transitions"
         request = srv.GetAvailableTransitions.Request()
         return list(self._call(service, srv.GetAvailableTransitions, request).available_transitions)
@@ -70,10 +70,10 @@ def lifecycle_nodes(found: Graph, *, hidden: bool) -> list[str]:
 
 @contextmanager
 def lifecycles(args: argparse.Namespace, asked: str | None) -> Iterator[list[Lifecycle]]:
-    """Yield the lifecycle of the named node, or, with None, of each that has one.
+    """Yield the lifecycle of the named node, or, with None, of each lifecycle node.
 
     Raises:
-        CommandError: the named node has none; the text has the nearest that has one.
+        CommandError: there is no such lifecycle node; the text has the nearest names.
     """
     with graph.joined_participant() as participant:
         graph.wait_until_quiet(participant.graph, args.spin_time)

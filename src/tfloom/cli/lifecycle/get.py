@@ -4,23 +4,23 @@ from __future__ import annotations
 
 import argparse
 
-from tfloom.cli.calls import ask_each
+from tfloom.cli.calls import call_each
 from tfloom.cli.lifecycle.common import add_arguments as add_common_arguments
 from tfloom.cli.lifecycle.common import lifecycles
 from tfloom.cli.listing import print_json
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `lifecycle get` takes."""
+    """Add the arguments of `lifecycle get`."""
     add_common_arguments(parser)
     parser.add_argument("node_name", nargs="?", help="full name of the node")
     parser.add_argument("--json", action="store_true", help="print JSON for programs")
 
 
 def main(args: argparse.Namespace) -> int:
-    """Print label and number of the state, after the node's name where all are listed."""
+    """Print label and id of the state, after the node's name if all nodes are listed."""
     with lifecycles(args, args.node_name) as nodes:
-        states = ask_each({node.node: node.state for node in nodes})
+        states = call_each({node.node: node.state for node in nodes})
     if args.json:
         print_json(states)
         return 0

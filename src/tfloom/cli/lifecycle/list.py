@@ -10,17 +10,20 @@ from tfloom.cli.listing import print_json
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `lifecycle list` takes."""
+    """Add the arguments of `lifecycle list`."""
     add_common_arguments(parser)
     parser.add_argument(
-        "-a", "--all", action="store_true", help="list those of all states, not only of this one"
+        "-a",
+        "--all",
+        action="store_true",
+        help="list the transitions of all states, not only of the present one",
     )
     parser.add_argument("node_name", help="full name of the node")
     parser.add_argument("--json", action="store_true", help="print a JSON list for programs")
 
 
 def main(args: argparse.Namespace) -> int:
-    """Print each transition with the states it leads from and to."""
+    """Print each transition with its start and goal states."""
     with lifecycles(args, args.node_name) as nodes:
         transitions = nodes[0].transitions(of_all_states=args.all)
     if args.json:

@@ -10,12 +10,12 @@ from tfloom.cli.listing import print_names
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `lifecycle nodes` takes."""
+    """Add the arguments of `lifecycle nodes`."""
     graph.add_arguments(parser)
     parser.add_argument(
         "-a", "--all", action="store_true", help="show nodes whose name begins with an underscore, too"
     )
-    parser.add_argument("-c", "--count-nodes", action="store_true", help="show only how many there are")
+    parser.add_argument("-c", "--count-nodes", action="store_true", help="show only the number")
     parser.add_argument("--json", action="store_true", help="print a JSON list for programs")
 
 

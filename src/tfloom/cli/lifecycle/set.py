@@ -10,14 +10,14 @@ from tfloom.cli.lifecycle.common import lifecycles
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `lifecycle set` takes."""
+    """Add the arguments of `lifecycle set`."""
     add_common_arguments(parser)
     parser.add_argument("node_name", help="full name of the node")
-    parser.add_argument("transition", help="label or number of the transition, as configure")
+    parser.add_argument("transition", help="label or id of the transition, for example configure")
 
 
 def main(args: argparse.Namespace) -> int:
-    """Request it and print the outcome."""
+    """Request the transition and print the outcome."""
     with lifecycles(args, args.node_name) as nodes:
         transitions = [each.transition for each in nodes[0].transitions()]
         wanted = [each for each in transitions if args.transition in {each.label, str(each.id)}]

@@ -1,4 +1,4 @@
-"""Receive one UDP multicast datagram: this machine's, or the subnet's where the discovery range includes it."""
+"""Receive one UDP multicast datagram, of this machine, or of the subnet if the discovery range includes it."""
 
 from __future__ import annotations
 
@@ -17,15 +17,13 @@ IP_MULTICAST_ALL = 49
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `multicast receive` takes."""
+    """Add the arguments of `multicast receive`."""
     add_common_arguments(parser)
-    parser.add_argument(
-        "--timeout", type=seconds, help="wait no longer than so many seconds (default: until Ctrl-C)"
-    )
+    parser.add_argument("--timeout", type=seconds, help="longest wait in seconds (default: until Ctrl-C)")
 
 
 def main(args: argparse.Namespace) -> int:
-    """Wait for it and print its sender and its text."""
+    """Wait for the datagram and print its sender and its text."""
     with udp_socket() as receiver:
         try:
             receiver.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
@@ -42,6 +40,6 @@ def main(args: argparse.Namespace) -> int:
         try:
             data, (host, port) = receiver.recvfrom(MOST_OCTETS)
         except (TimeoutError, BlockingIOError):
-            raise CommandError(f"no datagram came within {args.timeout:g} s") from None
+            raise CommandError(f"no datagram arrived within {args.timeout:g} s") from None
     print(f"Received from {host}:{port}: {data.decode('utf-8', 'backslashreplace')!r}")
     return 0

@@ -1,4 +1,4 @@
-"""Send one UDP multicast datagram: on this machine, or on the subnet where the discovery range includes it."""
+"""Send one UDP multicast datagram, on this machine, or on the subnet if the discovery range includes it."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ TEXT = b"Hello World!"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `multicast send` takes."""
+    """Add the arguments of `multicast send`."""
     add_common_arguments(parser)
     parser.add_argument(
-        "--ttl", type=_ttl, default=1, help="how many routers it may cross, and one (default: 1)"
+        "--ttl", type=_ttl, default=1, help="number of routers that it may cross, plus one (default: 1)"
     )
 
 

@@ -16,9 +16,9 @@ ACTION_TYPE_SUFFIX = "_SendGoal"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `node info` takes."""
+    """Add the arguments of `node info`."""
     graph.add_arguments(parser)
-    parser.add_argument("node_name", help="full name of the node, as /turtlesim")
+    parser.add_argument("node_name", help="full name of the node, for example /turtlesim")
     parser.add_argument(
         "--include-hidden",
         action="store_true",
@@ -60,7 +60,7 @@ def main(args: argparse.Namespace) -> int:
 
 
 def find_node(found: Graph, name: str) -> NodeName:
-    """Return the node of a full name; its first slash may be left out.
+    """Return the node of a full name; its first slash may be omitted.
 
     Raises:
         CommandError: there is none; the text has the nearest names.
@@ -73,7 +73,7 @@ def find_node(found: Graph, name: str) -> NodeName:
 
 
 def ends_of_node(found: Graph, node: NodeName, *, hidden: bool) -> dict[str, dict[str, list[str]]]:
-    """Return names and types of a node's ends, by the title of their kind."""
+    """Return names and types of a node's endpoints, by the title of their kind."""
     topics = [
         (end.is_writer, end.topic.name, end.topic.type_name) for end in found.endpoints() if end.node == node
     ]

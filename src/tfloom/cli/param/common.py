@@ -18,7 +18,7 @@ from tfloom.interfaces.rcl_interfaces.msg import Parameter, ParameterDescriptor,
 from tfloom.rmw.base import Graph, NodeName, Participant
 
 TIMEOUT_S = 5.0
-"""How long to wait for a node's response without --timeout [s]."""
+"""Wait for a node's response without --timeout [s]."""
 
 TYPES = (
     "not set",
@@ -32,7 +32,7 @@ TYPES = (
     "double array",
     "string array",
 )
-"""The names of the numbers of `rcl_interfaces/msg/ParameterType`."""
+"""The names of the constants of `rcl_interfaces/msg/ParameterType`."""
 
 
 def add_arguments(parser: argparse.ArgumentParser, *, timeout: bool = True) -> None:
@@ -41,7 +41,7 @@ def add_arguments(parser: argparse.ArgumentParser, *, timeout: bool = True) -> N
     parser.add_argument(
         "--include-hidden-nodes",
         action="store_true",
-        help="see nodes whose name begins with an underscore, too",
+        help="include nodes whose name begins with an underscore",
     )
     if timeout:
         parser.add_argument(
@@ -49,7 +49,7 @@ def add_arguments(parser: argparse.ArgumentParser, *, timeout: bool = True) -> N
             metavar="N",
             type=seconds,
             default=TIMEOUT_S,
-            help=f"wait no longer than so many seconds for the node (default: {TIMEOUT_S:g})",
+            help=f"longest wait for the node in seconds (default: {TIMEOUT_S:g})",
         )
     else:
         parser.set_defaults(timeout=TIMEOUT_S)
@@ -65,12 +65,12 @@ class ParameterServices:
         self._timeout_s = timeout_s
 
     def names(self, prefixes: Sequence[str] = ()) -> list[str]:
-        """Return the names of the parameters, all or those under some prefixes, in order."""
+        """Return the names of the parameters, all or those below prefixes, in order."""
         request = srv.ListParameters.Request(prefixes=list(prefixes))
         return sorted(self._call("list_parameters", srv.ListParameters, request).result.names)
 
     def value(self, name: str) -> ParameterValue:
-        """Return the value of a parameter; its type is 0 where there is none."""
+        """Return the value of a parameter; its type is 0 if there is none."""
         request = srv.GetParameters.Request(names=[name])
         # Nodes respond to an unknown name with a value of no type, or with no value.
         values = self._call("get_parameters", srv.GetParameters, request).values
@@ -80,7 +80,7 @@ class ParameterServices:
         """Return the values of parameters, in the order of the names; the type of one that has none is 0."""
         request = srv.GetParameters.Request(names=list(names))
         values = list(self._call("get_parameters", srv.GetParameters, request).values)
-        # If one was declared with a type and no value, nodes respond with no values at all.
+        # If one was declared with a type and no value, nodes respond without any values.
         return values if len(values) == len(names) else [self.value(name) for name in names]
 
     def types(self, names: Sequence[str]) -> list[int]:
@@ -108,7 +108,7 @@ class ParameterServices:
 
     def _one_each(self, asked: Sequence[Any], answers: Sequence[Any]) -> list[Any]:
         if len(answers) != len(asked):
-            raise CommandError(f"{self._node} knows not all of these parameters, or doesn't tell")
+            raise CommandError(f"the response of {self._node} doesn't have all of these parameters")
         return list(answers)
 
 
@@ -116,7 +116,7 @@ class ParameterServices:
 def nodes_with_parameters(
     args: argparse.Namespace, node_name: str | None
 ) -> Iterator[list[tuple[str, ParameterServices]]]:
-    """Yield the full name and the services of the named node, or, with None, of each that has some.
+    """Yield the full name and the parameter services of the named node, or, with None, of each node that has some.
 
     Raises:
         CommandError: there is no such node; the text has the nearest names.
@@ -144,12 +144,12 @@ def _node_names(found: Graph, args: argparse.Namespace, asked: str | None) -> li
 
 
 @contextmanager
-def asked_node(args: argparse.Namespace) -> Iterator[ParameterServices]:
+def requested_node(args: argparse.Namespace) -> Iterator[ParameterServices]:
     """Yield the parameter services of the named node; see `nodes_with_parameters`."""
     with nodes_with_parameters(args, args.node_name) as nodes:
         yield nodes[0][1]
 
 
 def unknown_parameter(services: ParameterServices, name: str) -> CommandError:
-    """Return the error about a parameter that a node doesn't have, with the names nearest to it."""
+    """Return the error about a parameter that a node doesn't have, with the nearest names."""
     return CommandError(f"Parameter not set{did_you_mean(name, services.names())}")

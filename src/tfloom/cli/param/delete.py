@@ -6,20 +6,20 @@ import argparse
 import sys
 
 from tfloom.cli.param.common import add_arguments as add_common_arguments
-from tfloom.cli.param.common import asked_node
+from tfloom.cli.param.common import requested_node
 from tfloom.interfaces.rcl_interfaces.msg import Parameter
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `param delete` takes."""
+    """Add the arguments of `param delete`."""
     add_common_arguments(parser)
     parser.add_argument("node_name", help="full name of the node")
     parser.add_argument("parameter_name", help="name of the parameter")
 
 
 def main(args: argparse.Namespace) -> int:
-    """Delete it by setting it to no type, and print the outcome."""
-    with asked_node(args) as services:
+    """Delete the parameter by setting it to a value without type, and print the outcome."""
+    with requested_node(args) as services:
         result = services.set([Parameter(name=args.parameter_name)])[0]
     reason = f": {result.reason}" if result.reason else ""
     if result.successful:

@@ -7,13 +7,13 @@ from collections.abc import Iterator
 from typing import Any
 
 from tfloom.cli.listing import print_json
-from tfloom.cli.param.common import TYPES, asked_node, unknown_parameter
+from tfloom.cli.param.common import TYPES, requested_node, unknown_parameter
 from tfloom.cli.param.common import add_arguments as add_common_arguments
 from tfloom.interfaces.rcl_interfaces.msg import ParameterDescriptor
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `param describe` takes."""
+    """Add the arguments of `param describe`."""
     add_common_arguments(parser)
     parser.add_argument("node_name", help="full name of the node")
     parser.add_argument("parameter_names", nargs="+", help="names of the parameters")
@@ -22,7 +22,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Print type, description and constraints of each."""
-    with asked_node(args) as services:
+    with requested_node(args) as services:
         known = services.names()
         for name in args.parameter_names:
             if name not in known:

@@ -12,10 +12,10 @@ from tfloom.cli.param.common import nodes_with_parameters
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `param dump` takes."""
+    """Add the arguments of `param dump`."""
     add_common_arguments(parser)
     parser.add_argument("node_name", help="full name of the node")
-    parser.add_argument("--json", action="store_true", help="print JSON in place of YAML, for programs")
+    parser.add_argument("--json", action="store_true", help="print JSON instead of YAML, for programs")
 
 
 def main(args: argparse.Namespace) -> int:

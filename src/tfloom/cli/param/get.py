@@ -6,7 +6,7 @@ import argparse
 
 from tfloom.cli.json_text import json_text
 from tfloom.cli.param.common import add_arguments as add_common_arguments
-from tfloom.cli.param.common import asked_node, unknown_parameter
+from tfloom.cli.param.common import requested_node, unknown_parameter
 
 LABELS = (
     "",
@@ -23,7 +23,7 @@ LABELS = (
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `param get` takes."""
+    """Add the arguments of `param get`."""
     add_common_arguments(parser)
     parser.add_argument("node_name", help="full name of the node")
     parser.add_argument("parameter_name", help="name of the parameter")
@@ -35,7 +35,7 @@ def main(args: argparse.Namespace) -> int:
     """Print the value after its type's label."""
     from tfloom.node.parameters.parameter import parameter_value_to_python
 
-    with asked_node(args) as services:
+    with requested_node(args) as services:
         message = services.value(args.parameter_name)
         if not 0 < message.type < len(LABELS):
             raise unknown_parameter(services, args.parameter_name)

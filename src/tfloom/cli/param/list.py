@@ -6,7 +6,7 @@ import argparse
 import re
 from functools import partial
 
-from tfloom.cli.calls import ask_each
+from tfloom.cli.calls import call_each
 from tfloom.cli.errors import CommandError
 from tfloom.cli.listing import print_json
 from tfloom.cli.param.common import TYPES, ParameterServices, nodes_with_parameters
@@ -14,26 +14,26 @@ from tfloom.cli.param.common import add_arguments as add_common_arguments
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `param list` takes."""
+    """Add the arguments of `param list`."""
     add_common_arguments(parser, timeout=False)
-    parser.add_argument("node_name", nargs="?", help="list this node's only")
-    parser.add_argument("--filter", help="list only names in which this regular expression is found")
+    parser.add_argument("node_name", nargs="?", help="list the parameters of this node only")
+    parser.add_argument("--filter", help="list only names that match this regular expression")
     parser.add_argument(
-        "--param-prefixes", nargs="+", default=[], help="list only names under these prefixes"
+        "--param-prefixes", nargs="+", default=[], help="list only names below these prefixes"
     )
     parser.add_argument("--param-type", action="store_true", help="show each parameter's type")
     parser.add_argument("--json", action="store_true", help="print JSON for programs")
 
 
 def main(args: argparse.Namespace) -> int:
-    """Print the names in order, under their node's name where all nodes are listed."""
+    """Print the names in order, below their node's name if all nodes are listed."""
     try:
         pattern = re.compile(args.filter or "")
     except re.error as error:
         raise CommandError(f"--filter isn't a regular expression: {error}") from None
     _find_node_among_prefixes(args)
     with nodes_with_parameters(args, args.node_name) as nodes:
-        found = ask_each({node: partial(_names, services, pattern, args) for node, services in nodes})
+        found = call_each({node: partial(_names, services, pattern, args) for node, services in nodes})
     if args.json:
         print_json(found)
         return 0
@@ -54,7 +54,7 @@ def _find_node_among_prefixes(args: argparse.Namespace) -> None:
 def _names(
     services: ParameterServices, pattern: re.Pattern[str], args: argparse.Namespace
 ) -> dict[str, str | None]:
-    """Return the types of the selected parameters by name; None where they weren't requested."""
+    """Return the types of the selected parameters by name; None if they weren't requested."""
     names = [name for name in services.names(args.param_prefixes) if pattern.search(name)]
     if not args.param_type:
         return dict.fromkeys(names)

@@ -12,15 +12,17 @@ from tfloom.interfaces.rcl_interfaces.msg import Parameter
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `param load` takes."""
+    """Add the arguments of `param load`."""
     add_common_arguments(parser)
     parser.add_argument("node_name", help="full name of the node")
     parser.add_argument("parameter_file", help="the YAML file")
-    parser.add_argument("--no-use-wildcard", action="store_true", help="leave out what the file has for /**")
+    parser.add_argument(
+        "--no-use-wildcard", action="store_true", help="skip the parameters for /** in the file"
+    )
 
 
 def main(args: argparse.Namespace) -> int:
-    """Set them one by one and print each outcome."""
+    """Set the parameters one by one and print each outcome."""
     with nodes_with_parameters(args, args.node_name) as nodes:
         node, services = nodes[0]
         parameters = [_parameter(name, value) for name, value in _values(args, node).items()]

@@ -6,24 +6,24 @@ import argparse
 import sys
 
 from tfloom.cli.param.common import add_arguments as add_common_arguments
-from tfloom.cli.param.common import asked_node
+from tfloom.cli.param.common import requested_node
 from tfloom.interfaces.rcl_interfaces.msg import Parameter
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `param set` takes."""
+    """Add the arguments of `param set`."""
     add_common_arguments(parser)
     parser.add_argument("node_name", help="full name of the node")
     parser.add_argument("parameter_name", help="name of the parameter")
-    parser.add_argument("value", help="its value in YAML, as 150, true, abc or '[1, 2]'")
+    parser.add_argument("value", help="its value in YAML, for example 150, true, abc or '[1, 2]'")
 
 
 def main(args: argparse.Namespace) -> int:
-    """Set it and print the outcome."""
+    """Set the parameter and print the outcome."""
     from tfloom.node.parameters.parameter import get_parameter_value
 
     parameter = Parameter(name=args.parameter_name, value=get_parameter_value(args.value))
-    with asked_node(args) as services:
+    with requested_node(args) as services:
         result = services.set([parameter])[0]
     reason = f": {result.reason}" if result.reason else ""
     if result.successful:

@@ -1,1 +1,1 @@
-"""`pkg`: packages of sourced workspaces, and tfloom's own."""
+"""`pkg`: packages of sourced workspaces and of tfloom."""

@@ -1,4 +1,4 @@
-"""Make a new package for a workspace."""
+"""Create a package in a workspace."""
 
 from __future__ import annotations
 
@@ -11,20 +11,22 @@ from tfloom.workspace.create import Package, create_package
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `pkg create` takes."""
+    """Add the arguments of `pkg create`."""
     blank = Package("")
     parser.add_argument("package_name", help="name of the package")
     parser.add_argument(
         "--build-type", default="ament_python", help="ament_python (default); others need C++"
     )
     parser.add_argument("--package-format", choices=["3"], default="3", help="format of package.xml")
-    parser.add_argument("--description", default=blank.description, help="one sentence on the package")
+    parser.add_argument("--description", default=blank.description, help="one sentence about the package")
     parser.add_argument("--license", default=blank.license, help="the licence's name, as in SPDX")
-    parser.add_argument("--destination-directory", default=".", help="where its folder goes (default: here)")
+    parser.add_argument(
+        "--destination-directory", default=".", help="folder to create it in (default: the current one)"
+    )
     parser.add_argument("--dependencies", nargs="+", default=[], help="packages that it uses")
     parser.add_argument("--maintainer-name", default=_user(), help="your name (default: the login's)")
     parser.add_argument("--maintainer-email", default=blank.email, help="your address")
-    parser.add_argument("--node-name", help="begin with a node of this name, and a program that runs it")
+    parser.add_argument("--node-name", help="add a node of this name, and a program that runs it")
 
 
 def _user() -> str:
@@ -49,7 +51,7 @@ def main(args: argparse.Namespace) -> int:
     try:
         written = create_package(package, Path(args.destination_directory))
     except FileExistsError as error:
-        raise CommandError(f"{error.filename} is there already; nothing was written") from None
+        raise CommandError(f"{error.filename} exists; nothing was written") from None
     except (OSError, ValueError) as error:
         raise CommandError(str(error)) from None
     for path in written:

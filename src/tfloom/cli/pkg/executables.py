@@ -10,10 +10,12 @@ from tfloom.workspace import index
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `pkg executables` takes."""
-    parser.add_argument("package_name", nargs="?", help="list this package's only")
+    """Add the arguments of `pkg executables`."""
+    parser.add_argument("package_name", nargs="?", help="list the programs of this package only")
     parser.add_argument(
-        "--full-path", action="store_true", help="print the programs' files; for ours, module and function"
+        "--full-path",
+        action="store_true",
+        help="print the programs' files; for tfloom's, module and function",
     )
     parser.add_argument("--json", action="store_true", help="print a JSON list for programs")
 

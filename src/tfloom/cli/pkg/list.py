@@ -9,7 +9,7 @@ from tfloom.workspace import index
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `pkg list` takes."""
+    """Add the arguments of `pkg list`."""
     parser.add_argument("--json", action="store_true", help="print a JSON list for programs")
 
 

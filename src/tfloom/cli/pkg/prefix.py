@@ -9,7 +9,7 @@ from tfloom.workspace import index
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `pkg prefix` takes."""
+    """Add the arguments of `pkg prefix`."""
     parser.add_argument("package_name", help="name of the package")
     parser.add_argument("--share", action="store_true", help="print the folder of its files instead")
 

@@ -10,9 +10,9 @@ from tfloom.workspace import index
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `pkg xml` takes."""
+    """Add the arguments of `pkg xml`."""
     parser.add_argument("package_name", help="name of the package")
-    parser.add_argument("-t", "--tag", help="print what this tag holds, as in -t version")
+    parser.add_argument("-t", "--tag", help="print the text of this tag, for example -t version")
 
 
 def main(args: argparse.Namespace) -> int:

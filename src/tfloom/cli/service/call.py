@@ -18,29 +18,31 @@ from tfloom.cli.numbers import rate, seconds
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `service call` takes."""
+    """Add the arguments of `service call`."""
     parser.add_argument("service_name", help="service to call")
-    parser.add_argument("service_type", help="its type, as turtlesim/srv/Spawn")
-    parser.add_argument("values", nargs="?", default="{}", help="the request's fields in YAML, as '{x: 2.0}'")
-    parser.add_argument("--stdin", action="store_true", help="read requests, YAML documents, from the input")
+    parser.add_argument("service_type", help="its type, for example turtlesim/srv/Spawn")
     parser.add_argument(
-        "-r", "--rate", metavar="N", type=rate, help="call again and again, so many times a second"
+        "values", nargs="?", default="{}", help="the request's fields in YAML, for example '{x: 2.0}'"
     )
+    parser.add_argument(
+        "--stdin", action="store_true", help="read requests, YAML documents, from standard input"
+    )
+    parser.add_argument("-r", "--rate", metavar="N", type=rate, help="call repeatedly, with this rate in Hz")
     parser.add_argument(
         "--timeout",
         metavar="N",
         type=seconds,
         default=float("inf"),
-        help="wait no longer than so many seconds",
+        help="longest wait in seconds",
     )
 
 
 def main(args: argparse.Namespace) -> int:
-    """Call once, for each request of the input, or again and again with --rate."""
+    """Call once, for each request in standard input, or repeatedly with --rate."""
     name = full_topic_name(args.service_name, "service")
     if args.rate is not None and not args.rate > 0:
         raise CommandError("rate must be greater than zero")
-    cls = service_class(args.service_type, ask_graph=True)
+    cls = service_class(args.service_type, search_graph=True)
     period_s = 1 / args.rate if args.rate else 0.0
     with (
         graph.joined_participant() as participant,

@@ -17,7 +17,7 @@ def add_hidden_flag(parser: argparse.ArgumentParser) -> None:
         "--include-hidden-services",
         action="store_true",
         default=argparse.SUPPRESS,
-        help="count in services with a part that begins with an underscore",
+        help="include services with a part that begins with an underscore",
     )
 
 

@@ -20,10 +20,10 @@ KINDS = ("REQUEST_SENT", "REQUEST_RECEIVED", "RESPONSE_SENT", "RESPONSE_RECEIVED
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `service echo` takes."""
+    """Add the arguments of `service echo`."""
     parser.set_defaults(spin_time=graph.MOST_S)
-    parser.add_argument("service_name", help="service to listen to")
-    parser.add_argument("service_type", nargs="?", help="its type; found out where somebody has the service")
+    parser.add_argument("service_name", help="name of the service")
+    parser.add_argument("service_type", nargs="?", help="its type; not needed for a service on the graph")
     parser.add_argument("--csv", action="store_true", help="print the values alone, with commas between")
     parser.add_argument(
         "--json", action="store_true", help="print a line of JSON for each event, for programs"
@@ -39,9 +39,9 @@ def main(args: argparse.Namespace) -> int:
     text = message_text.message_text(args)
     with graph.joined_participant() as participant:
         graph.wait_until_quiet(participant.graph, args.spin_time)
-        cls = service_class(args.service_type or _type_of(participant.graph, name)).Event
+        cls = service_class(args.service_type or _type_of(participant.graph, name), participant).Event
         if not publishers_of(participant.graph, events):
-            print(f"nobody publishes the events of {name} yet (see service introspection)", file=sys.stderr)
+            print(f"no publisher of the events of {name} yet (see service introspection)", file=sys.stderr)
         publishers = wait_for_publishers(participant.graph, events, float("inf"))
         for sample in samples(participant, events, cls, suiting_qos(publishers)):
             if (event := decoded(cls, sample)) is not None:
@@ -50,7 +50,7 @@ def main(args: argparse.Namespace) -> int:
 
 
 def _with_names(text: str) -> str:
-    """Replace the kind of event, a number in the first field of the text, by its name."""
+    """Replace the kind of event, a number in the first field of the text, with its name."""
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
 
     names = {getattr(ServiceEventInfo, name): name for name in KINDS}
@@ -66,5 +66,7 @@ def _with_names(text: str) -> str:
 def _type_of(found: Graph, name: str) -> str:
     types = service_types(found.service_ends()).get(name)
     if not types:
-        raise CommandError(f"Could not determine the type of service '{name}': nobody has it; name its type")
+        raise CommandError(
+            f"Could not determine the type of service '{name}': it isn't on the graph; pass its type"
+        )
     return types[0]

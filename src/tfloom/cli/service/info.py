@@ -9,7 +9,7 @@ from tfloom.cli.service.common import ends_of_service, service_types
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `service info` takes."""
+    """Add the arguments of `service info`."""
     graph.add_arguments(parser)
     parser.add_argument("service_name", help="name of the service")
     parser.add_argument("--json", action="store_true", help="print JSON for programs, with the nodes")

@@ -10,10 +10,10 @@ from tfloom.cli.service.common import add_hidden_flag, service_types
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `service list` takes."""
+    """Add the arguments of `service list`."""
     graph.add_arguments(parser)
     parser.add_argument("-t", "--show-types", action="store_true", help="show each service's types")
-    parser.add_argument("-c", "--count-services", action="store_true", help="show only how many there are")
+    parser.add_argument("-c", "--count-services", action="store_true", help="show only the number")
     add_hidden_flag(parser)
     parser.add_argument("--json", action="store_true", help="print a JSON list for programs")
 

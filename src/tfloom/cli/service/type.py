@@ -10,7 +10,7 @@ from tfloom.cli.service.common import ends_of_service, service_types
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `service type` takes."""
+    """Add the arguments of `service type`."""
     parser.set_defaults(spin_time=graph.MOST_S)
     parser.add_argument("service_name", help="name of the service")
     parser.add_argument("--json", action="store_true", help="print a JSON list for programs")

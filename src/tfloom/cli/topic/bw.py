@@ -13,9 +13,9 @@ UNITS = {"MB": 1e6, "KB": 1e3, "B": 1.0}
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `topic bw` takes."""
+    """Add the arguments of `topic bw`."""
     rates.add_arguments(parser, window=100)
-    parser.add_argument("topic", help="topic to listen to")
+    parser.add_argument("topic", help="name of the topic")
 
 
 def main(args: argparse.Namespace) -> int:
@@ -41,7 +41,7 @@ def main(args: argparse.Namespace) -> int:
 
 
 def bandwidth_text(sizes: list[float], duration_s: float) -> str:
-    """Return the two lines on messages of these sizes [octets] in a time [s]; the rate chooses the unit of all."""
+    """Return the two lines on messages of these sizes [octets] in a time [s]; the rate determines the unit."""
     mean, least, greatest, _ = rates.spread(sizes)
     per_second = sum(sizes) / duration_s if duration_s > 0 else float("inf")
     unit = next(unit for unit, octets in UNITS.items() if per_second >= octets or unit == "B")

@@ -12,9 +12,9 @@ from tfloom.rosidl.message import Message
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `topic delay` takes."""
+    """Add the arguments of `topic delay`."""
     rates.add_arguments(parser, window=10_000)
-    parser.add_argument("topic", help="topic to listen to")
+    parser.add_argument("topic", help="name of the topic")
 
 
 def main(args: argparse.Namespace) -> int:

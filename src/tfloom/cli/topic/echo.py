@@ -25,11 +25,11 @@ SENSOR_DATA = QoS(reliability=ReliabilityPolicy.BEST_EFFORT, depth=5)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `topic echo` takes."""
+    """Add the arguments of `topic echo`."""
     graph.add_arguments(parser)
-    qos.add_arguments(parser, default="what all of the topic's publishers offer")
-    parser.add_argument("topic_name", help="topic to listen to")
-    parser.add_argument("message_type", nargs="?", help="its type; found out where somebody has the topic")
+    qos.add_arguments(parser, default="compatible with all publishers of the topic")
+    parser.add_argument("topic_name", help="name of the topic")
+    parser.add_argument("message_type", nargs="?", help="its type; not needed for a topic on the graph")
     parser.add_argument("--csv", action="store_true", help="print the values alone, with commas between")
     parser.add_argument(
         "--field",
@@ -38,21 +38,19 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="print this field alone, as in header.stamp or transforms[0].header; may be given several times",
     )
     message_text.add_arguments(parser)
-    parser.add_argument(
-        "--no-lost-messages", action="store_true", help="don't tell of messages that were lost"
-    )
-    parser.add_argument("--raw", action="store_true", help="print the bytes as they came")
+    parser.add_argument("--no-lost-messages", action="store_true", help="don't report lost messages")
+    parser.add_argument("--raw", action="store_true", help="print the serialized bytes")
     parser.add_argument(
         "--filter",
         dest="filter_expr",
         help="print only if this Python expression is true; m is the message, or the field of --field",
     )
     parser.add_argument("--once", action="store_true", help="end after the first message")
-    parser.add_argument("--timeout", metavar="N", type=seconds, help="end after so many seconds")
+    parser.add_argument("--timeout", metavar="N", type=seconds, help="end after this time in seconds")
     parser.add_argument(
         "--include-message-info",
         action="store_true",
-        help="print before it when it was sent and when it came",
+        help="print the times of sending and receipt before each message",
     )
     parser.add_argument(
         "--json", action="store_true", help="print a line of JSON for each message, for programs"
@@ -60,16 +58,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(args: argparse.Namespace) -> int:
-    """Print messages until Ctrl-C, the first one with --once, or the end of --timeout."""
+    """Print messages until Ctrl-C, the first message with --once, or the end of --timeout."""
     name = full_topic_name(args.topic_name)
     end_s = float("inf") if args.timeout is None else time.monotonic() + args.timeout
     show = _printer(args)
     on_lost = None if args.no_lost_messages else _report_losses
     with graph.joined_participant() as participant:
-        asked_class = message_class(args.message_type, ask_graph=True) if args.message_type else None
+        requested_class = message_class(args.message_type, participant) if args.message_type else None
         graph.wait_until_quiet(participant.graph, args.spin_time)
-        listen_to = asked_class or message_class(find_type(participant.graph, name))
-        quality = qos.asked_qos(args, SENSOR_DATA) or _suiting_qos(participant, name, end_s)
+        listen_to = requested_class or message_class(find_type(participant.graph, name), participant)
+        quality = qos.requested_qos(args, SENSOR_DATA) or _suiting_qos(participant, name, end_s)
         topic = topic_of(listen_to, name)
         if publishers_of(participant.graph, name) and (
             reason := unmet(participant.graph, topic, is_publisher=False)
@@ -88,7 +86,7 @@ def _suiting_qos(participant: Participant, name: str, end_s: float) -> QoS:
 
 
 def _report_losses(lost: Count) -> None:
-    """Print on stderr, because programs read the messages from stdout."""
+    """Print the losses on stderr, because programs read the messages from stdout."""
     print(
         f"A message was lost!!!\n\ttotal count change:{lost.total_count_change}\n"
         f"\ttotal count: {lost.total_count}---",

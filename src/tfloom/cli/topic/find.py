@@ -10,15 +10,15 @@ from tfloom.cli.listing import print_names
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `topic find` takes."""
+    """Add the arguments of `topic find`."""
     add_graph_arguments(parser)
-    parser.add_argument("topic_type", help="type of the topics, as geometry_msgs/msg/Twist")
-    parser.add_argument("-c", "--count-topics", action="store_true", help="print only how many there are")
+    parser.add_argument("topic_type", help="type of the topics, for example geometry_msgs/msg/Twist")
+    parser.add_argument("-c", "--count-topics", action="store_true", help="print only the number")
     parser.add_argument(
         "--include-hidden-topics",
         action="store_true",
         default=argparse.SUPPRESS,
-        help="count in topics with a part that begins with an underscore",
+        help="include topics with a part that begins with an underscore",
     )
     parser.add_argument("--json", action="store_true", help="print a JSON list for programs")
 

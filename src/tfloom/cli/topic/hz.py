@@ -13,14 +13,14 @@ from tfloom.rosidl.message import Message
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `topic hz` takes."""
-    parser.add_argument("topic_name", help="topic to listen to")
+    """Add the arguments of `topic hz`."""
+    parser.add_argument("topic_name", help="name of the topic")
     rates.add_arguments(parser, window=10_000)
     parser.add_argument(
         "--filter", metavar="EXPR", help="count messages only if this Python expression over m is true"
     )
     parser.add_argument(
-        "--wall-time", action="store_true", help="messages arrive by this machine's time, whatever -s says"
+        "--wall-time", action="store_true", help="measure arrival by this machine's time, regardless of -s"
     )
 
 

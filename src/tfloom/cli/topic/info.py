@@ -13,7 +13,7 @@ from tfloom.rmw.endpoint_text import UNKNOWN_NODE, endpoint_text, policy_texts
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `topic info` takes."""
+    """Add the arguments of `topic info`."""
     add_graph_arguments(parser)
     parser.add_argument("topic_name", help="name of the topic")
     parser.add_argument(
@@ -26,7 +26,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def main(args: argparse.Namespace) -> int:
-    """Print type and numbers, with --verbose each end."""
+    """Print type and numbers; with --verbose, each endpoint."""
     name = full_topic_name(args.topic_name)
     with settled_graph(args) as graph:
         everything = graph.endpoints()

@@ -12,10 +12,10 @@ from tfloom.rmw.base import EndpointInfo
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `topic list` takes."""
+    """Add the arguments of `topic list`."""
     add_graph_arguments(parser)
     parser.add_argument("-t", "--show-types", action="store_true", help="show each topic's types")
-    parser.add_argument("-c", "--count-topics", action="store_true", help="show only how many there are")
+    parser.add_argument("-c", "--count-topics", action="store_true", help="show only the number")
     parser.add_argument(
         "--include-hidden-topics",
         action="store_true",

@@ -24,43 +24,43 @@ from tfloom.rosidl.message import Message
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `topic pub` takes."""
-    parser.add_argument("topic_name", help="topic to publish on")
-    parser.add_argument("message_type", help="type of the messages, as geometry_msgs/msg/Twist")
-    parser.add_argument("values", nargs="?", default="{}", help="the fields in YAML, as '{linear: {x: 0.5}}'")
+    """Add the arguments of `topic pub`."""
+    parser.add_argument("topic_name", help="name of the topic")
+    parser.add_argument("message_type", help="type of the messages, for example geometry_msgs/msg/Twist")
     parser.add_argument(
-        "--stdin", action="store_true", help="read the values, YAML documents, from the input"
+        "values", nargs="?", default="{}", help="the fields in YAML, for example '{linear: {x: 0.5}}'"
     )
     parser.add_argument(
-        "-r", "--rate", metavar="N", type=rate, default=1.0, help="messages a second (default: 1)"
+        "--stdin", action="store_true", help="read the values, YAML documents, from standard input"
     )
     parser.add_argument(
-        "-p", "--print", metavar="N", type=count, default=1, help="print each Nth message only (default: 1)"
+        "-r", "--rate", metavar="N", type=rate, default=1.0, help="rate of publishing in Hz (default: 1)"
+    )
+    parser.add_argument(
+        "-p", "--print", metavar="N", type=count, default=1, help="print every Nth message only (default: 1)"
     )
     ends = parser.add_mutually_exclusive_group()
     ends.add_argument("-1", "--once", action="store_true", help="publish one message and end")
-    ends.add_argument("-t", "--times", type=count, default=0, help="publish so many messages and end")
+    ends.add_argument("-t", "--times", type=count, default=0, help="publish this number of messages and end")
     parser.add_argument(
         "-w",
         "--wait-matching-subscriptions",
         type=count,
-        help="wait for so many subscriptions first (default: 1 with --once and --times, else 0)",
+        help="wait for this number of subscriptions first (default: 1 with --once and --times, else 0)",
     )
-    parser.add_argument("--max-wait-time-secs", type=seconds, help="longest time to wait for them in seconds")
+    parser.add_argument("--max-wait-time-secs", type=seconds, help="longest wait for them in seconds")
     parser.add_argument(
         "--keep-alive",
         metavar="N",
         type=seconds,
         default=0.1,
-        help="stay so many seconds after the last (default: 0.1)",
+        help="wait in seconds after the last message (default: 0.1)",
     )
     parser.add_argument("-n", "--node-name", help="name of the node that publishes")
     qos.add_arguments(parser, default="default")
+    parser.add_argument("--spin-time", type=seconds, default=graph.MOST_S, help="accepted and not used")
     parser.add_argument(
-        "--spin-time", type=seconds, default=graph.MOST_S, help="accepted; nothing is asked here"
-    )
-    parser.add_argument(
-        "-s", "--use-sim-time", action="store_true", help="`auto` and `now` are the time on /clock"
+        "-s", "--use-sim-time", action="store_true", help="use the time on /clock for `auto` and `now`"
     )
 
 
@@ -69,9 +69,9 @@ def main(args: argparse.Namespace) -> int:
     name = full_topic_name(args.topic_name)
     if not args.rate > 0:
         raise CommandError("rate must be greater than zero")
-    cls = message_class(args.message_type, ask_graph=True)
-    quality = qos.asked_qos(args, QoS()) or QoS()
-    # Mistakes in values are reported before anything is on the wire.
+    cls = message_class(args.message_type, search_graph=True)
+    quality = qos.requested_qos(args, QoS()) or QoS()
+    # Errors in values are reported before anything is on the wire.
     drafts = (
         (_Draft(cls, text) for text in yaml_documents(standard_input()))
         if args.stdin
@@ -98,7 +98,7 @@ def main(args: argparse.Namespace) -> int:
 
 
 class _Draft:
-    """A message to publish, and the times in it that are set at each publishing."""
+    """A message to publish, and the times in it that are set anew for each publication."""
 
     def __init__(self, cls: type[Message], values: str) -> None:
         self.message = cls()
@@ -127,7 +127,7 @@ def _wait_for_subscriptions(
     look_for_mismatch: Callable[[], None],
     why_unmet: Callable[[], str],
 ) -> None:
-    """Wait for the requested number; after `HINT_S` with none, print a possible reason on stderr."""
+    """Wait for the requested number; after `HINT_S` without any, print a possible reason on stderr."""
     wanted = args.wait_matching_subscriptions
     if wanted is None:
         wanted = 1 if args.once or args.times else 0

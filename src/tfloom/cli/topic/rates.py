@@ -28,13 +28,13 @@ def add_arguments(parser: argparse.ArgumentParser, window: int) -> None:
         "--window",
         type=positive_count,
         default=window,
-        help=f"count over so many messages (default: {window})",
+        help=f"number of messages to average over (default: {window})",
     )
     parser.add_argument(
-        "--spin-time", type=seconds, default=graph.MOST_S, help="longest time to look for the topic"
+        "--spin-time", type=seconds, default=graph.MOST_S, help="longest time of discovery in seconds"
     )
     parser.add_argument(
-        "-s", "--use-sim-time", action="store_true", help="messages arrive by the time on /clock"
+        "-s", "--use-sim-time", action="store_true", help="measure arrival by the time on /clock"
     )
 
 
@@ -51,7 +51,7 @@ class Window:
         self.is_new = True
 
     def is_beyond(self, time_s: float) -> bool:
-        """Return whether the newest value, a time [s], is later than another, after a simulation has restarted."""
+        """Return whether the newest value, a time [s], is later than another, because a simulation has restarted."""
         return bool(self.values) and self.values[-1] > time_s
 
 
@@ -78,7 +78,7 @@ def watch(
     """Call `on_sample` with each sample of a topic and its time of arrival [s], and `report`, until Ctrl-C.
 
     Wait for a topic without publishers; `check` may reject its type. `report` is called each second, with the time
-    [s]. Both are times of /clock with --use-sim-time; samples before the first one are not counted.
+    [s]. With --use-sim-time, both times are those of /clock, and samples before the first one are not counted.
     """
     name = full_topic_name(topic_name)
     with graph.joined_participant() as participant:
@@ -86,7 +86,7 @@ def watch(
         if not any(end.topic.name == name for end in participant.graph.endpoints()):
             print(f"WARNING: topic [{name}] does not appear to be published yet", file=sys.stderr)
         publishers = wait_for_publishers(participant.graph, name, math.inf)
-        cls = message_class(find_type(participant.graph, name))
+        cls = message_class(find_type(participant.graph, name), participant)
         check(cls)
         simulated = args.use_sim_time and not getattr(args, "wall_time", False)
         with clock(participant, cli_node(), simulated=simulated) as now_ns:

@@ -12,7 +12,7 @@ from tfloom.cli.names import did_you_mean, full_topic_name
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add what `topic type` takes."""
+    """Add the arguments of `topic type`."""
     add_graph_arguments(parser)
     parser.add_argument("topic_name", help="name of the topic")
     parser.add_argument("--json", action="store_true", help="print a JSON list for programs")

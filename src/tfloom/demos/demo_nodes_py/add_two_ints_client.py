@@ -12,7 +12,7 @@ __all__ = ["main", "wait_for_server"]
 
 
 def wait_for_server(client: Client) -> bool:
-    """Wait until the server is there, with a log line each second; return False if the program was stopped before."""
+    """Wait until the server is ready, and log a line each second; return False if the program was stopped before."""
     while ok():
         if client.wait_for_service(timeout_sec=1.0):
             return True
@@ -21,7 +21,7 @@ def wait_for_server(client: Client) -> bool:
     return False
 
 
-def ask() -> None:
+def call() -> None:
     """Send a request, spin until the response arrives, and log it."""
     node = Node("add_two_ints_client")
     client = node.create_client(AddTwoInts, "add_two_ints")
@@ -35,6 +35,6 @@ def ask() -> None:
 
 
 def main(args: list[str] | None = None) -> int:
-    """Call once, and end with the response; return the exit code."""
-    expect_no_arguments("add_two_ints_client", "Ask the service add_two_ints what 2 and 3 are.", args)
-    return run_program(args, ask)
+    """Call once, and end after the response; return the exit code."""
+    expect_no_arguments("add_two_ints_client", "Call the service add_two_ints with 2 and 3.", args)
+    return run_program(args, call)

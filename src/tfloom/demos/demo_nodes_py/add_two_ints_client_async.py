@@ -11,7 +11,7 @@ from tfloom.node.program import expect_no_arguments, run_program
 __all__ = ["main"]
 
 
-def ask() -> None:
+def call() -> None:
     """Send a request, and log the response once a check finds it."""
     node = Node("add_two_ints_client")
     client = node.create_client(AddTwoInts, "add_two_ints")
@@ -26,6 +26,6 @@ def ask() -> None:
 
 
 def main(args: list[str] | None = None) -> int:
-    """Call once, and end with the response; return the exit code."""
-    expect_no_arguments("add_two_ints_client_async", "Ask the service add_two_ints what 2 and 3 are.", args)
-    return run_program(args, ask)
+    """Call once, and end after the response; return the exit code."""
+    expect_no_arguments("add_two_ints_client_async", "Call the service add_two_ints with 2 and 3.", args)
+    return run_program(args, call)

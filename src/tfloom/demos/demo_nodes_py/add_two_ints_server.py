@@ -1,4 +1,4 @@
-"""add_two_ints_server: add two numbers on request."""
+"""add_two_ints_server: reply to requests with the sum of two integers."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class AddTwoIntsServer(Node):
     def add_two_ints_callback(
         self, request: AddTwoInts_Request, response: AddTwoInts_Response
     ) -> AddTwoInts_Response:
-        """Answer a request; a sum beyond 64 bits wraps around, as in C++."""
+        """Reply to a request; a sum beyond 64 bits wraps around, as in C++."""
         response.sum = (request.a + request.b + 2**63) % 2**64 - 2**63
         self.get_logger().info(f"Incoming request\na: {request.a} b: {request.b}")
         return response
@@ -28,5 +28,7 @@ class AddTwoIntsServer(Node):
 
 def main(args: list[str] | None = None) -> int:
     """Serve until stopped; return the exit code."""
-    expect_no_arguments("add_two_ints_server", "Serve add_two_ints: add two numbers for whoever asks.", args)
+    expect_no_arguments(
+        "add_two_ints_server", "Serve add_two_ints: reply with the sum of two integers.", args
+    )
     return run_program(args, lambda: spin(AddTwoIntsServer()))

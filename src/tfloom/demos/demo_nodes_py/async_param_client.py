@@ -41,7 +41,7 @@ class Tour:
         self._client = client
 
     def run(self) -> None:
-        """Do all steps, and log each outcome."""
+        """Run all steps, and log the outcome of each."""
         parameters = [
             Parameter("int_parameter", Parameter.Type.INTEGER, 10),
             Parameter("bool_parameter", Parameter.Type.BOOL, False),
@@ -89,8 +89,8 @@ class Tour:
         return future.result()
 
 
-def ask() -> int:
-    """Do all steps; return the exit code, 1 without the other node."""
+def run_tour() -> int:
+    """Run all steps; return the exit code, 1 without the other node."""
     node = Node("async_param_client")
     client = AsyncParameterClient(node, BLACKBOARD)
     if not client.wait_for_services(PATIENCE_S):
@@ -108,4 +108,4 @@ def main(args: list[str] | None = None) -> int:
         "Set, list, get, load and delete parameters of the node parameter_blackboard.",
         args,
     )
-    return run_program(args, ask)
+    return run_program(args, run_tour)

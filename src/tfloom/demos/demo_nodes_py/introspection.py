@@ -30,7 +30,7 @@ PERIOD_S = 0.5
 
 
 def check_parameter(parameter_list: list[Parameter], parameter_name: str) -> SetParametersResult:
-    """Return whether the parameter of that name, if it is among those to be set, has a valid value."""
+    """Return whether the parameter of that name, if it is to be set, has a valid value."""
     for parameter in parameter_list:
         if parameter.name != parameter_name:
             continue
@@ -46,7 +46,7 @@ def check_parameter(parameter_list: list[Parameter], parameter_name: str) -> Set
 class _IntrospectedNode(Node):
     """A node whose client or service is configured by a parameter."""
 
-    def obey(self, parameter_name: str, end: Client | Service) -> None:
+    def configure_by(self, parameter_name: str, end: Client | Service) -> None:
         """Declare the parameter, and configure `end` by it whenever it is set."""
 
         def configure(parameters: list[Parameter]) -> None:
@@ -66,7 +66,7 @@ class IntrospectionClientNode(_IntrospectedNode):
     def __init__(self) -> None:
         super().__init__("introspection_client")
         self.cli = self.create_client(AddTwoInts, "add_two_ints")
-        self.obey("client_configure_introspection", self.cli)
+        self.configure_by("client_configure_introspection", self.cli)
         self.future: Any = None
         self.timer = self.create_timer(PERIOD_S, self.timer_callback)
 
@@ -86,10 +86,10 @@ class IntrospectionServiceNode(_IntrospectedNode):
     def __init__(self) -> None:
         super().__init__("introspection_service")
         self.srv = self.create_service(AddTwoInts, "add_two_ints", self.add_two_ints_callback)
-        self.obey("service_configure_introspection", self.srv)
+        self.configure_by("service_configure_introspection", self.srv)
 
     def add_two_ints_callback(self, request: Any, response: Any) -> Any:
-        """Answer a request."""
+        """Reply to a request."""
         response.sum = request.a + request.b
         self.get_logger().info(f"Incoming request\na: {request.a} b: {request.b}")
         return response
@@ -108,8 +108,8 @@ def main(args: list[str] | None = None) -> int:
     """Call and serve until stopped; return the exit code."""
     expect_no_arguments(
         "introspection",
-        "Ask and serve add_two_ints, and tell of it on add_two_ints/_service_event where the parameters "
-        "client_configure_introspection and service_configure_introspection say so.",
+        "Call and serve add_two_ints; publish events on add_two_ints/_service_event, as set by the parameters "
+        "client_configure_introspection and service_configure_introspection.",
         args,
     )
     return run_program(args, run)

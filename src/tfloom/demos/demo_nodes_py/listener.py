@@ -23,6 +23,6 @@ class Listener(Node):
 
 
 def main(args: list[str] | None = None) -> int:
-    """Listen until stopped; return the exit code."""
-    expect_no_arguments("listener", "Log what comes on the topic chatter.", args)
+    """Log messages until stopped; return the exit code."""
+    expect_no_arguments("listener", "Log the messages on the topic chatter.", args)
     return run_program(args, lambda: spin(Listener()))

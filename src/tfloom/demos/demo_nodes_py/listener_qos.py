@@ -1,4 +1,4 @@
-"""listener_qos: a listener that requests reliability or not, and ends after a number of messages."""
+"""listener_qos: a listener with a chosen reliability that ends after a number of messages."""
 
 from __future__ import annotations
 
@@ -33,9 +33,9 @@ class ListenerQos(Node):
 
 
 def main(args: list[str] | None = None) -> int:
-    """Listen to the requested number of messages, or until stopped; return the exit code."""
+    """Log the requested number of messages, or until stopped; return the exit code."""
     profile, cycles = parse_qos_arguments(
-        "listener_qos", "Log what comes on the topic chatter.", "messages", args
+        "listener_qos", "Log the messages on the topic chatter.", "messages", args
     )
 
     def listen() -> None:

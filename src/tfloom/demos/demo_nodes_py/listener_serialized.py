@@ -23,6 +23,6 @@ class SerializedSubscriber(Node):
 
 
 def main(args: list[str] | None = None) -> int:
-    """Listen until stopped; return the exit code."""
-    expect_no_arguments("listener_serialized", "Log the bytes that come on the topic chatter.", args)
+    """Log messages until stopped; return the exit code."""
+    expect_no_arguments("listener_serialized", "Log the serialized messages on the topic chatter.", args)
     return run_program(args, lambda: spin(SerializedSubscriber()))

@@ -134,5 +134,5 @@ def run() -> None:
 
 def main(args: list[str] | None = None) -> int:
     """Show the events; return the exit code."""
-    expect_no_arguments("matched_event_detect", "Log how endpoints of two topics come and go.", args)
+    expect_no_arguments("matched_event_detect", "Log the matched events of endpoints of two topics.", args)
     return run_program(args, run)

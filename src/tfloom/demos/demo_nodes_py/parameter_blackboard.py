@@ -1,4 +1,4 @@
-"""parameter_blackboard: a node that keeps all parameters that others set; async_param_client sets some."""
+"""parameter_blackboard: a node that stores all parameters that clients set; async_param_client sets some."""
 
 from __future__ import annotations
 
@@ -26,6 +26,6 @@ class ParameterBlackboard(Node):
 
 
 def main(args: list[str] | None = None) -> int:
-    """Keep parameters until stopped; return the exit code."""
-    expect_no_arguments("parameter_blackboard", "Keep whatever parameters others set.", args)
+    """Store parameters until stopped; return the exit code."""
+    expect_no_arguments("parameter_blackboard", "Store all parameters that clients set.", args)
     return run_program(args, lambda: spin(ParameterBlackboard()))

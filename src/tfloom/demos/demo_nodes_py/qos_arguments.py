@@ -21,8 +21,8 @@ def parse_qos_arguments(
     Args:
         program: The program's name.
         description: What it does.
-        what: The name of what is counted, in the plural.
-        args: Its command line, ROS arguments too; None: `sys.argv`.
+        what: Name of the counted items, in the plural.
+        args: Its command line, ROS arguments included; None: `sys.argv`.
 
     Returns:
         The quality of service, reliable or best effort, and the number to end after.
@@ -34,7 +34,7 @@ def parse_qos_arguments(
         type=int,
         default=CYCLES,
         metavar="N",
-        help=f"how many {what} to end after (default: {CYCLES})",
+        help=f"end after this number of {what} (default: {CYCLES})",
     )
     options = parser.parse_args(remove_ros_args(sys.argv[1:] if args is None else args))
     reliable = QoSProfile(depth=10, reliability=ReliabilityPolicy.RELIABLE)

@@ -1,4 +1,4 @@
-"""set_parameters_callback: a parameter that sets another, by the three callbacks about setting.
+"""set_parameters_callback: set one parameter when another is set, by the pre-set, on-set and post-set callbacks.
 
 `ros2 param set /set_parameters_callback param1 28.0` sets param2 to 4.0 as well.
 """
@@ -18,7 +18,7 @@ SECOND_VALUE = 4.0
 
 
 class SetParametersCallback(Node):
-    """Has param1 and param2, and keeps their values in attributes, too."""
+    """Declares param1 and param2, and stores their values in attributes, too."""
 
     def __init__(self) -> None:
         super().__init__("set_parameters_callback")
@@ -42,7 +42,7 @@ class SetParametersCallback(Node):
         return result
 
     def track(self, parameter_list: list[Parameter]) -> None:
-        """Keep the values that have been set."""
+        """Store the values that have been set."""
         for parameter in parameter_list:
             if parameter.name == FIRST:
                 self.internal_tracked_param_1 = parameter.value
@@ -51,8 +51,10 @@ class SetParametersCallback(Node):
 
 
 def main(args: list[str] | None = None) -> int:
-    """Keep the parameters until stopped; return the exit code."""
+    """Serve the parameters until stopped; return the exit code."""
     expect_no_arguments(
-        "set_parameters_callback", "Have the parameters param1 and param2; setting the first sets both.", args
+        "set_parameters_callback",
+        "Declare the parameters param1 and param2; setting the first sets both.",
+        args,
     )
     return run_program(args, lambda: spin(SetParametersCallback()))

@@ -13,7 +13,7 @@ PERIOD_S = 1.0
 
 
 class Talker(Node):
-    """Publishes on chatter, with a number that grows."""
+    """Publishes on chatter, with an increasing number."""
 
     def __init__(self) -> None:
         super().__init__("talker")
@@ -30,6 +30,6 @@ class Talker(Node):
 
 
 def main(args: list[str] | None = None) -> int:
-    """Talk until stopped; return the exit code."""
+    """Publish until stopped; return the exit code."""
     expect_no_arguments("talker", "Publish a greeting on the topic chatter, once a second.", args)
     return run_program(args, lambda: spin(Talker()))

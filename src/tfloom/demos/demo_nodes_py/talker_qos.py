@@ -1,4 +1,4 @@
-"""talker_qos: a talker that is reliable or not, and ends after a number of messages."""
+"""talker_qos: a talker with a chosen reliability that ends after a number of messages."""
 
 from __future__ import annotations
 

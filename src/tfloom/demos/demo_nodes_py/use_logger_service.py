@@ -1,4 +1,4 @@
-"""use_logger_service: set another node's logger level by its services, and show its log at each level."""
+"""use_logger_service: set the logger level of another node by its services, and let it log at each level."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ PATIENCE_S = 5.0
 
 
 class LoggerServiceNode(Node):
-    """Logs the messages on output at four levels; its services set the least severe one that is shown."""
+    """Logs the messages on output at four levels; its services set the least severity that is logged."""
 
     def __init__(self) -> None:
         super().__init__(REMOTE, enable_logger_service=True)
@@ -59,7 +59,7 @@ class TestNode(Node):
         self._setter = self.create_client(SetLoggerLevels, f"{remote_node_name}/set_logger_levels")
 
     def set_logger_level_on_remote_node(self, logger_level: int) -> bool:
-        """Set the level, one of LoggingSeverity; return whether it worked."""
+        """Set the level, one of LoggingSeverity; return whether that succeeded."""
         level = LoggerLevel(name=self._remote, level=int(logger_level))
         response = self._call(self._setter, SetLoggerLevels.Request(levels=[level]))
         if response is None:
@@ -70,7 +70,7 @@ class TestNode(Node):
         return bool(result.successful)
 
     def get_logger_level_on_remote_node(self) -> int | None:
-        """Return the level, 0 where none was set; None without a response."""
+        """Return the level, 0 if none was set; None without a response."""
         response = self._call(self._getter, GetLoggerLevels.Request(names=[self._remote]))
         return None if response is None else int(response.levels[0].level)
 
@@ -83,7 +83,7 @@ class TestNode(Node):
 
 
 def show(remote: LoggerServiceNode, node: TestNode) -> None:
-    """Have the remote node log at each level."""
+    """At each level: set it, publish a message that the remote node logs, and get it."""
     for count, name in enumerate(["default", *LEVELS], 1):
         node.get_logger().info(f"Output with {name} logger level:")
         if name in LEVELS and not node.set_logger_level_on_remote_node(LEVELS[name]):

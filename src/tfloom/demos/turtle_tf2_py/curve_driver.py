@@ -1,4 +1,4 @@
-"""curve_driver: a turtle draws a Lissajous figure, three waves across and two up."""
+"""curve_driver: a turtle draws a Lissajous figure of three waves horizontally and two vertically."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from tfloom.node.program import run_program
 CENTRE_M = 5.544445
 RADIUS_M = 4.2
 PERIOD_S = 45.0
-"""Time for the whole figure."""
+"""Time for the whole figure [s]."""
 LEAD_S = 0.35
-"""How far ahead on the figure the turtle aims."""
+"""Time by which the aim is ahead on the figure [s]."""
 MAX_SPEED = 4.0
 TURN_GAIN = 5.0
-"""Turning rate for each radian that the turtle heads past its aim [1/s]."""
+"""Turning rate for each radian between heading and aim [1/s]."""
 
 
 def figure(time_s: float) -> tuple[float, float]:
@@ -28,7 +28,7 @@ def figure(time_s: float) -> tuple[float, float]:
 
 
 def steer(x: float, y: float, theta: float, aim: tuple[float, float]) -> tuple[float, float]:
-    """Return the speed [m/s] and turning rate [rad/s] that take a turtle to `aim` in LEAD_S, if it can."""
+    """Return the speed [m/s] and turning rate [rad/s] that move a turtle towards `aim` in LEAD_S."""
     across, up = aim[0] - x, aim[1] - y
     error = math.remainder(math.atan2(up, across) - theta, 2 * math.pi)
     speed = min(math.hypot(across, up) / LEAD_S, MAX_SPEED) * max(0.0, math.cos(error))
@@ -36,7 +36,7 @@ def steer(x: float, y: float, theta: float, aim: tuple[float, float]) -> tuple[f
 
 
 class CurveDriver(Node):
-    """Publishes for each pose of turtle1 the velocity that keeps it on the figure."""
+    """Publishes, for each pose of turtle1, the velocity that keeps it on the figure."""
 
     def __init__(self) -> None:
         super().__init__("curve_driver")

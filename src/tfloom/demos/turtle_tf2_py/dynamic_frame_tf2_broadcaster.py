@@ -1,4 +1,4 @@
-"""dynamic_frame_tf2_broadcaster: a carrot that circles turtle1 at ten metres, half a turn a second."""
+"""dynamic_frame_tf2_broadcaster: broadcast a frame that circles turtle1 at ten metres, half a turn a second."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class DynamicFrameBroadcaster(Node):
         self.timer = self.create_timer(PERIOD_S, self.on_timer)
 
     def on_timer(self) -> None:
-        """Broadcast the carrot's position, stamped now."""
+        """Broadcast the position of carrot1, with the present time."""
         now = self.get_clock().now()
         seconds, _ = now.seconds_nanoseconds()
         angle = seconds * math.pi
@@ -39,7 +39,7 @@ def main(args: list[str] | None = None) -> int:
     """Broadcast until stopped; return the exit code."""
     expect_no_arguments(
         "dynamic_frame_tf2_broadcaster",
-        "Broadcast a carrot that circles turtle1 at ten metres, half a turn a second.",
+        "Broadcast the frame carrot1, which circles turtle1 at ten metres, half a turn a second.",
         args,
     )
     return run_program(args, lambda: spin(DynamicFrameBroadcaster()))

@@ -1,4 +1,4 @@
-"""fixed_frame_tf2_broadcaster: a carrot two metres to the left of turtle1, wherever it goes."""
+"""fixed_frame_tf2_broadcaster: broadcast a frame two metres to the left of turtle1."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ PERIOD_S = 0.1
 
 
 class FixedFrameBroadcaster(Node):
-    """Broadcasts turtle1_from_carrot1 ten times a second, always the same."""
+    """Broadcasts a constant turtle1_from_carrot1 ten times a second."""
 
     def __init__(self) -> None:
         super().__init__("fixed_frame_tf2_broadcaster")
@@ -20,7 +20,7 @@ class FixedFrameBroadcaster(Node):
         self.timer = self.create_timer(PERIOD_S, self.on_timer)
 
     def on_timer(self) -> None:
-        """Broadcast the carrot's position, stamped now."""
+        """Broadcast the position of carrot1, with the present time."""
         turtle_from_carrot = TransformStamped(child_frame_id="carrot1")
         turtle_from_carrot.header.stamp = self.get_clock().now().to_msg()
         turtle_from_carrot.header.frame_id = "turtle1"
@@ -31,6 +31,6 @@ class FixedFrameBroadcaster(Node):
 def main(args: list[str] | None = None) -> int:
     """Broadcast until stopped; return the exit code."""
     expect_no_arguments(
-        "fixed_frame_tf2_broadcaster", "Broadcast a carrot two metres to the left of turtle1.", args
+        "fixed_frame_tf2_broadcaster", "Broadcast the frame carrot1, two metres to the left of turtle1.", args
     )
     return run_program(args, lambda: spin(FixedFrameBroadcaster()))

@@ -1,6 +1,6 @@
-"""turtlesim's interfaces that the demos use, under the name that the distribution in ROS_DISTRO gives them.
+"""turtlesim's interfaces that the demos use, by their name in the distribution of ROS_DISTRO.
 
-From Kilted on they are `turtlesim_msgs/…`; tfloom's turtlesim follows the same rule.
+From Kilted on the name is `turtlesim_msgs/…`; tfloom's turtlesim follows the same rule.
 """
 
 from __future__ import annotations

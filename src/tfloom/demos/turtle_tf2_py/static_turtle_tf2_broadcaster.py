@@ -1,4 +1,4 @@
-"""static_turtle_tf2_broadcaster: a frame in the world that never moves: its name, x y z and roll pitch yaw."""
+"""static_turtle_tf2_broadcaster: broadcast a static frame in the world: its name, x y z and roll pitch yaw."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ USAGE = (
 
 
 def quaternion_from_euler(roll: float, pitch: float, yaw: float) -> tuple[float, float, float, float]:
-    """Return the quaternion (x, y, z, w) of turns about the fixed axes x, y and z, in this order [rad]."""
+    """Return the quaternion (x, y, z, w) of rotations about the fixed axes x, y and z, in this order [rad]."""
     cr, sr = math.cos(roll / 2), math.sin(roll / 2)
     cp, sp = math.cos(pitch / 2), math.sin(pitch / 2)
     cy, sy = math.cos(yaw / 2), math.sin(yaw / 2)

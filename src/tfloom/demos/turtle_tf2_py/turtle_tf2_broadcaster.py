@@ -22,13 +22,13 @@ class FramePublisher(Node):
         self.create_subscription(Pose, f"/{self.turtlename}/pose", self.on_pose, 1)
 
     def on_pose(self, pose: Pose) -> None:
-        """Broadcast the pose [m, rad], stamped now."""
+        """Broadcast the pose [m, rad], with the present time."""
         world_from_turtle = TransformStamped(child_frame_id=self.turtlename)
         world_from_turtle.header.stamp = self.get_clock().now().to_msg()
         world_from_turtle.header.frame_id = "world"
         world_from_turtle.transform.translation.x = pose.x
         world_from_turtle.transform.translation.y = pose.y
-        # A turn by theta about z is the quaternion (0, 0, sin(theta/2), cos(theta/2)).
+        # A rotation by theta about z is the quaternion (0, 0, sin(theta/2), cos(theta/2)).
         world_from_turtle.transform.rotation.z = math.sin(pose.theta / 2)
         world_from_turtle.transform.rotation.w = math.cos(pose.theta / 2)
         self.broadcaster.sendTransform(world_from_turtle)
@@ -37,6 +37,6 @@ class FramePublisher(Node):
 def main(args: list[str] | None = None) -> int:
     """Broadcast until stopped; return the exit code."""
     expect_no_arguments(
-        "turtle_tf2_broadcaster", "Tell tf where a turtle is: --ros-args -p turtlename:=turtle1.", args
+        "turtle_tf2_broadcaster", "Broadcast a turtle's pose on tf: --ros-args -p turtlename:=turtle1.", args
     )
     return run_program(args, lambda: spin(FramePublisher()))

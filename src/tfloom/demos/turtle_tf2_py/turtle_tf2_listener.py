@@ -18,13 +18,13 @@ from tfloom.tf2_ros.transform_listener import TransformListener
 FOLLOWER = "turtle2"
 PERIOD_S = 1.0
 TURN_GAIN = 1.0
-"""Turning rate for each radian that the target is off the heading [1/s]."""
+"""Turning rate for each radian between heading and target [1/s]."""
 SPEED_GAIN = 0.5
 """Speed for each metre to the target [1/s]."""
 
 
 class FrameListener(Node):
-    """Once a second, commands turtle2 towards the frame of the parameter `target_frame`."""
+    """Commands turtle2, once a second, towards the frame of the parameter `target_frame`."""
 
     def __init__(self) -> None:
         super().__init__("turtle_tf2_frame_listener")
@@ -38,7 +38,7 @@ class FrameListener(Node):
         self.timer = self.create_timer(PERIOD_S, self.on_timer)
 
     def on_timer(self) -> None:
-        """Spawn the follower; once it is there, drive it."""
+        """Spawn the follower; when it has been spawned, drive it."""
         if self.is_spawned:
             self.follow()
         elif self.answer is None:
@@ -78,7 +78,7 @@ def main(args: list[str] | None = None) -> int:
     """Follow until stopped; return the exit code."""
     expect_no_arguments(
         "turtle_tf2_listener",
-        "Spawn turtle2 and let it follow a frame: --ros-args -p target_frame:=turtle1.",
+        "Spawn turtle2, and drive it towards a frame: --ros-args -p target_frame:=turtle1.",
         args,
     )
     return run_program(args, lambda: spin(FrameListener()))

@@ -18,7 +18,7 @@ class PointPublisher(Node):
         self.create_subscription(Pose, "turtle3/pose", self.on_pose, 10)
 
     def on_pose(self, pose: Pose) -> None:
-        """Publish the point [m], stamped now."""
+        """Publish the point [m], with the present time."""
         point = PointStamped()
         point.header.stamp = self.get_clock().now().to_msg()
         point.header.frame_id = "world"
@@ -29,6 +29,6 @@ class PointPublisher(Node):
 def main(args: list[str] | None = None) -> int:
     """Publish until stopped; return the exit code."""
     expect_no_arguments(
-        "turtle_tf2_message_broadcaster", "Tell where turtle3 is as points in the world.", args
+        "turtle_tf2_message_broadcaster", "Publish the position of turtle3 as points in the world.", args
     )
     return run_program(args, lambda: spin(PointPublisher()))

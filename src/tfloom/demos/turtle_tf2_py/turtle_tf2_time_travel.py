@@ -1,4 +1,4 @@
-"""turtle_tf2_time_travel: turtle2 moves to where another frame was five seconds ago."""
+"""turtle_tf2_time_travel: turtle2 follows the pose that another frame had five seconds ago."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ LONGEST_S = 1e9
 
 
 class TimeTraveller(FrameListener):
-    """Like the listener, but follows the target's past.
+    """As the listener, but follows the target's past pose.
 
     The world is the fixed frame between the target's past time and the follower's present.
     """
@@ -38,7 +38,7 @@ def main(args: list[str] | None = None) -> int:
     """Follow until stopped; return the exit code."""
     expect_no_arguments(
         "turtle_tf2_time_travel",
-        "Let turtle2 go where a frame was: --ros-args -p target_frame:=turtle1 -p delay:=5.0 [s].",
+        "Drive turtle2 to a frame's past pose: --ros-args -p target_frame:=turtle1 -p delay:=5.0 [s].",
         args,
     )
     return run_program(args, lambda: spin(TimeTraveller()))

@@ -28,7 +28,7 @@ class GoalInfo(_Message):
 
 
 class GoalStatus(_Message):
-    """How far a goal has got."""
+    """The status of a goal."""
 
     _TYPE_NAME = "action_msgs/msg/GoalStatus"
     _TYPE_HASH = "RIHS01_32f4cfd717735d17657e1178f24431c1ce996c878c515230f6c5b3476819dbb9"

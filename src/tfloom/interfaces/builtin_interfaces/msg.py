@@ -10,7 +10,7 @@ __all__ = ["Duration", "Time"]
 
 
 class Duration(_Message):
-    """A span of time, which may be negative."""
+    """A duration, which may be negative."""
 
     _TYPE_NAME = "builtin_interfaces/msg/Duration"
     _TYPE_HASH = "RIHS01_e8d009f659816f758b75334ee1a9ca5b5c0b859843261f14c7f937349599d93b"

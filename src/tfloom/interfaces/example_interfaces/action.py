@@ -203,7 +203,7 @@ class Fibonacci(_Action):
     Feedback: _TypeAlias = Fibonacci_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService = Fibonacci_SendGoal
         GetResultService = Fibonacci_GetResult

@@ -8,6 +8,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.std_msgs.msg import Header
     from tfloom.rosidl.field_types import Floats, NumpyArray
+    from typing import ClassVar as _ClassVar
 
 __all__ = ["Accel", "AccelStamped", "AccelWithCovariance", "AccelWithCovarianceStamped", "Inertia", "InertiaStamped", "Point", "Point32", "PointStamped", "Polygon", "PolygonInstance", "PolygonInstanceStamped", "PolygonStamped", "Pose", "Pose2D", "PoseArray", "PoseStamped", "PoseWithCovariance", "PoseWithCovarianceStamped", "Quaternion", "QuaternionStamped", "Transform", "TransformStamped", "Twist", "TwistStamped", "TwistWithCovariance", "TwistWithCovarianceStamped", "Vector3", "Vector3Stamped", "VelocityStamped", "Wrench", "WrenchStamped"]
 
@@ -79,7 +80,7 @@ class AccelWithCovarianceStamped(_Message):
 
 
 class Inertia(_Message):
-    """The mass of a body and how it is spread."""
+    """Mass, centre of mass and inertia tensor of a body."""
 
     _TYPE_NAME = "geometry_msgs/msg/Inertia"
     _TYPE_HASH = "RIHS01_2ddd5dab5c347825ba2e56c895ddccfd0b8efe53ae931bf67f905529930b4bd7"
@@ -90,7 +91,7 @@ class Inertia(_Message):
         m: float
         """[kg]"""
         com: Vector3
-        """centre of mass [m]"""
+        """position of the centre of mass [m]"""
         ixx: float
         """[kg m^2]"""
         ixy: float
@@ -118,7 +119,7 @@ class InertiaStamped(_Message):
 
 
 class Point(_Message):
-    """A place [m]."""
+    """A point [m]."""
 
     _TYPE_NAME = "geometry_msgs/msg/Point"
     _TYPE_HASH = "RIHS01_6963084842a9b04494d6b2941d11444708d892da2f4b09843b9c43f42a7f6881"
@@ -134,7 +135,7 @@ class Point(_Message):
 
 
 class Point32(_Message):
-    """A place [m] in single precision, for large clouds."""
+    """A point [m] in single precision, for large clouds."""
 
     _TYPE_NAME = "geometry_msgs/msg/Point32"
     _TYPE_HASH = "RIHS01_2fc4db7cae16a4582c79a56b66173a8d48d52c7dc520ddc55a0d4bcf2a4bfdbc"
@@ -165,7 +166,7 @@ class PointStamped(_Message):
 
 
 class Polygon(_Message):
-    """The corners of a polygon; the last is joined to the first."""
+    """The corners of a polygon; the last is connected to the first."""
 
     _TYPE_NAME = "geometry_msgs/msg/Polygon"
     _TYPE_HASH = "RIHS01_3782f9f0bf044964d692d6c017d705e37611afb1f0bf6a9dee248a7dda0f784a"
@@ -224,7 +225,7 @@ class PolygonStamped(_Message):
 
 
 class Pose(_Message):
-    """Where something is and how it is turned."""
+    """A position and an orientation."""
 
     _TYPE_NAME = "geometry_msgs/msg/Pose"
     _TYPE_HASH = "RIHS01_d501954e9476cea2996984e812054b68026ae0bfae789d9a10b23daf35cc90fa"
@@ -288,7 +289,7 @@ class PoseStamped(_Message):
 
 
 class PoseWithCovariance(_Message):
-    """A pose and how sure it is."""
+    """A pose and its covariance."""
 
     _TYPE_NAME = "geometry_msgs/msg/PoseWithCovariance"
     _TYPE_HASH = "RIHS01_9a7c0fd234b7f45c6098745ecccd773ca1085670e64107135397aee31c02e1bb"
@@ -322,7 +323,7 @@ class PoseWithCovarianceStamped(_Message):
 
 
 class Quaternion(_Message):
-    """A rotation, of length 1."""
+    """A rotation: a unit quaternion."""
 
     _TYPE_NAME = "geometry_msgs/msg/Quaternion"
     _TYPE_HASH = "RIHS01_8a765f66778c8ff7c8ab94afcc590a2ed5325a1d9a076ffff38fbce36f458684"
@@ -331,6 +332,10 @@ class Quaternion(_Message):
 
     if TYPE_CHECKING:
         def __init__(self, *, x: float = ..., y: float = ..., z: float = ..., w: float = ..., check_fields: bool | None = None) -> None: ...
+        X__DEFAULT: _ClassVar[float]
+        Y__DEFAULT: _ClassVar[float]
+        Z__DEFAULT: _ClassVar[float]
+        W__DEFAULT: _ClassVar[float]
         x: float
         y: float
         z: float
@@ -355,7 +360,7 @@ class QuaternionStamped(_Message):
 
 
 class Transform(_Message):
-    """Takes points of the child frame into the parent frame: rotation first, then translation."""
+    """Transforms points from the child frame to the parent frame: rotation first, then translation."""
 
     _TYPE_NAME = "geometry_msgs/msg/Transform"
     _TYPE_HASH = "RIHS01_beb83fbe698636351461f6f35d1abb20010c43d55374d81bd041f1ba2581fddc"
@@ -419,7 +424,7 @@ class TwistStamped(_Message):
 
 
 class TwistWithCovariance(_Message):
-    """A velocity and how sure it is."""
+    """A velocity and its covariance."""
 
     _TYPE_NAME = "geometry_msgs/msg/TwistWithCovariance"
     _TYPE_HASH = "RIHS01_49f574f033f095d8b6cd1beaca5ca7925e296e84af1716d16c89d38b059c8c18"
@@ -453,7 +458,7 @@ class TwistWithCovarianceStamped(_Message):
 
 
 class Vector3(_Message):
-    """A direction or a displacement, without a place."""
+    """A direction or a displacement, without a position."""
 
     _TYPE_NAME = "geometry_msgs/msg/Vector3"
     _TYPE_HASH = "RIHS01_cc12fe83e4c02719f1ce8070bfd14aecd40f75a96696a67a2a1f37f7dbb0765d"

@@ -38,7 +38,7 @@ class GridCells(_Message):
 
 
 class MapMetaData(_Message):
-    """Size and place of a map."""
+    """Size, resolution and position of a map."""
 
     _TYPE_NAME = "nav_msgs/msg/MapMetaData"
     _TYPE_HASH = "RIHS01_2772d4b2000ef2b35dbaeb80fd3946c1369f817fb4f75677d916d27c17d763c8"
@@ -48,7 +48,7 @@ class MapMetaData(_Message):
         def __init__(self, *, map_load_time: Time = ..., resolution: float = ..., width: int = ..., height: int = ..., origin: Pose = ..., check_fields: bool | None = None) -> None: ...
         map_load_time: Time
         resolution: float
-        """[m] a cell"""
+        """edge of a cell [m]"""
         width: int
         """[cells]"""
         height: int
@@ -97,7 +97,7 @@ class Odometry(_Message):
 
 
 class Path(_Message):
-    """Poses to be passed in order."""
+    """A path: poses in order."""
 
     _TYPE_NAME = "nav_msgs/msg/Path"
     _TYPE_HASH = "RIHS01_1957a5bb3cee5da65c4e52e52b65a93df227efce4c20f8458b36e73066ca334b"

@@ -8,6 +8,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces.msg import Time
     from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers
+    from typing import ClassVar as _ClassVar
 
 __all__ = ["FloatingPointRange", "IntegerRange", "ListParametersResult", "Log", "LoggerLevel", "Parameter", "ParameterDescriptor", "ParameterEvent", "ParameterEventDescriptors", "ParameterType", "ParameterValue", "SetLoggerLevelsResult", "SetParametersResult"]
 
@@ -60,7 +61,7 @@ class ListParametersResult(_Message):
 
 
 class Log(_Message):
-    """A line of a log."""
+    """A log record."""
 
     _TYPE_NAME = "rcl_interfaces/msg/Log"
     _TYPE_HASH = "RIHS01_e28ce254ca8abc06abf92773b74602cdbf116ed34fbaf294fb9f81da9f318eac"
@@ -81,7 +82,7 @@ class Log(_Message):
         file: str
         function: str
         line: int
-        """in the source file"""
+        """line number in the source file"""
     else:
         __slots__ = ("_stamp", "_level", "_name", "_msg", "_file", "_function", "_line")
 
@@ -132,6 +133,8 @@ class ParameterDescriptor(_Message):
 
     if TYPE_CHECKING:
         def __init__(self, *, name: str = ..., type: int = ..., description: str = ..., additional_constraints: str = ..., read_only: bool = ..., dynamic_typing: bool = ..., floating_point_range: list[FloatingPointRange] = ..., integer_range: list[IntegerRange] = ..., check_fields: bool | None = None) -> None: ...
+        READ_ONLY__DEFAULT: _ClassVar[bool]
+        DYNAMIC_TYPING__DEFAULT: _ClassVar[bool]
         name: str
         type: int
         description: str
@@ -145,7 +148,7 @@ class ParameterDescriptor(_Message):
 
 
 class ParameterEvent(_Message):
-    """What has changed among a node's parameters."""
+    """Changes of a node's parameters."""
 
     _TYPE_NAME = "rcl_interfaces/msg/ParameterEvent"
     _TYPE_HASH = "RIHS01_043e627780fcad87a22d225bc2a037361dba713fca6a6b9f4b869a5aa0393204"
@@ -202,7 +205,7 @@ class ParameterType(_Message):
 
 
 class ParameterValue(_Message):
-    """A value of one of many types: `type` says which field counts."""
+    """A value of one of several types: `type` selects the field."""
 
     _TYPE_NAME = "rcl_interfaces/msg/ParameterValue"
     _TYPE_HASH = "RIHS01_115fc089a387e23c7ecd3525c9189c379109119d6ab82e8dfbde0fdf6a7f9b68"

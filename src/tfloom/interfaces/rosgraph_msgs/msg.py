@@ -12,7 +12,7 @@ __all__ = ["Clock"]
 
 
 class Clock(_Message):
-    """The time of a simulation."""
+    """Simulated time."""
 
     _TYPE_NAME = "rosgraph_msgs/msg/Clock"
     _TYPE_HASH = "RIHS01_692f7a66e93a3c83e71765d033b60349ba68023a8c689a79e48078bcb5c58564"

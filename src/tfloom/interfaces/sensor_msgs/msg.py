@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from tfloom.interfaces.geometry_msgs.msg import Point32, Quaternion, Transform, Twist, Vector3, Wrench
     from tfloom.interfaces.std_msgs.msg import Header
     from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
+    from typing import ClassVar as _ClassVar
 
 __all__ = ["BatteryState", "CameraInfo", "ChannelFloat32", "CompressedImage", "FluidPressure", "Illuminance", "Image", "Imu", "JointState", "Joy", "JoyFeedback", "JoyFeedbackArray", "LaserEcho", "LaserScan", "MagneticField", "MultiDOFJointState", "MultiEchoLaserScan", "NavSatFix", "NavSatStatus", "PointCloud", "PointCloud2", "PointField", "Range", "RegionOfInterest", "RelativeHumidity", "Temperature", "TimeReference"]
 
@@ -94,7 +95,7 @@ class CameraInfo(_Message):
         distortion_model: str
         @property
         def d(self) -> FloatArray:
-            """distortion"""
+            """distortion coefficients"""
         @d.setter
         def d(self, value: Floats) -> None: ...
         @property
@@ -138,7 +139,7 @@ class ChannelFloat32(_Message):
 
 
 class CompressedImage(_Message):
-    """An image as a file of the format holds it."""
+    """A compressed image: the content of a file of the given format."""
 
     _TYPE_NAME = "sensor_msgs/msg/CompressedImage"
     _TYPE_HASH = "RIHS01_15640771531571185e2efc8a100baf923961a4d15d5569652e6cb6691e8e371a"
@@ -205,7 +206,7 @@ class Image(_Message):
         """"rgb8", "mono16", ..."""
         is_bigendian: int
         step: int
-        """bytes a row"""
+        """size of a row [bytes]"""
         @property
         def data(self) -> IntArray:
             """step * height bytes"""
@@ -216,7 +217,7 @@ class Image(_Message):
 
 
 class Imu(_Message):
-    """What an inertial measurement unit says; a covariance whose first element is -1: no such measurement."""
+    """Data of an inertial measurement unit; a covariance with first element -1: no such measurement."""
 
     _TYPE_NAME = "sensor_msgs/msg/Imu"
     _TYPE_HASH = "RIHS01_7d9a00ff131080897a5ec7e26e315954b8eae3353c3f995c55faf71574000b5b"
@@ -368,16 +369,16 @@ class LaserScan(_Message):
         angle_increment: float
         """[rad]"""
         time_increment: float
-        """between measurements [s]"""
+        """time between measurements [s]"""
         scan_time: float
-        """between scans [s]"""
+        """time between scans [s]"""
         range_min: float
         """[m]"""
         range_max: float
         """[m]"""
         @property
         def ranges(self) -> FloatArray:
-            """[m]; what lies outside range_min to range_max is no measurement"""
+            """[m]; values outside range_min to range_max are invalid"""
         @ranges.setter
         def ranges(self, value: Floats) -> None: ...
         @property
@@ -500,6 +501,7 @@ class NavSatStatus(_Message):
 
     if TYPE_CHECKING:
         def __init__(self, *, status: int = ..., service: int = ..., check_fields: bool | None = None) -> None: ...
+        STATUS__DEFAULT: _ClassVar[int]
         status: int
         service: int
     else:
@@ -523,7 +525,7 @@ class PointCloud(_Message):
 
 
 class PointCloud2(_Message):
-    """Points of any layout, in rows."""
+    """Points in rows, with fields of any layout."""
 
     _TYPE_NAME = "sensor_msgs/msg/PointCloud2"
     _TYPE_HASH = "RIHS01_9198cabf7da3796ae6fe19c4cb3bdd3525492988c70522628af5daa124bae2b5"
@@ -535,13 +537,13 @@ class PointCloud2(_Message):
         height: int
         """rows; 1 if the cloud is not organised"""
         width: int
-        """points a row"""
+        """points in a row"""
         fields: list[PointField]
         is_bigendian: bool
         point_step: int
-        """bytes a point"""
+        """size of a point [bytes]"""
         row_step: int
-        """bytes a row"""
+        """size of a row [bytes]"""
         @property
         def data(self) -> IntArray: ...
         @data.setter
@@ -553,7 +555,7 @@ class PointCloud2(_Message):
 
 
 class PointField(_Message):
-    """Where one number of a point stands in its bytes."""
+    """Layout of one field of a point: offset, type and count."""
 
     _TYPE_NAME = "sensor_msgs/msg/PointField"
     _TYPE_HASH = "RIHS01_5c6a4750728c2bcfbbf7037225b20b02d4429634732146b742dee1726637ef01"
@@ -571,7 +573,7 @@ class PointField(_Message):
         def __init__(self, *, name: str = ..., offset: int = ..., datatype: int = ..., count: int = ..., check_fields: bool | None = None) -> None: ...
         name: str
         offset: int
-        """bytes from the point's start"""
+        """offset from the start of the point [bytes]"""
         datatype: int
         """one of the constants"""
         count: int
@@ -580,7 +582,7 @@ class PointField(_Message):
 
 
 class Range(_Message):
-    """One distance inside a cone."""
+    """One distance measurement within a cone."""
 
     _TYPE_NAME = "sensor_msgs/msg/Range"
     _TYPE_HASH = "RIHS01_b42b62562e93cbfe9d42b82fe5994dfa3d63d7d5c90a317981703f7388adff3a"

@@ -13,7 +13,7 @@ __all__ = ["ServiceEventInfo"]
 
 
 class ServiceEventInfo(_Message):
-    """Who called a service, and which step of the call this is."""
+    """The client of a service call, and the step of the call."""
 
     _TYPE_NAME = "service_msgs/msg/ServiceEventInfo"
     _TYPE_HASH = "RIHS01_41bcbbe07a75c9b52bc96bfd5c24d7f0fc0a08c0cb7921b3373c5732345a6f45"

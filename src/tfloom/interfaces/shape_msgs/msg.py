@@ -62,7 +62,7 @@ class Plane(_Message):
 
 
 class SolidPrimitive(_Message):
-    """A simple body; the constants tell which dimension is which."""
+    """A simple body; the constants are the indices of its dimensions."""
 
     _TYPE_NAME = "shape_msgs/msg/SolidPrimitive"
     _TYPE_HASH = "RIHS01_2802a15190aadc3f496584df4b0b4c5824d8a0b31aaef839faa75bc34dda38ac"

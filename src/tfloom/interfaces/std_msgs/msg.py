@@ -164,7 +164,7 @@ class Float64MultiArray(_Message):
 
 
 class Header(_Message):
-    """When something was measured, and in which frame its numbers stand."""
+    """Time of the data, and the frame in which it is expressed."""
 
     _TYPE_NAME = "std_msgs/msg/Header"
     _TYPE_HASH = "RIHS01_f49fb3ae2cf070f793645ff749683ac6b06203e41c891e17701b1cb597ce6a01"

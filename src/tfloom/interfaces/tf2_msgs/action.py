@@ -204,7 +204,7 @@ class LookupTransform(_Action):
     Feedback: _TypeAlias = LookupTransform_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService = LookupTransform_SendGoal
         GetResultService = LookupTransform_GetResult

@@ -34,7 +34,7 @@ class TF2Error(_Message):
 
 
 class TFMessage(_Message):
-    """Transforms between frames, in no order."""
+    """Transforms between frames, in any order."""
 
     _TYPE_NAME = "tf2_msgs/msg/TFMessage"
     _TYPE_HASH = "RIHS01_e369d0f05a23ae52508854b66f6aa0437f3449d652e8cbf22d5abe85d020f087"

@@ -43,7 +43,7 @@ class RotateAbsolute_Result(_Message):
     if TYPE_CHECKING:
         def __init__(self, *, delta: float = ..., check_fields: bool | None = None) -> None: ...
         delta: float
-        """turned, with its sign [rad]"""
+        """angle turned, signed [rad]"""
     else:
         __slots__ = ("_delta",)
 
@@ -199,7 +199,7 @@ class RotateAbsolute(_Action):
     Feedback: _TypeAlias = RotateAbsolute_Feedback
 
     class Impl:
-        """What carries the action."""
+        """The services and messages that carry the action."""
 
         SendGoalService = RotateAbsolute_SendGoal
         GetResultService = RotateAbsolute_GetResult

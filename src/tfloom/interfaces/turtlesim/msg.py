@@ -10,7 +10,7 @@ __all__ = ["Color", "Pose"]
 
 
 class Color(_Message):
-    """The colour under a turtle."""
+    """The background colour at a turtle's position."""
 
     _TYPE_NAME = "turtlesim/msg/Color"
     _TYPE_HASH = "RIHS01_74492579ec0d734707aede0e742ab76c55ac50d3ff917381e5163624cb657fe5"
@@ -26,7 +26,7 @@ class Color(_Message):
 
 
 class Pose(_Message):
-    """Where a turtle is and how it moves."""
+    """Position, heading and speed of a turtle."""
 
     _TYPE_NAME = "turtlesim/msg/Pose"
     _TYPE_HASH = "RIHS01_739beba26bcba6920404ba722b7b8321348512f92ea5be235c47251940dd8aa9"

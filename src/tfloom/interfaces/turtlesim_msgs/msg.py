@@ -10,7 +10,7 @@ __all__ = ["Color", "Pose"]
 
 
 class Color(_Message):
-    """The colour under a turtle."""
+    """The background colour at a turtle's position."""
 
     _TYPE_NAME = "turtlesim_msgs/msg/Color"
     _TYPE_HASH = "RIHS01_f5b5666da8f19d47420026187389c750b66998436878dd631ae83498059a59e2"
@@ -26,7 +26,7 @@ class Color(_Message):
 
 
 class Pose(_Message):
-    """Where a turtle is and how it moves."""
+    """Position, heading and speed of a turtle."""
 
     _TYPE_NAME = "turtlesim_msgs/msg/Pose"
     _TYPE_HASH = "RIHS01_37b07ace09a0ed2c5b774b1410dec972dfd1d292de5656ebc2b075ac646e09c8"

@@ -184,7 +184,7 @@ class InteractiveMarkerUpdate(_Message):
 
 
 class Marker(_Message):
-    """A shape to be shown."""
+    """A shape to display."""
 
     _TYPE_NAME = "visualization_msgs/msg/Marker"
     _TYPE_HASH = "RIHS01_45b13ccf791f225962bf74e746f9644518855d783a6f42ba0cc14fde2b4f3ce0"
@@ -219,7 +219,7 @@ class Marker(_Message):
         """[m]"""
         color: ColorRGBA
         lifetime: Duration
-        """0: for ever"""
+        """0: no limit"""
         frame_locked: bool
         points: list[Point]
         colors: list[ColorRGBA]

@@ -1,1 +1,1 @@
-"""Actions: goals that take time, with feedback on the way and a result at the end."""
+"""Actions: goals that are executed over time, with feedback and a result."""

@@ -39,7 +39,7 @@ __all__ = ["ActionClient", "ClientGoalHandle"]
 
 _POLL_S = 0.01
 MOST_ENDED = 64
-"""How many ended goals may still get feedback."""
+"""Number of ended goals whose feedback callbacks are kept."""
 
 
 class ClientGoalHandle:
@@ -65,7 +65,7 @@ class ClientGoalHandle:
 
     @property
     def stamp(self) -> Time:
-        """When it was accepted."""
+        """Time at which it was accepted."""
         stamp: Time = self._response.stamp
         return stamp
 
@@ -75,19 +75,19 @@ class ClientGoalHandle:
         return bool(self._response.accepted)
 
     def cancel_goal(self) -> Any:
-        """Request cancelling, and wait for the response; another thread must spin the node."""
+        """Request cancellation, and wait for the response; another thread must spin the node."""
         return self._client.wait_for(self.cancel_goal_async())
 
     def cancel_goal_async(self) -> Future[Any]:
-        """Request cancelling; the future is of an `action_msgs/srv/CancelGoal` response."""
+        """Request cancellation, and return the future of the `action_msgs/srv/CancelGoal` response."""
         return self._client.cancel(self._goal_id)
 
     def get_result(self) -> Any:
-        """Wait for state and result, `.status` and `.result`; another thread must spin the node."""
+        """Wait for the end, and return `.status` and `.result`; another thread must spin the node."""
         return self._client.wait_for(self.get_result_async())
 
     def get_result_async(self) -> Future[Any]:
-        """Request the result; the future is of state and result: `.status`, `.result`."""
+        """Request the result, and return its future, with `.status` and `.result`."""
         return self._client.get_result(self)
 
 
@@ -99,14 +99,14 @@ class ActionClient:
         action_type: Class of the action.
         action_name: Its name; it is expanded and remapped.
         callback_group: Group of the feedback's callbacks; None: the node's own.
-        goal_service_qos_profile: QoS of the service that takes goals.
-        result_service_qos_profile: QoS of the service that gives results.
-        cancel_service_qos_profile: QoS of the service that cancels.
+        goal_service_qos_profile: QoS of the service that accepts goals.
+        result_service_qos_profile: QoS of the service that returns results.
+        cancel_service_qos_profile: QoS of the service that cancels goals.
         feedback_sub_qos_profile: QoS of the feedback.
         status_sub_qos_profile: QoS of the goals' states.
 
     Raises:
-        NoTypeSupportImportedException: `action_type` is no action class.
+        NoTypeSupportImportedException: `action_type` is not an action class.
         InvalidServiceNameException: the name isn't valid.
     """
 
@@ -132,7 +132,7 @@ class ActionClient:
         self._feedback_callbacks: dict[bytes, Callable[[Any], Any]] = {}
         self._ended: deque[bytes] = deque()
         self._unanswered: dict[bytes, int] = {}
-        """The last state received of each goal that the server hasn't replied to yet. Guarded by `_lock`."""
+        """The last state received of each goal whose request has no response yet. Guarded by `_lock`."""
         self._goals: weakref.WeakValueDictionary[bytes, ClientGoalHandle] = weakref.WeakValueDictionary()
 
         def client(srv_type: Any, suffix: str, qos: QoSProfile) -> Client:
@@ -168,7 +168,7 @@ class ActionClient:
         )
 
     def wait_for_server(self, timeout_sec: float | None = None) -> bool:
-        """Wait until a server is ready; False after `timeout_sec` [s] (None: no limit), or at shutdown."""
+        """Wait until a server is ready; return False after `timeout_sec` [s] (None: no limit), or at shutdown."""
         end = None if timeout_sec is None else time.monotonic() + timeout_sec
         while self._node.context.ok():
             if self.server_is_ready():
@@ -188,7 +188,7 @@ class ActionClient:
 
         Args:
             goal: The goal's message.
-            feedback_callback: Takes each feedback, `.goal_id` and `.feedback`, until the goal ends.
+            feedback_callback: Called with each feedback message, `.goal_id` and `.feedback`, until the goal ends.
             goal_uuid: Its id; None: a random one.
 
         Returns:
@@ -236,17 +236,17 @@ class ActionClient:
             kwargs: As for `send_goal_async`.
 
         Returns:
-            State and result: `.status`, `.result`; None if the server didn't accept the goal.
+            `.status` and `.result`; None if the server rejected the goal.
         """
         handle = self.wait_for(self.send_goal_async(goal, **kwargs))
         return handle.get_result() if handle is not None and handle.accepted else None
 
     def cancel(self, goal_id: UUID) -> Future[Any]:
-        """Request cancelling a goal; goal handles call it."""
+        """Request cancellation of a goal; goal handles call this."""
         return self._cancel.call_async(CancelGoal.Request(goal_info=GoalInfo(goal_id=goal_id)))
 
     def get_result(self, goal_handle: ClientGoalHandle) -> Future[Any]:
-        """Request the result of a goal; goal handles call it."""
+        """Request the result of a goal; goal handles call this."""
         request = self._action_type.Impl.GetResultService.Request(goal_id=goal_handle.goal_id)
         future: Future[Any] = Future()
 
@@ -263,8 +263,8 @@ class ActionClient:
         executor = self._node.executor
         if executor is not None and executor.would_wait_for_itself():
             raise RuntimeError(
-                f"Waiting for the action {self._action_name} in a callback would last for ever: its executor takes "
-                "in the answer on this very thread. Await the method's _async form, or use a MultiThreadedExecutor"
+                f"Waiting for the action {self._action_name} in a callback would never end, because its executor "
+                "receives the response on this thread. Await the method's _async form, or use a MultiThreadedExecutor"
             )
         ended = threading.Event()
         future.when_complete(ended.set)
@@ -276,7 +276,7 @@ class ActionClient:
         return future.result()
 
     def _chain(self, first: Future[Any], then: Future[Any], convert: Callable[[Any], Any]) -> None:
-        """Complete `then` with what `convert` makes of the result of `first`."""
+        """Complete `then` with `convert(result)` when `first` completes with `result`."""
 
         def complete() -> None:
             if not first.cancelled() and not then.cancelled():
@@ -290,7 +290,7 @@ class ActionClient:
             self._unanswered.pop(key, None)
 
     def _forget(self, key: bytes) -> None:
-        """Drop the feedback callback of an ended goal, not at once, because feedback may arrive after the end."""
+        """Drop the feedback callbacks of all but the last ended goals, because feedback may arrive after the end."""
         with self._lock:
             self._ended.append(key)
             if len(self._ended) > MOST_ENDED:
@@ -307,12 +307,12 @@ class ActionClient:
                 if key in self._unanswered:
                     self._unanswered[key] = each.status
                 handle = self._goals.get(key)
-            # The state in the result is the last one.
+            # The status in the result is the final one.
             if handle is not None and (handle.status in ACTIVE or handle.status == GoalStatus.STATUS_UNKNOWN):
                 handle.status = each.status
 
     def destroy(self) -> None:
-        """Stop sending, and leave the wire."""
+        """Destroy the clients and subscriptions."""
         for client in (self._send, self._result, self._cancel):
             self._node.destroy_client(client)
         self._node.destroy_subscription(self._feedback)

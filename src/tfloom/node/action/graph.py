@@ -1,4 +1,4 @@
-"""The actions on the graph."""
+"""Queries for the actions on the graph."""
 
 from __future__ import annotations
 
@@ -35,12 +35,12 @@ def get_action_server_names_and_types_by_node(
 def get_action_client_names_and_types_by_node(
     node: Node, remote_node_name: str, remote_node_namespace: str
 ) -> NamesAndTypes:
-    """Return the actions that a node uses; RuntimeError if there is no such node."""
+    """Return the actions that a node is a client of; RuntimeError if there is no such node."""
     return _actions(node.get_subscriber_names_and_types_by_node(remote_node_name, remote_node_namespace))
 
 
 def _actions(topics: Iterable[tuple[str, list[str]]]) -> NamesAndTypes:
-    """Return the actions of feedback topics, which servers and clients have alike."""
+    """Return the actions among topics, by their feedback topics, which both servers and clients have."""
     return [
         (name.removesuffix(FEEDBACK), [each.removesuffix(_TYPE_SUFFIX) for each in types])
         for name, types in topics

@@ -70,12 +70,12 @@ def default_handle_accepted_callback(goal_handle: ServerGoalHandle) -> None:
 
 
 def default_goal_callback(goal_request: Any) -> GoalResponse:  # noqa: ARG001
-    """Accept every goal."""
+    """Accept all goals."""
     return GoalResponse.ACCEPT
 
 
 def default_cancel_callback(cancel_request: Any) -> CancelResponse:  # noqa: ARG001
-    """Cancel no goal."""
+    """Reject all requests for cancellation."""
     return CancelResponse.REJECT
 
 
@@ -86,22 +86,22 @@ class ActionServer:
         node: The node that serves.
         action_type: Class of the action.
         action_name: Its name; it is expanded and remapped.
-        execute_callback: Takes a goal handle, ends the goal, and returns its result. It runs as a task of the
+        execute_callback: Called with a goal handle; ends the goal, and returns its result. It runs as a task of the
             executor, in no callback group.
         callback_group: Group of the three callbacks below; None: the node's own.
-        goal_callback: Takes a goal, and accepts or rejects it. Default: accept.
-        handle_accepted_callback: Takes the handle of an accepted goal. Default: execute it.
-        cancel_callback: Takes the handle of a goal, and accepts or rejects cancelling it. Default: reject.
-        goal_service_qos_profile: QoS of the service that takes goals.
-        result_service_qos_profile: QoS of the service that gives results.
-        cancel_service_qos_profile: QoS of the service that cancels.
+        goal_callback: Called with a goal; returns whether it is accepted. Default: accept.
+        handle_accepted_callback: Called with the handle of an accepted goal. Default: execute it.
+        cancel_callback: Called with the handle of a goal; returns whether cancellation is accepted. Default: reject.
+        goal_service_qos_profile: QoS of the service that accepts goals.
+        result_service_qos_profile: QoS of the service that returns results.
+        cancel_service_qos_profile: QoS of the service that cancels goals.
         feedback_pub_qos_profile: QoS of the feedback.
         status_pub_qos_profile: QoS of the goals' states.
-        result_timeout: How long the result of a goal that has ended is kept [s]; negative: for ever.
-        forget_told_results: Whether a goal is dropped as soon as its result was sent to one client.
+        result_timeout: Time for which the result of an ended goal is kept [s]; negative: no limit.
+        forget_sent_results: Whether a goal is dropped as soon as its result was sent to one client.
 
     Raises:
-        NoTypeSupportImportedException: `action_type` is no action class.
+        NoTypeSupportImportedException: `action_type` is not an action class.
         InvalidServiceNameException: the name isn't valid.
     """
 
@@ -122,13 +122,13 @@ class ActionServer:
         feedback_pub_qos_profile: QoSProfile = QoSProfile(depth=10),  # noqa: B008  # never changed
         status_pub_qos_profile: QoSProfile = qos_profile_action_status_default,
         result_timeout: float = 900,
-        forget_told_results: bool = False,
+        forget_sent_results: bool = False,
     ) -> None:
         check_is_valid_action_type(action_type)
         self._node = node
         self._action_type = action_type
         self._result_timeout_ns = int(result_timeout * S_TO_NS)
-        self._forgets_told_results = forget_told_results
+        self._forgets_sent_results = forget_sent_results
         self._lock = threading.RLock()
         """Guards `_goals` and `_ended_ns`."""
         self._goals: dict[bytes, ServerGoalHandle] = {}
@@ -161,22 +161,22 @@ class ActionServer:
         return self._action_type
 
     def register_execute_callback(self, execute_callback: Callable[[ServerGoalHandle], Any]) -> None:
-        """Execute goals with this callback from now on; TypeError if it isn't callable."""
+        """Set the callback that executes goals; TypeError if it isn't callable."""
         self._execute_callback = _callable(execute_callback, "execute")
 
     def register_goal_callback(self, goal_callback: Callable[[Any], Any] | None) -> None:
-        """Accept or reject goals by this callback from now on; None: accept all."""
+        """Set the callback that accepts or rejects goals; None: accept all."""
         self._goal_callback = _callable(goal_callback or default_goal_callback, "goal")
 
     def register_handle_accepted_callback(
         self, handle_accepted_callback: Callable[[ServerGoalHandle], Any] | None
     ) -> None:
-        """Give accepted goals to this callback from now on; None: execute them."""
+        """Set the callback for accepted goals; None: execute them."""
         callback = handle_accepted_callback or default_handle_accepted_callback
         self._handle_accepted_callback = _callable(callback, "handle accepted")
 
     def register_cancel_callback(self, cancel_callback: Callable[[ServerGoalHandle], Any] | None) -> None:
-        """Accept or reject cancelling by this callback from now on; None: reject."""
+        """Set the callback that accepts or rejects cancellation; None: reject."""
         self._cancel_callback = _callable(cancel_callback or default_cancel_callback, "cancel")
 
     # Goals
@@ -212,7 +212,7 @@ class ActionServer:
     def notify_execute(
         self, goal_handle: ServerGoalHandle, execute_callback: Callable[[ServerGoalHandle], Any] | None
     ) -> None:
-        """Execute a goal; goal handles call it."""
+        """Execute a goal; goal handles call this."""
         callback = execute_callback if execute_callback is not None else self._execute_callback
         self._start(self._execute, _callable(callback, "execute"), goal_handle)
 
@@ -238,7 +238,7 @@ class ActionServer:
             )
         handle.result_future.set_result(response)
         key = key_of(handle.goal_id)
-        if self._goals.get(key) is handle:  # else it, or the server, was destroyed
+        if self._goals.get(key) is handle:  # otherwise the goal, or the server, was destroyed
             self._note_end(key)
 
     def _on_result(self, request: Any, response: Any) -> Any:
@@ -246,7 +246,7 @@ class ActionServer:
         if handle is None:
             response.status = GoalStatus.STATUS_UNKNOWN
             return response
-        if self._forgets_told_results:
+        if self._forgets_sent_results:
             handle.result_future.when_complete(handle.destroy)
         return handle.result_future
 
@@ -293,7 +293,7 @@ class ActionServer:
     # Publishing
 
     def publish_feedback(self, goal_id: UUID, feedback: Any) -> None:
-        """Publish the feedback of a goal; goal handles call it."""
+        """Publish the feedback of a goal; goal handles call this."""
         if not isinstance(feedback, self._action_type.Feedback):
             raise TypeError(f"Expected {self._action_type.Feedback}, got {type(feedback)}")
         message = self._action_type.Impl.FeedbackMessage(goal_id=goal_id, feedback=feedback)
@@ -301,7 +301,7 @@ class ActionServer:
             self._feedback.publish(message)
 
     def notify_goal_done(self) -> None:
-        """Publish that the state of a goal has changed; goal handles call it."""
+        """Publish the states of the goals, because one has changed; goal handles call this."""
         self._publish_status()
 
     def _publish_status(self) -> None:
@@ -309,7 +309,7 @@ class ActionServer:
             goals = list(self._goals.values())
         if not self._node.context.ok():
             return
-        with suppress(InvalidHandle):  # the node was destroyed under it
+        with suppress(InvalidHandle):  # the node was destroyed meanwhile
             self._status.publish(
                 GoalStatusArray(
                     status_list=[GoalStatus(goal_info=goal.goal_info, status=goal.status) for goal in goals]
@@ -329,7 +329,7 @@ class ActionServer:
         if self._result_timeout_ns < 0:
             return
         with self._lock:
-            if key not in self._goals:  # forgotten already
+            if key not in self._goals:  # dropped before
                 return
             self._ended_ns[key] = time.monotonic_ns()
         self._expire()
@@ -350,7 +350,7 @@ class ActionServer:
         self._expiry.reset()
 
     def destroy(self) -> None:
-        """Stop serving, and leave the wire. Executing goals go on, and nothing of them is published."""
+        """Destroy the services and publishers. Goals continue to execute, and nothing is published about them."""
         with self._lock:
             goals = list(self._goals.values())
         for goal in goals:

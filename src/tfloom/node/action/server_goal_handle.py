@@ -16,7 +16,7 @@ __all__ = ["GoalServer", "ServerGoalHandle"]
 
 
 class GoalServer(Protocol):
-    """What a goal handle calls of its action server."""
+    """The methods of an action server that a goal handle calls."""
 
     def notify_goal_done(self) -> None:
         """Publish the states of the goals, because one has changed."""
@@ -24,7 +24,7 @@ class GoalServer(Protocol):
     def notify_execute(
         self, goal_handle: ServerGoalHandle, execute_callback: Callable[[ServerGoalHandle], Any] | None
     ) -> None:
-        """Execute a goal by `execute_callback`; None: by the server's own."""
+        """Execute a goal by `execute_callback`; None: by the server's callback."""
 
     def publish_feedback(self, goal_id: UUID, feedback: Any) -> None:
         """Publish the feedback of a goal; TypeError if it isn't of the action's feedback type."""
@@ -34,9 +34,9 @@ class GoalServer(Protocol):
 
 
 class ServerGoalHandle:
-    """A goal that was accepted: its request, its state, and the methods that end it.
+    """An accepted goal: its request, its state, and the methods that end it.
 
-    Once it is destroyed, with its server or by itself, its state is unknown and nothing is published any more.
+    After `destroy`, of the handle or of its server, the state is unknown and nothing more is published.
     """
 
     def __init__(self, action_server: GoalServer, goal_info: GoalInfo, goal_request: Any) -> None:
@@ -70,7 +70,7 @@ class ServerGoalHandle:
 
     @property
     def goal_info(self) -> GoalInfo:
-        """Id of the goal, and when it was accepted."""
+        """Id of the goal, and the time at which it was accepted."""
         return self._info
 
     @property
@@ -85,7 +85,7 @@ class ServerGoalHandle:
 
     @property
     def is_cancel_requested(self) -> bool:
-        """Whether cancelling was accepted: call `canceled` once that is done."""
+        """Whether cancellation was accepted; call `canceled` when the work has stopped."""
         return self.status == GoalStatus.STATUS_CANCELING
 
     def update(self, event: GoalEvent) -> None:
@@ -106,11 +106,11 @@ class ServerGoalHandle:
         """Execute the goal, by the server's callback or `execute_callback`.
 
         Raises:
-            RCLError: it is being executed, or has ended.
+            RCLError: it is executing, or has ended.
         """
         if self._destroyed:
             return
-        # A goal may be cancelled before it begins; the callback then sees CANCELING.
+        # A goal may be cancelled before it begins; its callback is then called with CANCELING.
         if not self.is_cancel_requested:
             self.update(GoalEvent.EXECUTE)
         self._server.notify_execute(self, execute_callback)

@@ -1,1 +1,1 @@
-"""A node without its built-in services: its names, what it sees of the graph, what it creates."""
+"""A node without its built-in services: its names, its view of the graph, and the entities that it creates."""

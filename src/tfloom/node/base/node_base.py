@@ -1,4 +1,4 @@
-"""A node without its built-in services: parameters, and the creation of publishers, services, timers and the rest."""
+"""A node without its built-in services: parameters, and the creation of publishers, services, timers and others."""
 
 from __future__ import annotations
 
@@ -57,16 +57,16 @@ MsgType = TypeVar("MsgType", bound=Message)
 
 # Private names are mangled, because programs derive from Node and choose names of their own.
 class NodeBase(NodeEntities, NodeParameters):
-    """A node without built-in services, which take this class; Node completes it.
+    """A node without built-in services, which take an object of this class; Node adds them.
 
-    All that creates raises InvalidHandle once the node is destroyed.
+    All `create_…` methods raise InvalidHandle after the node was destroyed.
 
     Args:
         node_name: Its name; `__node:=` among the arguments replaces it.
         context: The context it belongs to.
-        arguments: ROS arguments that hold for it.
+        arguments: ROS arguments that apply to it.
         namespace: Its namespace, with or without the first slash; `__ns:=` among the arguments replaces it.
-        parameter_overrides: First values of parameters; they win over those of the arguments.
+        parameter_overrides: First values of parameters; they take precedence over those of the arguments.
         allow_undeclared_parameters: Whether parameters may be set that aren't declared.
         declare_overrides: Whether each parameter that is given a first value is declared at once.
 
@@ -79,7 +79,7 @@ class NodeBase(NodeEntities, NodeParameters):
     __owned: OwnedEntities = SET_BY_INIT
 
     _parameter_event_overriding: QoSOverridingOptions | None = None
-    """What parameters may override of the publisher of parameter events: nothing, as in rclpy; rclcpp lets them."""
+    """Overridable policies of the parameter event publisher: none, as in rclpy; rclcpp has some."""
 
     def __init__(
         self,
@@ -159,7 +159,7 @@ class NodeBase(NodeEntities, NodeParameters):
             publisher_class: Class of the publisher.
 
         Raises:
-            NoTypeSupportImportedException: `msg_type` is no message class.
+            NoTypeSupportImportedException: `msg_type` is not a message class.
             InvalidTopicNameException: the name isn't valid.
             TypeError, ValueError: `qos_profile` is neither a profile nor a depth.
             InvalidQosOverridesError: the parameters give an invalid profile.
@@ -202,7 +202,7 @@ class NodeBase(NodeEntities, NodeParameters):
         Args:
             msg_type: Class of the messages.
             topic: Name of the topic; it is expanded and remapped.
-            callback: Takes a message, or a message and a dict of its stamps [ns]. Runs on a thread of the executor.
+            callback: Called with a message, or a message and a dict of its stamps [ns], on a thread of the executor.
             qos_profile: QoS that it requests; a number is the depth of a KEEP_LAST history.
             callback_group: Group of its callbacks; None: the node's own.
             event_callbacks: Callbacks for its events; None: a warning is logged about incompatible QoS.
@@ -210,7 +210,7 @@ class NodeBase(NodeEntities, NodeParameters):
             raw: Whether the callback takes bytes, encapsulation header and CDR, rather than messages.
 
         Raises:
-            NoTypeSupportImportedException: `msg_type` is no message class.
+            NoTypeSupportImportedException: `msg_type` is not a message class.
             InvalidTopicNameException: the name isn't valid.
             TypeError, ValueError: `qos_profile` is neither a profile nor a depth.
             InvalidQosOverridesError: the parameters give an invalid profile.
@@ -286,13 +286,13 @@ class NodeBase(NodeEntities, NodeParameters):
         Args:
             srv_type: Class of the service.
             srv_name: Its name; it is expanded and remapped.
-            callback: Takes a request and an empty response, and returns the response, or is a coroutine function
-                that does. Runs on a thread of the executor.
+            callback: Called with a request and an empty response, on a thread of the executor; returns the response,
+                or is a coroutine function that does.
             qos_profile: QoS of requests and responses.
             callback_group: Group of its callbacks; None: the node's own.
 
         Raises:
-            NoTypeSupportImportedException: `srv_type` is no service class.
+            NoTypeSupportImportedException: `srv_type` is not a service class.
             InvalidServiceNameException: the name isn't valid.
         """
         check_is_valid_srv_type(srv_type)
@@ -327,10 +327,10 @@ class NodeBase(NodeEntities, NodeParameters):
             srv_type: Class of the service.
             srv_name: Its name; it is expanded and remapped.
             qos_profile: QoS of requests and responses.
-            callback_group: Unused, as receiving a response waits for no callback; rclpy has it.
+            callback_group: Unused, because responses are received in no callback group; kept for rclpy's signature.
 
         Raises:
-            NoTypeSupportImportedException: `srv_type` is no service class.
+            NoTypeSupportImportedException: `srv_type` is not a service class.
             InvalidServiceNameException: the name isn't valid.
         """
         check_is_valid_srv_type(srv_type)
@@ -366,10 +366,10 @@ class NodeBase(NodeEntities, NodeParameters):
 
         Args:
             timer_period_sec: The period [s].
-            callback: Takes nothing. Runs on a thread of the executor.
+            callback: Called without arguments, on a thread of the executor.
             callback_group: Its group; None: the node's own.
-            clock: Counts the period; None: the node's.
-            autostart: Whether it runs from the start; else from its first `reset`.
+            clock: Clock of the period; None: the node's.
+            autostart: Whether it is started at once; otherwise by its first `reset`.
 
         Raises:
             ValueError: the period is negative.
@@ -384,7 +384,7 @@ class NodeBase(NodeEntities, NodeParameters):
     def create_guard_condition(
         self, callback: Callable[[], Any], callback_group: CallbackGroup | None = None
     ) -> GuardCondition:
-        """Create a guard condition, whose callback runs after it is triggered."""
+        """Create a guard condition, whose callback runs after each trigger."""
         group = callback_group or self.default_callback_group
         return self.__owned.add(GuardCondition(callback, group, context=self.context), self)
 
@@ -392,8 +392,8 @@ class NodeBase(NodeEntities, NodeParameters):
         """Create a rate for a loop on a thread that doesn't spin the node.
 
         Args:
-            frequency: How often its `sleep` returns [Hz].
-            clock: Counts the period; None: the node's.
+            frequency: Rate at which its `sleep` returns [Hz].
+            clock: Clock of the period; None: the node's.
 
         Raises:
             ValueError: `frequency` isn't above 0.
@@ -406,7 +406,7 @@ class NodeBase(NodeEntities, NodeParameters):
         return rate
 
     def destroy_node(self) -> None:
-        """Leave the executor and the graph, with all that was created. Destroying again does nothing."""
+        """Leave the executor and the graph, and destroy all that was created. Destroying again does nothing."""
         self.__parameter_event_publisher = None
         NodeEntities.destroy_node(self)
 

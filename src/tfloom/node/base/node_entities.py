@@ -1,4 +1,4 @@
-"""A node as the owner of what it has created: what an executor runs, and what is destroyed with the node."""
+"""A node as the owner of its entities, which an executor runs and which are destroyed with the node."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from tfloom.node.endpoints.client import Client
 from tfloom.node.endpoints.service import Service
 from tfloom.node.endpoints.subscription import Subscription
 from tfloom.node.executing.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
+from tfloom.node.executing.event_handler import EventHandler
 from tfloom.node.executing.guard_condition import GuardCondition
 from tfloom.node.executing.timer import Rate, Timer
 from tfloom.node.executing.waitable_entity import WaitableEntity
@@ -35,15 +36,15 @@ WireEndpoint = TypeVar("WireEndpoint")
 
 
 class NodeEntities(NodeGraph):
-    """Lists, runs and destroys what a node has created; a base of Node.
+    """Lists and destroys the entities that a node has created; a base of Node.
 
     Args:
         names: The node's names.
         graph: Graph of its participant.
-        context: Context it has joined, and leaves when it is destroyed.
+        context: The context that it has joined, and leaves when it is destroyed.
         clock: Its clock.
         logger: Its logger.
-        owned: What it has created.
+        owned: The entities that it has created.
     """
 
     __context: Context = SET_BY_INIT
@@ -85,7 +86,7 @@ class NodeEntities(NodeGraph):
 
     @property
     def executor(self) -> Executor | None:
-        """The executor it was added to, or None."""
+        """The executor that it was added to, or None."""
         return None if self.__executor is None else self.__executor()
 
     @executor.setter
@@ -109,11 +110,11 @@ class NodeEntities(NodeGraph):
 
     @property
     def default_callback_group(self) -> CallbackGroup:
-        """The group of everything created without one: one callback at a time."""
+        """The group of all entities created without one: one callback at a time."""
         return self.__default_callback_group
 
     def entities(self) -> list[Entity]:
-        """Return all that an executor is to run."""
+        """Return all entities that an executor runs."""
         return self.__owned.entities()
 
     @property
@@ -151,18 +152,21 @@ class NodeEntities(NodeGraph):
         """The waitables that were added."""
         return (each.waitable for each in self.entities() if isinstance(each, WaitableEntity))
 
-    def add_waitable(self, waitable: Waitable) -> None:
-        """Make the node's executor wait for a waitable, too."""
-        self.__owned.add(WaitableEntity(waitable, lambda: self.executor), self)
+    def add_waitable(self, waitable: Waitable | EventHandler) -> None:
+        """Add a waitable, or an event handler, to those that the node's executor waits for."""
+        if isinstance(waitable, EventHandler):
+            self.__owned.add(waitable, self)
+        else:
+            self.__owned.add(WaitableEntity(waitable, lambda: self.executor), self)
 
-    def remove_waitable(self, waitable: Waitable) -> None:
+    def remove_waitable(self, waitable: Waitable | EventHandler) -> None:
         """Undo `add_waitable`.
 
         Raises:
             ValueError: it was never added.
         """
         for each in self.entities():
-            if isinstance(each, WaitableEntity) and each.waitable is waitable:
+            if each is waitable or (isinstance(each, WaitableEntity) and each.waitable is waitable):
                 self.__owned.destroy(each)
                 return
         raise ValueError(f"{waitable!r} is no waitable of this node")
@@ -188,7 +192,7 @@ class NodeEntities(NodeGraph):
         return self.__owned.destroy(service)
 
     def destroy_client(self, client: Client) -> bool:
-        """Destroy a client; False if it isn't this node's. Its requests get no response any more."""
+        """Destroy a client; False if it isn't this node's. Responses to its pending requests are dropped."""
         return self.__owned.destroy(client)
 
     def destroy_timer(self, timer: Timer) -> bool:
@@ -208,7 +212,7 @@ class NodeEntities(NodeGraph):
         self.__owned.destroy_all()
 
     def destroy_node(self) -> None:
-        """Leave the executor and the graph, with all that was created. Destroying again does nothing."""
+        """Leave the executor and the graph, and destroy all that was created. Destroying again does nothing."""
         if self.__destroyed:
             return
         self.__destroyed = True

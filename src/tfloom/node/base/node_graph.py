@@ -1,4 +1,4 @@
-"""What a node is called, and what it sees of the other nodes."""
+"""The names of a node, and its queries of the graph."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _POLL_PERIOD_S = 0.02
 
 
 class NodeGraph:
-    """What a node is called, and what it sees of the other nodes; a base of Node."""
+    """The names of a node, and its queries of the graph; a base of Node."""
 
     __names: NodeNames = SET_BY_INIT
     __graph: Graph = SET_BY_INIT
@@ -92,7 +92,7 @@ class NodeGraph:
 
         Args:
             no_demangle: Whether to return all topics on the wire, those of services and of other programs too, by
-                the names of topics and types that DDS knows, such as `rt/pose` and `turtlesim::msg::dds_::Pose_`.
+                their DDS names and types, such as `rt/pose` and `turtlesim::msg::dds_::Pose_`.
         """
         return self.__names_and_types(lambda _: True, no_demangle)
 

@@ -19,9 +19,9 @@ class NodeNames:
     """A node's name after remapping, and the remapping of the names that the node uses.
 
     Args:
-        node_name: Name that the program gives the node.
+        node_name: The node's name before remapping.
         namespace: Its namespace, with or without the first slash.
-        arguments: ROS arguments that hold for the node.
+        arguments: ROS arguments that apply to the node.
 
     Raises:
         InvalidNodeNameException: the name isn't valid.
@@ -42,7 +42,7 @@ class NodeNames:
         """Return the full name of a topic or service: expanded, checked, and remapped unless `only_expand`.
 
         Raises:
-            NameValidationException: the name isn't valid, before or after.
+            NameValidationException: the name isn't valid, before or after expansion.
         """
         node = self.node
         validate_topic_name(name, is_service=is_service)

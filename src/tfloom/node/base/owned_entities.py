@@ -1,4 +1,4 @@
-"""What a node has created and destroys with itself."""
+"""The entities that a node has created, and that are destroyed with it."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ class Destroyable(Protocol):
 class OwnedEntities:
     """The entities of one node, its publishers and rates, and its endpoints that no executor runs.
 
-    Each of them keeps the node alive by its attribute `_part_of`. The lists have no lock: each change is a single
-    operation on a list.
+    Each of them keeps the node alive by its attribute `_part_of`. The lists have no lock, because each change is a
+    single operation on a list.
 
     Args:
         participant: Creates the node's endpoints.
@@ -63,7 +63,7 @@ class OwnedEntities:
         return self._participant
 
     def entities(self) -> list[Entity]:
-        """Return all that an executor is to run."""
+        """Return all entities that an executor runs."""
         return list(self._entities)
 
     def publishers(self) -> list[Publisher[Any]]:
@@ -71,7 +71,7 @@ class OwnedEntities:
         return list(self._publishers)
 
     def add(self, entity: AnyEntity, owner: SpunNode) -> AnyEntity:
-        """Keep an entity, and give it to the executor of its node `owner`.
+        """Add an entity, also to the executor of its node `owner`.
 
         Raises:
             InvalidHandle: the node was destroyed.
@@ -87,7 +87,7 @@ class OwnedEntities:
         return entity
 
     def remove(self, entity: Entity) -> bool:
-        """Drop an entity, and take it from its node's executor; False if it isn't here."""
+        """Remove an entity, also from its node's executor; False if it isn't here."""
         if entity not in self._entities:
             return False
         self._entities.remove(entity)
@@ -104,7 +104,7 @@ class OwnedEntities:
         return removed
 
     def add_publisher(self, publisher: Publisher[Any], owner: SpunNode) -> None:
-        """Keep a publisher of the node `owner`."""
+        """Add a publisher of the node `owner`."""
         publisher._part_of = owner  # noqa: SLF001  # ours
         self._publishers.append(publisher)
 
@@ -119,7 +119,7 @@ class OwnedEntities:
         return True
 
     def add_rate(self, rate: Rate) -> None:
-        """Keep a rate."""
+        """Add a rate."""
         self._rates.append(rate)
 
     def destroy_rate(self, rate: Rate) -> bool:
@@ -144,10 +144,10 @@ class OwnedEntities:
         return created
 
     def destroy_all(self) -> None:
-        """Destroy everything, the newest first, and refuse to create more."""
+        """Destroy everything, the newest first; creating more raises InvalidHandle."""
         for rate in list(self._rates):
             self.destroy_rate(rate)
-        for entity in reversed(self.entities()):  # event handlers come after what they watch
+        for entity in reversed(self.entities()):  # event handlers come after the endpoints that they watch
             self.destroy(entity)
         for publisher in list(self._publishers):
             self.destroy_publisher(publisher)

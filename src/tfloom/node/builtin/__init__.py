@@ -1,1 +1,1 @@
-"""What every node runs by itself, and the clients of that: parameter services, log services, time source."""
+"""Built-in parts of every node: parameter services, logger services, time source; and the clients of these."""

@@ -1,4 +1,4 @@
-"""Reading and setting the parameters of another node."""
+"""Clients for the parameters of another node."""
 
 from __future__ import annotations
 
@@ -67,11 +67,11 @@ class AsyncParameterClient:
         return [self._list, self._set, self._get, self._get_types, self._describe, self._set_atomically]
 
     def services_are_ready(self) -> bool:
-        """Return whether all six services are there."""
+        """Return whether all six services are ready."""
         return all(client.service_is_ready() for client in self._clients())
 
     def wait_for_services(self, timeout_sec: float | None = None) -> bool:
-        """Wait for all six services; False if they aren't there after `timeout_sec` [s] (None: no limit)."""
+        """Wait for all six services; False if they aren't ready after `timeout_sec` [s] (None: no limit)."""
         end = None if timeout_sec is None else time.monotonic() + timeout_sec
         for client in self._clients():
             left_s = None if end is None else max(0.0, end - time.monotonic())
@@ -85,11 +85,11 @@ class AsyncParameterClient:
         depth: int | None = None,
         callback: _Callback | None = None,
     ) -> Future[Any]:
-        """Ask for the names below some prefixes (None: all), `depth` parts deep (None: any)."""
+        """Request the names below prefixes (None: all names), at most `depth` parts deep (None: no limit)."""
         return _call(self._list, ListParameters.Request(prefixes=prefixes or [], depth=depth or 0), callback)
 
     def get_parameters(self, names: list[str], callback: _Callback | None = None) -> Future[Any]:
-        """Ask for values."""
+        """Request values."""
         return _call(self._get, GetParameters.Request(names=names), callback)
 
     def set_parameters(
@@ -106,27 +106,27 @@ class AsyncParameterClient:
         return _call(self._set_atomically, request, callback)
 
     def describe_parameters(self, names: list[str], callback: _Callback | None = None) -> Future[Any]:
-        """Ask for descriptors."""
+        """Request descriptors."""
         return _call(self._describe, DescribeParameters.Request(names=names), callback)
 
     def get_parameter_types(self, names: list[str], callback: _Callback | None = None) -> Future[Any]:
-        """Ask for types."""
+        """Request types."""
         return _call(self._get_types, GetParameterTypes.Request(names=names), callback)
 
     def delete_parameters(self, names: list[str], callback: _Callback | None = None) -> Future[Any]:
-        """Undeclare parameters; only those of dynamic type can be."""
+        """Undeclare parameters; this succeeds for those of dynamic type only."""
         return self.set_parameters([Parameter(name, ParameterType.NOT_SET) for name in names], callback)
 
     def load_parameter_file(
         self, parameter_file: str, use_wildcard: bool = False, callback: _Callback | None = None
     ) -> Future[Any]:
-        """Set one by one what a YAML file has for the other node, and for all nodes if `use_wildcard`."""
+        """Set one by one the parameters that a YAML file has for the other node, and for `/**` if `use_wildcard`."""
         return self.set_parameters(self._read(parameter_file, use_wildcard), callback)
 
     def load_parameter_file_atomically(
         self, parameter_file: str, use_wildcard: bool = False, callback: _Callback | None = None
     ) -> Future[Any]:
-        """Set all of a YAML file or nothing, as `load_parameter_file`."""
+        """Set all parameters of a YAML file, or none; otherwise as `load_parameter_file`."""
         return self.set_parameters_atomically(self._read(parameter_file, use_wildcard), callback)
 
     def _read(self, parameter_file: str, use_wildcard: bool) -> list[ParameterMsg]:
@@ -145,7 +145,7 @@ class AsyncParameterClient:
         qos_overriding_options: Any = None,
         raw: bool = False,
     ) -> Subscription[ParameterEvent]:
-        """Subscribe to the changes of parameters, those of all nodes."""
+        """Subscribe to the parameter changes of all nodes."""
         return self.node.create_subscription(
             ParameterEvent,
             "/parameter_events",

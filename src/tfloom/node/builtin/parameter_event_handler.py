@@ -1,4 +1,4 @@
-"""Callbacks for changes of parameters, of any node."""
+"""Callbacks for parameter changes of any node."""
 
 from __future__ import annotations
 
@@ -34,10 +34,10 @@ class ParameterEventCallbackHandle:
 
 
 class ParameterEventHandler:
-    """Listens to /parameter_events.
+    """Calls callbacks for the events on /parameter_events.
 
     Args:
-        node: The node that listens.
+        node: The node that subscribes.
         qos_profile: QoS of the subscription.
         callback_group: Group of the callbacks.
         event_callbacks: Callbacks for the subscription's events.
@@ -55,7 +55,9 @@ class ParameterEventHandler:
         raw: bool = False,
     ) -> None:
         if raw:
-            raise NotImplementedError("ParameterEventHandler(raw=True): its callbacks take messages")
+            raise NotImplementedError(
+                "ParameterEventHandler has no raw=True, because its callbacks take messages"
+            )
         self.node = node
         self._for_parameters: list[ParameterCallbackHandle] = []
         self._for_events: list[ParameterEventCallbackHandle] = []
@@ -77,7 +79,7 @@ class ParameterEventHandler:
         Args:
             parameter_name: The parameter.
             node_name: The node; a relative name is in this node's namespace.
-            callback: Takes the message.
+            callback: Called with the parameter's message.
         """
         handle = ParameterCallbackHandle(parameter_name, self._full_name(node_name), callback)
         self._for_parameters.insert(0, handle)
@@ -99,11 +101,11 @@ class ParameterEventHandler:
         return handle
 
     def remove_parameter_callback(self, handle: ParameterCallbackHandle) -> None:
-        """Undo one `add_parameter_callback`; RuntimeError if it was undone."""
+        """Undo one `add_parameter_callback`; RuntimeError if that has been done."""
         _remove(self._for_parameters, handle)
 
     def remove_parameter_event_callback(self, handle: ParameterEventCallbackHandle) -> None:
-        """Undo one `add_parameter_event_callback`; RuntimeError if it was undone."""
+        """Undo one `add_parameter_event_callback`; RuntimeError if that has been done."""
         _remove(self._for_events, handle)
 
     def destroy(self) -> None:
@@ -122,7 +124,7 @@ class ParameterEventHandler:
     def get_parameter_from_event(
         event: ParameterEvent, parameter_name: str, node_name: str
     ) -> Parameter | None:
-        """Return what an event set a parameter of a node to, or None if it didn't."""
+        """Return the parameter that an event set, by name and node, or None."""
         if event.node != node_name:
             return None
         for parameter in ParameterEventHandler.get_parameters_from_event(event):
@@ -132,7 +134,7 @@ class ParameterEventHandler:
 
     @staticmethod
     def get_parameters_from_event(event: ParameterEvent) -> Iterable[Parameter]:
-        """Return all parameters that an event set, new ones and others."""
+        """Return all parameters that an event set, new and changed ones."""
         yield from event.new_parameters
         yield from event.changed_parameters
 

@@ -41,7 +41,7 @@ __all__ = ["TOPIC_SEPARATOR_STRING", "ParameterService"]
 class ParameterService:
     """Serves a node's parameters: six services below its name.
 
-    A request that names a parameter which isn't declared gets an empty list, not an error.
+    The response to a request with an undeclared parameter is an empty list, not an error.
     """
 
     def __init__(self, node: NodeBase) -> None:

@@ -1,4 +1,4 @@
-"""A node's log records on /rosout."""
+"""Publication of a node's log records on /rosout."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Rosout:
 
     def __init__(self, node: NodeBase) -> None:
         topic = topic_of(rcl_msg.Log, TOPIC)
-        self._writer = node._open(  # noqa: SLF001  # how endpoints are opened that no executor runs
+        self._writer = node._open(  # noqa: SLF001  # opens endpoints that no executor runs
             self, lambda wire, name: wire.create_writer(name, topic, qos_profile_rosout_default.to_wire())
         )
         self._logger_name = node.get_logger().name
@@ -64,11 +64,11 @@ class Rosout:
         )
         try:
             self._writer.write(cdr.encode(message))
-        except ClosedError:  # the context has left the wire; other users of the logger go on
+        except ClosedError:  # the context has left the wire; the record still reaches the other listeners
             log_output.remove_listener(self._logger_name, self._publish)
 
     def destroy(self) -> None:
-        """Stop publishing; the node does it when it is destroyed."""
+        """Stop publishing; the node calls this when it is destroyed."""
         if self in self._twins:
             self._twins.remove(self)
         log_output.remove_listener(self._logger_name, self._publish)
@@ -76,5 +76,5 @@ class Rosout:
 
 
 def _encodable(text: str) -> str:
-    """Return a text with its lone surrogates, of undecodable file names say, written as escapes."""
+    """Return a text with its lone surrogates, for example of undecodable file names, written as escapes."""
     return text if text.isascii() else text.encode("utf-8", "backslashreplace").decode("utf-8")

@@ -43,7 +43,7 @@ class TimeSource:
 
     @property
     def ros_time_is_active(self) -> bool:
-        """Whether the clocks show simulated time."""
+        """Whether the clocks return simulated time."""
         return self._ros_time_is_active
 
     @ros_time_is_active.setter
@@ -59,10 +59,10 @@ class TimeSource:
             self._unsubscribe()
 
     def attach_node(self, node: NodeBase) -> None:
-        """Follow a node's `use_sim_time`, which is declared if it isn't yet, and subscribe to /clock on that node.
+        """Follow a node's `use_sim_time`, declare it if necessary, and subscribe to /clock on that node.
 
         Raises:
-            InvalidParameterTypeException: the parameter's first value isn't true or false.
+            InvalidParameterTypeException: the parameter's first value isn't a bool.
         """
         if self._node is not None:
             self.detach_node()
@@ -74,17 +74,17 @@ class TimeSource:
         node.add_on_set_parameters_callback(self._on_parameters)
 
     def detach_node(self) -> None:
-        """Leave the node; the clocks go back to system time."""
+        """Leave the node; the clocks return system time again."""
         if self._node is not None:
             self.ros_time_is_active = False
             self._node.remove_on_set_parameters_callback(self._on_parameters)
             self._node = None
 
     def attach_clock(self, clock: Clock) -> None:
-        """Set a clock from now on.
+        """Add a clock to those that are set.
 
         Raises:
-            ValueError: it is no ROS clock.
+            ValueError: it is not a ROS clock.
         """
         if not isinstance(clock, ROSClock):
             raise ValueError("Only clocks with type ROS_TIME can be attached.")  # noqa: TRY004  # as in rclpy
@@ -93,7 +93,7 @@ class TimeSource:
         self._clocks.append(clock)
 
     def clock_callback(self, msg: rosgraph_msg.Clock) -> None:
-        """Set the clocks to the time of a message; a time before 0, which no clock can show, is dropped."""
+        """Set the clocks to the time of a message; drop a time before 0, which clocks can't hold."""
         if msg.clock.sec < 0:
             if self._warning is not None:
                 self._warning.log(f"Dropped a time on {CLOCK_TOPIC} that is before 0: {msg.clock.sec} s")

@@ -30,7 +30,7 @@ START_TYPE_DESCRIPTION_SERVICE_PARAM = "start_type_description_service"
 
 
 class TypeDescriptionService:
-    """Serves the definitions of types, below a node's name, unless its parameter disables it."""
+    """Serves the definitions of types below a node's name, unless the node's parameter disables it."""
 
     def __init__(self, node: NodeBase) -> None:
         self._node = node
@@ -64,7 +64,11 @@ class TypeDescriptionService:
                 response.failure_reason = (
                     f"{request.type_name} is known with the hash {known._TYPE_HASH} only"  # ours
                 )
-        except (LookupError, ValueError, OSError) as error:  # there is none, or its file can't be read
+        except (
+            LookupError,
+            ValueError,
+            OSError,
+        ) as error:  # there is no definition, or its file can't be read
             response.failure_reason = str(error)
         return response
 
@@ -73,7 +77,7 @@ def _describe(name: str, response: GetTypeDescription_Response, *, with_sources:
     """Fill in a response.
 
     Raises:
-        LookupError, ParseError, UnicodeDecodeError, OSError: a definition isn't there, or can't be read.
+        LookupError, ParseError, UnicodeDecodeError, OSError: a definition is missing, or can't be read.
     """
     from tfloom.rosidl.sources import find_message
     from tfloom.rosidl.type_hash import type_description
@@ -90,7 +94,7 @@ def _describe(name: str, response: GetTypeDescription_Response, *, with_sources:
 
 
 def _find_interface(name: str) -> spec.Interface:
-    """Return the spec of a message, service or action, or of what is part of one.
+    """Return the spec of a message, service or action, or of a part of one.
 
     Raises:
         LookupError: there is none.
@@ -108,7 +112,7 @@ def _find_interface(name: str) -> spec.Interface:
 
 
 def _source(name: str) -> TypeSource:
-    """Return the text that defines a type; a part of a service or an action has none of its own."""
+    """Return the text that defines a type; for a part of a service or action, an empty one."""
     from tfloom.rosidl.sources import definition_name, find_source
 
     source = find_source(name) if name == definition_name(name) else None

@@ -1,1 +1,1 @@
-"""Clocks: system, steady and ROS time, their jumps, and sleeping by them."""
+"""Clocks: system, steady and ROS time, time jumps, and sleeping."""

@@ -1,4 +1,4 @@
-"""Clocks: system, steady and ROS time, and what happens when one jumps."""
+"""Clocks: system, steady and ROS time, and callbacks for time jumps."""
 
 from __future__ import annotations
 
@@ -24,21 +24,23 @@ if TYPE_CHECKING:
 
     from tfloom.node.context.context import Context
 
-__all__ = ["Clock", "JumpHandle", "ROSClock"]
+__all__ = ["Clock", "JumpHandle", "JumpHandlePreCallbackType", "ROSClock"]
+
+JumpHandlePreCallbackType = Callable[[], None]
 
 _LONGEST_SLICE_S = 1.0
-"""The longest wait of a sleep by system time [s], because the system's clock may be set meanwhile."""
+"""The longest single wait of a sleep by system time [s], because the system's clock may be set during it."""
 
 
 class JumpHandle:
-    """A pair of jump callbacks, registered until `unregister` or the end of a `with`."""
+    """A pair of jump callbacks, registered until `unregister` or the exit of its `with` block."""
 
     def __init__(
         self,
         *,
         clock: Clock,
         threshold: JumpThreshold,
-        pre_callback: Callable[[], None] | None,
+        pre_callback: JumpHandlePreCallbackType | None,
         post_callback: Callable[[TimeJump], None] | None,
     ) -> None:
         if not isinstance(clock, Clock):
@@ -57,7 +59,7 @@ class JumpHandle:
         clock.add_jump_handle(self)
 
     def unregister(self) -> None:
-        """Stop the calls."""
+        """Unregister the callbacks."""
         if self._clock is not None:
             self._clock.remove_jump_handle(self)
             self._clock = None
@@ -75,11 +77,11 @@ class Clock(ReadableClock):
     """A clock. `Clock(clock_type=ClockType.ROS_TIME)` returns a ROSClock."""
 
     def __new__(cls, *, clock_type: ClockType = ClockType.SYSTEM_TIME) -> Self:
-        """Return a clock of the class that `clock_type` asks for."""
+        """Return a ROSClock for ROS_TIME, else a clock of this class."""
         if not isinstance(clock_type, ClockType):
             raise TypeError("Clock type must be a ClockType enum")
         wanted = ROSClock if clock_type is ClockType.ROS_TIME else cls
-        return object.__new__(wanted)  # type: ignore[return-value]  # a ROSClock is a Clock, and only Clock is asked
+        return object.__new__(wanted)  # type: ignore[return-value]  # a ROSClock is a Clock
 
     def __init__(self, *, clock_type: ClockType = ClockType.SYSTEM_TIME) -> None:
         super().__init__(clock_type=clock_type)
@@ -99,7 +101,7 @@ class Clock(ReadableClock):
         self,
         threshold: JumpThreshold,
         *,
-        pre_callback: Callable[[], None] | None = None,
+        pre_callback: JumpHandlePreCallbackType | None = None,
         post_callback: Callable[[TimeJump], None] | None = None,
     ) -> JumpHandle:
         """Call callbacks before and after each jump that passes `threshold`.
@@ -108,7 +110,7 @@ class Clock(ReadableClock):
         reports no changes of its own clock.
 
         Returns:
-            The handle; its `unregister` ends the calls.
+            The handle; its `unregister` removes the callbacks.
 
         Raises:
             ValueError: neither callback is given, or one isn't callable.
@@ -118,29 +120,29 @@ class Clock(ReadableClock):
         )
 
     def jump_handles(self) -> list[JumpHandle]:
-        """Return the handles that are registered now."""
+        """Return the registered handles."""
         with self._lock:
             return list(self._handles)
 
     def add_jump_handle(self, handle: JumpHandle) -> None:
-        """Register a handle; each handle does it for itself."""
+        """Register a handle; `JumpHandle` calls this."""
         with self._lock:
             self._handles.append(handle)
 
     def remove_jump_handle(self, handle: JumpHandle) -> None:
-        """Remove a handle."""
+        """Remove a handle; `JumpHandle.unregister` calls this."""
         with self._lock:
             if handle in self._handles:
                 self._handles.remove(handle)
 
     def sleep_until(self, until: Time, context: Context | None = None) -> bool:
-        """Wait until the clock shows `until`.
+        """Wait until the time of the clock is `until`.
 
         Returns:
-            False if shutdown came first, or the clock's source changed; True otherwise.
+            False if the context was shut down, or the clock's source changed, before; True otherwise.
 
         Raises:
-            ValueError: `until` is of another clock.
+            ValueError: `until` has another clock type.
             NotInitializedException: the context isn't initialised.
         """
         context = context or get_default_context()
@@ -171,16 +173,16 @@ class Clock(ReadableClock):
         return False
 
     def sleep_for(self, rel_time: Duration, context: Context | None = None) -> bool:
-        """Wait for a span of time by this clock; as `sleep_until`."""
+        """Wait for a duration by this clock; results and errors as of `sleep_until`."""
         return self.sleep_until(self.now() + rel_time, context)
 
     def _is_simulated(self) -> bool:
-        """Return whether the time only changes when it is set."""
+        """Return whether the time changes only when it is set."""
         return False
 
 
 class ROSClock(Clock):
-    """System time, or simulated time while that is on."""
+    """System time, or simulated time while that is active."""
 
     def __new__(cls, *, clock_type: ClockType = ClockType.ROS_TIME) -> Self:
         """Return a ROS clock."""
@@ -193,14 +195,14 @@ class ROSClock(Clock):
 
     @property
     def ros_time_is_active(self) -> bool:
-        """Whether the clock shows simulated time."""
+        """Whether the clock returns simulated time."""
         return self._is_active
 
     def _is_simulated(self) -> bool:
         return self._is_active
 
     def set_ros_time_is_active(self, enabled: bool) -> None:
-        """Turn simulated time on or off, as a TimeSource does."""
+        """Activate or deactivate simulated time; a TimeSource calls this."""
         with self._lock:
             if enabled == self._is_active:
                 return
@@ -214,10 +216,10 @@ class ROSClock(Clock):
         self._end_jump(handles, jump)
 
     def set_ros_time_override(self, time: Time) -> None:
-        """Set simulated time, which shows once it is turned on.
+        """Set simulated time, which the clock returns while simulated time is active.
 
         Raises:
-            TypeError: `time` is no Time.
+            TypeError: `time` is not a Time.
         """
         if not isinstance(time, Time):
             raise TypeError(f"Time must be specified as rclpy.time.Time. Received type: {type(time)}")

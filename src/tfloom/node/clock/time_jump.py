@@ -1,4 +1,4 @@
-"""Jumps of a clock, and which of them a callback is called for."""
+"""Time jumps of a clock, and thresholds for callbacks."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class JumpThreshold:
     Args:
         min_forward: The least jump forward, above 0; None for no jump forward.
         min_backward: The least jump backward, below 0; None for no jump backward.
-        on_clock_change: Whether the callback is called when simulated time is turned on or off.
+        on_clock_change: Whether the callback is called when simulated time is activated or deactivated.
 
     Raises:
         ValueError: `min_forward` is not above, or `min_backward` not below, zero.
@@ -51,7 +51,7 @@ class JumpThreshold:
 
 
 class TimeJump:
-    """A jump of a clock: by how much, and whether its source changed."""
+    """A jump of a clock: its size, and the change of the source."""
 
     def __init__(self, clock_change: ClockChange, delta: Duration) -> None:
         self._clock_change = clock_change
@@ -64,12 +64,12 @@ class TimeJump:
 
     @property
     def delta(self) -> Duration:
-        """Size of the jump; negative for a jump back."""
+        """Size of the jump; negative for a jump backward."""
         return self._delta
 
 
 SOURCE_CHANGES = (ClockChange.ROS_TIME_ACTIVATED, ClockChange.ROS_TIME_DEACTIVATED)
-"""The changes by which a clock goes on with another source."""
+"""The changes after which a clock has another source."""
 
 ANY_JUMP = JumpThreshold(min_forward=Duration(nanoseconds=1), min_backward=Duration(nanoseconds=-1))
-"""The threshold that every jump passes."""
+"""A threshold that every jump passes."""

@@ -1,1 +1,1 @@
-"""Contexts: one life of the library from `init` to `shutdown`, with its ROS arguments."""
+"""Contexts: the state of the library from `init` to `shutdown`, and its ROS arguments."""

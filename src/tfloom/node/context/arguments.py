@@ -1,4 +1,4 @@
-"""ROS arguments: the part of a command line behind `--ros-args`."""
+"""ROS arguments: the part of a command line after `--ros-args`."""
 
 from __future__ import annotations
 
@@ -53,14 +53,14 @@ _NODE_PREFIX = r"([A-Za-z_][A-Za-z0-9_]*):(?!=|//)"
 
 
 class RCLInvalidROSArgsError(RCLError):
-    """An argument behind `--ros-args` can't be understood."""
+    """An argument after `--ros-args` is malformed."""
 
     def __init__(self, why: str) -> None:
         super().__init__(f"Failed to parse ROS arguments: {why}")
 
 
 class UnknownROSArgsError(RuntimeError):
-    """A word behind `--ros-args` is no ROS argument."""
+    """An argument after `--ros-args` is not a ROS argument."""
 
     def __init__(self, unknown: list[str]) -> None:
         super().__init__(f"Found unknown ROS arguments: [{', '.join(repr(word) for word in unknown)}]")
@@ -71,11 +71,11 @@ class RemapRule(NamedTuple):
     """`[node:]match:=replacement`."""
 
     node: str | None
-    """The only node it is for; None: all."""
+    """Name of the node that the rule applies to; None: all nodes."""
     scheme: str
     """"topic", "service" or both ("")."""
     match: str
-    """A name as a program gives it, or `__node` or `__ns`."""
+    """A name before remapping, or `__node` or `__ns`."""
     replacement: str
 
 
@@ -96,7 +96,7 @@ class Arguments:
         self.rest: list[str] = []
 
     def over(self, others: Arguments) -> Arguments:
-        """Return both together; where both say something, these win."""
+        """Return the union of both; where both have a value, this one's takes precedence."""
         both = Arguments()
         both.remaps = self.remaps + others.remaps
         both.parameters = others.parameters + self.parameters
@@ -105,11 +105,11 @@ class Arguments:
         return both
 
     def node_name(self, name: str) -> str:
-        """Return the node's name after `__node:=`."""
+        """Return the name given by `__node:=`, else `name`."""
         return self._special("__node", name, name)
 
     def namespace(self, name: str, namespace: str) -> str:
-        """Return the namespace of the node called `name` after `__ns:=`."""
+        """Return the namespace that `__ns:=` gives the node called `name`, else `namespace`."""
         return self._special("__ns", name, namespace)
 
     def _special(self, match: str, node_name: str, otherwise: str) -> str:
@@ -121,7 +121,7 @@ class Arguments:
     def remap(
         self, full_name: str, node_name: str, namespace: str, *, is_service: bool = False
     ) -> str | None:
-        """Return what the first rule that matches makes of a full topic or service name; None if none does."""
+        """Return a full topic or service name remapped by the first rule that matches; None if none does."""
         scheme = "service" if is_service else "topic"
         for rule in self.remaps:
             if (
@@ -135,7 +135,7 @@ class Arguments:
         return None
 
     def parameter_overrides(self, full_name: str) -> dict[str, Any]:
-        """Return the values given for the parameters of a node; of two for one parameter, the later."""
+        """Return the values given for a node's parameters, by name; the last value for a parameter takes precedence."""
         return {rule.name: rule.value for rule in self.parameters if rule.is_for(full_name)}
 
 
@@ -143,8 +143,8 @@ def parse_arguments(arguments: Sequence[str]) -> Arguments:
     """Read the parts of a command line between `--ros-args` and `--` or the end.
 
     Raises:
-        RCLInvalidROSArgsError: a ROS argument lacks its value, or the value makes no sense.
-        UnknownROSArgsError: something between `--ros-args` and `--` is no ROS argument.
+        RCLInvalidROSArgsError: a ROS argument has no value, or a malformed one.
+        UnknownROSArgsError: an argument between `--ros-args` and `--` is not a ROS argument.
     """
     parsed = Arguments()
     words = iter(arguments)

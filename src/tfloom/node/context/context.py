@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 __all__ = ["Context"]
 
 WAKE = 0
-"""The token that wakes an executor, and is no entity's."""
+"""The token that wakes an executor; no entity has it."""
 
 _contexts: weakref.WeakSet[Context] = weakref.WeakSet()
 
@@ -41,7 +41,7 @@ _contexts: weakref.WeakSet[Context] = weakref.WeakSet()
 class StoppedException(NotInitializedException, ExternalShutdownException):
     """A signal has shut the context down, so no node can be created on it.
 
-    It is an ExternalShutdownException, too, so that code that catches what `spin` raises covers node creation.
+    It derives from ExternalShutdownException, so that code that catches the exceptions of `spin` covers node creation.
     """
 
     def __init__(self) -> None:
@@ -49,7 +49,7 @@ class StoppedException(NotInitializedException, ExternalShutdownException):
 
 
 class DestroyableNode(Protocol):
-    """A node, as far as a context destroys it."""
+    """The method of a node that a context calls."""
 
     def destroy_node(self) -> None:
         """Leave the graph."""
@@ -59,14 +59,14 @@ class Context:
     """The state of the library from `init` to `shutdown`: arguments, domain, and the participant on the wire.
 
     Nodes of a context share one participant on the wire, opened with the first of them and closed when the
-    context is shut down and the last of them is destroyed, or when the program ends.
+    context is shut down and the last node is destroyed, or when the program ends.
 
-    As a context manager it is initialised with the program's arguments, and shut down at the end.
+    As a context manager, it is initialised with the program's arguments, and shut down on exit.
     """
 
     def __init__(self) -> None:
         self._lock = threading.RLock()
-        """Guards all below, but for what a signal handler touches: it may interrupt code that holds the lock."""
+        """Guards all below, except what a signal handler uses, because it may interrupt code that holds the lock."""
         self._initialized = False
         """Set once, by `init`."""
         self._valid = False
@@ -80,9 +80,9 @@ class Context:
         self._participant: Participant | None = None
         """Opened with the first node."""
         self._nodes = 0
-        """How many nodes are on the participant."""
+        """Number of nodes on the participant."""
         self._abandoned: deque[DestroyableNode] = deque()
-        """Nodes that the garbage collector has found. Appended and popped without the lock."""
+        """Nodes that the garbage collector has finalized. Appended and popped without the lock."""
         self._domain_id: int | None = None
         self._arguments = Arguments()
         self.topic_types = TopicTypes()
@@ -94,15 +94,15 @@ class Context:
         """Initialise the context; this can be done once.
 
         Args:
-            args: Command line, program's name first or not; None: `sys.argv`. Its ROS arguments hold for all nodes.
-            initialize_logging: Whether the arguments about logging are obeyed, and records go to a file.
-            domain_id: The domain to be on; None: from ROS_DOMAIN_ID.
+            args: Command line, program's name included or not; None: `sys.argv`. Its ROS arguments hold for all nodes.
+            initialize_logging: Whether to apply the arguments about logging, and to write records to a file.
+            domain_id: The domain to join; None: from ROS_DOMAIN_ID.
 
         Raises:
             RuntimeError: it was initialised before; or `domain_id` is negative.
-            RCLInvalidROSArgsError: a ROS argument makes no sense.
-            UnknownROSArgsError: a ROS argument isn't known.
-            RCLError: a configuration file for logging is given, which has no use here.
+            RCLInvalidROSArgsError: a ROS argument is malformed.
+            UnknownROSArgsError: a ROS argument is unknown.
+            RCLError: a configuration file for logging is given, which is not supported.
         """
         if domain_id is not None and domain_id < 0:
             raise RuntimeError(f"Domain id ({domain_id}) should not be lower than zero.")
@@ -121,7 +121,7 @@ class Context:
 
     @property
     def arguments(self) -> Arguments:
-        """The ROS arguments it was initialised with."""
+        """The ROS arguments of `init`."""
         return self._arguments
 
     @property
@@ -130,7 +130,7 @@ class Context:
         return Handle(self)
 
     def get_domain_id(self) -> int:
-        """Return the domain the context is on.
+        """Return the id of the context's domain.
 
         Raises:
             NotInitializedException: before `init`.
@@ -138,7 +138,7 @@ class Context:
         from tfloom.rmw.backends import domain_id_from_environment
 
         if not self._initialized:
-            raise NotInitializedException("cannot tell the domain")
+            raise NotInitializedException("cannot return the domain id")
         return domain_id_from_environment() if self._domain_id is None else self._domain_id
 
     def ok(self) -> bool:
@@ -146,11 +146,11 @@ class Context:
         return self._valid
 
     def is_over(self) -> bool:
-        """Return whether it was initialised, and shut down."""
+        """Return whether it was initialised, and has been shut down."""
         return self._initialized and not self._valid
 
     def is_interrupted(self) -> bool:
-        """Return whether it was a signal that shut it down."""
+        """Return whether a signal has shut it down."""
         return self._interrupted
 
     def explains(self, error: BaseException) -> bool:
@@ -164,7 +164,7 @@ class Context:
 
         Raises:
             RuntimeError: before `init`.
-            RCLError: it is shut down already.
+            RCLError: it was shut down before.
         """
         if not self._initialized:
             raise RuntimeError("Context must be initialized before it can be shut down")
@@ -172,7 +172,7 @@ class Context:
             raise RCLError("failed to shutdown: rcl_shutdown already called on the given context")
 
     def try_shutdown(self) -> bool:
-        """Shut down unless it is done already; return whether this call did it."""
+        """Shut down unless that has been done; return whether this call did it."""
         with self._lock:
             if not self._valid:
                 return False
@@ -186,7 +186,7 @@ class Context:
     def interrupt(self) -> None:
         """Shut down from a signal handler: take no lock, because the interrupted code may hold it.
 
-        The callbacks of `on_shutdown` are called on a thread of their own.
+        The callbacks of `on_shutdown` are called on a separate thread.
         """
         if self._valid:
             self._interrupted = True
@@ -195,7 +195,7 @@ class Context:
             _thread.start_new_thread(self._run_hooks, ())
 
     def on_shutdown(self, callback: Callable[[], Any]) -> None:
-        """Call `callback()` at shutdown, at once if it is over. A bound method doesn't keep its object alive.
+        """Call `callback()` at shutdown, or at once after shutdown. A bound method does not keep its object alive.
 
         Raises:
             TypeError: `callback` isn't callable.
@@ -217,7 +217,7 @@ class Context:
             self.add_shutdown_hook(callback)
 
     def add_shutdown_hook(self, hook: Callable[[], Any]) -> None:
-        """Call `hook()` at shutdown, until `remove_shutdown_hook`; at once if shutdown is over."""
+        """Call `hook()` at shutdown, until `remove_shutdown_hook`; at once after shutdown."""
         with self._lock:
             if not self.is_over():
                 self._hooks.append(hook)
@@ -274,7 +274,7 @@ class Context:
     def abandon(self, node: DestroyableNode) -> None:
         """Destroy an unreferenced node later: when another joins, or at shutdown.
 
-        Not at once, because the garbage collector calls this on any thread, which may hold any lock.
+        It is not destroyed at once, because the garbage collector calls this on any thread, which may hold any lock.
         """
         self._abandoned.append(node)
 
@@ -302,7 +302,7 @@ class Context:
             participant.close()
 
     def destroy(self) -> None:
-        """Shut down unless it is done already, and close the participant with all its nodes."""
+        """Shut down unless that has been done, and close the participant with all its nodes."""
         self.try_shutdown()
         self._close_participant()
         self._nodes = 0
@@ -363,10 +363,10 @@ def _close_at_exit() -> None:
 def _destroy_all() -> None:
     import signal
 
-    # Launchers send Ctrl-C to the process and to its group: the second one changes nothing.
+    # Launchers send Ctrl-C to the process and to its group: the second one is ignored.
     if threading.current_thread() is threading.main_thread():
         signal.signal(signal.SIGINT, signal.SIG_IGN)
-    # A daemon thread that spins is to end with the program, not with an exception.
+    # A daemon thread that spins must end with the program, not with an exception.
     block_gil_reacquire_at_exit()
     for context in list(_contexts):
         context.destroy()

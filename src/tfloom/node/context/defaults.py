@@ -1,4 +1,4 @@
-"""The context that functions use where none is given: one for the process, or a thread's own."""
+"""The context that functions use where none is given: one for the process, or one for a thread."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from tfloom.node.context.context import Context
 
 
 class Defaults:
-    """Holds a default context, which is None until it is needed.
+    """Holder of a default context, which is None until its first use.
 
     Args:
-        context: The context to begin with.
+        context: The first default context.
     """
 
     def __init__(self, context: Context | None = None) -> None:
@@ -24,15 +24,15 @@ _current: ContextVar[Defaults] = ContextVar("defaults", default=Defaults())  # n
 
 
 def current_defaults() -> Defaults:
-    """Return the defaults of this thread if it has its own, else those of the process."""
+    """Return the defaults of this thread if it has some, else those of the process."""
     return _current.get()
 
 
 @contextmanager
 def own_defaults(context: Context) -> Iterator[None]:
-    """Make `context` the default of this thread alone for the block; the thread's default executor is its own, too.
+    """Make `context` the default of this thread alone for the block, with a default executor of the thread's own.
 
-    So programs that name no context run side by side in one process, each on its own thread.
+    So several programs that name no context can run in one process, each on its own thread.
     """
     token = _current.set(Defaults(context))
     try:

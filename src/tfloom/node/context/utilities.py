@@ -28,7 +28,7 @@ _lock = threading.RLock()
 
 
 def get_default_context(*, shutting_down: bool = False) -> Context:
-    """Return the context used where none is given; `shutting_down` makes place for a new one."""
+    """Return the context used where none is given; with `shutting_down`, the next call creates a new one."""
     with _lock:
         defaults = current_defaults()
         context = defaults.context
@@ -49,13 +49,13 @@ def shutdown(*, context: Context | None = None) -> None:
 
     Raises:
         RuntimeError: it was never initialised.
-        RCLError: it is shut down already.
+        RCLError: it was shut down before.
     """
     (context or get_default_context(shutting_down=True)).shutdown()
 
 
 def try_shutdown(*, context: Context | None = None) -> None:
-    """Shut a context down unless it is already; the next default context is a new one."""
+    """Shut a context down unless that has been done; the next default context is a new one."""
     (context or get_default_context(shutting_down=True)).try_shutdown()
 
 
@@ -63,7 +63,7 @@ def remove_ros_args(args: Sequence[str] | None = None) -> list[str]:
     """Return a command line (None: `sys.argv`) without its ROS arguments.
 
     Raises:
-        RCLInvalidROSArgsError: a ROS argument makes no sense.
+        RCLInvalidROSArgsError: a ROS argument is malformed.
     """
     return arguments.remove_ros_args(sys.argv if args is None else args)
 
@@ -76,12 +76,12 @@ def get_rmw_implementation_identifier() -> str:
 
 
 def get_available_rmw_implementations() -> set[str]:
-    """Return the wires that RMW_IMPLEMENTATION may name."""
+    """Return the wires that RMW_IMPLEMENTATION may select."""
     from tfloom.rmw.backends import BACKENDS
 
     return set(BACKENDS)
 
 
 def timeout_sec_to_nsec(timeout_sec: float | None) -> int:
-    """Return a timeout [s] in nanoseconds: -1, for ever, for None and for negative ones."""
+    """Return a timeout [s] in nanoseconds; -1, no limit, for None and for negative ones."""
     return -1 if timeout_sec is None or timeout_sec < 0 else int(float(timeout_sec) * S_TO_NS)

@@ -38,7 +38,7 @@ class Client(ServiceEndpoint["Requester"]):
     _kind = "client"
     _incoming = ("a response", "from")
 
-    # `run` completes a future that a callback of the same group may wait for, and calls no callback of the program.
+    # `run` completes a future, for which a callback of the same group may wait, and calls no callback of the program.
     goes_by_group = False
 
     def __init__(
@@ -80,18 +80,18 @@ class Client(ServiceEndpoint["Requester"]):
             timeout_sec: The longest wait [s]; None: no limit.
 
         Returns:
-            The response; None if shutdown came first.
+            The response; None if the context was shut down before it arrived.
 
         Raises:
             TypeError: `request` isn't of the service's request type.
             TimeoutError: no response arrived in time.
-            RuntimeError: it is called from a callback of a single-threaded executor, which would wait for itself.
+            RuntimeError: called from a callback of a single-threaded executor, which would block its own thread.
         """
         executor = self._executor()
         if executor is not None and executor.would_wait_for_itself():
             raise RuntimeError(
-                f"Client.call of {self.srv_name} from a callback would wait for ever: its executor takes in the "
-                "response on this very thread. Await call_async, or spin with a MultiThreadedExecutor"
+                f"Client.call of {self.srv_name} from a callback would never end, because its executor receives the "
+                "response on this thread. Await call_async, or spin with a MultiThreadedExecutor"
             )
         ended = threading.Event()
         future = self.call_async(request)
@@ -111,7 +111,7 @@ class Client(ServiceEndpoint["Requester"]):
         Raises:
             TypeError: `request` isn't of the service's request type.
             EncodeError: the value of a field doesn't fit its type.
-            ForeignPeerError: a server speaks another vendor's form of services and would misread it.
+            ForeignPeerError: a server uses another vendor's format and would misread the request.
             InvalidHandle: the client was destroyed.
         """
         if not isinstance(request, self.srv_type.Request):
@@ -126,15 +126,15 @@ class Client(ServiceEndpoint["Requester"]):
         return future
 
     def get_pending_request(self, sequence_number: int) -> Future[Any]:
-        """Return the future of a request that waits for its response.
+        """Return the future of a pending request.
 
         Raises:
-            KeyError: none of that number does.
+            KeyError: no pending request has that number.
         """
         return self._pending[sequence_number]
 
     def remove_pending_request(self, future: Future[Any]) -> None:
-        """Forget a request: its response is dropped when it arrives."""
+        """Remove a pending request; its response will be dropped."""
         with self._lock:
             for number, pending in list(self._pending.items()):
                 if pending is future:
@@ -159,7 +159,7 @@ class Client(ServiceEndpoint["Requester"]):
             timeout_sec: The longest wait [s]; None: no limit.
 
         Returns:
-            Whether one is; False after the timeout, or at shutdown.
+            True if a server is ready; False after the timeout, or at shutdown.
         """
         end_s = math.inf if timeout_sec is None else time.monotonic() + timeout_sec
         queue = ReadyQueue()
@@ -178,7 +178,7 @@ class Client(ServiceEndpoint["Requester"]):
         return message, incoming.id.sequence_number
 
     def run(self, taken: Any) -> Any:
-        """Complete the future of the request that is answered."""
+        """Complete the future of the request with its response."""
         if taken is UNREADABLE:
             return
         message, number = taken

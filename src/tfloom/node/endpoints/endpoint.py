@@ -19,17 +19,17 @@ if TYPE_CHECKING:
     from tfloom.node.log.rcutils_logger import RcutilsLogger
     from tfloom.rosidl.message import Message
 
-__all__ = ["UNREADABLE", "Endpoint", "Receiver", "TakingEndpoint"]
+__all__ = ["UNREADABLE", "Endpoint", "Receiver", "ReceivingEndpoint", "TakingEndpoint"]
 
 UNREADABLE = object()
-"""Returned by `take` for data that can't be decoded: there is nothing to run, but more data may wait."""
+"""Returned by `take` for data that can't be decoded: there is nothing to run, but more data may be waiting."""
 
 
 class Closable(Protocol):
     """An endpoint on the wire."""
 
     def close(self) -> None:
-        """Leave for good."""
+        """Leave the wire."""
 
 
 class HasData(Protocol):
@@ -44,10 +44,10 @@ class TakeSource(Closable, Protocol):
     """An endpoint on the wire that receives."""
 
     def take(self) -> Any:
-        """Remove and return the oldest item that waits, or None."""
+        """Remove and return the oldest waiting item, or None."""
 
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
-        """Post `token` when there may be something to take; None ends it."""
+        """Post `token` when there may be something to take; None ends this."""
 
 
 WireEndpoint = TypeVar("WireEndpoint", bound=Closable)
@@ -60,7 +60,7 @@ class Endpoint(Generic[WireEndpoint]):
     _kind = ""
     """Kind of endpoint for error texts, such as `client`."""
 
-    _part_of: Any = None  # the node, as of an entity
+    _part_of: Any = None  # the node; see `Entity`
 
     def __init__(self, endpoint: WireEndpoint, name: str) -> None:
         self._endpoint = endpoint
@@ -81,8 +81,18 @@ class Endpoint(Generic[WireEndpoint]):
         """Whether it has left the wire."""
         return self._destroyed
 
+    @property
+    def wire_endpoint(self) -> WireEndpoint:
+        """The endpoint on the wire.
+
+        Raises:
+            InvalidHandle: it was destroyed.
+        """
+        self._alive()
+        return self._endpoint
+
     def _alive(self) -> Self:
-        """Return this.
+        """Return this endpoint.
 
         Raises:
             InvalidHandle: it was destroyed.
@@ -92,7 +102,7 @@ class Endpoint(Generic[WireEndpoint]):
         return self
 
     def destroy(self) -> None:
-        """Leave the wire. Destroying again does nothing. The node's `destroy_…` method does it too."""
+        """Leave the wire. Destroying again does nothing. The node's `destroy_…` method calls this."""
         if not self._destroyed:
             self._destroyed = True
             self._endpoint.close()
@@ -106,25 +116,8 @@ class Endpoint(Generic[WireEndpoint]):
         self.destroy()
 
 
-class Receiver(Endpoint[TakingEndpoint], Entity):
-    """An endpoint that receives, and whose callback an executor runs.
-
-    Args:
-        endpoint: The endpoint on the wire.
-        name: Full name of its topic or service.
-        incoming_type: Class of the incoming messages.
-        logger: Logs a warning about data that can't be decoded.
-    """
-
-    _incoming = ("a message", "on")
-    """What arrives, and its preposition, for warnings."""
-
-    def __init__(
-        self, endpoint: TakingEndpoint, name: str, incoming_type: type[Message], logger: RcutilsLogger
-    ) -> None:
-        super().__init__(endpoint, name)
-        self._incoming_type = incoming_type
-        self._warning = ThrottledWarning(logger)
+class ReceivingEndpoint(Endpoint[TakingEndpoint]):
+    """An endpoint that receives, and posts to a queue when data has arrived."""
 
     def attach(self, queue: ReadyQueue, token: int) -> None:
         """Post `token` when data has arrived."""
@@ -136,8 +129,29 @@ class Receiver(Endpoint[TakingEndpoint], Entity):
         if not self._destroyed:
             self._endpoint.notify(None)
 
+
+class Receiver(ReceivingEndpoint[TakingEndpoint], Entity):
+    """A receiving endpoint, whose callback an executor runs.
+
+    Args:
+        endpoint: The endpoint on the wire.
+        name: Full name of its topic or service.
+        incoming_type: Class of the incoming messages.
+        logger: Logs a warning about data that can't be decoded.
+    """
+
+    _incoming = ("a message", "on")
+    """The kind of incoming data, and its preposition, for warnings."""
+
+    def __init__(
+        self, endpoint: TakingEndpoint, name: str, incoming_type: type[Message], logger: RcutilsLogger
+    ) -> None:
+        super().__init__(endpoint, name)
+        self._incoming_type = incoming_type
+        self._warning = ThrottledWarning(logger)
+
     def take(self) -> Any:
-        """Return what `run` needs of the oldest item that has arrived, `UNREADABLE`, or None."""
+        """Remove the oldest item and return it as `run` takes it, `UNREADABLE`, or None."""
         incoming = None if self._destroyed else self._endpoint.take()
         if incoming is None:
             return None
@@ -148,7 +162,7 @@ class Receiver(Endpoint[TakingEndpoint], Entity):
             return UNREADABLE
 
     def _read(self, incoming: Any) -> Any:
-        """Return what `run` needs of an item that has arrived.
+        """Return an item as `run` takes it.
 
         Raises:
             DecodeError: it can't be decoded.

@@ -1,4 +1,4 @@
-"""Publishers: they send the messages of a topic."""
+"""Publishers."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
         msg_type: type[MsgType],
         topic: str,
         qos_profile: QoSProfile,
-        event_callbacks: None,  # noqa: ARG002  # the node watches
+        event_callbacks: None,  # noqa: ARG002  # the node creates the event handlers
         callback_group: CallbackGroup,
         *,
         context: Context,
@@ -47,7 +47,7 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
         self.callback_group = callback_group
 
     def publish(self, msg: MsgType | bytes) -> None:
-        """Send a message, or bytes that hold one: encapsulation header and CDR.
+        """Send a message, or a serialized message: encapsulation header and CDR.
 
         Raises:
             TypeError: `msg` is of another type.
@@ -68,7 +68,7 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
         self._endpoint.write(data)
 
     def get_subscription_count(self) -> int:
-        """Return how many subscriptions are connected now."""
+        """Return the number of connected subscriptions."""
         return 0 if self._destroyed else self._endpoint.matched_count()
 
     @property
@@ -82,16 +82,16 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
         return self._endpoint.gid
 
     def assert_liveliness(self) -> None:
-        """Assert that the publisher is alive; with AUTOMATIC liveliness the wire does it."""
+        """Assert that the publisher is alive; with AUTOMATIC liveliness the wire does this."""
         self._alive()._endpoint.assert_liveliness()  # noqa: SLF001
 
     def wait_for_all_acked(self, timeout: Duration = Duration(seconds=-1)) -> bool:  # noqa: B008  # immutable
-        """Wait until every connected reliable subscription has all that was published.
+        """Wait until every connected reliable subscription has acknowledged all messages.
 
         Args:
             timeout: The longest wait; negative: no limit.
 
         Returns:
-            False after the timeout.
+            True if all are acknowledged; False after the timeout.
         """
         return self._alive()._endpoint.wait_for_acks(timeout.nanoseconds)  # noqa: SLF001

@@ -1,4 +1,4 @@
-"""Servers of services."""
+"""Service servers."""
 
 from __future__ import annotations
 
@@ -69,16 +69,16 @@ class ServiceEndpoint(Receiver[TakingEndpoint]):
         self._introspection.configure(clock, service_event_qos_profile, introspection_state)
 
     def destroy(self) -> None:
-        """Leave the service. Destroying again does nothing. The node's `destroy_…` method does it too."""
+        """Leave the service. Destroying again does nothing. The node's `destroy_…` method calls this."""
         self._introspection.close()
         super().destroy()
 
 
 class Service(ServiceEndpoint["Responder"]):
-    """Replies to requests with what its callback returns; `Node.create_service` creates one.
+    """Replies to requests with the responses that its callback returns; `Node.create_service` creates one.
 
-    The callback may return the future of a response: other callbacks of its group run meanwhile. A coroutine, by
-    contrast, occupies its group until it completes.
+    The callback may return the future of a response; other callbacks of its group run until it completes. A
+    coroutine, by contrast, occupies its group until it completes.
     """
 
     _kind = "service"
@@ -141,7 +141,7 @@ class Service(ServiceEndpoint["Responder"]):
         return message, incoming.id
 
     def run(self, taken: Any) -> Any:
-        """Call the callback and send what it returns."""
+        """Call the callback and send the response that it returns."""
         if taken is UNREADABLE:
             return None
         request, header = taken

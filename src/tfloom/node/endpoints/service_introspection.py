@@ -22,13 +22,13 @@ TOPIC_SUFFIX = "/_service_event"
 
 
 class ServiceIntrospectionState(IntEnum):
-    """What is published."""
+    """The events that are published."""
 
     OFF = 0
     METADATA = 1
-    """Which request or response was sent or received, and when."""
+    """The id of each request or response sent or received, and its stamp."""
     CONTENTS = 2
-    """The request or response itself too."""
+    """The request or response, too."""
 
 
 class Introspection:
@@ -57,7 +57,7 @@ class Introspection:
         self._with_contents = False
 
     def configure(self, clock: Clock, qos_profile: QoSProfile, state: ServiceIntrospectionState) -> None:
-        """Publish this much from now on."""
+        """Set what is published, with which clock and QoS."""
         self.close()
         self._clock = clock
         self._with_contents = state is ServiceIntrospectionState.CONTENTS

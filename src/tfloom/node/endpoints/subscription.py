@@ -1,4 +1,4 @@
-"""Subscriptions: they receive the messages of a topic."""
+"""Subscriptions."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ MsgType = TypeVar("MsgType", bound=Message)
 
 
 class Subscription(Receiver["Reader"], Generic[MsgType]):
-    """Runs its callback with each message of one topic; `Node.create_subscription` creates one."""
+    """Calls its callback with each message of one topic; `Node.create_subscription` creates one."""
 
     _kind = "subscription"
 
@@ -44,7 +44,7 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
         callback_group: CallbackGroup,
         qos_profile: QoSProfile,
         raw: bool,
-        event_callbacks: None,  # noqa: ARG002  # the node watches
+        event_callbacks: None,  # noqa: ARG002  # the node creates the event handlers
         *,
         logger: RcutilsLogger,
     ) -> None:
@@ -79,12 +79,12 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
     def feed(self, sink: Sink) -> None:
         """Push the bytes of every message into `sink`, on the wire's thread, from now on.
 
-        The callback isn't called any more, and no message object is built.
+        The callback is no longer called, and no message object is built.
         """
         self._endpoint.feed(sink)
 
     def get_publisher_count(self) -> int:
-        """Return how many publishers are connected now."""
+        """Return the number of connected publishers."""
         return 0 if self._destroyed else self._endpoint.matched_count()
 
     @property

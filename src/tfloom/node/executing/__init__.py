@@ -1,1 +1,1 @@
-"""What runs callbacks: entities, callback groups, tasks, timers, waitables, executors, signals."""
+"""Running of callbacks: entities, callback groups, tasks, timers, waitables, executors, signals."""

@@ -1,4 +1,4 @@
-"""How many arguments a callback takes."""
+"""Check of the number of arguments that a callback takes."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _VAR_POSITIONAL = 0x04
 
 
 def takes(callback: Callable[..., Any], count: int) -> bool:
-    """Return whether `callback` can be called with `count` positional arguments, as far as its signature is known."""
+    """Return whether `callback` can be called with `count` positional arguments; True if its signature is unknown."""
     function = callback.__func__ if isinstance(callback, MethodType) else callback
     if not isinstance(function, FunctionType) or hasattr(function, "__wrapped__"):
         return _binds(callback, count)

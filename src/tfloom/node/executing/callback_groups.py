@@ -1,4 +1,4 @@
-"""Callback groups: which callbacks may run at the same time."""
+"""Callback groups: rules for which callbacks may run at the same time."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ __all__ = ["CallbackGroup", "MutuallyExclusiveCallbackGroup", "ReentrantCallback
 class CallbackGroup:
     """A set of entities with one rule for which of their callbacks may run at the same time.
 
-    An executor calls `beginning_execution` and `ending_execution` around each callback. An entity that may not run
-    is parked here, and posted again when a callback of the group completes.
+    An executor calls `beginning_execution` and `ending_execution` around each callback. An entity that must not run
+    yet is parked here, and posted again when a callback of the group completes.
     """
 
     def __init__(self) -> None:
@@ -34,11 +34,11 @@ class CallbackGroup:
         return entity in self.entities
 
     def can_execute(self, entity: Any) -> bool:
-        """Return whether a callback of `entity` may begin now."""
+        """Return whether a callback of `entity` may begin."""
         raise NotImplementedError
 
     def beginning_execution(self, entity: Any) -> bool:
-        """Begin a callback of `entity`; False if it may not begin now."""
+        """Begin a callback of `entity`; return False if it must not begin yet."""
         raise NotImplementedError
 
     def ending_execution(self, entity: Any) -> None:
@@ -65,7 +65,7 @@ class CallbackGroup:
 
 
 class ReentrantCallbackGroup(CallbackGroup):
-    """Callbacks may run at any time, also at the same time as themselves."""
+    """A group whose callbacks may run at any time, also several calls of one callback at the same time."""
 
     def can_execute(self, entity: Any) -> bool:  # noqa: ARG002
         """Return True."""
@@ -80,7 +80,7 @@ class ReentrantCallbackGroup(CallbackGroup):
 
 
 class MutuallyExclusiveCallbackGroup(CallbackGroup):
-    """One callback at a time."""
+    """A group that runs one callback at a time."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -93,11 +93,11 @@ class MutuallyExclusiveCallbackGroup(CallbackGroup):
         return self._active_entity is entity
 
     def can_execute(self, entity: Any) -> bool:  # noqa: ARG002
-        """Return whether no callback runs."""
+        """Return whether no callback is running."""
         return self._active_entity is None
 
     def beginning_execution(self, entity: Any) -> bool:
-        """Begin a callback, unless another runs."""
+        """Begin a callback, unless one is running."""
         with self._lock:
             if self._active_entity is None:
                 self._active_entity = entity
@@ -105,7 +105,7 @@ class MutuallyExclusiveCallbackGroup(CallbackGroup):
         return False
 
     def ending_execution(self, entity: Any) -> None:
-        """End the callback that runs."""
+        """End the running callback."""
         with self._lock:
             if self._active_entity is entity:
                 self._active_entity = None

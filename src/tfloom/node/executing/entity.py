@@ -1,4 +1,4 @@
-"""What an executor runs: the base of subscriptions, timers, guard conditions and the rest."""
+"""The base of all that an executor runs: subscriptions, timers, guard conditions and others."""
 
 from __future__ import annotations
 
@@ -14,23 +14,23 @@ __all__ = ["Entity"]
 class Entity:
     """An object with a callback that an executor runs.
 
-    While it is attached, it posts its token whenever it may have something to run. The executor then calls `take`,
-    on the thread that spins, and `run` with what it got, on whichever thread runs callbacks; and `take` again later,
-    until there is nothing more.
+    While it is attached, it posts its token whenever it may have something to run. The executor then calls `take` on
+    the thread that spins, and `run` with the result on a thread that runs callbacks, and repeats this until `take`
+    returns None.
     """
 
     is_timed = False
-    """Whether to take at `deadline_ns`, rather than after a post."""
+    """Whether to call `take` at `deadline_ns`, not after a post."""
 
     is_polled = False
-    """Whether to take, too, whenever the executor wakes for any reason."""
+    """Whether to call `take` also whenever the executor wakes for any reason."""
 
     goes_by_group = True
-    """Whether the callback group admits `run`; else it is called at once, on the thread that spins."""
+    """Whether `run` belongs to the callback group; otherwise it is called at once, on the thread that spins."""
 
     callback_group: CallbackGroup | None
 
-    _part_of: Any = None  # the node, which a reference to a part keeps alive
+    _part_of: Any = None  # the node: a reference to the entity keeps it alive
 
     def attach(self, queue: ReadyQueue, token: int) -> None:
         """Post `token` to `queue` when there may be something to take, at once if there already is."""
@@ -45,13 +45,13 @@ class Entity:
         raise NotImplementedError
 
     def run(self, taken: Any) -> Any:
-        """Run the callback with what was taken; the result may be a coroutine, which the executor then runs."""
+        """Run the callback with the result of `take`; if that returns a coroutine, the executor runs it."""
         raise NotImplementedError
 
     def deadline_ns(self) -> int | None:
-        """Return when to take next, by `time.monotonic_ns`; None: after the next post."""
+        """Return the time of the next `take`, by `time.monotonic_ns`; None: after the next post."""
         return None
 
     def destroy(self) -> None:
-        """Stop for good."""
+        """Stop permanently."""
         raise NotImplementedError

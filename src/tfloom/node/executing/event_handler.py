@@ -6,6 +6,12 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Protocol
 
 from tfloom.node.executing.entity import Entity
+from tfloom.node.executing.event_types import (
+    QoSPublisherEventType,
+    QoSSubscriptionEventType,
+    wire_event,
+)
+from tfloom.node.values.handle import Handle, unwrap_handle
 from tfloom.rmw.errors import UnsupportedEventError
 from tfloom.rmw.events import Count, Event, IncompatibleQoS, LivelinessChanged, Matched, Status
 from tfloom.rmw.qos_mismatch import mismatch_text
@@ -18,6 +24,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "EventHandler",
+    "IncompatibleTypeInfo",
     "PublisherEventCallbacks",
     "QoSEventHandler",
     "QoSLivelinessChangedInfo",
@@ -25,9 +32,11 @@ __all__ = [
     "QoSMessageLostInfo",
     "QoSOfferedDeadlineMissedInfo",
     "QoSOfferedIncompatibleQoSInfo",
+    "QoSPublisherEventType",
     "QoSPublisherMatchedInfo",
     "QoSRequestedDeadlineMissedInfo",
     "QoSRequestedIncompatibleQoSInfo",
+    "QoSSubscriptionEventType",
     "QoSSubscriptionMatchedInfo",
     "SubscriptionEventCallbacks",
     "UnsupportedEventTypeError",
@@ -35,7 +44,8 @@ __all__ = [
 
 UnsupportedEventTypeError = UnsupportedEventError
 
-# What the callbacks are given, by the names that programs write in their annotations.
+# The statuses passed to callbacks, by the names that programs use in annotations.
+IncompatibleTypeInfo = Count
 QoSLivelinessChangedInfo = LivelinessChanged
 QoSLivelinessLostInfo = Count
 QoSMessageLostInfo = Count
@@ -50,7 +60,7 @@ StatusCallback = Callable[[Any], Any]
 
 
 class Watched(Protocol):
-    """An endpoint of a topic with events."""
+    """A writer or reader with events."""
 
     gid: bytes
 
@@ -62,38 +72,52 @@ class Watched(Protocol):
 
 
 class EventHandler(Entity):
-    """Runs a callback with the status of one event each time that it changes."""
+    """Calls a callback with the status of one event each time that it changes.
+
+    Args:
+        callback_group: Group of the callback.
+        callback: Called with the status, on a thread of the executor.
+        event_type: The event.
+        parent_impl: The `handle` of a publisher or subscription, or its endpoint on the wire.
+
+    Raises:
+        UnsupportedEventTypeError: the endpoint has no such event, or the wire does not report it.
+        InvalidHandle: the endpoint was destroyed.
+    """
 
     def __init__(
         self,
         *,
         callback_group: CallbackGroup,
         callback: StatusCallback,
-        event_type: Event,
-        parent_impl: Watched,
+        event_type: Event | QoSPublisherEventType | QoSSubscriptionEventType,
+        parent_impl: Watched | Handle,
     ) -> None:
         self.callback_group = callback_group
         self.callback = callback
         self.event_type = event_type
-        self._endpoint = parent_impl
+        self._event = wire_event(event_type)
+        self._endpoint: Watched = (
+            unwrap_handle(parent_impl).wire_endpoint if isinstance(parent_impl, Handle) else parent_impl
+        )
         self._destroyed = False
-        parent_impl.notify_event(
-            event_type, None
+        self._endpoint.notify_event(
+            self._event, None
         )  # raises UnsupportedEventTypeError if the wire has no such event
 
     def attach(self, queue: ReadyQueue, token: int) -> None:
         """Post `token` when the status has changed."""
         if not self._destroyed:
-            self._endpoint.notify_event(self.event_type, queue, token)
+            self._endpoint.notify_event(self._event, queue, token)
 
     def detach(self) -> None:
         """Stop posting."""
         if not self._destroyed:
-            self._endpoint.notify_event(self.event_type, None)
+            self._endpoint.notify_event(self._event, None)
 
     def take(self) -> Any:
         """Return the status if it has changed, else None."""
-        return None if self._destroyed else self._endpoint.take_event(self.event_type)
+        return None if self._destroyed else self._endpoint.take_event(self._event)
 
     def run(self, taken: Any) -> Any:
         """Call the callback."""
@@ -105,7 +129,7 @@ class EventHandler(Entity):
 
 
 class QoSEventHandler(EventHandler):
-    """Former name of EventHandler; creating one, or deriving from it, warns that it is deprecated."""
+    """Deprecated name of EventHandler; creating one, or deriving from it, gives a warning."""
 
     def __init_subclass__(cls, **kwargs: Any) -> None:
         _warn_of_old_name()
@@ -141,7 +165,9 @@ class _EventCallbacks:
         use_default_callbacks: bool = True,
     ) -> None:
         if incompatible_type is not None:
-            raise UnsupportedEventTypeError("incompatible_type: no wire here tells of peers of another type")
+            raise UnsupportedEventTypeError(
+                "incompatible_type: the wires here don't report peers of another type"
+            )
         self.deadline = deadline
         self.liveliness = liveliness
         self.incompatible_qos = incompatible_qos
@@ -171,7 +197,7 @@ class _EventCallbacks:
         By default, a warning is logged about peers of incompatible QoS.
 
         Raises:
-            UnsupportedEventTypeError: the wire doesn't know an event that there is a callback for.
+            UnsupportedEventTypeError: the wire doesn't support an event that there is a callback for.
         """
         callbacks = self._by_event()
         if self.use_default_callbacks and self.incompatible_qos is None:
@@ -191,11 +217,11 @@ class PublisherEventCallbacks(_EventCallbacks):
     """Callbacks for the status of a publisher's events.
 
     Args:
-        deadline: It didn't publish in time.
-        liveliness: It didn't say in time that it lives.
-        incompatible_qos: A subscription asks for more than it offers.
-        incompatible_type: A subscription is of another type. No wire here reports that.
-        matched: A subscription has come or gone.
+        deadline: It did not publish before its deadline.
+        liveliness: It did not assert its liveliness within its lease.
+        incompatible_qos: A subscription requests more than it offers.
+        incompatible_type: A subscription is of another type. The wires here don't report that.
+        matched: A subscription has connected or disconnected.
         use_default_callbacks: Whether to warn of incompatible QoS where `incompatible_qos` isn't given.
 
     Raises:
@@ -210,12 +236,12 @@ class SubscriptionEventCallbacks(_EventCallbacks):
     """Callbacks for the status of a subscription's events.
 
     Args:
-        deadline: No message came in time.
-        incompatible_qos: A publisher offers less than it asks for.
-        liveliness: A publisher has fallen silent, or is back.
-        message_lost: Messages were lost. Cyclone reports hardly any.
-        incompatible_type: A publisher is of another type. No wire here reports that.
-        matched: A publisher has come or gone.
+        deadline: No message arrived before the deadline.
+        incompatible_qos: A publisher offers less than it requests.
+        liveliness: A publisher has lost or regained its liveliness.
+        message_lost: Messages were lost. Cyclone reports few of them.
+        incompatible_type: A publisher is of another type. The wires here don't report that.
+        matched: A publisher has connected or disconnected.
         use_default_callbacks: Whether to warn of incompatible QoS where `incompatible_qos` isn't given.
 
     Raises:

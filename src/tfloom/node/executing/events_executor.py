@@ -1,4 +1,4 @@
-"""The executor with the shortest way from an event to its callback."""
+"""The events executor, which has the least latency from an event to its callback."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ __all__ = ["EventsExecutor"]
 class EventsExecutor(Executor):
     """Runs callbacks on the thread that spins, in the order of their events.
 
-    All executors here wait for events rather than for sets of entities. `spin` of this one runs everything that is
-    ready in one pass: it checks neither a timeout nor a condition between two callbacks, and after a shutdown in a
-    callback the rest of the pass isn't run. Timers run in the order of their deadlines.
+    All executors here wait for events, not for sets of entities. `spin` of this one runs all that is ready in one
+    pass: it checks neither a timeout nor a condition between two callbacks, and after a shutdown in a callback the
+    rest of the pass isn't run. Timers run in the order of their deadlines.
     """
 
     def spin(self) -> None:
@@ -23,7 +23,7 @@ class EventsExecutor(Executor):
             ExternalShutdownException: the context was shut down by a signal, or while this waited.
             KeyboardInterrupt: Ctrl-C, on the main thread.
             Exception: raised by a callback; the rest of the pass is run by the next spin.
-            RuntimeError: another thread spins this executor.
+            RuntimeError: another thread is spinning this executor.
         """
         self._begin_spin()
         try:
@@ -35,7 +35,7 @@ class EventsExecutor(Executor):
             raise
         finally:
             self._spinning.release()
-        if self._context.is_interrupted():  # by a signal that came while a callback ran
+        if self._context.is_interrupted():  # by a signal that arrived while a callback ran
             raise ExternalShutdownException
 
     def _run_until_shutdown(self) -> None:
@@ -48,7 +48,7 @@ class EventsExecutor(Executor):
             self._run_pass()
 
     def _run_pass(self) -> None:
-        """Run one callback of each entity that has posted; an entity that had one stays ready."""
+        """Run one callback of each entity that has posted; an entity whose callback was run stays ready."""
         while self._pass_left:
             self._pass_left -= 1
             token = self._ready.popleft()

@@ -1,4 +1,4 @@
-"""The base of all executors: nodes are added and removed, and callbacks run while a thread spins."""
+"""The base of executors, which run the callbacks of their nodes while a thread spins."""
 
 from __future__ import annotations
 
@@ -41,17 +41,17 @@ NESTED_HINT = (
 
 
 class SpunNode(Protocol):
-    """A node, as far as executors need one."""
+    """The methods of a node that an executor calls."""
 
     executor: Executor | None
-    """The executor that the node is in."""
+    """The executor that the node was added to."""
 
     @property
     def context(self) -> Context:
         """The context that the node belongs to."""
 
     def entities(self) -> list[Entity]:
-        """Return all that the executor is to run."""
+        """Return all entities that the executor runs."""
 
     def get_name(self) -> str:
         """Return the node's name."""
@@ -86,7 +86,7 @@ class Executor(WorkQueue):
         self._context = context or get_default_context()
         self._context.add_queue(self._queue)
         self._spinning = threading.RLock()
-        """Held by the thread that spins."""
+        """Lock held by the thread that spins."""
         self._nodes: list[SpunNode] = []
         """The nodes that were added. Guarded by `_lock`."""
         self._is_shutdown = False
@@ -105,7 +105,7 @@ class Executor(WorkQueue):
     # Nodes and entities
 
     def add_node(self, node: SpunNode) -> bool:
-        """Run a node's callbacks from now on; False if they are already. A node is in one executor at a time."""
+        """Add a node; return False if it was added before. A node in another executor is removed from that one."""
         node.get_name()  # raises, before anything is changed, where the node's `__init__` has not run
         with self._lock:
             if self._is_shutdown:
@@ -137,28 +137,28 @@ class Executor(WorkQueue):
     # Waiting
 
     def would_wait_for_itself(self) -> bool:
-        """Return whether this is called from a callback on the only thread that receives."""
+        """Return whether this is called from a callback on the only thread that receives data."""
         return self._running.is_this_thread()
 
     def wait_for_ready_callbacks(
         self, timeout_sec: float | None = None, condition: Callable[[], bool] | None = None
     ) -> tuple[Task[Any], Entity | Waitable | None, SpunNode | None]:
-        """Wait for a callback that may begin. Executors of a program's own call the task then.
+        """Wait for a callback that may begin; executors of a program's own then call the returned task.
 
-        The callback's group counts it as begun. A task that awaits is returned again when it can continue.
+        The callback has begun for its group. A task that awaits is returned again when it can continue.
 
         Args:
-            timeout_sec: The longest wait [s]; None, negative: for ever.
+            timeout_sec: The longest wait [s]; None, negative: no limit.
             condition: Called each time the executor wakes; the wait ends when it returns True.
 
         Returns:
-            The task; what it is a callback of, and the node of that, or None and None for a task.
+            The task, its entity and the entity's node; the last two are None for a program's own task.
 
         Raises:
-            TimeoutException: none came in time.
+            TimeoutException: none was ready in time.
             ConditionReachedException: `condition()` is true.
             ShutdownException: the executor was shut down.
-            ExternalShutdownException: its context was.
+            ExternalShutdownException: its context was shut down.
         """
         entity, taken = self._wait_for_work(timeout_sec, condition)
         if entity is None:
@@ -184,10 +184,10 @@ class Executor(WorkQueue):
         """Wait for a callback that may begin.
 
         Raises:
-            TimeoutException: none came in time.
-            ConditionReachedException: `condition()` is true; or, if `until_response`, a response has come.
+            TimeoutException: none was ready in time.
+            ConditionReachedException: `condition()` is true; or, if `until_response`, a response has arrived.
             ShutdownException: the executor was shut down.
-            ExternalShutdownException: its context was.
+            ExternalShutdownException: its context was shut down.
         """
         timeout_ns = timeout_sec_to_nsec(timeout_sec)
         end_ns = None if timeout_ns < 0 else time.monotonic_ns() + timeout_ns
@@ -235,10 +235,10 @@ class Executor(WorkQueue):
     # Running
 
     def _run(self, work: Work) -> None:
-        """Run a callback to its end, or a coroutine to its next await, and raise what it raises."""
+        """Run a callback to its end, or a coroutine to its next await, and raise its exception, if any."""
         try:
             with self._running:
-                if self._is_shutdown:  # shut down meanwhile: its nodes are being removed
+                if self._is_shutdown:  # shut down during the wait: its nodes are being removed
                     if work.entity is not None:
                         self._end(work.entity)
                 elif work.entity is None:
@@ -246,7 +246,7 @@ class Executor(WorkQueue):
                 else:
                     self._run_entity(work.entity, work.taken)
         except Exception as error:
-            # A signal came during the callback, which then used the context, by publishing for example.
+            # A signal arrived during the callback, which then used the context, by publishing for example.
             if self._context.explains(error):
                 raise ExternalShutdownException from error
             raise
@@ -262,7 +262,7 @@ class Executor(WorkQueue):
             self._continue_coroutine(entity, outcome)
 
     def _continue_coroutine(self, entity: Entity, outcome: CoroutineType[Any, Any, Any]) -> None:
-        """Run a callback's coroutine to its first await; its group counts it until it completes."""
+        """Run a callback's coroutine to its first await; it occupies its group until it completes."""
         task: Task[Any] = Task(outcome, executor=self)
         task.when_complete(lambda: self._end(entity))
         self._register_task(task)
@@ -284,8 +284,8 @@ class Executor(WorkQueue):
         Raises:
             ExternalShutdownException: the context was shut down by a signal, or while this waited.
             KeyboardInterrupt: Ctrl-C, on the main thread.
-            Exception: whatever a callback raises.
-            RuntimeError: another thread spins this executor.
+            Exception: raised by a callback.
+            RuntimeError: another thread is spinning this executor.
         """
         self._begin_spin()
         try:
@@ -293,18 +293,18 @@ class Executor(WorkQueue):
                 self.spin_once()
         finally:
             self._spinning.release()
-        if self._context.is_interrupted():  # by a signal that came while a callback ran
+        if self._context.is_interrupted():  # by a signal that arrived while a callback ran
             raise ExternalShutdownException
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
         """Wait for one callback and run it, or for a response to a client.
 
-        Returns without either after `timeout_sec` [s] (None, negative: never).
+        Return without either after `timeout_sec` [s] (None, negative: no limit).
         """
         self._spin_once(timeout_sec)
 
     def spin_until_future_complete(self, future: Future[Any], timeout_sec: float | None = None) -> None:
-        """Run callbacks until a future is done, or `timeout_sec` [s] are over (None, negative: never)."""
+        """Run callbacks until a future is done, or for `timeout_sec` [s] (None, negative: no limit)."""
         self._begin_spin()
         try:
             self._spin_until(future, timeout_sec)
@@ -353,10 +353,10 @@ class Executor(WorkQueue):
             self._spinning.release()
 
     def _begin_spin(self) -> None:
-        """Take the right to spin; `_spinning.release` gives it back.
+        """Acquire the right to spin; `_spinning.release` releases it.
 
         Raises:
-            RuntimeError: another thread spins; inside a callback, the text has what to do instead.
+            RuntimeError: another thread is spinning; inside a callback, the text has what to do instead.
         """
         if not self._spinning.acquire(blocking=False):
             advice = ""
@@ -367,13 +367,13 @@ class Executor(WorkQueue):
                 )
             raise RuntimeError(f"Executor is already spinning, on another thread{advice}")
 
-    # The end
+    # Shutdown
 
     def shutdown(self, timeout_sec: float | None = None) -> bool:
         """End every spin, wait for the callbacks that run on other threads, and remove all nodes.
 
         Returns:
-            False if one still runs after `timeout_sec` [s] (None: wait for ever).
+            False if a callback still runs after `timeout_sec` [s] (None: no limit).
         """
         self._is_shutdown = True
         self._context.remove_queue(self._queue)

@@ -1,4 +1,4 @@
-"""How a wait of an executor ends, other than with a callback to run."""
+"""Exceptions by which a wait of an executor ends without a callback to run."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class ConditionReachedException(Exception):
 
 
 class TimeoutObject:
-    """A timeout [s] that may be changed between two waits; None and negative ones are for ever."""
+    """A timeout [s] that may be changed between two waits; None and negative values mean no limit."""
 
     def __init__(self, timeout: float | None) -> None:
         self._timeout = timeout

@@ -1,4 +1,4 @@
-"""The executors of programs, and the one that `rclpy.spin` uses."""
+"""Single- and multi-threaded executors, and the global executor that `rclpy.spin` uses."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ WaitableEntityType = TypeVar("WaitableEntityType")
 
 
 async def await_or_execute(callback: Callable[..., Any] | Coroutine[Any, Any, Any], *args: Any) -> Any:
-    """Call a function, or await a coroutine or what a coroutine function returns."""
+    """Call a function, or await a coroutine function or coroutine, and return the result."""
     outcome = callback if isinstance(callback, Coroutine) else callback(*args)
     return await outcome if isinstance(outcome, Coroutine) else outcome
 
@@ -44,10 +44,10 @@ class SingleThreadedExecutor(Executor):
 
 
 class MultiThreadedExecutor(Executor):
-    """Runs callbacks on threads of its own, as far as their groups allow.
+    """Runs callbacks on a pool of threads, at the same time if their groups allow it.
 
     Args:
-        num_threads: How many; None: as many as there are CPUs, 2 at least.
+        num_threads: Number of threads; None: the number of CPUs, at least 2.
         context: As for every executor.
     """
 
@@ -56,7 +56,7 @@ class MultiThreadedExecutor(Executor):
         import os
         from concurrent.futures import thread
 
-        # An exception between two lines of the pool's `submit` would keep its threads from ending.
+        # An exception between two lines of the pool's `submit` would prevent its threads from ending.
         defer_keyboard_interrupt_in(thread.__file__)
         if num_threads is None:
             num_threads = os.cpu_count() or 1
@@ -64,12 +64,12 @@ class MultiThreadedExecutor(Executor):
         self._pool = thread.ThreadPoolExecutor(self._num_threads, thread_name_prefix="tfloom_executor")
         self._busy_lock = threading.Lock()
         self._busy = 0
-        """How many callbacks the pool has. Changed under `_busy_lock`, read without it."""
+        """Number of callbacks in the pool. Changed under `_busy_lock`, read without it."""
         self._errors: deque[BaseException] = deque()
-        """What callbacks raised, for the thread that spins. Changed by single operations, without a lock."""
+        """Exceptions of callbacks, for the thread that spins. Changed by single operations, without a lock."""
 
     def _has_room(self) -> bool:
-        # A message waits in its reader, whose history depth limits the number, until a thread is free.
+        # Until a thread is free, a message waits in its reader, whose history depth limits the number.
         return self._busy < self._num_threads
 
     def _spin_once(self, timeout_sec: float | None, condition: Callable[[], bool] | None = None) -> None:
@@ -90,7 +90,7 @@ class MultiThreadedExecutor(Executor):
         except RuntimeError:
             if not self._is_shutdown:
                 raise
-            with self._busy_lock:  # another thread has just shut down: the callback isn't run
+            with self._busy_lock:  # another thread has just shut this executor down: the callback isn't run
                 self._busy -= 1
             if work.entity is not None:
                 self._end(work.entity)
@@ -106,7 +106,7 @@ class MultiThreadedExecutor(Executor):
             self.wake()
 
     def would_wait_for_itself(self) -> bool:
-        """Return False, because the thread that spins receives while callbacks run on others."""
+        """Return False, because the thread that spins receives data while callbacks run on other threads."""
         return False
 
     def shutdown(self, timeout_sec: float | None = None) -> bool:
@@ -119,11 +119,11 @@ class MultiThreadedExecutor(Executor):
 
 _global_lock = threading.Lock()
 _global_executors: WeakKeyDictionary[Defaults, Executor] = WeakKeyDictionary()
-"""The executor that goes with each default context; guarded by `_global_lock`."""
+"""The executor of each default context; guarded by `_global_lock`."""
 
 
 def get_global_executor() -> Executor:
-    """Return the executor that `rclpy.spin` and its kin use where none is given, on the default context."""
+    """Return the executor on the default context that `rclpy.spin` and its variants use if none is given."""
     with _global_lock:
         defaults = current_defaults()
         executor = _global_executors.get(defaults)

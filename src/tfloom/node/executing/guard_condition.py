@@ -1,4 +1,4 @@
-"""Callbacks that a program triggers itself."""
+"""Guard conditions: callbacks that the program triggers."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class GuardCondition(Entity):
         self,
         callback: Callable[[], Any] | None,
         callback_group: CallbackGroup | None,
-        context: Context | None = None,  # noqa: ARG002  # shutdown wakes executors by itself
+        context: Context | None = None,  # noqa: ARG002  # shutdown wakes executors without it
     ) -> None:
         self.callback = callback
         self.callback_group = callback_group
@@ -37,14 +37,14 @@ class GuardCondition(Entity):
         return Handle(self)
 
     def trigger(self) -> None:
-        """Make the executor run the callback. Any thread may call this, and a signal handler."""
+        """Make the executor run the callback. Threads and signal handlers may call this."""
         self._triggered = True
         queue = self._queue
         if queue is not None:
             queue.post(self._token)
 
     def trigger_guard_condition(self) -> None:
-        """Do as `trigger`; rclpy's C handle has this name."""
+        """Call `trigger`; rclpy's C handle has this name."""
         self.trigger()
 
     def becomes_ready(self) -> bool:

@@ -1,4 +1,4 @@
-"""The threads that run callbacks now."""
+"""The threads that are running callbacks."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ _all_running_work: weakref.WeakSet[RunningWork] = weakref.WeakSet()
 
 
 class RunningWork:
-    """Counts the callbacks that run, and waits for their end."""
+    """Counts running callbacks, and waits for their end."""
 
     def __init__(self) -> None:
         self._changed = threading.Condition()
         self._waiters = 0
-        # Changed without the lock, by single operations of a list, because callbacks begin and end too often for one.
+        # Changed without the lock, by single operations of a list, because a lock would cost time in each callback.
         self._threads: list[int] = []
         _all_running_work.add(self)
 

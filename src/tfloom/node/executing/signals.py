@@ -1,4 +1,4 @@
-"""Ctrl-C and SIGTERM shut all contexts down, so that spinning ends at once."""
+"""Handlers for SIGINT (Ctrl-C) and SIGTERM, which shut all contexts down, so that spinning ends at once."""
 
 from __future__ import annotations
 
@@ -35,10 +35,10 @@ class SignalHandlerOptions(IntFlag):
 
 
 ECHO_S = 0.5
-"""Time in which a second Ctrl-C counts as the same [s], because launchers send it to a process and to its group."""
+"""Time in which a second SIGINT is ignored [s], because launchers send it to a process and to its group."""
 
 _uninterruptible_files = {weakref.__file__, _weakrefset.__file__}
-"""Files of code that an exception between two lines would break, or that would drop the exception."""
+"""Files whose code an exception between two lines would break, or would lose the exception."""
 
 _interrupted_at = -ECHO_S
 _previous: dict[signal.Signals, Any] = {}
@@ -47,7 +47,7 @@ _SIGNALS = {SignalHandlerOptions.SIGINT: signal.SIGINT, SignalHandlerOptions.SIG
 
 
 def _on_signal(number: int, frame: FrameType | None) -> None:
-    global _interrupted_at  # noqa: PLW0603  # this is its one place
+    global _interrupted_at  # noqa: PLW0603  # written here alone
     contexts = live_contexts()
     if contexts:
         _interrupted_at = time.monotonic()
@@ -63,16 +63,16 @@ def _on_signal(number: int, frame: FrameType | None) -> None:
     if callable(previous) and number not in _handled_now:
         _handled_now.add(number)  # a handler that was installed after ours may call ours
         try:
-            previous(number, frame)  # Python's own, for SIGINT, raises KeyboardInterrupt
+            previous(number, frame)  # Python's handler for SIGINT raises KeyboardInterrupt
         finally:
             _handled_now.discard(number)
 
 
 class SignalHandlerGuardCondition(GuardCondition):
-    """A guard condition that each signal handled here triggers, until it is destroyed."""
+    """A guard condition that each handled signal triggers, until it is destroyed."""
 
     def __init__(self, context: Context | None = None) -> None:
-        global _guards  # noqa: PLW0603  # this and `destroy` are its places
+        global _guards  # noqa: PLW0603  # written here and in `destroy`
         super().__init__(None, None, unwrap_handle(context))
         _guards = (*_guards, self)
 
@@ -106,12 +106,12 @@ def defer_keyboard_interrupt_in(file: str) -> None:
 def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
     """Handle these signals, and those only, from now on.
 
-    A handler shuts all contexts down and then calls what handled the signal before: for SIGINT, Python's own
-    raises KeyboardInterrupt in the main thread. SIGTERM, which by default would end the process, makes spins
-    raise ExternalShutdownException. A second SIGINT right after the first is ignored; a later one interrupts
-    the program wherever it is.
+    A handler shuts all contexts down and then calls the previous handler: for SIGINT, Python's raises
+    KeyboardInterrupt in the main thread. SIGTERM, which by default would end the process, makes spins raise
+    ExternalShutdownException. A second SIGINT right after the first is ignored; a later one raises
+    KeyboardInterrupt at any point of the program.
 
-    Python lets only the main thread do this; on another nothing happens.
+    On other threads than the main one this does nothing, because Python allows it on that one alone.
     """
     if threading.current_thread() is not threading.main_thread():
         return
@@ -123,14 +123,14 @@ def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions
 
 
 def uninstall_signal_handlers() -> None:
-    """Restore the former handlers. Only the main thread can, as for installing."""
+    """Restore the former handlers; on other threads than the main one, do nothing."""
     if threading.current_thread() is threading.main_thread():
         for number in list(_previous):
             _uninstall(number)
 
 
 def get_current_signal_handlers_options() -> SignalHandlerOptions:
-    """Return which signals are handled now."""
+    """Return the signals that are handled."""
     options = SignalHandlerOptions.NO
     for option, number in _SIGNALS.items():
         if number in _previous:
@@ -140,10 +140,10 @@ def get_current_signal_handlers_options() -> SignalHandlerOptions:
 
 @atexit.register
 def _ignore_handled_signals() -> None:
-    """Ignore the signals that are handled here for the rest of the process, whose exit code is known by now.
+    """Ignore the handled signals for the rest of the process, whose exit code has been set.
 
-    The interpreter's end gives each signal its default action, by which one that comes late would end the process
-    with a code of its own. Ignored signals stay ignored.
+    The interpreter's exit restores the default action of each signal, so that one that arrives late would end the
+    process with another exit code. Ignored signals stay ignored.
     """
     for number in list(_previous):
         if signal.getsignal(number) is _on_signal:
@@ -160,6 +160,6 @@ def _install(number: signal.Signals) -> None:
 def _uninstall(number: signal.Signals) -> None:
     if number in _previous:
         previous = _previous.pop(number)
-        # A handler that was installed over ours stays.
+        # A handler that was installed after ours stays.
         if signal.getsignal(number) is _on_signal:
             signal.signal(number, previous if previous is not None else signal.SIG_DFL)

@@ -1,4 +1,4 @@
-"""Futures, and the tasks an executor runs."""
+"""Futures, and the tasks that an executor runs."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ T = TypeVar("T")
 
 
 class TaskRunner(Protocol):
-    """What a future needs of an executor."""
+    """The method of an executor that a future calls."""
 
     def create_task(self, callback: Callable[..., Any], /, *args: Any) -> Any:
         """Call `callback(*args)` on a thread that runs callbacks."""
@@ -23,8 +23,8 @@ class TaskRunner(Protocol):
 class Future(Generic[T]):
     """The result of a call that isn't complete yet.
 
-    Methods may be called from any thread. A callback given to `add_done_callback` runs as a task of `executor`
-    if there is one; else at once, on the thread that completes the future.
+    Methods may be called from any thread. A callback of `add_done_callback` runs as a task of `executor` if there is
+    one; otherwise at once, on the thread that completes the future.
     """
 
     def __init__(self, *, executor: TaskRunner | None = None) -> None:
@@ -36,7 +36,7 @@ class Future(Generic[T]):
         self._callbacks: list[Callable[[Future[T]], Any]] = []
         self._resumers: list[Callable[[], None]] = []
         self._lock = threading.RLock()
-        """Guards the outcome and the lists of callbacks; readers of the outcome take no lock."""
+        """Guards the outcome and the lists of callbacks; the outcome is read without it."""
         self._executor: weakref.ref[TaskRunner] | None = None
         self.set_executor(executor)
 
@@ -59,7 +59,7 @@ class Future(Generic[T]):
         self._run_callbacks()
 
     def cancelled(self) -> bool:
-        """Return whether `cancel` came before a result."""
+        """Return whether it was cancelled before it had a result."""
         return self._cancelled
 
     def done(self) -> bool:
@@ -100,7 +100,7 @@ class Future(Generic[T]):
         self._run_callbacks()
 
     def add_done_callback(self, callback: Callable[[Future[T]], Any]) -> None:
-        """Call `callback(future)` when the future completes or is cancelled; at once if it is already."""
+        """Call `callback(future)` when the future completes or is cancelled; at once if that has happened."""
         with self._lock:
             if not self._done and not self._cancelled:
                 self._callbacks.append(callback)
@@ -108,7 +108,7 @@ class Future(Generic[T]):
         self._run_callback(callback)
 
     def remove_done_callback(self, callback: Callable[[Future[T]], Any]) -> None:
-        """Undo one `add_done_callback`; a callback that isn't waiting is ignored."""
+        """Undo one `add_done_callback`; do nothing for a callback that wasn't added."""
         with self._lock:
             if callback in self._callbacks:
                 self._callbacks.remove(callback)
@@ -116,7 +116,7 @@ class Future(Generic[T]):
     def when_complete(self, resume: Callable[[], None]) -> None:
         """Call `resume()` on completion, at once if it is complete, on the completing thread; once if added twice.
 
-        For executors and tasks, which must not wait for another task; programs use `add_done_callback`.
+        For executors and tasks, because those must not wait for another task; programs use `add_done_callback`.
         """
         with self._lock:
             if not self._done and not self._cancelled:
@@ -145,7 +145,7 @@ class Future(Generic[T]):
             return
         try:
             callback(self)
-        except Exception:  # noqa: BLE001  # the next callback must run, and the completing thread go on
+        except Exception:  # noqa: BLE001  # the next callback must run, and the completing thread must continue
             print("An exception was raised in a done callback of a future:", file=sys.stderr)
             import traceback
 
@@ -155,7 +155,7 @@ class Future(Generic[T]):
 class Task(Future[T]):
     """A function or coroutine that an executor runs; its outcome completes the future.
 
-    Calling the task runs the function, or the coroutine up to the next thing it awaits.
+    Calling the task runs the function, or the coroutine to its next await.
     """
 
     def __init__(
@@ -192,7 +192,7 @@ class Task(Future[T]):
             self._notify_runnable()
 
     def on_resume(self, resume: Callable[[], None]) -> None:
-        """Call `resume()`, on any thread, when a coroutine that waits can continue."""
+        """Call `resume()`, on any thread, when a waiting coroutine can continue."""
         self._resume = resume
 
     def executing(self) -> bool:
@@ -200,12 +200,12 @@ class Task(Future[T]):
         return self._step_lock.locked()
 
     def cancel(self) -> None:
-        """Cancel the task; a coroutine is closed where it waits."""
+        """Cancel the task; close a waiting coroutine."""
         super().cancel()
         self.abandon()
 
     def abandon(self) -> None:
-        """Stop running steps: a coroutine is closed where it waits, and the future stays incomplete."""
+        """Stop running steps: close a waiting coroutine, and leave the future incomplete."""
         if self._step_lock.acquire(blocking=False):
             try:
                 if self._coroutine is not None:
@@ -228,7 +228,7 @@ class Task(Future[T]):
                 return awaited if isinstance(awaited, Future) else None
         except StopIteration as end:
             self.set_result(end.value)
-        except Exception as exc:  # noqa: BLE001  # the future passes it on
+        except Exception as exc:  # noqa: BLE001  # the future raises it
             self.set_exception(exc)
         return None
 

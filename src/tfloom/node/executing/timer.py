@@ -1,4 +1,4 @@
-"""Callbacks at a fixed period, and loops that keep a rate."""
+"""Timers, which call a callback periodically, and rates for loops."""
 
 from __future__ import annotations
 
@@ -22,18 +22,18 @@ __all__ = ["Rate", "Timer"]
 
 
 class Timer(Entity):
-    """Runs its callback once a period.
+    """Calls its callback once a period.
 
     Missed calls are skipped: the next call is at the next whole period. The period is measured in simulated time if
     the clock shows it, else by the steady clock, because that isn't affected by setting the system's clock.
 
     Args:
-        callback: Takes nothing.
+        callback: Called without arguments.
         callback_group: Its group.
-        timer_period_ns: The period [ns]; with 0 it is always ready.
-        clock: Counts the period.
-        context: Kept for `rclpy`'s sake.
-        autostart: Whether it runs from the start; else from the first `reset`.
+        timer_period_ns: The period [ns]; a timer of period 0 is always ready.
+        clock: Clock of the period.
+        context: Unused; kept for rclpy's signature.
+        autostart: Whether it is started at once; otherwise by the first `reset`.
 
     Raises:
         ValueError: the period is negative.
@@ -91,12 +91,12 @@ class Timer(Entity):
 
     @property
     def clock(self) -> Clock:
-        """The clock that counts the period."""
+        """The clock of the period."""
         return self._clock
 
     @property
     def timer_period_ns(self) -> int:
-        """The period [ns]. A new one counts from the last call on; the call that is due next keeps its time."""
+        """The period [ns]. A new period applies after the next call, whose time is unchanged."""
         return self._period_ns
 
     @timer_period_ns.setter
@@ -114,7 +114,7 @@ class Timer(Entity):
         return self._canceled
 
     def cancel(self) -> None:
-        """Stop calling, until `reset`."""
+        """Stop calling the callback, until `reset`."""
         self._canceled = True
 
     def reset(self) -> None:
@@ -134,7 +134,7 @@ class Timer(Entity):
         return None if self._canceled else self._next_ns - self._now_ns()
 
     def destroy(self) -> None:
-        """Stop calling, for good."""
+        """Stop calling the callback, permanently."""
         self.cancel()
         self.detach()
         self._destroyed = True
@@ -156,7 +156,7 @@ class Timer(Entity):
         return None if self._canceled or self._is_simulated() else self._next_ns
 
     def becomes_ready(self) -> bool:
-        """Return whether the period is over, for a wait set."""
+        """Return whether the period has ended, for a wait set."""
         return self.is_ready()
 
     def take(self) -> Any:
@@ -198,7 +198,7 @@ class Timer(Entity):
         with self._lock:
             now_ns = self._now_ns()
             if jump.clock_change in SOURCE_CHANGES:
-                # The rest of the period stays the same on the new source.
+                # The remaining time of the period stays the same on the new source.
                 shift_ns = now_ns - self._before_jump_ns
                 self._last_ns += shift_ns
                 self._next_ns += shift_ns
@@ -213,7 +213,7 @@ class Timer(Entity):
 class Rate:
     """Keeps a loop at a frequency: `sleep` returns once a period.
 
-    The timer it waits for must be spun on another thread. `Node.create_rate` makes one.
+    Another thread must spin the node of its timer. `Node.create_rate` creates one.
     """
 
     def __init__(self, timer: Timer, *, context: Context) -> None:
@@ -226,14 +226,14 @@ class Rate:
 
     @property
     def timer(self) -> Timer:
-        """The timer it waits for."""
+        """The timer that it waits for."""
         return self._timer
 
     def sleep(self) -> None:
         """Wait for the next period.
 
         Raises:
-            ROSInterruptException: the context is shut down, before or meanwhile.
+            ROSInterruptException: the context is shut down, before or during the wait.
             RuntimeError: the rate was destroyed.
         """
         if self._destroyed:

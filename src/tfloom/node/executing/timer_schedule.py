@@ -1,4 +1,4 @@
-"""When which timer is due."""
+"""The deadlines of timers."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ class TimerSchedule:
         self._deadlines: dict[int, int] = {}
 
     def set(self, token: int, deadline_ns: int | None) -> None:
-        """Give a token its deadline instead of the one it had; None: it has none."""
+        """Set the deadline of a token; None removes it."""
         if deadline_ns is None:
             self._deadlines.pop(token, None)
         elif self._deadlines.get(token) != deadline_ns:
             self._deadlines[token] = deadline_ns
             heappush(self._heap, (deadline_ns, token))
-            # Replaced deadlines stay in the heap until they come up.
+            # Replaced deadlines stay in the heap until they are its smallest.
             if len(self._heap) > 64 + 2 * len(self._deadlines):
                 self._heap = [(deadline, each) for each, deadline in self._deadlines.items()]
                 heapify(self._heap)
@@ -36,7 +36,7 @@ class TimerSchedule:
         return None
 
     def take_due(self, now_ns: int) -> list[int]:
-        """Remove and return the tokens whose time has come, the earliest first."""
+        """Remove and return the tokens whose deadline has passed, the earliest first."""
         due: list[int] = []
         while (deadline_ns := self.next_ns()) is not None and deadline_ns <= now_ns:
             _, token = heappop(self._heap)

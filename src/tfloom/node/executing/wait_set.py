@@ -1,4 +1,4 @@
-"""Wait sets of waitables: what is in one posts the waitable's token to the executor."""
+"""Wait sets of waitables, whose items post the waitable's token to the executor."""
 
 from __future__ import annotations
 
@@ -15,23 +15,23 @@ KINDS = ("subscription", "guard_condition", "timer", "client", "service", "event
 
 
 class Waited(Protocol):
-    """One thing in a wait set."""
+    """An item of a wait set."""
 
     def attach(self, queue: ReadyQueue, token: int) -> None:
-        """Post `token` when `becomes_ready` may be true, at once if it is already."""
+        """Post `token` when `becomes_ready` may be true, at once if it is."""
 
     def detach(self) -> None:
         """Stop posting."""
 
     def becomes_ready(self) -> bool:
-        """Return whether there is something to take; of a guard condition, this takes the trigger."""
+        """Return whether there is something to take; for a guard condition, this also takes the trigger."""
 
     def deadline_ns(self) -> int | None:
-        """Return when to look next, by `time.monotonic_ns`; None: after the next post."""
+        """Return the time of the next check, by `time.monotonic_ns`; None: after the next post."""
 
 
 class WaitSet:
-    """What one waitable waits for, by kind, and what of it is ready."""
+    """The items that one waitable waits for, by kind, and which of them are ready."""
 
     def __init__(self) -> None:
         self._waited: dict[str, list[Waited]] = {kind: [] for kind in KINDS}
@@ -47,7 +47,7 @@ class WaitSet:
         return len(self._waited[kind]) - 1
 
     def add_subscription(self, subscription: Waited) -> int:
-        """Wait for messages; the index is for `is_ready`, here as below."""
+        """Wait for messages, and return the index for `is_ready`, as the methods below do."""
         return self._add("subscription", subscription)
 
     def add_guard_condition(self, guard_condition: Waited) -> int:
@@ -55,7 +55,7 @@ class WaitSet:
         return self._add("guard_condition", guard_condition)
 
     def add_timer(self, timer: Waited) -> int:
-        """Wait for a period's end."""
+        """Wait for the end of a period."""
         return self._add("timer", timer)
 
     def add_client(self, client: Waited) -> int:
@@ -71,15 +71,15 @@ class WaitSet:
         return self._add("event", event)
 
     def is_ready(self, entity_type: str, index: int | None) -> bool:
-        """Return whether something was ready after the last wait.
+        """Return whether an item was ready after the last wait.
 
         Args:
             entity_type: One of `KINDS`.
-            index: What `add_…` returned.
+            index: The index that `add_…` returned.
 
         Raises:
             ValueError: there is no such kind.
-            IndexError: that many of it weren't added.
+            IndexError: no item of this kind has that index.
         """
         if entity_type not in self._waited:
             raise ValueError(f"'{entity_type}' is no kind of entity; known are {', '.join(KINDS)}")
@@ -88,16 +88,16 @@ class WaitSet:
         return index in self._ready[entity_type]
 
     def get_ready_entities(self, entity_type: str) -> list[Waited]:
-        """Return what of a kind was ready after the last wait."""
+        """Return the items of a kind that were ready after the last wait."""
         waited = self._waited[entity_type]
         return [waited[index] for index in sorted(self._ready[entity_type])]
 
     def everything(self) -> list[Waited]:
-        """Return all that is waited for."""
+        """Return all items."""
         return [each for kind in KINDS for each in self._waited[kind]]
 
-    def look(self) -> None:
-        """Update what is ready."""
+    def update(self) -> None:
+        """Update which items are ready."""
         self._ready = {
             kind: {index for index, each in enumerate(waited) if each.becomes_ready()}
             for kind, waited in self._waited.items()

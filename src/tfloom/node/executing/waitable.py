@@ -1,4 +1,4 @@
-"""The base of a program's own waitables."""
+"""The base class of a program's own waitables."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ __all__ = ["NumberOfEntities", "Waitable"]
 
 
 class NumberOfEntities:
-    """How many things of each kind a waitable waits for; they add up by `+`."""
+    """Number of items of each kind that a waitable waits for; `+` adds them."""
 
     __slots__ = (
         "num_clients",
@@ -63,9 +63,9 @@ class NumberOfEntities:
 class Waitable:
     """Base of classes that wait for guard conditions, subscriptions and the like.
 
-    `Node.add_waitable` gives it to the node's executor. That calls, on the thread that spins, `add_to_wait_set`
-    before it waits, and `is_ready` after; where that is true, `take_data`, and then `execute` with what was taken,
-    on a thread that runs callbacks. `is_ready` is asked each time the executor wakes, whatever woke it.
+    `Node.add_waitable` adds it to the node's executor. On the thread that spins, the executor calls
+    `add_to_wait_set` before it waits, `is_ready` each time it wakes for any reason, and `take_data` if that is true;
+    then it calls `execute` with the data on a thread that runs callbacks.
 
     Args:
         callback_group: Group of `execute`.
@@ -82,7 +82,7 @@ class Waitable:
     def __exit__(
         self, t: type[BaseException] | None, v: BaseException | None, tb: TracebackType | None
     ) -> None:
-        """Do nothing; a derived class may clean up."""
+        """Do nothing; a derived class may clean up here."""
 
     def add_future(self, future: Future[Any]) -> None:
         """Run the callbacks of a future, which `execute` completes, as tasks of the executor."""
@@ -101,17 +101,17 @@ class Waitable:
         raise NotImplementedError("Must be implemented by subclass")
 
     def take_data(self) -> Any:
-        """Take what there is, for `execute`."""
+        """Remove and return the data for `execute`."""
         raise NotImplementedError("Must be implemented by subclass")
 
     async def execute(self, taken_data: Any) -> None:
-        """Process what `take_data` returned."""
+        """Process the data that `take_data` returned."""
         raise NotImplementedError("Must be implemented by subclass")
 
     def get_num_entities(self) -> NumberOfEntities:
-        """Return how many things `add_to_wait_set` will add."""
+        """Return how many items of each kind `add_to_wait_set` adds."""
         raise NotImplementedError("Must be implemented by subclass")
 
     def add_to_wait_set(self, wait_set: WaitSet) -> None:
-        """Add what is to be waited for, and keep the indices for `is_ready`."""
+        """Add the items to wait for, and keep their indices for `is_ready`."""
         raise NotImplementedError("Must be implemented by subclass")

@@ -1,4 +1,4 @@
-"""A waitable as an executor runs it."""
+"""The entity by which an executor runs a waitable."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ __all__ = ["WaitableEntity"]
 
 
 class WaitableEntity(Entity):
-    """A waitable as an executor runs it: checked when an item of its wait set posts, or anything wakes the executor."""
+    """A waitable as an entity, checked when an item of its wait set posts, and whenever the executor wakes."""
 
     is_timed = True
     is_polled = True
@@ -31,10 +31,10 @@ class WaitableEntity(Entity):
         self._wait_set = WaitSet()
 
     def attach(self, queue: ReadyQueue, token: int) -> None:
-        """Build the wait set, and make all in it post `token`."""
+        """Build the wait set, and make all its items post `token`."""
         self._queue, self._token = queue, token
         self._arm()
-        queue.post(token)  # it may be ready by itself
+        queue.post(token)  # it may be ready without a post
 
     def detach(self) -> None:
         """Stop posting."""
@@ -58,10 +58,10 @@ class WaitableEntity(Entity):
                 each.attach(queue, self._token)
 
     def take(self) -> Any:
-        """Return what the waitable has taken, in a tuple, if it is ready."""
+        """Return the data of the waitable, in a tuple, if it is ready."""
         if self._queue is None:
             return None
-        self._wait_set.look()
+        self._wait_set.update()
         try:
             if not self.waitable.is_ready(self._wait_set):
                 return None
@@ -73,16 +73,16 @@ class WaitableEntity(Entity):
         return taken
 
     def deadline_ns(self) -> int | None:
-        """Return when the first of its timers is due."""
+        """Return the earliest deadline of its timers."""
         ends = [end for each in self._wait_set.everything() if (end := each.deadline_ns()) is not None]
         return min(ends, default=None)
 
     def run(self, taken: Any) -> Any:
-        """Execute what was taken; the executor runs the coroutine."""
+        """Execute the data; the executor runs the coroutine."""
         for future in self.waitable._futures:  # noqa: SLF001  # Waitable's own
             future.set_executor(self._executor())
         return self.waitable.execute(*taken)
 
     def destroy(self) -> None:
-        """Stop waiting. The program owns the waitable, and what it waits for."""
+        """Stop waiting. The program owns the waitable and its items."""
         self.detach()

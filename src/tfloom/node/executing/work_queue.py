@@ -1,7 +1,7 @@
-"""What an executor's entities and tasks have ready to run.
+"""The callbacks and tasks of an executor that are ready to run.
 
-Entities post tokens to one queue; no set of things to wait for is built, however many there are. In each pass one
-thing is taken from each entity that posted, and an entity is looked at again as long as it had something.
+Entities post tokens to one queue, so no set of entities is built for a wait. In each pass, one item is taken from
+each entity that has posted; an entity that had one is checked again in the next pass.
 """
 
 from __future__ import annotations
@@ -30,27 +30,27 @@ _GROUPS_FREED_ON_COMPLETION = (MutuallyExclusiveCallbackGroup, ReentrantCallback
 """Built-in groups, which admit new work only when a callback completes."""
 
 MOST_AT_ONCE = 1000
-"""How many items of one entity run on the thread that spins before the other entities' turn."""
+"""Most items of one entity that run on the thread that spins before the other entities are served."""
 
 
 class Work(NamedTuple):
-    """A callback that may begin; its group counts it as begun."""
+    """A callback that has begun for its group and is to be run."""
 
     entity: Entity | None
     taken: Any
-    """What the entity's `take` returned; without entity, a Task."""
+    """The result of the entity's `take`; without entity, a Task."""
 
 
 class WorkQueue:
-    """Takes from entities, and from tasks that can go on, what is to run next.
+    """Selects the next callback to run, from entities and from tasks that can continue.
 
-    Any thread may add and remove entities. The thread that spins alone calls the methods with an underscore, but
-    for `_end` and `_register_task`, which any thread may call.
+    Any thread may add and remove entities. The methods with an underscore are called on the thread that spins alone,
+    except `_end` and `_register_task`, which any thread may call.
     """
 
     def __init__(self) -> None:
         self._queue = ReadyQueue()
-        """Takes the tokens that entities, tasks and `wake` post, from any thread; it has a lock of its own."""
+        """Queue of the tokens that entities, tasks and `wake` post, on any thread; it has a lock of its own."""
         self._lock = threading.RLock()
         """Guards the registration of entities: `_entities`, `_tokens`, `_polled`."""
         self._entities: dict[int, Entity] = {}
@@ -58,24 +58,24 @@ class WorkQueue:
         self._tokens: dict[Entity, int] = {}
         """The token of each entity. Guarded by `_lock`."""
         self._polled: list[int] = []
-        """Tokens to look at whenever the executor wakes. Replaced, never changed, under `_lock`."""
+        """Tokens to check whenever the executor wakes. Replaced, never changed, under `_lock`."""
         self._tasks: dict[int, Task[Any]] = {}
-        """The tasks that aren't complete, by token. Changed from any thread, by single operations of a dict."""
+        """The tasks that aren't complete, by token. Changed on any thread, by single operations of a dict."""
         self._numbers = count(WAKE + 1)
-        """The next token; drawing one is a single operation."""
+        """Counter of tokens; taking the next is a single operation."""
         self._ready: deque[int] = deque()
-        """Tokens to look at, the oldest first. Of the thread that spins alone, as are the four below."""
+        """Tokens to check, the oldest first. Used by the thread that spins alone, as are the four below."""
         self._refused: list[int] = []
-        """Tokens of entities whose group, of a class of the program's own, has refused to let them run."""
+        """Tokens of entities that their group, of a class of the program's own, has not admitted."""
         self._held: dict[int, Any] = {}
-        """What was taken of such entities before the refusal. `remove_entity` removes from it, too."""
+        """Items taken from such entities before the refusal. `remove_entity` removes from it, too."""
         self._pass_left = 0
-        """How many of `_ready` belong to the present pass."""
+        """Number of tokens in `_ready` that belong to the present pass."""
         self._timers = TimerSchedule()
-        """When which timed entity is due."""
+        """The deadlines of timed entities."""
 
     def add_entity(self, entity: Entity) -> None:
-        """Run an entity; nodes call it for what they create."""
+        """Add an entity; nodes call this for what they create."""
         with self._lock:
             if entity in self._tokens:
                 return
@@ -87,7 +87,7 @@ class WorkQueue:
         entity.attach(self._queue, token)
 
     def remove_entity(self, entity: Entity) -> None:
-        """Stop running an entity; what it has posted is ignored."""
+        """Remove an entity; its posted tokens are ignored."""
         with self._lock:
             token = self._tokens.pop(entity, None)
             if token is None:
@@ -101,9 +101,9 @@ class WorkQueue:
     def create_task(
         self, callback: Callable[..., T] | Coroutine[Any, Any, T], *args: Any, **kwargs: Any
     ) -> Task[T]:
-        """Run a function or coroutine on a thread that runs callbacks; the task is a future of its result.
+        """Run a function or coroutine on a thread that runs callbacks; the task is the future of its result.
 
-        An exception in it is raised from `spin` too, as a callback's is.
+        Its exception is also raised by `spin`, as that of a callback is.
         """
         task: Task[T] = Task(callback, args, kwargs, executor=self)
         self._queue.post(self._register_task(task))
@@ -114,7 +114,7 @@ class WorkQueue:
         return Future(executor=self)
 
     def _register_task(self, task: Task[Any]) -> int:
-        """Run the steps of a task as it becomes runnable, until it is complete; return its token."""
+        """Run the steps of a task whenever it is runnable, until it is complete; return its token."""
         token = next(self._numbers)
         queue, tasks = self._queue, self._tasks
 
@@ -131,12 +131,12 @@ class WorkQueue:
         self._queue.post(WAKE)
 
     def can_execute(self, entity: Entity) -> bool:
-        """Return whether the group of an entity admits its callback now."""
+        """Return whether the group of an entity admits its callback."""
         group = entity.callback_group if entity.goes_by_group else None
         return group is None or group.can_execute(entity)
 
     def _has_room(self) -> bool:
-        """Return whether one more callback may be run now."""
+        """Return whether one more callback may run."""
         return True
 
     def _work_of_this_pass(self) -> Work | None:
@@ -151,7 +151,7 @@ class WorkQueue:
         """Wait for posts and timers, not beyond `end_ns`, and begin a new pass over all that is ready.
 
         Returns:
-            Whether responses came; their futures are complete already.
+            Whether responses arrived; their futures are complete.
         """
         has_response = False
         if self._refused:
@@ -175,7 +175,7 @@ class WorkQueue:
         return has_response
 
     def _retry_refused(self) -> None:
-        """Move entities that their groups admit now from `_refused` to `_ready`."""
+        """Move the entities that their groups admit from `_refused` to `_ready`."""
         refused, self._refused = dict.fromkeys(self._refused), []
         for token in refused:
             entity = self._entities.get(token)
@@ -207,7 +207,7 @@ class WorkQueue:
         return None if taken is None else Work(entity, taken)
 
     def _take(self, entity: Entity, token: int) -> Any:
-        """Begin a callback in its group and return what to run it with; None if it may not run, or has nothing."""
+        """Begin a callback in its group and return the work; None if it must not run yet, or there is no item."""
         group = entity.callback_group
         if group is not None and type(group) not in _GROUPS_FREED_ON_COMPLETION:
             return self._take_with_consent(group, entity, token)
@@ -226,7 +226,7 @@ class WorkQueue:
         return taken
 
     def _take_with_consent(self, group: CallbackGroup, entity: Entity, token: int) -> Any:
-        """Do as `_take` for a group of the program's own class: begin a callback only if there is something to run.
+        """As `_take`, for a group of the program's own class: begin a callback only if there is an item.
 
         A refused entity is tried again each time the executor wakes, because the group may admit it at any time.
         """

@@ -1,4 +1,4 @@
-"""Entities that follow the transitions of a lifecycle node."""
+"""Managed entities, which follow the transitions of a lifecycle node."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ class TransitionCallbackReturn(IntEnum):
 
     SUCCESS = Transition.TRANSITION_CALLBACK_SUCCESS
     FAILURE = Transition.TRANSITION_CALLBACK_FAILURE
-    """Not done; the state is as before."""
+    """The transition failed; the state is as before."""
     ERROR = Transition.TRANSITION_CALLBACK_ERROR
-    """An error; `on_error` follows."""
+    """An error occurred; `on_error` is called."""
 
 
 class ManagedEntity:
-    """Called at each transition with the state before it; by default, each succeeds."""
+    """Base of managed entities. Each transition calls a method with the state before it; by default, it succeeds."""
 
     def on_configure(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
         """Prepare."""
@@ -34,11 +34,11 @@ class ManagedEntity:
         return TransitionCallbackReturn.SUCCESS
 
     def on_shutdown(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
-        """End for good."""
+        """Clean up before the finalized state."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_activate(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
-        """Begin to work."""
+        """Start working."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_deactivate(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
@@ -46,12 +46,12 @@ class ManagedEntity:
         return TransitionCallbackReturn.SUCCESS
 
     def on_error(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
-        """Clean up after an error; SUCCESS leads back to the beginning, all else to the end."""
+        """Clean up after an error; SUCCESS leads to unconfigured, any other result to finalized."""
         return TransitionCallbackReturn.SUCCESS
 
 
 class SimpleManagedEntity(ManagedEntity):
-    """An entity that is active or not."""
+    """An entity that is either active or inactive."""
 
     def __init__(self) -> None:
         self._enabled = False
@@ -62,7 +62,7 @@ class SimpleManagedEntity(ManagedEntity):
         return self._enabled
 
     def on_activate(self, state: Any) -> TransitionCallbackReturn:  # noqa: ARG002
-        """Begin to work."""
+        """Start working."""
         self._enabled = True
         return TransitionCallbackReturn.SUCCESS
 
@@ -75,7 +75,7 @@ class SimpleManagedEntity(ManagedEntity):
     def when_enabled(
         wrapped: Callable[..., Any] | None = None, *, when_not_enabled: Callable[..., Any] | None = None
     ) -> Any:
-        """Decorate a method so that it runs while the entity is active; `when_not_enabled()` stands in else."""
+        """Decorate a method to run only while the entity is active; otherwise `when_not_enabled()` is called."""
 
         def decorate(method: Callable[..., Any]) -> Callable[..., Any]:
             @wraps(method)

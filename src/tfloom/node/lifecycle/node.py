@@ -1,4 +1,4 @@
-"""Lifecycle nodes: services and a topic make their state visible and changeable."""
+"""Lifecycle nodes, whose state services return and change, and a topic publishes."""
 
 from __future__ import annotations
 
@@ -39,10 +39,10 @@ __all__ = ["LifecycleNode", "LifecycleNodeMixin", "LifecycleState"]
 
 
 class LifecycleNodeMixin(ManagedEntity):
-    """The lifecycle of a node, to be mixed in before Node and initialised after it.
+    """The lifecycle of a node; a base class before Node, initialised after it.
 
     Args:
-        enable_communication_interface: Whether it has the services and the topic that change and publish its state.
+        enable_communication_interface: Whether it has the services that change its state, and the topic of it.
         callback_group: Group of these services; None: the node's own.
     """
 
@@ -78,33 +78,33 @@ class LifecycleNodeMixin(ManagedEntity):
 
     @property
     def __node(self) -> Node:
-        assert isinstance(self, Node)  # noqa: S101  # what the class asks for
+        assert isinstance(self, Node)  # noqa: S101  # required by the class
         return self
 
     # Transition callbacks
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Prepare, by default the managed entities. `state` is the state before the transition."""
+        """Configure; by default, the managed entities. `state` is the state before the transition, here as below."""
         return self.__call_entities("on_configure", state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Undo `on_configure`, by default of the managed entities."""
+        """Undo `on_configure`; by default, of the managed entities."""
         return self.__call_entities("on_cleanup", state)
 
     def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """End for good, by default the managed entities."""
+        """Clean up before the finalized state; by default, the managed entities."""
         return self.__call_entities("on_shutdown", state)
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Begin to work, by default the managed entities."""
+        """Start working; by default, the managed entities."""
         return self.__call_entities("on_activate", state)
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Stop working, by default the managed entities."""
+        """Stop working; by default, the managed entities."""
         return self.__call_entities("on_deactivate", state)
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Clean up after an error, by default the managed entities."""
+        """Clean up after an error; by default, the managed entities."""
         return self.__call_entities("on_error", state)
 
     def __call_entities(self, name: str, state: LifecycleState) -> TransitionCallbackReturn:
@@ -117,13 +117,13 @@ class LifecycleNodeMixin(ManagedEntity):
     # Managed entities
 
     def add_managed_entity(self, entity: ManagedEntity) -> None:
-        """Call an entity at each transition from now on."""
+        """Add an entity, whose callbacks are called at each transition."""
         self.__entities.append(entity)
 
     def create_lifecycle_publisher(self, *args: Any, **kwargs: Any) -> LifecyclePublisher[Any]:
-        """Create a publisher that is silent until the node is active; see `Node.create_publisher`."""
+        """Create a publisher that publishes while the node is active; see `Node.create_publisher`."""
         publisher = self.__node.create_publisher(*args, **kwargs, publisher_class=LifecyclePublisher)
-        assert isinstance(publisher, LifecyclePublisher)  # noqa: S101  # as asked for
+        assert isinstance(publisher, LifecyclePublisher)  # noqa: S101  # required by the class
         self.add_managed_entity(publisher)
         return publisher
 
@@ -136,30 +136,30 @@ class LifecycleNodeMixin(ManagedEntity):
     # Transitions
 
     def trigger_configure(self) -> TransitionCallbackReturn:
-        """Go from unconfigured to inactive; RCLError if the node isn't there."""
+        """Change from unconfigured to inactive; RCLError in any other state."""
         return self.__trigger("configure")
 
     def trigger_cleanup(self) -> TransitionCallbackReturn:
-        """Go from inactive to unconfigured; RCLError if the node isn't there."""
+        """Change from inactive to unconfigured; RCLError in any other state."""
         return self.__trigger("cleanup")
 
     def trigger_shutdown(self) -> TransitionCallbackReturn:
-        """Go to finalized; RCLError if the node is there."""
+        """Change to finalized; RCLError in that state."""
         return self.__trigger("shutdown")
 
     def trigger_activate(self) -> TransitionCallbackReturn:
-        """Go from inactive to active; RCLError if the node isn't there."""
+        """Change from inactive to active; RCLError in any other state."""
         return self.__trigger("activate")
 
     def trigger_deactivate(self) -> TransitionCallbackReturn:
-        """Go from active to inactive; RCLError if the node isn't there."""
+        """Change from active to inactive; RCLError in any other state."""
         return self.__trigger("deactivate")
 
     def __trigger(self, label: str) -> TransitionCallbackReturn:
         return self.__change(self.__machine.find(0, label))
 
     def __change(self, step: Step) -> TransitionCallbackReturn:
-        """Make a transition to its end, and return how the first callback of it went."""
+        """Make a transition to its end, and return the result of its first callback."""
         self.__go(step)
         result = self.__call(step.start)
         self.__go(self.__machine.outcome(result))
@@ -228,7 +228,7 @@ class LifecycleNode(LifecycleNodeMixin, Node):
 
     Args:
         node_name: Its name.
-        enable_communication_interface: Whether it has the services and the topic that change and publish its state.
+        enable_communication_interface: Whether it has the services that change its state, and the topic of it.
         kwargs: As for Node.
     """
 

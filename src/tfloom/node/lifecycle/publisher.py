@@ -1,4 +1,4 @@
-"""Publishers that are silent until their node is active."""
+"""Publishers that publish while their lifecycle node is active."""
 
 from __future__ import annotations
 

@@ -19,7 +19,7 @@ class LifecycleState(NamedTuple):
     state_id: int
 
     def to_msg(self) -> lifecycle_msg.State:
-        """Return it as a message."""
+        """Return the state as a message."""
         return State(id=self.state_id, label=self.label)
 
 
@@ -32,7 +32,7 @@ class Step(NamedTuple):
     goal: LifecycleState
 
     def transition_msg(self) -> lifecycle_msg.Transition:
-        """Return it as a message, without its states."""
+        """Return the transition as a message, without its states."""
         return Transition(id=self.transition_id, label=self.label)
 
 
@@ -106,14 +106,14 @@ class StateMachine:
         self.state = UNCONFIGURED
 
     def available(self) -> list[Step]:
-        """Return the transitions that lead away from the present state."""
+        """Return the transitions from the present state."""
         return [step for step in STEPS if step.start == self.state]
 
     def find(self, transition_id: int, label: str = "") -> Step:
-        """Return the transition of a label, or else of an id, from the present state.
+        """Return the transition with a label, or else with an id, from the present state.
 
         Raises:
-            RCLError: there is none.
+            RCLError: there is no such transition.
         """
         for step in self.available():
             if step.label == label if label else step.transition_id == transition_id:
@@ -124,5 +124,5 @@ class StateMachine:
         )
 
     def outcome(self, result: TransitionCallbackReturn) -> Step:
-        """Return the transition that follows a callback's result."""
+        """Return the transition that the result of a callback leads to."""
         return self.find(0, _OUTCOME_LABELS[list(TransitionCallbackReturn).index(result)])

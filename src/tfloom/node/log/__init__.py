@@ -1,1 +1,1 @@
-"""Loggers: severities, levels, and where records go."""
+"""Loggers: severities, levels, filters, and the outputs of records."""

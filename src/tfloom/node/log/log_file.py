@@ -1,4 +1,4 @@
-"""The file that a program's log records go to, beside the console."""
+"""The log file of a program, written besides the console."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, TextIO
 if TYPE_CHECKING:
     from pathlib import Path
 
-# pathlib would be the costliest import of a program's first log line.
+# Importing pathlib would take longer than the rest of a program's first log line.
 # ruff: noqa: PTH103, PTH111, PTH118, PTH119, PTH122, PTH123
 
 __all__ = ["LogFile", "log_directory"]
@@ -20,10 +20,10 @@ __all__ = ["LogFile", "log_directory"]
 class LogFile:
     """A file of log lines, opened with the first of them.
 
-    If it can't be opened, one line on the console says so, and nothing is written.
+    If it can't be opened, one line on the console reports that, and nothing is written.
 
     Args:
-        name: Its name before the process id; None: the program's.
+        name: Part of the file's name before the process id; None: the program's name.
     """
 
     def __init__(self, name: str | None = None) -> None:
@@ -33,7 +33,7 @@ class LogFile:
         self._lock = threading.RLock()
 
     def write(self, line: str) -> None:
-        """Add a line. Any thread may; after `close`, nothing is written."""
+        """Write a line, from any thread; do nothing after `close`."""
         with self._lock:
             if self._closed:
                 return
@@ -57,7 +57,7 @@ class LogFile:
         return open(os.path.join(directory, name), "w", encoding="utf-8", errors="backslashreplace")
 
     def close(self) -> None:
-        """Close the file, if there is one, for good."""
+        """Close the file, if there is one, permanently."""
         with self._lock:
             self._closed = True
             file, self._file = self._file, None
@@ -69,7 +69,7 @@ class LogFile:
 
 
 def log_directory() -> Path:
-    """Return where log files go: `ROS_LOG_DIR`, else `log` in `ROS_HOME`, else `~/.ros/log`."""
+    """Return the folder of log files: `ROS_LOG_DIR`, else `log` in `ROS_HOME`, else `~/.ros/log`."""
     from pathlib import Path
 
     return Path(_directory())

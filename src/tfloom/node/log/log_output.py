@@ -1,4 +1,4 @@
-"""Where log records go: the console in ROS's format, and a node's /rosout."""
+"""Output of log records: to the console in ROS's format, to a file, and to a node's /rosout."""
 
 from __future__ import annotations
 
@@ -59,11 +59,11 @@ class Record:
         self.stamp_ns = time.time_ns()
 
     def format(self, template: str) -> str:
-        r"""Return `template` with each known `{token}` put in; others stay as they are.
+        r"""Return `template` with each known `{token}` replaced by its value; others stay unchanged.
 
         Known: severity, name, message, time (seconds), time_as_nanoseconds, date_time_with_ms, file_name,
-        function_name, line_number. In the template itself, two characters that denote a control character
-        (`\n`, `\t`, `\r`, `\a`, `\b`) become that, and `\x1b` an escape.
+        function_name, line_number. In the template itself, the escape sequences `\n`, `\t`, `\r`, `\a`, `\b` and
+        `\x1b` are replaced by their control characters.
         """
         if template == DEFAULT_FORMAT:
             return f"[{self.severity.name}] [{self._seconds()}] [{self.name}]: {self.message}"
@@ -102,7 +102,7 @@ class Record:
 
 
 _lock = threading.RLock()
-"""Guards changes of the names below; records are written without it, from what they hold at that moment."""
+"""Guards changes of the names below; records are written without it, from the values at that moment."""
 _levels: dict[str, LoggingSeverity] = {"": LoggingSeverity.INFO}
 _effective: dict[str, LoggingSeverity] = {}
 _file: LogFile | None = None
@@ -111,7 +111,7 @@ _listeners: dict[str, list[Callable[[Record], None]]] = {}
 
 
 def set_level(name: str, level: LoggingSeverity) -> None:
-    """Set the level of a name and of all below it that have none of their own; "" is the root."""
+    """Set the level of a name and of all below it that have no level; "" is the root."""
     with _lock:
         if level is LoggingSeverity.UNSET:
             _levels.pop(name, None)
@@ -121,7 +121,7 @@ def set_level(name: str, level: LoggingSeverity) -> None:
 
 
 def get_level(name: str) -> LoggingSeverity:
-    """Return the level that was set for exactly this name; UNSET if none was."""
+    """Return the level set for exactly this name; UNSET if there is none."""
     return _levels.get(name, LoggingSeverity.UNSET)
 
 
@@ -139,7 +139,7 @@ def effective_level(name: str) -> LoggingSeverity:
 
 
 def reset_levels() -> None:
-    """Forget all levels."""
+    """Remove all levels that were set."""
     with _lock:
         _levels.clear()
         _effective.clear()
@@ -147,7 +147,7 @@ def reset_levels() -> None:
 
 
 def configure(*, file: LogFile | None, console: bool) -> None:
-    """Write records to `file` too (None: to none), and to the console or not, from now on."""
+    """Set the log file (None: no file) and whether records are written to the console."""
     global _file, _to_console  # the process has one of each
     with _lock:
         if _file is not None:
@@ -156,7 +156,7 @@ def configure(*, file: LogFile | None, console: bool) -> None:
 
 
 def add_listener(name: str, listener: Callable[[Record], None]) -> None:
-    """Call `listener` with each record of a logger and of those below it, on the thread that logs."""
+    """Call `listener` with each record of a logger and of the loggers below it, on the thread that logs."""
     with _lock:
         _listeners[name] = [*_listeners.get(name, ()), listener]
 
@@ -180,7 +180,7 @@ def _use_color(stream: object) -> bool:
 
 
 def write(record: Record) -> None:
-    """Print a record, and hand it to the log file and to the listeners of its name."""
+    """Write a record to the console and the log file, and call the listeners of its name."""
     text = record.format(os.environ.get("RCUTILS_CONSOLE_OUTPUT_FORMAT") or DEFAULT_FORMAT)
     if _to_console:
         _print(text, record.severity)
@@ -204,4 +204,4 @@ def _print(text: str, severity: LoggingSeverity) -> None:
         stream.write(f"{text}\n")
         stream.flush()
     except (OSError, ValueError):
-        pass  # a closed or broken stream: there is nowhere left to say so
+        pass  # a closed or broken stream: there is no other output to report that on

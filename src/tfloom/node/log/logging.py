@@ -1,4 +1,4 @@
-"""Loggers by name, their levels, and where log files go."""
+"""Loggers by name, their levels, and the folder of log files."""
 
 from __future__ import annotations
 
@@ -38,29 +38,29 @@ def get_logger(name: str) -> RcutilsLogger:
 
 
 def initialize() -> None:
-    """Nothing to do: loggers work from the first import. Programs that call it may go on to."""
+    """Do nothing, because loggers work from the first import."""
 
 
 def shutdown() -> None:
-    """Nothing to do, as for `initialize`: each record is written through at once."""
+    """Do nothing, because each record is written at once."""
 
 
 def clear_config() -> None:
-    """Forget all levels that were set."""
+    """Remove all levels that were set."""
     log_output.reset_levels()
 
 
 def set_logger_level(name: str, level: LoggingSeverity | int, detailed_error: bool = False) -> None:  # noqa: ARG001
-    """Set the level of a logger; UNSET takes the level of the names above it again.
+    """Set the level of a logger; UNSET: the level of the nearest name above it that has one.
 
     Raises:
-        ValueError: `level` is no severity.
+        ValueError: `level` is not a severity.
     """
     log_output.set_level(name, LoggingSeverity(level))
 
 
 def get_logger_level(name: str) -> LoggingSeverity:
-    """Return the level that was set for a logger, UNSET if none was."""
+    """Return the level set for a logger; UNSET if there is none."""
     return log_output.get_level(name)
 
 
@@ -70,7 +70,7 @@ def get_logger_effective_level(name: str) -> LoggingSeverity:
 
 
 def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
-    """Return the severity of a name such as `info`, in any case.
+    """Return the severity of a name such as `info`, in upper or lower case.
 
     Raises:
         RuntimeError: there is none of that name.
@@ -85,5 +85,5 @@ def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
 
 
 def get_logging_directory() -> Path:
-    """Return where log files go: `ROS_LOG_DIR`, else `log` in `ROS_HOME`, else `~/.ros/log`."""
+    """Return the folder of log files: `ROS_LOG_DIR`, else `log` in `ROS_HOME`, else `~/.ros/log`."""
     return log_directory()

@@ -21,7 +21,7 @@ _PARAMETERS = {
 
 
 class CallerId(NamedTuple):
-    """A place in a program that logs."""
+    """A place in a program that calls a logger."""
 
     code: CodeType
     line: int
@@ -39,7 +39,7 @@ class CallerId(NamedTuple):
 
 
 class CallState:
-    """State of the filters at one place of a program, from call to call."""
+    """State of the filters of one place in a program, kept between calls."""
 
     __slots__ = ("_clock", "_first", "_last_ns", "_once", "_period_ns", "_skip_first", "severity")
 
@@ -69,7 +69,7 @@ class CallState:
         if self._period_ns is None:
             return True
         now_ns = time.monotonic_ns() if self._clock is None else self._clock.now().nanoseconds
-        # A clock that went back starts anew.
+        # After a jump backward of the clock, the period starts anew.
         if self._last_ns is not None and 0 <= now_ns - self._last_ns < self._period_ns:
             return False
         self._last_ns = now_ns
@@ -77,10 +77,10 @@ class CallState:
 
 
 def make_state(severity: LoggingSeverity, options: dict[str, Any]) -> CallState:
-    """Check the options of a logger call, and return the first state of its filters.
+    """Check the options of a logger call, and return the initial state of its filters.
 
     Raises:
-        TypeError: an option is unknown, misses its companion, or has a value of the wrong type.
+        TypeError: an option is unknown, lacks an option that it requires, or has a value of the wrong type.
     """
     for name in options:
         if name not in _PARAMETERS:

@@ -1,4 +1,4 @@
-"""Loggers: what `Node.get_logger()` returns."""
+"""The logger class that `Node.get_logger()` returns."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _states: dict[CallerId, CallState] = {}
 
 
 class RcutilsLogger:
-    """Writes records under a name; the levels of the names above it, up to the root's, hold for it too.
+    """Logs records under a name. Without a level of its own it has that of the nearest name above it, up to the root.
 
     Each of `debug`, `info`, `warning`, `error` and `fatal` takes these options, which belong to the place of the
     call:
@@ -34,7 +34,7 @@ class RcutilsLogger:
         self.name = name
 
     def get_child(self, name: str) -> RcutilsLogger:
-        """Return the logger of the name below this one's.
+        """Return the logger `<name of this one>.<name>`.
 
         Raises:
             ValueError: `name` is empty.
@@ -44,7 +44,7 @@ class RcutilsLogger:
         return RcutilsLogger(f"{self.name}.{name}" if self.name else name)
 
     def set_level(self, level: LoggingSeverity | int) -> None:
-        """Log only what is at least this severe; UNSET takes the level of the names above again."""
+        """Set the least severity to log; UNSET: that of the nearest name above that has a level."""
         log_output.set_level(self.name, LoggingSeverity(level))
 
     def get_effective_level(self) -> LoggingSeverity:
@@ -63,7 +63,7 @@ class RcutilsLogger:
 
         Raises:
             TypeError: an option is unknown or misused.
-            ValueError: the place of the call has logged with another severity before, and has options.
+            ValueError: the call has options, and the same place has logged with another severity before.
         """
         return self._log(message, LoggingSeverity(severity), kwargs)
 

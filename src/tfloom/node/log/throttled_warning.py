@@ -1,4 +1,4 @@
-"""Warnings that hostile input can cause at any rate."""
+"""Warnings of limited rate, for causes that hostile input can repeat at will."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Parameters: values, the files and rules for them, and the parameters that a node has declared."""
+"""Parameters: values, YAML files, checks, and the declared parameters of a node."""

@@ -1,4 +1,4 @@
-"""The parameters that a node has declared: reading them."""
+"""Read access to the parameters that a node has declared."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ __all__ = ["DeclaredParameters"]
 
 
 class DeclaredParameters:
-    """Keeps parameters with their descriptors, and reads them; a base of Node.
+    """Stores parameters with their descriptors, and returns them; a base of Node.
 
-    The attributes are called as in rclpy, because programs look at them.
+    The attributes have rclpy's names, because programs read them.
     """
 
     _parameters: dict[str, Parameter] = SET_BY_INIT
@@ -34,7 +34,7 @@ class DeclaredParameters:
 
         Raises:
             ParameterNotDeclaredException: it isn't declared, and the node doesn't allow undeclared ones.
-            ParameterUninitializedException: it was declared with a type, and has no value yet.
+            ParameterUninitializedException: it was declared with a type and has no value.
         """
         parameter = self._parameters.get(name)
         if parameter is None:
@@ -46,7 +46,7 @@ class DeclaredParameters:
         return parameter
 
     def get_parameters(self, names: list[str]) -> list[Parameter]:
-        """Return parameters, as `get_parameter` does each.
+        """Return the parameters of these names, each as `get_parameter` does.
 
         Raises:
             TypeError: `names` isn't a list of strings.
@@ -57,7 +57,7 @@ class DeclaredParameters:
         return [self.get_parameter(name) for name in names]
 
     def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
-        """Return a parameter, or the alternative (None: one that isn't set) if it is undeclared or has no value."""
+        """Return a parameter; if it is undeclared or has no value, the alternative (None: one without value)."""
         if alternative_value is None:
             alternative_value = Parameter(name, ParameterType.NOT_SET, None)
         parameter = self._parameters.get(name)
@@ -66,7 +66,7 @@ class DeclaredParameters:
         return parameter
 
     def get_parameters_by_prefix(self, prefix: str) -> dict[str, Parameter]:
-        """Return the parameters below a prefix (`a.b`; "" for all), by the rest of their names."""
+        """Return the parameters below a prefix (`a.b`; "" for all), by the part of their names after it."""
         if prefix:
             prefix += PARAMETER_SEPARATOR_STRING
         return {
@@ -88,7 +88,7 @@ class DeclaredParameters:
         raise ParameterNotDeclaredException(name)
 
     def get_parameter_types(self, names: list[str]) -> list[ParameterType]:
-        """Return the types of parameters, as `get_parameter_type` does each."""
+        """Return the types of parameters, each as `get_parameter_type` does."""
         if not all(isinstance(name, str) for name in names):
             raise TypeError("All names must be instances of type str")
         return [self.get_parameter_type(name) for name in names]
@@ -107,11 +107,11 @@ class DeclaredParameters:
         raise ParameterNotDeclaredException(name)
 
     def describe_parameters(self, names: list[str]) -> list[rcl_msg.ParameterDescriptor]:
-        """Return the descriptors of parameters, as `describe_parameter` does each."""
+        """Return the descriptors of parameters, each as `describe_parameter` does."""
         return [self.describe_parameter(name) for name in names]
 
     def list_parameters(self, prefixes: list[str], depth: int) -> rcl_msg.ListParametersResult:
-        """Return the names below any of some prefixes ([]: all), no more than `depth` parts deep (0: any).
+        """Return the names below any of the prefixes ([]: all names), at most `depth` parts deep (0: no limit).
 
         Raises:
             TypeError: an argument is of the wrong type.

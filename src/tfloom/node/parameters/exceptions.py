@@ -43,7 +43,7 @@ class ParameterException(Exception):
 
 
 class ParameterNotDeclaredException(ParameterException):
-    """A parameter was read or set that isn't declared."""
+    """An undeclared parameter was read or set."""
 
     def __init__(self, parameters: str | list[str], *args: object) -> None:
         super().__init__("Invalid access to undeclared parameter(s)", parameters, *args)
@@ -76,7 +76,7 @@ class InvalidParameterTypeException(ParameterException):
 
 
 class InvalidParameterValueException(ParameterException):
-    """A value was refused, by a callback or a declared range."""
+    """A value was rejected by a callback or is outside the declared range."""
 
     def __init__(self, parameter: str, value: Any, reason: str, *args: object) -> None:
         super().__init__(
@@ -85,7 +85,7 @@ class InvalidParameterValueException(ParameterException):
 
 
 class ParameterImmutableException(ParameterException):
-    """A read-only parameter was to be changed or removed."""
+    """A change or removal of a read-only parameter was requested."""
 
     def __init__(self, parameter_name: str, *args: object) -> None:
         super().__init__("Attempted to modify read-only parameter", parameter_name, *args)

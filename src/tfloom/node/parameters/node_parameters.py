@@ -1,4 +1,4 @@
-"""The parameters of a node: declaring and setting them."""
+"""Declaration and setting of a node's parameters."""
 
 from __future__ import annotations
 
@@ -34,14 +34,14 @@ class NodeParameters(DeclaredParameters):
     Args:
         overrides: First values of parameters, by name.
         allow_undeclared: Whether parameters may be set that aren't declared.
-        publish_event: Takes the new, changed and deleted parameters of each setting; it adds stamp and node.
+        publish_event: Called with the new, changed and deleted parameters of each setting; it adds stamp and node.
     """
 
     __pre_set_callbacks: list[_PreCallback] = SET_BY_INIT
     __on_set_callbacks: list[_SetCallback] = SET_BY_INIT
     __post_set_callbacks: list[_PostCallback] = SET_BY_INIT
     __parameters_lock = SET_BY_INIT
-    """Held while parameters are declared, undeclared or set; reading takes none."""
+    """Held while parameters are declared, undeclared or set; reading takes no lock."""
 
     def __init__(
         self,
@@ -67,19 +67,19 @@ class NodeParameters(DeclaredParameters):
         descriptor: rcl_msg.ParameterDescriptor | None = None,
         ignore_override: bool = False,
     ) -> Parameter:
-        """Declare one parameter, and return it with the value it has now.
+        """Declare one parameter, and return it with its initial value.
 
         Args:
             name: Its name.
             value: Its default, which fixes its type; or a Parameter.Type, for a parameter with no default.
-            descriptor: Its description, and what it allows.
-            ignore_override: Whether to begin with the default even if the command line gives a value.
+            descriptor: Its description, and the values that it allows.
+            ignore_override: Whether the initial value is the default even if the command line gives a value.
 
         Raises:
-            ParameterAlreadyDeclaredException: it is declared.
+            ParameterAlreadyDeclaredException: it was declared before.
             InvalidParameterException: the name is empty.
             InvalidParameterTypeException: the value given on the command line is of another type.
-            InvalidParameterValueException: the first value is out of range, or refused by a callback.
+            InvalidParameterValueException: the initial value is out of range, or rejected by a callback.
         """
         if value is None and descriptor is None:
             return self.declare_parameters("", [(name,)], ignore_override)[0]
@@ -102,7 +102,7 @@ class NodeParameters(DeclaredParameters):
         Raises:
             TypeError: a tuple isn't of that form.
             ValueError: a type is NOT_SET, or given together with dynamic typing.
-            ParameterException: as from `declare_parameter`; those before it in the list are declared then.
+            ParameterException: as from `declare_parameter`; the tuples before it in the list are then declared.
         """
         declarations = read_declarations(namespace, parameters)
         with self.__parameters_lock:
@@ -149,12 +149,12 @@ class NodeParameters(DeclaredParameters):
     # Setting
 
     def set_parameters(self, parameter_list: list[Parameter]) -> list[rcl_msg.SetParametersResult]:
-        """Set parameters one by one, and return how each went: refused, with a reason, or done.
+        """Set parameters one by one, and return a result for each: successful, or rejected with a reason.
 
         Raises:
-            TypeError: an item is no Parameter.
+            TypeError: an item is not a Parameter.
             ParameterNotDeclaredException: one isn't declared, and the node doesn't allow undeclared ones; those
-                before it are set then.
+                before it are then set.
         """
         results: list[rcl_msg.SetParametersResult] = []
         for parameter in parameter_list:
@@ -163,10 +163,10 @@ class NodeParameters(DeclaredParameters):
         return results
 
     def set_parameters_atomically(self, parameter_list: list[Parameter]) -> rcl_msg.SetParametersResult:
-        """Set all parameters, or none of them if one is refused.
+        """Set all parameters, or none of them if one is rejected.
 
         Raises:
-            TypeError: an item is no Parameter.
+            TypeError: an item is not a Parameter.
             ParameterNotDeclaredException: one isn't declared, and the node doesn't allow undeclared ones.
         """
         self.__check_declared(parameter_list)
@@ -205,7 +205,7 @@ class NodeParameters(DeclaredParameters):
         *,
         check_read_only: bool = False,
     ) -> rcl_msg.SetParametersResult:
-        """Set parameters that their descriptors and all callbacks allow, and publish the change."""
+        """Set the parameters if their descriptors and all callbacks allow it, and publish the change."""
         for parameter in parameters:
             reason = check_against_descriptor(
                 parameter, descriptors[parameter.name], check_read_only=check_read_only
@@ -251,10 +251,10 @@ class NodeParameters(DeclaredParameters):
         descriptor: rcl_msg.ParameterDescriptor,
         alternative_value: rcl_msg.ParameterValue | None = None,
     ) -> rcl_msg.ParameterValue:
-        """Give a parameter another descriptor, and the alternative value if it doesn't allow the present one.
+        """Replace a parameter's descriptor; set the alternative value if the descriptor doesn't allow the present one.
 
         Returns:
-            The value it has then.
+            The parameter's new value.
 
         Raises:
             ParameterNotDeclaredException: it isn't declared, and the node doesn't allow undeclared ones.
@@ -283,11 +283,11 @@ class NodeParameters(DeclaredParameters):
     # Callbacks
 
     def add_pre_set_parameters_callback(self, callback: _PreCallback) -> None:
-        """Set what `callback(parameters)` returns instead of the given list; the last added is called first."""
+        """Set what `callback(parameters)` returns instead of `parameters`; the last added is called first."""
         self.__pre_set_callbacks.insert(0, callback)
 
     def add_on_set_parameters_callback(self, callback: _SetCallback) -> None:
-        """Set only what `callback(parameters)` accepts, declarations too; the last added is called first."""
+        """Set and declare only what `callback(parameters)` accepts; the last added is called first."""
         self.__on_set_callbacks.insert(0, callback)
 
     def add_post_set_parameters_callback(self, callback: _PostCallback) -> None:

@@ -17,16 +17,19 @@ if TYPE_CHECKING:
 __all__ = [
     "PARAMETER_SEPARATOR_STRING",
     "Parameter",
+    "ParameterMsg",
     "get_parameter_value",
     "parameter_dict_from_yaml_file",
     "parameter_value_to_python",
 ]
 
 PARAMETER_SEPARATOR_STRING = "."
+ParameterMsg = rcl_msg.Parameter
+"""The message of a parameter, by the name that rclpy's modules give it beside `Parameter`."""
 
 
 class ParameterType(Enum):
-    """The types; the numbers are those of `rcl_interfaces/msg/ParameterType`."""
+    """Types of parameters; the numbers are those of `rcl_interfaces/msg/ParameterType`."""
 
     NOT_SET = 0
     BOOL = 1
@@ -41,10 +44,10 @@ class ParameterType(Enum):
 
     @classmethod
     def from_parameter_value(cls, parameter_value: Any) -> ParameterType:
-        """Return the type that a value has; an empty list counts as BYTE_ARRAY.
+        """Return the type of a value; that of an empty list is BYTE_ARRAY.
 
         Raises:
-            TypeError: no parameter can have this value.
+            TypeError: the value has no parameter type.
         """
         for kind, check in _CHECKS.items():
             if check(parameter_value):
@@ -57,13 +60,13 @@ class ParameterType(Enum):
         return _CHECKS[self](parameter_value)
 
 
-# What prints it, error texts of set_parameters among them, knows it as Parameter.Type.
+# Printed, in error texts of set_parameters for example, as Parameter.Type.
 ParameterType.__name__ = "Type"
 ParameterType.__qualname__ = "Parameter.Type"
 
 
 def _is_scalar(kind: type) -> Callable[[Any], bool]:
-    # A bool is an int to Python.
+    # In Python, a bool is an int.
     return lambda value: isinstance(value, kind) and (kind is bool or not isinstance(value, bool))
 
 
@@ -94,16 +97,16 @@ _FIELDS = {kind: f"{kind.name.lower()}_value" for kind in ParameterType if kind 
 
 
 class Parameter:
-    """A named value.
+    """A parameter: a name, a type and a value.
 
     Args:
         name: Parts are joined by dots.
-        type_: The value's type; None: what the value has.
+        type_: The value's type; None: the type that the value has.
         value: None, bool, int, float, str, or a list of bytes (one each), bools, ints, floats or strings.
 
     Raises:
-        TypeError: `type_` is no Parameter.Type, or the value is of no type that a parameter can have.
-        ValueError: value and type don't go together.
+        TypeError: `type_` is not a Parameter.Type, or the value has no parameter type.
+        ValueError: the value is not of this type.
     """
 
     Type = ParameterType
@@ -122,7 +125,7 @@ class Parameter:
 
     @classmethod
     def from_parameter_msg(cls, param_msg: rcl_msg.Parameter) -> Parameter:
-        """Return the parameter that a `rcl_interfaces/msg/Parameter` holds."""
+        """Return the parameter of a `rcl_interfaces/msg/Parameter`."""
         kind = ParameterType(param_msg.value.type)
         return cls(param_msg.name, kind, parameter_value_to_python(param_msg.value))
 
@@ -159,10 +162,10 @@ class Parameter:
 
 
 def parameter_value_to_python(parameter_value: rcl_msg.ParameterValue) -> Any:
-    """Return the value that a message holds; None if it is not set.
+    """Return the value in a message; None if it is not set.
 
     Raises:
-        RuntimeError: its type is none that parameters have.
+        RuntimeError: its type is not a parameter type.
     """
     try:
         kind = ParameterType(parameter_value.type)
@@ -175,7 +178,7 @@ def parameter_value_to_python(parameter_value: rcl_msg.ParameterValue) -> Any:
 
 
 def get_parameter_value(string_value: str) -> rcl_msg.ParameterValue:
-    """Return the message for a value written as YAML; what is no parameter's value otherwise is a string."""
+    """Return the message for a value written as YAML; text that is not a value of another type is a string."""
     try:
         value = parse_value(string_value)
         return Parameter("", value=value).get_parameter_value()
@@ -193,13 +196,13 @@ def parameter_dict_from_yaml_file(
 
     Args:
         parameter_file: The YAML file.
-        use_wildcard: Whether values for `/**` count, too.
+        use_wildcard: Whether values for `/**` are included.
         target_nodes: Full names of the nodes to read; None: all.
         namespace: Joined to each name by a dot.
 
     Raises:
         OSError: the file can't be read.
-        ValueError: it isn't a file of parameters.
+        ValueError: it isn't a parameter file.
         RuntimeError: a target node isn't in it.
     """
     rules = read_parameter_file(parameter_file)

@@ -1,4 +1,4 @@
-"""The tuples by which parameters are declared."""
+"""The tuples that `declare_parameters` takes."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Declaration(NamedTuple):
 
 
 def read_declarations(namespace: str, parameters: Sequence[tuple[Any, ...]]) -> list[Declaration]:
-    """Return what tuples of (name), (name, value or type) or (name, value or type, descriptor) declare.
+    """Return the declarations in tuples of (name), (name, value or type) or (name, value or type, descriptor).
 
     Raises:
         TypeError: a tuple isn't of that form.

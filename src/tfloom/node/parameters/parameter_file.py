@@ -1,4 +1,4 @@
-"""First values of parameters, and the YAML files that give them."""
+"""Initial values of parameters, and the YAML files that hold them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from tfloom.node.values.scalars import parse_value
 if TYPE_CHECKING:
     from pathlib import Path
 
-# A wrong form of a file is a wrong value, whichever Python type it has.
+# A malformed file raises ValueError, whichever Python type the value has.
 # ruff: noqa: TRY004
 
 __all__ = ["ParameterRule", "checked_value", "read_parameter_file"]
@@ -20,7 +20,7 @@ _KEY = "ros__parameters"
 
 
 class ParameterRule(NamedTuple):
-    """A parameter's value for the nodes that a pattern names."""
+    """A parameter's value for the nodes that match a pattern."""
 
     node: str
     """Full name of a node; `*` matches one part of it, `**` any number of parts."""
@@ -39,11 +39,11 @@ class ParameterRule(NamedTuple):
 
 
 def read_parameter_file(path: str | Path) -> list[ParameterRule]:
-    """Return the values that a file gives to parameters, in its order.
+    """Return the parameter values in a file, in its order.
 
     Raises:
         OSError: the file can't be read.
-        ValueError: it isn't such a file; the text says what is wrong, and where.
+        ValueError: it isn't a parameter file; the text has the reason and the place.
     """
     from pathlib import Path
 
@@ -95,10 +95,10 @@ def _checked(node: str, name: str, value: Any) -> Any:
 
 
 def checked_value(name: str, value: Any) -> Any:
-    """Return the value that a parameter takes: a list of whole and other numbers is one of floats.
+    """Return a value as a parameter holds it: in a list of integers and floats, all become floats.
 
     Raises:
-        ValueError: it is a list, and no parameter has such a one.
+        ValueError: it is a list of several types, or of a type that parameters don't have.
     """
     if not isinstance(value, list):
         return value

@@ -1,4 +1,4 @@
-"""What is valid as a parameter's name."""
+"""Validation of parameter names."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ __all__ = ["validate_parameter_name"]
 
 
 def validate_parameter_name(name: str) -> bool:
-    """Return True for a valid name of a parameter: any text that isn't empty.
+    """Return True for a valid parameter name: any text that isn't empty.
 
     Raises:
         InvalidParameterException: it is empty.

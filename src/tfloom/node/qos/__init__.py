@@ -1,1 +1,1 @@
-"""Quality of service as programs state it, and what parameters override of it."""
+"""Quality of service in rclpy's classes, and overrides by parameters."""

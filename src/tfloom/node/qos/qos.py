@@ -1,4 +1,4 @@
-"""Quality of service as programs state it; `to_wire` gives what a backend takes."""
+"""Quality of service in rclpy's classes; `QoSProfile.to_wire` converts a profile for a backend."""
 
 from __future__ import annotations
 
@@ -20,9 +20,11 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 __all__ = [
+    "DeadlineBestAvailable",
     "DurabilityPolicy",
     "HistoryPolicy",
     "InvalidQoSProfileException",
+    "LivelinessLeaseDurationeBestAvailable",
     "LivelinessPolicy",
     "QoSCompatibility",
     "QoSDurabilityPolicy",
@@ -55,7 +57,7 @@ def qos_policy_name_from_kind(policy_kind: QoSPolicyKind | int) -> str:
 
 
 class InvalidQoSProfileException(Exception):  # noqa: N818  # ROS's name
-    """A profile whose settings don't go together."""
+    """A profile with contradictory or missing settings."""
 
     def __init__(self, *args: object) -> None:
         super().__init__("Invalid QoSProfile", *args)
@@ -67,7 +69,9 @@ QoSDurabilityPolicy = DurabilityPolicy
 QoSLivelinessPolicy = LivelinessPolicy
 
 BEST_AVAILABLE_DURATION = Duration(nanoseconds=wire.BEST_AVAILABLE_NS)
-"""Deadline or lease that follows the other side's."""
+"""A deadline or lease that is chosen to be compatible with the topic's other endpoints."""
+DeadlineBestAvailable = BEST_AVAILABLE_DURATION
+LivelinessLeaseDurationeBestAvailable = BEST_AVAILABLE_DURATION  # rclpy's spelling
 
 
 def _number(value: Any, name: str) -> int:
@@ -123,11 +127,11 @@ class QoSProfile:
         depth: How many samples are kept.
         reliability: Default RELIABLE.
         durability: Default VOLATILE.
-        lifespan: After this time a sample is no longer delivered.
-        deadline: The longest time expected between two samples.
+        lifespan: Time after which a sample is no longer delivered.
+        deadline: The longest expected time between two samples.
         liveliness: Default SYSTEM_DEFAULT.
-        liveliness_lease_duration: After this time without a sign of life a publisher counts as dead.
-        avoid_ros_namespace_conventions: Use the topic's name on the wire as it stands.
+        liveliness_lease_duration: Time without an assertion of liveliness after which a publisher is not alive.
+        avoid_ros_namespace_conventions: Whether to use the topic's name unchanged on the wire.
 
     Raises:
         InvalidQoSProfileException: neither `history` nor `depth` is given, or KEEP_LAST without `depth`.
@@ -158,11 +162,11 @@ class QoSProfile:
             raise InvalidQoSProfileException("History set to KEEP_LAST without a depth setting.")
 
     def get_c_qos_profile(self) -> QoSProfile:
-        """Return this object, in the place of rclpy's C profile."""
+        """Return this object, in place of rclpy's C profile."""
         return self
 
     def to_wire(self) -> wire.QoS:
-        """Return the profile as a backend takes it, with the wire's choice for each SYSTEM_DEFAULT.
+        """Return the profile for a backend, with the wire's choice for each SYSTEM_DEFAULT.
 
         Raises:
             InvalidQoSProfileException: a policy is UNKNOWN.
@@ -173,7 +177,7 @@ class QoSProfile:
         return stated.resolved()
 
     def as_stated(self) -> wire.QoS:
-        """Return the settings as they are, durations in nanoseconds."""
+        """Return the settings unchanged, durations in nanoseconds."""
         return wire.QoS(
             reliability=self.reliability,
             durability=self.durability,
@@ -187,7 +191,7 @@ class QoSProfile:
 
     @classmethod
     def from_wire(cls, qos: wire.QoS) -> QoSProfile:
-        """Return the profile of an endpoint on the graph; an endless duration is `Infinite`."""
+        """Return the profile of an endpoint on the graph; a duration without limit is `Infinite`."""
         return cls(
             history=qos.history,
             depth=qos.depth,
@@ -245,21 +249,21 @@ qos_profile_best_available = QoSProfile.from_wire(wire.PROFILES["best_available"
 def qos_check_compatible(
     publisher_qos: QoSProfile, subscription_qos: QoSProfile
 ) -> tuple[QoSCompatibility, str]:
-    """Return whether a publisher and a subscription of these profiles connect, and why not."""
+    """Return whether a publisher and a subscription of these profiles connect, and the reason if not."""
     from tfloom.rmw.compatibility import incompatible_policies
 
     apart = incompatible_policies(publisher_qos.to_wire(), subscription_qos.to_wire())
     if not apart:
         return QoSCompatibility.OK, ""
     reasons = "".join(
-        f"ERROR: {kind.name.lower()} of the publisher is less than the subscription asks for;"
+        f"ERROR: {kind.name.lower()} of the publisher is less than the subscription requests;"
         for kind in apart
     )
     return QoSCompatibility.ERROR, reasons
 
 
 class QoSCompatibility(IntEnum):
-    """Whether two profiles go together."""
+    """Result of a check of two profiles."""
 
     OK = 0
     WARNING = 1

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias, Union
 
 from tfloom.interfaces.rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
 from tfloom.node.qos.qos import (
@@ -20,7 +20,21 @@ from tfloom.node.values.duration import Duration
 if TYPE_CHECKING:
     from tfloom.node.parameters.node_parameters import NodeParameters
 
-__all__ = ["InvalidQosOverridesError", "QoSOverridingOptions", "apply_overrides"]
+__all__ = [
+    "InvalidQosOverridesError",
+    "QoSOverridingOptions",
+    "QoSProfileAttributes",
+    "QosCallbackResult",
+    "QosCallbackType",
+    "apply_overrides",
+]
+
+QosCallbackResult = SetParametersResult
+QosCallbackType = Callable[[QoSProfile], QosCallbackResult]
+QoSProfileAttributes: TypeAlias = Union[  # noqa: UP007 - evaluated on 3.10
+    HistoryPolicy, int, ReliabilityPolicy, DurabilityPolicy, Duration, LivelinessPolicy, bool
+]
+"""What a field of a profile holds."""
 
 _ENUMS: dict[QoSPolicyKind, type[QoSPolicyEnum]] = {
     QoSPolicyKind.HISTORY: HistoryPolicy,
@@ -32,15 +46,15 @@ _DURATIONS = (QoSPolicyKind.DEADLINE, QoSPolicyKind.LIFESPAN, QoSPolicyKind.LIVE
 
 
 class InvalidQosOverridesError(Exception):
-    """The overrides give a profile that can't be, or that a callback refuses."""
+    """The overrides result in an invalid profile, or in one that the callback rejects."""
 
 
 class QoSOverridingOptions:
-    """Which policies of a publisher or subscription parameters may override.
+    """The policies of a publisher or subscription that parameters may override.
 
     Args:
         policy_kinds: The policies.
-        callback: Takes the profile with the overrides in it, and accepts or refuses it.
+        callback: Takes the profile with its overrides, and accepts or rejects it.
         entity_id: Distinguishes several endpoints of one topic in one node.
     """
 
@@ -48,7 +62,7 @@ class QoSOverridingOptions:
         self,
         policy_kinds: Iterable[QoSPolicyKind],
         *,
-        callback: Callable[[QoSProfile], SetParametersResult] | None = None,
+        callback: QosCallbackType | None = None,
         entity_id: str | None = None,
     ) -> None:
         self._policy_kinds = list(policy_kinds)
@@ -61,8 +75,8 @@ class QoSOverridingOptions:
         return self._policy_kinds
 
     @property
-    def callback(self) -> Callable[[QoSProfile], SetParametersResult] | None:
-        """Accepts or refuses the profile with the overrides in it."""
+    def callback(self) -> QosCallbackType | None:
+        """Accepts or rejects the profile with its overrides."""
         return self._callback
 
     @property
@@ -74,7 +88,7 @@ class QoSOverridingOptions:
     def with_default_policies(
         cls,
         *,
-        callback: Callable[[QoSProfile], SetParametersResult] | None = None,
+        callback: QosCallbackType | None = None,
         entity_id: str | None = None,
     ) -> QoSOverridingOptions:
         """Return options for history, depth and reliability."""
@@ -85,17 +99,17 @@ class QoSOverridingOptions:
 def apply_overrides(
     node: NodeParameters, kind: str, topic_name: str, profile: QoSProfile, options: QoSOverridingOptions
 ) -> QoSProfile:
-    """Declare the parameters of the policies, and return the profile with what they say.
+    """Declare the parameters of the policies, and return the profile with their values.
 
     Args:
-        node: Whose parameters.
+        node: The node whose parameters override.
         kind: `publisher` or `subscription`.
         topic_name: The topic's full name.
-        profile: What holds where nothing is overridden.
-        options: What may be.
+        profile: The profile before the overrides.
+        options: The policies that may be overridden.
 
     Raises:
-        InvalidQosOverridesError: a value is no such policy's, or the callback refuses the outcome.
+        InvalidQosOverridesError: a value isn't one of the policy's, or the callback rejects the profile.
         InvalidParameterTypeException: a value is of the wrong type.
     """
     settings = {name: getattr(profile, name) for name in profile.field_names()}

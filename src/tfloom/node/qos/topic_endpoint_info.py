@@ -19,7 +19,7 @@ __all__ = ["TopicEndpointInfo", "TopicEndpointTypeEnum"]
 
 
 class TopicEndpointTypeEnum(IntEnum):
-    """Which endpoint of a topic."""
+    """Kind of an endpoint of a topic."""
 
     INVALID = 0
     PUBLISHER = 1
@@ -30,7 +30,7 @@ class TopicEndpointInfo:
     """A publisher or subscription of any node.
 
     Args:
-        kwargs: Any of the properties below; what isn't given is empty.
+        kwargs: Any of the properties below; the others are empty.
 
     Raises:
         TypeError: there is no such property.
@@ -59,7 +59,7 @@ class TopicEndpointInfo:
     endpoint_gid: list[int]
     """Global id on the wire: 16 octets."""
     qos_profile: QoSProfile
-    """The QoS that it offers or requests."""
+    """The offered or requested QoS."""
 
     def __init__(self, **kwargs: Any) -> None:
         self.node_name = ""
@@ -78,7 +78,7 @@ class TopicEndpointInfo:
 
     @classmethod
     def from_graph(cls, info: EndpointInfo) -> Self:
-        """Return the description of an endpoint of the graph."""
+        """Return the description of an endpoint on the graph."""
         node = info.node or UNKNOWN_NODE
         kinds = TopicEndpointTypeEnum
         return cls(

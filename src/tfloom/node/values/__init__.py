@@ -1,1 +1,1 @@
-"""Values and names that know no node: times, durations, names, types, handles, errors."""
+"""Values and names that need no node: times, durations, names, types, handles, errors."""

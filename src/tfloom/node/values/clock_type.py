@@ -8,12 +8,12 @@ __all__ = ["ClockType"]
 
 
 class ClockType(IntEnum):
-    """Which clock a time was read from; times of different clocks don't compare."""
+    """The clock that a time was read from; times of different clocks can't be compared."""
 
     UNINITIALIZED = 0
     ROS_TIME = 1
-    """Simulated time while it is on, else system time."""
+    """Simulated time while it is active, else system time."""
     SYSTEM_TIME = 2
-    """Since the epoch; the operating system may set it forward and back."""
+    """Time since the epoch; the operating system may set it forward and backward."""
     STEADY_TIME = 3
-    """Since some start; never goes back."""
+    """Time since an arbitrary start; it never decreases."""

@@ -1,4 +1,4 @@
-"""Numbers that many files share."""
+"""Constants of time."""
 
 from __future__ import annotations
 

@@ -8,7 +8,7 @@ __all__ = ["DestroyableType"]
 
 
 class DestroyableType(Protocol):
-    """An object with the destructor of rclpy's compiled half."""
+    """An object with the destructor that rclpy's compiled module has."""
 
     def destroy_when_not_in_use(self) -> None:
         """Destroy it."""

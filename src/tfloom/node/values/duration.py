@@ -1,4 +1,4 @@
-"""Spans of time."""
+"""Durations."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ __all__ = ["S_TO_NS", "Duration", "DurationType", "Infinite"]
 
 
 class DurationType(Protocol):
-    """What `Duration.get_c_duration` returns."""
+    """Type of the result of `Duration.get_c_duration`."""
 
     @property
     def nanoseconds(self) -> int:
-        """The span [ns]."""
+        """The duration [ns]."""
 
 
 class Duration:
-    """A span of time as a signed 64-bit count of nanoseconds.
+    """A duration as a signed 64-bit count of nanoseconds.
 
     Args:
-        seconds: Whole or fractional seconds; a fraction below a nanosecond is cut off.
+        seconds: Whole or fractional seconds; truncated to nanoseconds.
         nanoseconds: Added to `seconds`.
 
     Raises:
-        OverflowError: the sum doesn't fit 64 bits (some 292 years).
+        OverflowError: the sum doesn't fit 64 bits (about 292 years).
     """
 
     __slots__ = ("_ns",)
@@ -41,15 +41,15 @@ class Duration:
 
     @property
     def nanoseconds(self) -> int:
-        """The span [ns]."""
+        """The duration [ns]."""
         return self._ns
 
     def get_c_duration(self) -> DurationType:
-        """Return this object, in the place of rclpy's C duration."""
+        """Return this object, in place of rclpy's C duration."""
         return self
 
     def to_msg(self) -> builtin_msg.Duration:
-        """Return it as a message: `sec` rounded down, `nanosec` in [0, 1e9)."""
+        """Return the duration as a message: `sec` rounded down, `nanosec` in [0, 1e9)."""
         from tfloom.interfaces.builtin_interfaces import msg as builtin_msg
 
         sec, nanosec = divmod(self._ns, S_TO_NS)
@@ -57,10 +57,10 @@ class Duration:
 
     @classmethod
     def from_msg(cls, msg: builtin_msg.Duration) -> Duration:
-        """Return the span that a `builtin_interfaces/msg/Duration` holds.
+        """Return the duration in a `builtin_interfaces/msg/Duration`.
 
         Raises:
-            TypeError: `msg` is no such message.
+            TypeError: `msg` is not such a message.
         """
         from tfloom.interfaces.builtin_interfaces import msg as builtin_msg
 
@@ -94,4 +94,4 @@ class Duration:
 
 
 Infinite = Duration(nanoseconds=INT64_MAX)
-"""The span that never ends."""
+"""The duration that stands for no limit."""

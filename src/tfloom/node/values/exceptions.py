@@ -1,4 +1,4 @@
-"""Errors that several rooms raise or catch; every other error stands beside what raises it.
+"""Errors that several rooms raise or catch; every other error is defined beside the code that raises it.
 
 Exception
 ├── InvalidHandle
@@ -37,11 +37,11 @@ def add_note(error: BaseException, note: str) -> None:
 
 
 class InvalidHandle(Exception):
-    """Something was used after its `destroy`."""
+    """An object was used after it was destroyed."""
 
 
 class NotInitializedException(Exception):
-    """`rclpy.init()` has not been called, or shutdown has come since."""
+    """`rclpy.init()` has not been called, or the context has been shut down since."""
 
     def __init__(self, message: str | None = None) -> None:
         texts = ["rclpy.init() has not been called", *([message] if message is not None else [])]
@@ -49,7 +49,7 @@ class NotInitializedException(Exception):
 
 
 class ROSInterruptException(Exception):
-    """Shutdown came during a wait that it ends."""
+    """A wait ended because the context was shut down."""
 
     def __init__(self) -> None:
         super().__init__("rclpy.shutdown() has been called")
@@ -63,19 +63,19 @@ class ExternalShutdownException(Exception):
 
 
 class NoTypeSupportImportedException(Exception):
-    """The class given as a message type is none."""
+    """A class given as a type is not a message or service class."""
 
     def __init__(self) -> None:
         super().__init__("no type_support imported")
 
 
 class RCLError(RuntimeError):
-    """The library below refused, for example because its context is shut down."""
+    """An operation failed in the layer below, for example because the context is shut down."""
 
 
 class NodeNameNonExistentError(RCLError):
-    """A node was asked about that isn't on the graph."""
+    """A query names a node that isn't on the graph."""
 
 
 class TimerCancelledError(RCLError):
-    """A timer was called that is cancelled."""
+    """A cancelled timer was called."""

@@ -1,4 +1,4 @@
-"""The proxy that `handle` properties return: programs write `with node.handle:`, and pass it on."""
+"""The proxy that `handle` properties return, for programs that write `with node.handle:` or pass it to rclpy."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ T = TypeVar("T")
 class Handle:
     """Proxy returned by `.handle`. tfloom has no C handle, so attributes are forwarded.
 
-    Leaving a `with` of it destroys nothing.
+    The exit of a `with` block on it destroys nothing.
     """
 
     __slots__ = ("_target",)
@@ -41,5 +41,5 @@ class Handle:
 
 
 def unwrap_handle(handle: T | Handle) -> T:
-    """Return the object behind a handle, and anything else unchanged."""
+    """Return the object that a handle forwards to; return any other object unchanged."""
     return cast("T", handle._target) if isinstance(handle, Handle) else handle  # noqa: SLF001  # ours

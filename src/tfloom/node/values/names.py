@@ -1,4 +1,4 @@
-"""Names of nodes, namespaces, topics and services: what is valid, and the full name of a relative one."""
+"""Names of nodes, namespaces, topics and services: validation, and expansion to full names."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ __all__ = [
 TOPIC_SEPARATOR_STRING = "/"
 HIDDEN_TOPIC_PREFIX = "_"
 
-# DDS allows 255 octets, of which the longest of our prefixes and suffixes, "rq/" and "Reply", take 8.
+# DDS allows 255 octets, of which the longest prefix and suffix, "rq/" and "Reply", take 8.
 TOPIC_NAME_LIMIT = 247
 NAMESPACE_LIMIT = 245
 NODE_NAME_LIMIT = 255
@@ -37,13 +37,13 @@ _SUBSTITUTION = re.compile(r"\{([^{}]*)\}")
 
 
 class NameValidationException(Exception):
-    """A name that ROS doesn't allow.
+    """A name is not valid in ROS.
 
     Attributes:
-        name_type: What the name was for, e.g. "node name".
+        name_type: Kind of name, e.g. "node name".
         name: The name.
-        error_msg: Why it isn't allowed.
-        invalid_index: Where in it, from 0.
+        error_msg: The rule that it violates.
+        invalid_index: Index of the first invalid character, from 0.
     """
 
     def __init__(self, name_type: str, name: str, error_msg: str, invalid_index: int) -> None:
@@ -55,28 +55,28 @@ class NameValidationException(Exception):
 
 
 class InvalidNamespaceException(NameValidationException):
-    """A namespace that isn't valid."""
+    """A namespace is not valid."""
 
     def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
         super().__init__("namespace", name, error_msg, invalid_index)
 
 
 class InvalidNodeNameException(NameValidationException):
-    """A node's name that isn't valid."""
+    """A node's name is not valid."""
 
     def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
         super().__init__("node name", name, error_msg, invalid_index)
 
 
 class InvalidTopicNameException(NameValidationException):
-    """A topic's name that isn't valid."""
+    """A topic's name is not valid."""
 
     def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
         super().__init__("topic name", name, error_msg, invalid_index)
 
 
 class InvalidServiceNameException(NameValidationException):
-    """A service's name that isn't valid."""
+    """A service's name is not valid."""
 
     def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
         super().__init__("service name", name, error_msg, invalid_index)
@@ -101,7 +101,7 @@ def _check_node_name(name: str) -> _Finding | None:
 
 
 def _check_absolute(name: str, what: str) -> _Finding | None:
-    """Check what full topic names and namespaces have in common; `name` isn't empty."""
+    """Check the rules common to full topic names and namespaces; `name` isn't empty."""
     at = _first(r"[^A-Za-z0-9_/]", name)
     if at is not None:
         return f"{what} must not contain characters other than alphanumerics, '_', or '/'", at
@@ -178,7 +178,7 @@ def validate_node_name(node_name: str) -> bool:
     """Return True for a valid node name, such as `my_node`.
 
     Raises:
-        InvalidNodeNameException: it isn't; the exception says why and where.
+        InvalidNodeNameException: the name isn't valid; the exception has the rule and the index.
     """
     found = _check_node_name(node_name)
     if found is not None:
@@ -190,7 +190,7 @@ def validate_namespace(namespace: str) -> bool:
     """Return True for a valid namespace, such as `/` or `/a/b`.
 
     Raises:
-        InvalidNamespaceException: it isn't; the exception says why and where.
+        InvalidNamespaceException: the namespace isn't valid; the exception has the rule and the index.
     """
     found = _check_namespace(namespace)
     if found is not None:
@@ -199,11 +199,11 @@ def validate_namespace(namespace: str) -> bool:
 
 
 def validate_topic_name(name: str, *, is_service: bool = False) -> bool:
-    """Return True for a name that a program may give: absolute, relative, `~/private`, with `{node}` or `{ns}`.
+    """Return True for a valid name before expansion: absolute, relative, `~/private`, with `{node}` or `{ns}`.
 
     Raises:
-        InvalidTopicNameException: it isn't valid; the exception says why and where.
-        InvalidServiceNameException: the same of a service.
+        InvalidTopicNameException: the name isn't valid; the exception has the rule and the index.
+        InvalidServiceNameException: the same for a service.
     """
     return _raise_for(name, _check_topic_name(name), is_service)
 
@@ -212,8 +212,8 @@ def validate_full_topic_name(name: str, *, is_service: bool = False) -> bool:
     """Return True for a valid full name, such as `/a/chatter`.
 
     Raises:
-        InvalidTopicNameException: it isn't valid; the exception says why and where.
-        InvalidServiceNameException: the same of a service.
+        InvalidTopicNameException: the name isn't valid; the exception has the rule and the index.
+        InvalidServiceNameException: the same for a service.
     """
     return _raise_for(name, _check_full_topic_name(name), is_service)
 
@@ -228,8 +228,8 @@ def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> s
     """Return the full name of `topic_name` in a node.
 
     Args:
-        topic_name: Absolute names stay; relative ones go below the namespace, `~/x` below the node. `{node}` is the
-            node's name; `{ns}` and `{namespace}` its namespace.
+        topic_name: An absolute name is unchanged; a relative one is in the namespace, `~/x` below the node. `{node}` is
+            the node's name; `{ns}` and `{namespace}` its namespace.
         node_name: The node's name.
         node_namespace: Its namespace.
 

@@ -1,4 +1,4 @@
-"""A clock as far as reading it goes: what a throttled logger needs of one."""
+"""A clock that can be read: the base of `Clock`, sufficient for a throttled logger."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ __all__ = ["ReadableClock"]
 
 
 class ReadableClock:
-    """Reads system or steady time; `clock/clock.py` adds jumps, sleeping and simulated time."""
+    """Returns system or steady time; `clock/clock.py` adds jumps, sleeping and simulated time."""
 
     def __init__(self, *, clock_type: ClockType = ClockType.SYSTEM_TIME) -> None:
         self._clock_type = clock_type

@@ -1,4 +1,4 @@
-"""Parameter values as ROS reads them from YAML text."""
+"""Parsing of parameter values from YAML text, by ROS's rules."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ __all__ = ["parse_scalar", "parse_value"]
 
 _TRUE = {"y", "Y", "yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"}
 _FALSE = {"n", "N", "no", "No", "NO", "false", "False", "FALSE", "off", "Off", "OFF"}
-# Patterns are compiled, and kept by `re`, when they are used first: most programs never need them.
+# Patterns are compiled and cached by `re` at their first use, because most programs never need them.
 _INTEGER = r"[-+]?(0[xX][0-9a-fA-F]+|[0-9]+)\Z"
 _MOST_DIGITS = 300
 _DOUBLE = r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\Z"
@@ -20,7 +20,7 @@ _NEEDS_YAML = r"[\[\]{}'\"#&*!|>%@`,\n]|: |:$|^[-?] |^\s|\s$"
 
 
 def parse_scalar(text: str) -> bool | int | float | str:
-    """Return the value of an unquoted scalar: a truth value, an integer, a number, else the text itself."""
+    """Return the value of an unquoted scalar: a bool, an integer, a float, else the text itself."""
     if text in _TRUE:
         return True
     if text in _FALSE:
@@ -39,7 +39,7 @@ def parse_scalar(text: str) -> bool | int | float | str:
 
 
 def _integer(text: str, base: int) -> int | float:
-    """Return an integer, or what comes nearest where 64 bits don't hold it."""
+    """Return an integer, or a float if it doesn't fit 64 bits."""
     if len(text) <= _MOST_DIGITS:
         value = int(text, base)
         return value if -(2**63) <= value < 2**63 else float(value)
@@ -50,7 +50,7 @@ def parse_value(text: str) -> Any:
     """Return the value of a piece of YAML: a scalar, a list, or a mapping with text for keys.
 
     Raises:
-        ValueError: it is no YAML, or more than one document.
+        ValueError: it is not valid YAML, or more than one document.
     """
     if text and not re.search(_NEEDS_YAML, text):
         return parse_scalar(text)
@@ -67,7 +67,9 @@ def parse_value(text: str) -> Any:
     try:
         return _construct(node)
     except RecursionError:
-        raise ValueError("it is no value: an alias in it holds itself, or it is nested too deep") from None
+        raise ValueError(
+            "it is not a value: an alias in it contains itself, or it is nested too deep"
+        ) from None
 
 
 def _construct(node: Any) -> Any:
@@ -89,7 +91,7 @@ def _construct(node: Any) -> Any:
 
 
 def _bytes(text: str) -> list[bytes]:
-    """Return a byte array's bytes, which YAML writes in base64."""
+    """Return the bytes of a byte array, base64 in YAML."""
     import base64
     import binascii
 

@@ -1,4 +1,4 @@
-"""Messages to bytes and back."""
+"""Serialization of messages to bytes and back."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ def serialize_message(message: Message) -> bytes:
     """Return encapsulation header and CDR of a message.
 
     Raises:
-        NoTypeSupportImportedException: it is no message.
-        EncodeError: a field holds what its type has no place for.
+        NoTypeSupportImportedException: `message` is not a message.
+        EncodeError: a field's value doesn't fit its type; the text names the field.
     """
     check_is_valid_msg_type(type(message))
     return cdr.encode(message)
 
 
 def deserialize_message(serialized_message: bytes, message_type: type[M]) -> M:
-    """Return the message that bytes hold: encapsulation header and CDR.
+    """Return the message in bytes: encapsulation header and CDR.
 
     Raises:
-        NoTypeSupportImportedException: `message_type` is no message class.
-        DecodeError: the bytes are no such message.
+        NoTypeSupportImportedException: `message_type` is not a message class.
+        DecodeError: the bytes are not a message of that type.
     """
     check_is_valid_msg_type(message_type)
     return cdr.decode(message_type, serialized_message)

@@ -1,4 +1,4 @@
-"""Points in time."""
+"""Time: a point in time on one clock."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ class Time:
     Args:
         seconds: Whole or fractional seconds, not negative.
         nanoseconds: Added to `seconds`, not negative.
-        clock_type: The clock it was, or is to be, read from.
+        clock_type: The clock that the time belongs to.
 
     Raises:
         ValueError: a part is negative.
-        TypeError: `clock_type` is no ClockType.
+        TypeError: `clock_type` is not a ClockType.
         OverflowError: the sum doesn't fit a signed 64-bit count.
     """
 
@@ -56,15 +56,15 @@ class Time:
 
     @property
     def clock_type(self) -> ClockType:
-        """The clock it belongs to."""
+        """The clock that the time belongs to."""
         return self._clock_type
 
     def seconds_nanoseconds(self) -> tuple[int, int]:
-        """Return whole seconds and the rest in nanoseconds."""
+        """Return whole seconds, and the remaining nanoseconds."""
         return divmod(self._ns, S_TO_NS)
 
     def to_msg(self) -> builtin_msg.Time:
-        """Return it as a message, which doesn't carry the clock."""
+        """Return the time as a message, which has no clock type."""
         from tfloom.interfaces.builtin_interfaces import msg as builtin_msg
 
         sec, nanosec = divmod(self._ns, S_TO_NS)
@@ -72,10 +72,10 @@ class Time:
 
     @classmethod
     def from_msg(cls, msg: builtin_msg.Time, clock_type: ClockType = ClockType.ROS_TIME) -> Time:
-        """Return the time that a `builtin_interfaces/msg/Time` holds, on the clock that `clock_type` names.
+        """Return the time in a `builtin_interfaces/msg/Time`, on the clock of `clock_type`.
 
         Raises:
-            TypeError: `msg` is no such message.
+            TypeError: `msg` is not such a message.
             ValueError: its seconds are negative.
         """
         from tfloom.interfaces.builtin_interfaces import msg as builtin_msg
@@ -121,7 +121,7 @@ class Time:
         return make_time(total, self._clock_type)
 
     def _comparable(self, other: Time) -> int:
-        # An answer of False, as for other classes, would hide `stamp == 5`.
+        # Returning False, as other classes do, would hide the mistake in `stamp == 5`.
         if not isinstance(other, Time):
             raise TypeError("Can't compare time with object of type: ", type(other))
         if self._clock_type != other._clock_type:
@@ -145,7 +145,7 @@ class Time:
 
 
 def make_time(nanoseconds: int, clock_type: ClockType) -> Time:
-    """Return a Time without the constructor's checks, for clocks and other callers that know their numbers."""
+    """Return a Time without the constructor's checks, for clocks and other callers whose numbers are valid."""
     time = Time.__new__(Time)
     time._ns = nanoseconds  # noqa: SLF001
     time._clock_type = clock_type  # noqa: SLF001

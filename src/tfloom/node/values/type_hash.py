@@ -8,7 +8,7 @@ _SIZE = 32
 
 
 class TypeHash:
-    """A version and 32 octets; version -1: not known."""
+    """A version and 32 octets; version -1: unknown."""
 
     __slots__ = ("_value", "_version")
 
@@ -18,7 +18,7 @@ class TypeHash:
 
     @classmethod
     def from_text(cls, text: str) -> TypeHash:
-        """Return the hash written as `RIHS01_` and 64 hex digits; any other text gives one that isn't known."""
+        """Return the hash written as `RIHS01_` and 64 hex digits; for any other text, an unknown hash."""
         version, _, digits = text.removeprefix("RIHS").partition("_")
         try:
             value = bytes.fromhex(digits)
@@ -29,12 +29,12 @@ class TypeHash:
 
     @property
     def version(self) -> int:
-        """Version of the way it was computed; -1: not known."""
+        """Version of the algorithm; -1: unknown."""
         return self._version
 
     @property
     def value(self) -> bytes:
-        """The hash itself, 32 octets."""
+        """The hash, 32 octets."""
         return self._value
 
     def __str__(self) -> str:

@@ -1,4 +1,4 @@
-"""Whether a class is a type that ROS knows."""
+"""Checks that a class is a message or service class."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Names of the ament index."""
+"""Constants of the ament index: its environment variable and its folder."""
 
 from tfloom.workspace.ament import (
     AMENT_PREFIX_PATH_ENV_VAR,

@@ -1,4 +1,4 @@
-"""The folders that are searched."""
+"""List the prefixes that are searched for packages."""
 
 from tfloom.workspace.ament import (
     AMENT_PREFIX_PATH_ENV_VAR,

@@ -1,4 +1,4 @@
-"""The smallest nodes that talk, listen, serve and ask."""
+"""Demonstration nodes: topics, services, parameters, logging and events."""
 
 from tfloom.ros_guard import claim
 

@@ -1,4 +1,4 @@
-"""Numbers that many files share."""
+"""Constants of time."""
 
 from tfloom.node.values.constants import S_TO_NS
 

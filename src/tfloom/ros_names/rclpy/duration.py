@@ -1,4 +1,4 @@
-"""Spans of time."""
+"""Durations."""
 
 from tfloom.node.values.duration import *
 from tfloom.node.values.duration import __all__

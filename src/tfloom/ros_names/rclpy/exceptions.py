@@ -1,11 +1,11 @@
-"""What rclpy raises.
+"""The exceptions of rclpy.
 
 Exception
-├── NotInitializedException             a context was used before init or after shutdown
-├── ROSInterruptException               shutdown came during a sleep
-├── NoTypeSupportImportedException      a class that is no message was given as a type
-├── InvalidHandle                       something was used after its destroy
-├── NameValidationException             a name that ROS doesn't allow: which, why, and where in it
+├── NotInitializedException             a context is used before init or after shutdown
+├── ROSInterruptException               the context is shut down during a sleep
+├── NoTypeSupportImportedException      a class given as a type is not a message class
+├── InvalidHandle                       an object is used after it was destroyed
+├── NameValidationException             a name is not valid: which, why, and at which character
 │   ├── InvalidNamespaceException
 │   ├── InvalidNodeNameException
 │   ├── InvalidTopicNameException
@@ -13,15 +13,15 @@ Exception
 ├── ParameterException
 │   ├── ParameterNotDeclaredException
 │   ├── ParameterAlreadyDeclaredException
-│   ├── InvalidParameterException       its name isn't valid
+│   ├── InvalidParameterException       the name is empty
 │   ├── InvalidParameterTypeException
 │   ├── InvalidParameterValueException
 │   ├── ParameterImmutableException
 │   └── ParameterUninitializedException
 └── RuntimeError
-    ├── UnknownROSArgsError             something behind --ros-args is no ROS argument
+    ├── UnknownROSArgsError             an argument after --ros-args is not a ROS argument
     └── RCLError
-        ├── RCLInvalidROSArgsError      an argument behind --ros-args can't be understood
+        ├── RCLInvalidROSArgsError      an argument after --ros-args is malformed
         ├── NodeNameNonExistentError
         └── TimerCancelledError
 """

@@ -1,4 +1,4 @@
-"""What a relative name stands for."""
+"""Expansion of relative names to full names."""
 
 from tfloom.node.values.names import expand_topic_name
 

@@ -1,4 +1,4 @@
-"""What a service tells about its traffic."""
+"""Service introspection: which events of requests and responses are published."""
 
 from tfloom.node.endpoints.service_introspection import ServiceIntrospectionState
 

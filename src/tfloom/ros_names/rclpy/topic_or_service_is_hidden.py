@@ -1,4 +1,4 @@
-"""Names that tools leave out."""
+"""Hidden topics and services: names with a part that begins with `_`."""
 
 from tfloom.node.values.names import HIDDEN_TOPIC_PREFIX, topic_or_service_is_hidden
 

@@ -1,4 +1,4 @@
-"""What programs write to have an executor wait for something of their own."""
+"""Base class of a program's own waitables."""
 
 from tfloom.node.executing.waitable import *
 from tfloom.node.executing.waitable import __all__

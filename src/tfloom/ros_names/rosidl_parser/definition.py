@@ -1,4 +1,4 @@
-"""IDL's types and definitions as objects."""
+"""Classes for IDL types and interface definitions."""
 
 from tfloom.rosidl.definition import (
     ACTION_FEEDBACK_MESSAGE_SUFFIX,

@@ -1,6 +1,6 @@
-"""Messages as text, and types by name."""
+"""Convert messages to text and from values, and find types by name."""
 
-# Imported before the function of the same name, which it would take the place of whenever somebody imports it.
+# Imported before the function of the same name, because a later import of the module would replace the function.
 import rosidl_runtime_py.get_interfaces
 from tfloom.rosidl.runtime import get_message_slot_types, import_message_from_namespaced_type
 from tfloom.rosidl.yaml_text import (

@@ -1,4 +1,4 @@
-"""Messages as text."""
+"""Convert messages to YAML, CSV and dicts."""
 
 from tfloom.rosidl.runtime import get_message_slot_types
 from tfloom.rosidl.yaml_text import message_to_csv, message_to_ordereddict, message_to_yaml

@@ -1,4 +1,4 @@
-"""Fills a buffer from /tf_static."""
+"""Fill a buffer from /tf_static."""
 
 from tfloom.tf2_ros.transform_listener import StaticTransformListener
 

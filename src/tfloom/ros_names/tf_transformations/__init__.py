@@ -1,4 +1,4 @@
-"""Rotations and matrices; quaternions are x, y, z, w."""
+"""Functions for rotations and homogeneous matrices; quaternions are (x, y, z, w)."""
 
 from tfloom.tf2_ros.arcball import *
 from tfloom.tf2_ros.projections import *

@@ -1,8 +1,8 @@
-"""Serves /fibonacci: what becomes of a goal depends on its order.
+"""Serves /fibonacci: the outcome of a goal depends on its order.
 
-Below 0 it is refused. 0 to 40: computed, with feedback. 50: aborted. 60: the callback raises. 70: the server is
-destroyed under it, and made anew afterwards. 100 and above: it waits until it is cancelled; above 100 no cancel is
-allowed. The argument is how long results are kept [s].
+Below 0 it is rejected. 0 to 40: computed, with feedback. 50: aborted. 60: the callback raises. 70: the server is
+destroyed during the goal, and recreated afterwards. 100 and above: it waits until it is cancelled; above 100,
+cancellation is rejected. The argument is the time for which results are kept [s].
 """
 
 import sys

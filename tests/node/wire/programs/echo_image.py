@@ -1,4 +1,4 @@
-"""Sends each image on /there back on /back."""
+"""Publishes each image received on /there on /back."""
 
 import rclpy
 from sensor_msgs.msg import Image

@@ -1,4 +1,4 @@
-"""A lifecycle node, /managed, that logs its transitions, fails or breaks when its parameter says so, and publishes."""
+"""A lifecycle node, /managed, that logs its transitions, publishes, and fails or raises as set by its parameter."""
 
 import rclpy
 from rclpy.lifecycle import LifecycleNode, TransitionCallbackReturn

@@ -1,4 +1,4 @@
-"""Hears as many topics as its argument says, and tells when each was heard."""
+"""Subscribes to as many topics as its argument, and prints when each has been received."""
 
 import sys
 

@@ -1,4 +1,4 @@
-"""Calls /add again and again, and waits for no answer."""
+"""Calls /add repeatedly, without waiting for responses."""
 
 import rclpy
 from example_interfaces.srv import AddTwoInts

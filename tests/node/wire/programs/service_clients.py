@@ -1,4 +1,4 @@
-"""Calls /add many times from many clients at once, and looks whether each answer is its own."""
+"""Calls /add many times from many clients at once, and checks that each response belongs to its request."""
 
 import sys
 

@@ -1,4 +1,4 @@
-"""Serves /add, which adds and tells what comes and goes, and /hang, which never answers."""
+"""Serves /add, which adds and prints its requests and responses, and /hang, which never responds."""
 
 import time
 

@@ -1,7 +1,7 @@
 """Publishes on /chatter with the QoS of its first argument (JSON of QoSProfile's fields, durations in s).
 
-Lines on stdin: a number publishes that many messages, `assert` says that it lives, `leave` ends it. It prints its
-events as JSON: the event's name and the status's fields.
+Lines on stdin: a number publishes that many messages, `assert` asserts its liveliness, `leave` ends it. It prints
+its events as JSON: the event's name and the status's fields.
 """
 
 import json
@@ -17,7 +17,7 @@ from std_msgs.msg import String
 
 
 def say(text):
-    sys.stdout.write(text + "\n")  # one write: two threads speak
+    sys.stdout.write(text + "\n")  # one write, because two threads print
     sys.stdout.flush()
 
 
@@ -36,7 +36,7 @@ def qos_of(text):
     return QoSProfile(**{"depth": 10, **fields})
 
 
-def obey():
+def read_commands():
     for line in sys.stdin:
         word = line.strip()
         if word == "leave":
@@ -56,7 +56,7 @@ events = ("deadline", "liveliness", "incompatible_qos", "matched")
 callbacks = PublisherEventCallbacks(**{event: teller(event) for event in events})
 publisher = node.create_publisher(String, "chatter", qos_of(sys.argv[1]), event_callbacks=callbacks)
 say("ready")
-threading.Thread(target=obey).start()
+threading.Thread(target=read_commands).start()
 try:
     rclpy.spin(node)
 except ExternalShutdownException:

@@ -1,1 +1,1 @@
-"""Programs about events."""
+"""Demonstration nodes for events of publishers and subscriptions."""

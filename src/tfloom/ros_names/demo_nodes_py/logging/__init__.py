@@ -1,1 +1,1 @@
-"""Programs about logging."""
+"""Demonstration nodes for logging."""

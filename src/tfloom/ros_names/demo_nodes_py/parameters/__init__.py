@@ -1,1 +1,1 @@
-"""Programs about parameters."""
+"""Demonstration nodes for parameters."""

@@ -1,1 +1,1 @@
-"""Programs about services."""
+"""Demonstration nodes for services."""

@@ -1,4 +1,4 @@
-"""Ask what 2 and 3 are, and wait for the answer."""
+"""Call add_two_ints with 2 and 3, and wait for the response."""
 
 from tfloom.demos.demo_nodes_py.add_two_ints_client import *
 from tfloom.demos.demo_nodes_py.add_two_ints_client import __all__

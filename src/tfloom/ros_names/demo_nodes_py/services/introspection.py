@@ -1,4 +1,4 @@
-"""A client and a server of add_two_ints whose traffic can be listened to."""
+"""A client and a server of add_two_ints that publish their service events."""
 
 from tfloom.demos.demo_nodes_py.introspection import *
 from tfloom.demos.demo_nodes_py.introspection import __all__

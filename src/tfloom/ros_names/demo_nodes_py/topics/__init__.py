@@ -1,1 +1,1 @@
-"""Programs about topics."""
+"""Demonstration nodes for topics."""

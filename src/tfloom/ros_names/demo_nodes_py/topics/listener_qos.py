@@ -1,4 +1,4 @@
-"""A listener that asks for reliability or not, and ends after so many messages."""
+"""Log messages, with a chosen reliability, until a given number has arrived."""
 
 from tfloom.demos.demo_nodes_py.listener_qos import *
 from tfloom.demos.demo_nodes_py.listener_qos import __all__

@@ -1,4 +1,4 @@
-"""A talker that is reliable or not, and has only so much to say."""
+"""Publish a given number of messages, with a chosen reliability."""
 
 from tfloom.demos.demo_nodes_py.talker_qos import *
 from tfloom.demos.demo_nodes_py.talker_qos import __all__
