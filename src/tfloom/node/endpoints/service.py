@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Coroutine
+from collections.abc import Awaitable, Callable, Coroutine
 from types import CoroutineType
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 from tfloom.node.endpoints.endpoint import UNREADABLE, Receiver, TakingEndpoint
 from tfloom.node.endpoints.service_introspection import Introspection, ServiceIntrospectionState
@@ -20,11 +20,18 @@ if TYPE_CHECKING:
     from tfloom.rmw.base import Request, RequestId, Responder
     from tfloom.rosidl.message import Message
 
-__all__ = ["Service", "ServiceEndpoint", "SrvType", "SrvTypeRequest", "SrvTypeResponse"]
+__all__ = ["ResponseFirst", "Service", "ServiceEndpoint", "SrvType", "SrvTypeRequest", "SrvTypeResponse"]
 
 SrvType = TypeVar("SrvType", bound=ServiceType)
 SrvTypeRequest = TypeVar("SrvTypeRequest")
 SrvTypeResponse = TypeVar("SrvTypeResponse")
+
+
+class ResponseFirst(NamedTuple):
+    """Result of a callback's coroutine that goes on, in its callback group, after the response is sent."""
+
+    response: Any
+    go_on: Callable[[], Awaitable[Any]]
 
 
 class ServiceEndpoint(Receiver[TakingEndpoint]):
@@ -159,4 +166,9 @@ class Service(ServiceEndpoint["Responder"]):
             self.send_response(future.result(), header)
 
     async def _send_when_done(self, response: Coroutine[Any, Any, Any], header: RequestId) -> None:
-        self.send_response(await response, header)
+        outcome = await response
+        if isinstance(outcome, ResponseFirst):
+            self.send_response(outcome.response, header)
+            await outcome.go_on()
+        else:
+            self.send_response(outcome, header)

@@ -19,7 +19,7 @@ from tfloom.node.executing.executor_exceptions import (
 )
 from tfloom.node.executing.running_work import RunningWork
 from tfloom.node.executing.task import Future, Task
-from tfloom.node.executing.work_queue import Work, WorkQueue
+from tfloom.node.executing.work_queue import MOST_AT_ONCE, Work, WorkQueue
 from tfloom.node.values.exceptions import ExternalShutdownException
 
 if TYPE_CHECKING:
@@ -191,7 +191,7 @@ class Executor(WorkQueue):
         """
         timeout_ns = timeout_sec_to_nsec(timeout_sec)
         end_ns = None if timeout_ns < 0 else time.monotonic_ns() + timeout_ns
-        waited = has_response = False
+        waited = self._has_response = False
         while True:
             if self._is_shutdown:
                 raise ShutdownException
@@ -203,12 +203,12 @@ class Executor(WorkQueue):
                 work = self._work_of_this_pass()
                 if work is not None:
                     return work
-            if has_response and until_response:
+            if self._has_response and until_response:
                 raise ConditionReachedException
             if waited and end_ns is not None and time.monotonic_ns() >= end_ns:
                 raise TimeoutException
             waited = True
-            has_response = self._collect(self._end_of_nested_wait(end_ns))
+            self._collect(self._end_of_nested_wait(end_ns))
 
     def _end_of_nested_wait(self, end_ns: int | None) -> int | None:
         """Return when to wake from a wait until `end_ns` to log a hint: a callback that spins may wait for itself.
@@ -233,6 +233,23 @@ class Executor(WorkQueue):
         return end_ns
 
     # Running
+
+    def run_waiting(self, entity: Entity) -> None:
+        """Run the callbacks for all that an entity has waiting, as far as its group admits them.
+
+        To be called where a response was taken. It does nothing while another thread spins.
+        """
+        token = self._tokens.get(entity)
+        if token is None or not self._spinning.acquire(blocking=False):
+            return
+        try:
+            for _ in range(MOST_AT_ONCE):
+                taken = self._take(entity, token)
+                if taken is None:
+                    return
+                self._run(Work(entity, taken))
+        finally:
+            self._spinning.release()
 
     def _run(self, work: Work) -> None:
         """Run a callback to its end, or a coroutine to its next await, and raise its exception, if any."""
