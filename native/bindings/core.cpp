@@ -24,7 +24,7 @@ Gid to_gid(const nb::bytes& bytes) {
   return gid;
 }
 
-std::vector<ReadyQueue::Token> wait_for_tokens(ReadyQueue& queue, std::int64_t timeout_ns) {
+std::vector<ReadyQueue::Token> wait_for_tokens(ReadyQueue& queue, std::int64_t timeout_ns, bool quiet) {
   std::vector<ReadyQueue::Token> tokens;
   const Waker::Deadline deadline(timeout_ns);
   for (;;) {
@@ -32,7 +32,7 @@ std::vector<ReadyQueue::Token> wait_for_tokens(ReadyQueue& queue, std::int64_t t
     {
       const ReleasedGil release;
       const auto left = deadline.left();
-      outcome = queue.wait(left ? left->count() : -1, tokens);
+      outcome = queue.wait(left ? left->count() : -1, tokens, quiet);
     }
     if (outcome != ReadyQueue::Outcome::interrupted) return tokens;
     if (PyErr_CheckSignals() != 0) throw nb::python_error();
@@ -68,7 +68,11 @@ void bind_core(nb::module_& m) {
             sink.push(view, info);
           },
           "data"_a, "source_stamp_ns"_a, "received_stamp_ns"_a, "publisher_gid"_a,
-          "Push one sample: encapsulation header and CDR, stamps [ns since epoch], 16 octets of gid.");
+          "Push one sample: encapsulation header and CDR, stamps [ns since epoch], 16 octets of gid.")
+      .def("notify", &Sink::notify, "queue"_a.none(), "token"_a, nb::keep_alive<1, 2>(),
+           "Post `token` to `queue` after a push, for waits with `quiet` only; None ends it.\n\n"
+           "Post at once if there was a push since `take_pushed`.")
+      .def("take_pushed", &Sink::take_pushed, "Return whether a sample was pushed since the last call.");
 
   nb::class_<SampleQueue, Sink>(m, "SampleQueue",
                                 "A sink that stores the newest samples until Python takes them.")
@@ -82,8 +86,8 @@ void bind_core(nb::module_& m) {
       .def(nb::init<>())
       .def("post", &ReadyQueue::post, "token"_a, nb::call_guard<ReleasedGil>(),
            "Post a token. A token that is posted again before it is taken is taken once.")
-      .def("wait", &wait_for_tokens, "timeout_ns"_a,
-           "Wait for tokens and take all of them, in order of first posting.\n\n"
+      .def("wait", &wait_for_tokens, "timeout_ns"_a, "quiet"_a = false,
+           "Wait for tokens and take all of them, in order of first posting; tokens of sinks only if `quiet`.\n\n"
            "Does not wait if the timeout is 0, and waits without limit if it is negative. Returns an empty list on a "
            "timeout. Releases the GIL. A signal's Python handler runs at once, and its exception is raised here.");
 }

@@ -11,9 +11,8 @@ A façade has the deferred names twice: as imports under `if TYPE_CHECKING:`, fo
 from __future__ import annotations
 
 import sys
-from importlib import import_module
 
-TYPE_CHECKING = False  # typing loads nothing that a façade of messages needs
+TYPE_CHECKING = False  # neither typing nor importlib is imported, because the messages alone need neither
 if TYPE_CHECKING:
     from collections.abc import Callable
     from types import ModuleType
@@ -35,10 +34,12 @@ def submodules(package: str) -> Callable[[str], ModuleType]:
         if not name.startswith("_"):
             module = f"{package}.{name}"
             try:
-                return import_module(module)
+                __import__(module)
             except ModuleNotFoundError as error:
                 if error.name != module:
                     raise
+            else:
+                return sys.modules[module]
         raise AttributeError(f"module {package!r} has no attribute {name!r}")
 
     return load
@@ -58,7 +59,8 @@ def deferred(module: str, **homes: str) -> tuple[Callable[[str], Any], Callable[
         home = homes.get(name)
         if home is None:
             raise AttributeError(f"module {module!r} has no attribute {name!r}")
-        found = getattr(import_module(home), name)
+        __import__(home)
+        found = getattr(sys.modules[home], name)
         setattr(sys.modules[module], name, found)
         return found
 

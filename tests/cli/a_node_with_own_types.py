@@ -1,4 +1,4 @@
-"""A node whose message, service and action exist in this process alone. With `lie`, it describes the message wrongly."""
+"""A node whose message, service and action exist in this process alone; with `lie`, it misdescribes the message."""
 
 from __future__ import annotations
 

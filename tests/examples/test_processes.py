@@ -66,6 +66,11 @@ SPINNING: dict[str, dict[str, list[str]]] = {
 ENDING: dict[str, tuple[list[str], list[str], list[str]]] = {
     "wait once": (["topics/talker.py"], ["topics/wait_once.py"], [r"The next words: Hello \d+$"]),
     "call": (["services/add_server.py"], ["services/add_client.py"], [r"2 \+ 3 = 5$"]),
+    "call in asyncio": (
+        ["services/add_server.py"],
+        ["services/add_client_in_asyncio.py"],
+        [r"3 \+ 4 = 7$", r"In all 21$"],
+    ),
     "call in thread": (["services/add_server.py"], ["services/add_client_in_thread.py"], [r"In all 10$"]),
     "parameters": (
         ["parameters/thruster.py", "parameters/watch.py"],
@@ -140,6 +145,7 @@ def test_finite_programs_end_with_their_output(scene: str, domain_id: int, start
     "path",
     [
         "services/add_client.py",
+        "services/add_client_in_asyncio.py",
         "services/add_client_in_thread.py",
         "topics/wait_once.py",
         "parameters/tune.py",

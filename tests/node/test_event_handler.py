@@ -14,11 +14,10 @@ from tfloom.node.executing.event_handler import (
     IncompatibleTypeInfo,
     PublisherEventCallbacks,
     QoSEventHandler,
-    QoSPublisherEventType,
-    QoSSubscriptionEventType,
     SubscriptionEventCallbacks,
     UnsupportedEventTypeError,
 )
+from tfloom.node.executing.event_types import QoSPublisherEventType, QoSSubscriptionEventType
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import ReliabilityPolicy, qos_profile_best_available, qos_profile_sensor_data

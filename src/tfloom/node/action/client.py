@@ -106,7 +106,8 @@ class ActionClient:
         status_sub_qos_profile: QoS of the goals' states.
 
     Raises:
-        NoTypeSupportImportedException: `action_type` is not an action class.
+        AttributeError: `action_type` is not a ROS type.
+        RuntimeError: `action_type` is a message or a service.
         InvalidServiceNameException: the name isn't valid.
     """
 

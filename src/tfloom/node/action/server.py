@@ -102,7 +102,8 @@ class ActionServer:
         forget_sent_results: Whether a goal is dropped as soon as its result was sent to one client.
 
     Raises:
-        NoTypeSupportImportedException: `action_type` is not an action class.
+        AttributeError: `action_type` is not a ROS type.
+        RuntimeError: `action_type` is a message or a service.
         InvalidServiceNameException: the name isn't valid.
     """
 

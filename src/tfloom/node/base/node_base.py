@@ -159,7 +159,8 @@ class NodeBase(NodeEntities, NodeParameters):
             publisher_class: Class of the publisher.
 
         Raises:
-            NoTypeSupportImportedException: `msg_type` is not a message class.
+            AttributeError: `msg_type` is not a ROS type.
+            RuntimeError: `msg_type` is a service or an action.
             InvalidTopicNameException: the name isn't valid.
             TypeError, ValueError: `qos_profile` is neither a profile nor a depth.
             InvalidQosOverridesError: the parameters give an invalid profile.
@@ -210,7 +211,8 @@ class NodeBase(NodeEntities, NodeParameters):
             raw: Whether the callback takes bytes, encapsulation header and CDR, rather than messages.
 
         Raises:
-            NoTypeSupportImportedException: `msg_type` is not a message class.
+            AttributeError: `msg_type` is not a ROS type.
+            RuntimeError: `msg_type` is a service or an action.
             InvalidTopicNameException: the name isn't valid.
             TypeError, ValueError: `qos_profile` is neither a profile nor a depth.
             InvalidQosOverridesError: the parameters give an invalid profile.
@@ -292,7 +294,8 @@ class NodeBase(NodeEntities, NodeParameters):
             callback_group: Group of its callbacks; None: the node's own.
 
         Raises:
-            NoTypeSupportImportedException: `srv_type` is not a service class.
+            AttributeError: `srv_type` is not a ROS type.
+            RuntimeError: `srv_type` is a message or an action.
             InvalidServiceNameException: the name isn't valid.
         """
         check_is_valid_srv_type(srv_type)
@@ -330,7 +333,8 @@ class NodeBase(NodeEntities, NodeParameters):
             callback_group: Unused, because responses are received in no callback group; kept for rclpy's signature.
 
         Raises:
-            NoTypeSupportImportedException: `srv_type` is not a service class.
+            AttributeError: `srv_type` is not a ROS type.
+            RuntimeError: `srv_type` is a message or an action.
             InvalidServiceNameException: the name isn't valid.
         """
         check_is_valid_srv_type(srv_type)
@@ -425,5 +429,5 @@ def _profile(qos_profile: QoSProfile | int) -> QoSProfile:
     if isinstance(qos_profile, bool) or not isinstance(qos_profile, int):
         raise TypeError(f"Expected QoSProfile or int, but received {type(qos_profile)!r}")
     if qos_profile < 0:
-        raise ValueError("History depth must be greater than or equal to 0")
+        raise ValueError("history depth must be greater than or equal to zero")
     return QoSProfile(depth=qos_profile)

@@ -167,7 +167,7 @@ class Context:
             RCLError: it was shut down before.
         """
         if not self._initialized:
-            raise RuntimeError("Context must be initialized before it can be shut down")
+            raise RuntimeError("Context must be initialized before it can be shutdown")
         if not self.try_shutdown():
             raise RCLError("failed to shutdown: rcl_shutdown already called on the given context")
 

@@ -6,11 +6,6 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Protocol
 
 from tfloom.node.executing.entity import Entity
-from tfloom.node.executing.event_types import (
-    QoSPublisherEventType,
-    QoSSubscriptionEventType,
-    wire_event,
-)
 from tfloom.node.values.handle import Handle, unwrap_handle
 from tfloom.rmw.errors import UnsupportedEventError
 from tfloom.rmw.events import Count, Event, IncompatibleQoS, LivelinessChanged, Matched, Status
@@ -19,6 +14,7 @@ from tfloom.rmw.qos_mismatch import mismatch_text
 if TYPE_CHECKING:
     from tfloom._native import ReadyQueue
     from tfloom.node.executing.callback_groups import CallbackGroup
+    from tfloom.node.executing.event_types import QoSPublisherEventType, QoSSubscriptionEventType
     from tfloom.node.log.rcutils_logger import RcutilsLogger
     from tfloom.rmw.base import Graph
 
@@ -32,11 +28,9 @@ __all__ = [
     "QoSMessageLostInfo",
     "QoSOfferedDeadlineMissedInfo",
     "QoSOfferedIncompatibleQoSInfo",
-    "QoSPublisherEventType",
     "QoSPublisherMatchedInfo",
     "QoSRequestedDeadlineMissedInfo",
     "QoSRequestedIncompatibleQoSInfo",
-    "QoSSubscriptionEventType",
     "QoSSubscriptionMatchedInfo",
     "SubscriptionEventCallbacks",
     "UnsupportedEventTypeError",
@@ -96,7 +90,7 @@ class EventHandler(Entity):
         self.callback_group = callback_group
         self.callback = callback
         self.event_type = event_type
-        self._event = wire_event(event_type)
+        self._event = event_type if isinstance(event_type, Event) else _wire_event(event_type)
         self._endpoint: Watched = (
             unwrap_handle(parent_impl).wire_endpoint if isinstance(parent_impl, Handle) else parent_impl
         )
@@ -126,6 +120,13 @@ class EventHandler(Entity):
     def destroy(self) -> None:
         """Stop watching."""
         self._destroyed = True
+
+
+def _wire_event(event_type: QoSPublisherEventType | QoSSubscriptionEventType) -> Event:
+    # Imported here, because most programs have no use for rclpy's event types.
+    from tfloom.node.executing.event_types import wire_event
+
+    return wire_event(event_type)
 
 
 class QoSEventHandler(EventHandler):

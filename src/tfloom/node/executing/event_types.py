@@ -47,15 +47,13 @@ _SUBSCRIPTION_EVENTS = {
 }
 
 
-def wire_event(event_type: Event | QoSPublisherEventType | QoSSubscriptionEventType) -> Event:
+def wire_event(event_type: QoSPublisherEventType | QoSSubscriptionEventType) -> Event:
     """Return the wire's event of a type.
 
     Raises:
         UnsupportedEventError: no wire reports it.
-        TypeError: `event_type` is of none of the three enumerations.
+        TypeError: `event_type` is of neither enumeration.
     """
-    if isinstance(event_type, Event):
-        return event_type
     if isinstance(event_type, QoSPublisherEventType):
         found = _PUBLISHER_EVENTS.get(event_type)
     elif isinstance(event_type, QoSSubscriptionEventType):

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from types import CoroutineType, TracebackType
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -87,6 +88,8 @@ class Executor(WorkQueue):
         self._context.add_queue(self._queue)
         self._spinning = threading.RLock()
         """Lock held by the thread that spins."""
+        self._is_in_long_spin = False
+        """Whether the spin continues after one callback. Used only by the thread that spins."""
         self._nodes: list[SpunNode] = []
         """The nodes that were added. Guarded by `_lock`."""
         self._is_shutdown = False
@@ -208,7 +211,9 @@ class Executor(WorkQueue):
             if waited and end_ns is not None and time.monotonic_ns() >= end_ns:
                 raise TimeoutException
             waited = True
-            self._collect(self._end_of_nested_wait(end_ns))
+            # Messages for a sink need no callback, so a long spin ignores them. A spin in a callback may wait for them.
+            quiet = not self._is_in_long_spin or self._running.is_this_thread()
+            self._collect(self._end_of_nested_wait(end_ns), quiet=quiet)
 
     def _end_of_nested_wait(self, end_ns: int | None) -> int | None:
         """Return when to wake from a wait until `end_ns` to log a hint: a callback that spins may wait for itself.
@@ -304,17 +309,14 @@ class Executor(WorkQueue):
             Exception: raised by a callback.
             RuntimeError: another thread is spinning this executor.
         """
-        self._begin_spin()
-        try:
+        with self._long_spin():
             while self._context.ok() and not self._is_shutdown:
                 self.spin_once()
-        finally:
-            self._spinning.release()
         if self._context.is_interrupted():  # by a signal that arrived while a callback ran
             raise ExternalShutdownException
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
-        """Wait for one callback and run it, or for a response to a client.
+        """Wait for one callback and run it, for a response to a client, or for a transform of a TransformListener.
 
         Return without either after `timeout_sec` [s] (None, negative: no limit).
         """
@@ -322,11 +324,8 @@ class Executor(WorkQueue):
 
     def spin_until_future_complete(self, future: Future[Any], timeout_sec: float | None = None) -> None:
         """Run callbacks until a future is done, or for `timeout_sec` [s] (None, negative: no limit)."""
-        self._begin_spin()
-        try:
+        with self._long_spin():
             self._spin_until(future, timeout_sec)
-        finally:
-            self._spinning.release()
 
     def _spin_until(self, future: Future[Any], timeout_sec: float | None) -> None:
         def is_over() -> bool:
@@ -367,6 +366,17 @@ class Executor(WorkQueue):
         try:
             return self._next(timeout_sec, condition, until_response=until_response)
         finally:
+            self._spinning.release()
+
+    @contextmanager
+    def _long_spin(self) -> Iterator[None]:
+        """Hold the right to spin for more than one callback."""
+        self._begin_spin()
+        outer, self._is_in_long_spin = self._is_in_long_spin, True
+        try:
+            yield
+        finally:
+            self._is_in_long_spin = outer
             self._spinning.release()
 
     def _begin_spin(self) -> None:

@@ -155,14 +155,15 @@ class WorkQueue:
                 return work
         return None
 
-    def _collect(self, end_ns: int | None) -> None:
+    def _collect(self, end_ns: int | None, *, quiet: bool = False) -> None:
         """Wait for posts and timers, not beyond `end_ns`, and begin a new pass over all that is ready.
 
-        Responses to clients are taken at once, or in the pass, after the tasks that are ready already.
+        With `quiet`, this includes subscriptions whose messages were pushed into a sink. Responses to clients are
+        taken at once, or in the pass, after the tasks that are ready already.
         """
         if self._refused:
             self._retry_refused()
-        tokens = self._queue.wait(self._wait_ns(end_ns))
+        tokens = self._queue.wait(self._wait_ns(end_ns), quiet)
         responses: list[int] = []
         for token in tokens:
             entity = self._entities.get(token)

@@ -76,6 +76,7 @@ class NodeParameters(DeclaredParameters):
             ignore_override: Whether the initial value is the default even if the command line gives a value.
 
         Raises:
+            ValueError: there is neither a value nor a type, and the descriptor doesn't allow dynamic typing.
             ParameterAlreadyDeclaredException: it was declared before.
             InvalidParameterException: the name is empty.
             InvalidParameterTypeException: the value given on the command line is of another type.
@@ -101,7 +102,8 @@ class NodeParameters(DeclaredParameters):
 
         Raises:
             TypeError: a tuple isn't of that form.
-            ValueError: a type is NOT_SET, or given together with dynamic typing.
+            ValueError: a type is NOT_SET, or given together with dynamic typing; or there is neither a value nor a
+                type, and no dynamic typing.
             ParameterException: as from `declare_parameter`; the tuples before it in the list are then declared.
         """
         declarations = read_declarations(namespace, parameters)
@@ -121,6 +123,7 @@ class NodeParameters(DeclaredParameters):
             parameter = self._parameter_overrides[declaration.name]
         descriptor = declaration.descriptor
         if parameter.type_ is ParameterType.NOT_SET:
+            descriptor.name = parameter.name
             self._descriptors[parameter.name] = descriptor
             self._parameters[parameter.name] = parameter
             return

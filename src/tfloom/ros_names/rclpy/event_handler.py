@@ -6,6 +6,8 @@ from tfloom.node.executing.event_handler import *
 
 if TYPE_CHECKING:
     from tfloom.node.executing.callback_groups import CallbackGroup as CallbackGroup
+    from tfloom.node.executing.event_types import QoSPublisherEventType as QoSPublisherEventType
+    from tfloom.node.executing.event_types import QoSSubscriptionEventType as QoSSubscriptionEventType
     from tfloom.node.executing.waitable import NumberOfEntities as NumberOfEntities
     from tfloom.node.executing.waitable import Waitable as Waitable
     from tfloom.node.log.logging import get_logger as get_logger
@@ -16,6 +18,8 @@ else:
     __getattr__, __dir__ = deferred(
         __name__,
         CallbackGroup="tfloom.node.executing.callback_groups",
+        QoSPublisherEventType="tfloom.node.executing.event_types",
+        QoSSubscriptionEventType="tfloom.node.executing.event_types",
         NumberOfEntities="tfloom.node.executing.waitable",
         Waitable="tfloom.node.executing.waitable",
         get_logger="tfloom.node.log.logging",
