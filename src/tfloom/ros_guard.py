@@ -6,7 +6,7 @@ import os
 import sys
 from importlib.machinery import PathFinder
 
-__all__ = ["claim"]
+__all__ = ["claim", "serves_rclpy"]
 
 _ROS_NAMES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ros_names") + os.sep  # noqa: PTH100, PTH118, PTH120  # pathlib takes longer to import than all the rest here
 
@@ -23,9 +23,9 @@ def claim(name: str) -> None:
         ImportError: `rclpy` is, or would be, imported from elsewhere, because a real ROS and tfloom in one program have
             incompatible nodes and messages.
     """
-    where = _origin("rclpy")
-    if where is not None and os.path.abspath(where).startswith(_ROS_NAMES):  # noqa: PTH100
+    if serves_rclpy():
         return
+    where = _origin("rclpy")
     if where is None:
         advice = "call `tfloom.use_ros_names()` first"
     else:
@@ -33,6 +33,12 @@ def claim(name: str) -> None:
     raise ImportError(
         f"'{name}' would come from tfloom, but 'rclpy' comes from {where or 'nowhere'}: {advice}.", name=name
     )
+
+
+def serves_rclpy() -> bool:
+    """Return whether `rclpy` is, or would be, imported from tfloom."""
+    where = _origin("rclpy")
+    return where is not None and os.path.abspath(where).startswith(_ROS_NAMES)  # noqa: PTH100
 
 
 def _origin(name: str) -> str | None:

@@ -58,7 +58,7 @@ def complete(line: str, tmp_path: Path) -> list[str]:
         ("tfloom run turtles", {"turtlesim"}),
         ("tfloom pkg prefix tf2_r", {"tf2_ros"}),
         ("tfloom interface show geometry_msgs/msg/TwistW", None),
-        ("tfloom interface package geo", {"geometry_msgs"}),
+        ("tfloom interface package geo", {"geographic_msgs", "geometry_msgs"}),
         ("tfloom topic pub /nobodys geometry_msgs/msg/Twist", None),
         ("tfloom service find std_srvs/srv/Em", {"std_srvs/srv/Empty"}),
         ("tfloom action send_goal /nobodys turtlesim/action/Rot", {"turtlesim/action/RotateAbsolute"}),
@@ -149,7 +149,7 @@ def test_programs_of_a_workspace_are_completed(tmp_path: Path, monkeypatch: pyte
     assert complete("tfloom run my_pkg my", tmp_path) == ["my_program"]
 
 
-FREE = {"value", "argv", "parameter_file", "launch_file_name", "launch_arguments"}
+FREE = {"value", "argv", "parameter_file", "folder", "launch_file_name", "launch_arguments"}
 
 
 @pytest.mark.parametrize("verb", VERBS)

@@ -29,6 +29,7 @@ def parsers(parser: VerbParser) -> dict[str, VerbParser]:
     return {
         f"{word} {rest}".strip(): each
         for word, child in parser.words.items()
+        if child.prog.split()[-1] == word  # no alias
         for rest, each in parsers(child).items()
     }
 

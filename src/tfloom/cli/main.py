@@ -46,7 +46,9 @@ COMMANDS: dict[str, str | Group] = {
             "packages": "List the packages that define interfaces",
             "proto": "Print a YAML value with an interface's fields and defaults",
             "show": "Print an interface's definition",
+            "stubs": "Write typed modules for editors, of a workspace's packages with definitions",
         },
+        aliases=("interfaces",),
     ),
     "launch": "Explain that launch files can't be run yet",
     "lifecycle": Group(

@@ -19,6 +19,8 @@ class Group(NamedTuple):
     """One line for each verb; the verb's code is `tfloom.cli.<group>.<verb>`."""
     hidden: str = ""
     """The `<hidden>` of its flag `--include-hidden-<hidden>`; empty: it has no such flag."""
+    aliases: Sequence[str] = ()
+    """Other words for it."""
 
 
 class VerbParser(argparse.ArgumentParser):
@@ -133,7 +135,12 @@ def build_parser(prog: str, commands: Mapping[str, str | Group]) -> VerbParser:
             )
         else:
             words.add_parser(
-                word, help=command.summary, description=command.summary, prog=f"{prog} {word}", group=command
+                word,
+                aliases=command.aliases,
+                help=command.summary,
+                description=command.summary,
+                prog=f"{prog} {word}",
+                group=command,
             )
     return top
 

@@ -42,7 +42,8 @@ def get_search_paths() -> list[str]:
 
 def get_packages_with_prefixes() -> dict[str, str]:
     """Return the prefix of each package by its name."""
-    return dict.fromkeys(index.own_packages(), str(index.OWN_PREFIX)) | index.workspace_packages()
+    own = {name: str(prefix) for name, prefix in index.own_packages().items()}
+    return own | index.workspace_packages()
 
 
 def get_package_prefix(package_name: str) -> str:
@@ -52,7 +53,7 @@ def get_package_prefix(package_name: str) -> str:
         PackageNotFoundError: there is no such package.
         ValueError: it is not a valid package name.
     """
-    return _find(package_name) or str(index.OWN_PREFIX)
+    return _find(package_name) or str(index.own_packages()[package_name])
 
 
 def get_package_share_path(package_name: str, print_warning: bool = True) -> Path:

@@ -67,7 +67,7 @@ class GetTypeDescription_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class GetTypeDescription(_Service):
+class GetTypeDescription(_Service[GetTypeDescription_Request, GetTypeDescription_Response]):
     """The service type_description_interfaces/srv/GetTypeDescription."""
 
     _TYPE_NAME = "type_description_interfaces/srv/GetTypeDescription"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, overload
 
 from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
 from tfloom.node.base.node_entities import NodeEntities
@@ -16,6 +16,7 @@ from tfloom.node.endpoints.publisher import Publisher
 from tfloom.node.endpoints.service import Service
 from tfloom.node.endpoints.service_introspection import Introspection
 from tfloom.node.endpoints.subscription import Subscription
+from tfloom.node.endpoints.type_variables import MsgType, SrvTypeRequest, SrvTypeResponse
 from tfloom.node.executing.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
 from tfloom.node.executing.event_handler import (
     EventHandler,
@@ -36,23 +37,23 @@ from tfloom.node.values.type_support import (
     check_is_valid_srv_type,
 )
 from tfloom.rmw.typed_names import service_of, topic_of
-from tfloom.rosidl.message import Message
 from tfloom.rosidl.service import Service as ServiceType
 
 if TYPE_CHECKING:
     from types import TracebackType
+    from typing import Literal
 
     from typing_extensions import Self
 
     from tfloom.node.clock.clock import Clock
     from tfloom.node.context.context import Context
+    from tfloom.node.endpoints.service import ServiceCallback
+    from tfloom.node.endpoints.subscription import SubscriptionCallback
     from tfloom.rmw.base import Reader, Topic, Writer
 
 __all__ = ["NodeBase"]
 
 PARAMETER_EVENTS_TOPIC = "/parameter_events"
-
-MsgType = TypeVar("MsgType", bound=Message)
 
 
 # Private names are mangled, because programs derive from Node and choose names of their own.
@@ -186,6 +187,34 @@ class NodeBase(NodeEntities, NodeParameters):
             raise
         return publisher
 
+    @overload
+    def create_subscription(
+        self,
+        msg_type: type[MsgType],
+        topic: str,
+        callback: SubscriptionCallback[MsgType],
+        qos_profile: QoSProfile | int,
+        *,
+        callback_group: CallbackGroup | None = None,
+        event_callbacks: SubscriptionEventCallbacks | None = None,
+        qos_overriding_options: QoSOverridingOptions | None = None,
+        raw: Literal[False] = False,
+    ) -> Subscription[MsgType]: ...
+
+    @overload
+    def create_subscription(
+        self,
+        msg_type: type[MsgType],
+        topic: str,
+        callback: Callable[..., Any],
+        qos_profile: QoSProfile | int,
+        *,
+        callback_group: CallbackGroup | None = None,
+        event_callbacks: SubscriptionEventCallbacks | None = None,
+        qos_overriding_options: QoSOverridingOptions | None = None,
+        raw: bool,
+    ) -> Subscription[MsgType]: ...
+
     def create_subscription(
         self,
         msg_type: type[MsgType],
@@ -276,13 +305,13 @@ class NodeBase(NodeEntities, NodeParameters):
 
     def create_service(
         self,
-        srv_type: type[ServiceType],
+        srv_type: type[ServiceType[SrvTypeRequest, SrvTypeResponse]],
         srv_name: str,
-        callback: Callable[[Any, Any], Any],
+        callback: ServiceCallback[SrvTypeRequest, SrvTypeResponse],
         *,
         qos_profile: QoSProfile = qos_profile_services_default,
         callback_group: CallbackGroup | None = None,
-    ) -> Service:
+    ) -> Service[SrvTypeRequest, SrvTypeResponse]:
         """Create a service.
 
         Args:
@@ -318,12 +347,12 @@ class NodeBase(NodeEntities, NodeParameters):
 
     def create_client(
         self,
-        srv_type: type[ServiceType],
+        srv_type: type[ServiceType[SrvTypeRequest, SrvTypeResponse]],
         srv_name: str,
         *,
         qos_profile: QoSProfile = qos_profile_services_default,
         callback_group: CallbackGroup | None = None,
-    ) -> Client:
+    ) -> Client[SrvTypeRequest, SrvTypeResponse]:
         """Create a client of a service.
 
         Args:

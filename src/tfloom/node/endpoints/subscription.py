@@ -4,24 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from enum import Enum
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Any, Generic
 
 from tfloom.node.endpoints.endpoint import UNREADABLE, Receiver
+from tfloom.node.endpoints.type_variables import MsgType
 from tfloom.node.executing.callback_arguments import takes
 from tfloom.node.qos.qos import QoSProfile
 from tfloom.rosidl import cdr
-from tfloom.rosidl.message import Message
 
 if TYPE_CHECKING:
+    from typing import TypeAlias
+
     from tfloom._native import ReadyQueue, Sink
     from tfloom.node.executing.callback_groups import CallbackGroup
     from tfloom.node.executing.event_handler import EventHandler
     from tfloom.node.log.rcutils_logger import RcutilsLogger
     from tfloom.rmw.base import Reader, Sample
 
-__all__ = ["MsgType", "Subscription"]
+    SubscriptionCallback: TypeAlias = Callable[[MsgType], Any] | Callable[[MsgType, dict[str, Any]], Any]
 
-MsgType = TypeVar("MsgType", bound=Message)
+__all__ = ["MsgType", "Subscription"]
 
 _FED = object()
 """Returned by `take` after messages were pushed into the sink, which need no callback."""

@@ -44,8 +44,12 @@ NESTED_HINT = (
 class SpunNode(Protocol):
     """The methods of a node that an executor calls."""
 
-    executor: Executor | None
-    """The executor that the node was added to."""
+    @property
+    def executor(self) -> Executor | None:
+        """The executor that the node was added to."""
+
+    @executor.setter
+    def executor(self, new_executor: Executor | None) -> None: ...
 
     @property
     def context(self) -> Context:
