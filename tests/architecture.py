@@ -45,7 +45,7 @@ NODE_ROOMS = [
 DOORS = {
     "pygame": ("turtlesim/window.py",),
     "reportlab": ("tf2_tools/",),
-    "argcomplete": ("cli/main.py",),
+    "argcomplete": ("cli/tab_key.py",),
     "PIL": ("turtlesim/picture.py", "sensing/image_files.py"),
     "transforms3d": ("tf2_ros/transformations.py",),
     "cv2": ("sensing/opencv.py",),
