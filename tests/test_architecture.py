@@ -55,7 +55,7 @@ def sound_house(tmp_path: Path) -> Path:
     }
     files |= {f"node/{room}/__init__.py": '"""A room."""\n' for room in NODE_ROOMS if room}
     files["_native.pyi"] = ""
-    files["__init__.py"] = "import numpy, yaml, typing_extensions\n"
+    files["__init__.py"] = "import numpy, yaml\nif TYPE_CHECKING:\n    import typing_extensions\n"
     files["ros_names/rclpy/__init__.py"] = "from tfloom.node.node import Node\n"
     files["node/node.py"] = "from tfloom.node.values.time import Time\n"
     files["node/values/time.py"] = "class Time: ...\n"
@@ -130,6 +130,14 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
             "rmw/x.py:2 imports PIL; its door is turtlesim/picture.py or sensing/image_files.py",
             "tf2_tools/show.py:1 imports pygame; its door is turtlesim/window.py",
         ],
+    ),
+    (
+        architecture.no_type_checkers_library_at_run_time,
+        {
+            "tf2/x.py": "from typing_extensions import Self\n",
+            "rmw/x.py": "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from typing_extensions import Self\n",
+        },
+        ["tf2/x.py:1 imports typing_extensions at run time"],
     ),
     (
         architecture.no_ring,

@@ -59,7 +59,9 @@ WITHOUT = {
         "changes something",
     ),
     **dict.fromkeys(["topic bw", "topic delay", "topic hz"], "reports until Ctrl-C"),
-    **dict.fromkeys(["daemon start", "daemon status", "daemon stop", "component"], "prints a sentence"),
+    **dict.fromkeys(
+        ["daemon start", "daemon status", "daemon stop", "component", "launch", "bag"], "prints a sentence"
+    ),
     **dict.fromkeys(
         ["interface proto", "interface show", "pkg prefix", "pkg xml"], "prints a text of its own form"
     ),

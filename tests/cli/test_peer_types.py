@@ -48,7 +48,7 @@ def test_a_goal_of_such_a_type_can_be_sent() -> None:
     goal = "{parts: [{name: b}, {name: a, count: 3}]}"
     answer = transcript.run("action", "send_goal", "-f", "/sort", "lab_msgs/action/Sort", goal)
     assert answer.exit_code == 0
-    assert "sorted:\n    - name: a\n      count: 3\n    - name: b\n" in answer.text
+    assert "sorted:\n- name: a\n  count: 3\n- name: b\n" in answer.text
     assert "Feedback:\n    done: 1\n" in answer.text
 
 

@@ -17,7 +17,6 @@ USAGES: dict[str, str | None] = json.loads(
 
 NOT_HERE = {
     **dict.fromkeys(["component list", "component load"], "`component` says that it needs C++"),
-    "launch": "comes with launch files",
 }
 """Verbs that ros2 has and we don't, each with its reason."""
 

@@ -11,9 +11,10 @@ from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 from rosbags.typesys.store import Typestore
 from tests.test_facades import ROS_NAMES, RULES, Rule
 
-from tfloom.rosidl import cdr, class_table, definition_files, generate, runtime, spec
+from tfloom.rosidl import cdr, class_table, definition_files, generate, spec
 from tfloom.rosidl.registry import find_class, get_message_class
 from tfloom.rosidl.type_hash import type_hash
+from tfloom.workspace.get_interfaces import get_interfaces
 
 ROOT = Path(__file__).parents[2]
 HOME = ROOT / "packages" / "tfloom-interfaces" / "src" / "tfloom_interfaces"
@@ -65,7 +66,7 @@ def test_each_is_found_by_name_and_by_import(name: str) -> None:
     assert type_hash(EXTRA[name], SPECS.__getitem__) == cls._TYPE_HASH
     assert getattr(importlib.import_module(f"{package}.{kind}"), base) is cls
     assert cls.__module__ == f"tfloom_interfaces.interfaces.{package}.{kind}"
-    assert f"{kind}/{base}" in runtime.get_interfaces([package])[package]
+    assert f"{kind}/{base}" in get_interfaces([package])[package]
     for message in spec.messages_of(EXTRA[name]):
         made = class_table.find(message.name)()
         assert cdr.decode(type(made), cdr.encode(made)) == made

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Callable, Iterable, Iterator
 from itertools import chain
@@ -123,7 +124,9 @@ def parse_yaml(text: str) -> dict[str, Any]:
     if values is None:
         return {}
     if not isinstance(values, dict):
-        raise CommandError(f"The passed value needs to be a dictionary in YAML format, not {values!r}")
+        raise CommandError(
+            f"The passed value needs to be a dictionary in YAML format, not {values!r}{_missing_space(values)}"
+        )
     return values
 
 
@@ -150,8 +153,9 @@ def fill_message(message: Message, values: dict[str, Any]) -> list[StampSetter]:
         set_stamps(filler.setters, time.time_ns())
         cdr.encode(message)
     except (AttributeError, TypeError, ValueError, AssertionError, OverflowError) as error:
+        where = _fields_there_are(error) or _in_field(filler)
         raise CommandError(
-            f"Failed to populate field: {error}{_fields_there_are(error) or _in_field(filler)}"
+            f"Failed to populate field: {error}{where}{_tight_colon(error)}{_bare_word(error)}"
         ) from None
     return filler.setters
 
@@ -169,6 +173,35 @@ def set_stamps(setters: list[StampSetter], now_ns: int) -> None:
 def _in_field(filler: Filler) -> str:
     path = "".join(filler.path).lstrip(".")
     return f"\nin the field {path}" if path else ""
+
+
+def _tight_colon(error: Exception) -> str:
+    """Return a line on the space that YAML wants after a colon, where a text with a colon is no field, or no fields."""
+    if isinstance(error, AttributeError):
+        return _missing_space(error.name)
+    in_place_of_fields = re.match(r"Value '(.*)' is expected to be a dictionary but is a str", str(error))
+    return _missing_space(in_place_of_fields[1]) if in_place_of_fields else ""
+
+
+def _bare_word(error: Exception) -> str:
+    """Return a line on the quotes that a field's name needs which YAML reads as a value, as `off`."""
+    holder = getattr(error, "obj", None)
+    if (
+        not isinstance(error, AttributeError)
+        or not isinstance(holder, Message)
+        or isinstance(error.name, str)
+    ):
+        return ""
+    import yaml
+
+    fields = type(holder).get_fields_and_field_types()
+    bare = next((field for field in fields if yaml.safe_load(field) == error.name), None)
+    return f'\nYAML reads a bare {bare} as {error.name}: write "{bare}" with its quotes' if bare else ""
+
+
+def _missing_space(text: Any) -> str:
+    found = re.match(r"\s*(\w+):(\S+)", text) if isinstance(text, str) else None
+    return f"\na space is missing after the colon: {found[1]}: {found[2]}" if found else ""
 
 
 def _fields_there_are(error: Exception) -> str:

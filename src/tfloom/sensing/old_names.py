@@ -5,10 +5,9 @@ from __future__ import annotations
 import functools
 import warnings
 from collections.abc import Callable
-from typing import Any, TypeVar
+from typing import Any, ParamSpec, TypeVar
 
 import numpy as np
-from typing_extensions import ParamSpec
 
 __all__ = ["old_matrix", "old_name", "old_property", "old_value"]
 

@@ -11,7 +11,9 @@ import sys
 from pathlib import Path
 from typing import Literal
 
+from tfloom.node.values.exceptions import add_note
 from tfloom.workspace import index
+from tfloom.workspace.unsourced import how_to_find
 
 AMENT_PREFIX_PATH_ENV_VAR = index.PREFIX_PATH_VARIABLE
 RESOURCE_INDEX_SUBFOLDER = index.RESOURCE_INDEX
@@ -123,5 +125,8 @@ def _find(package: str) -> str | None:
         raise ValueError(f"'{package}' is not a valid package name")
     prefix = index.find_package(package)
     if prefix is None and package not in index.own_packages():
-        raise PackageNotFoundError(f"package '{package}' not found, searching: {index.search_paths()}")
+        error = PackageNotFoundError(f"package '{package}' not found, searching: {index.search_paths()}")
+        if hint := how_to_find(package):
+            add_note(error, hint)
+        raise error
     return prefix

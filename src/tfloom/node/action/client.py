@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 import time
 import weakref
-from collections import deque
+from collections import OrderedDict
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
@@ -145,7 +145,8 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
         self._lock = threading.Lock()
         """Guards the goals and their callbacks, below."""
         self._feedback_callbacks: dict[bytes, Callable[[FeedbackMessageT], Any]] = {}
-        self._ended: deque[bytes] = deque()
+        self._ended_ns: OrderedDict[bytes, int] = OrderedDict()
+        """Times at which the results of goals were taken [ns since the epoch], the oldest first."""
         self._unanswered: dict[bytes, int] = {}
         """The last state received of each goal whose request has no response yet. Guarded by `_lock`."""
         self._goals: weakref.WeakValueDictionary[
@@ -278,7 +279,7 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
             self._forget(key_of(goal_handle.goal_id))
             return response
 
-        self._chain(self._result.call_async(request), future, on_response)
+        self._chain(self._result.call_async(request), future, on_response, self._deliver_waiting_feedback)
         return future
 
     def wait_for(self, future: Future[T]) -> T | None:
@@ -298,11 +299,22 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
             self._node.context.remove_shutdown_hook(ended.set)
         return future.result()
 
-    def _chain(self, first: Future[Any], then: Future[T], convert: Callable[[Any], T]) -> None:
-        """Complete `then` with `convert(result)` when `first` completes with `result`."""
+    def _chain(
+        self,
+        first: Future[Any],
+        then: Future[T],
+        convert: Callable[[Any], T],
+        before: Callable[[], None] | None = None,
+    ) -> None:
+        """When `first` completes with `result`, call `before`, and complete `then` with `convert(result)`."""
 
         def complete() -> None:
-            if not first.cancelled() and not then.cancelled():
+            if first.cancelled() or then.cancelled():
+                return
+            try:
+                if before is not None:
+                    before()
+            finally:
                 then.set_executor(self._node.executor)
                 then.set_result(convert(first.result()))
 
@@ -313,15 +325,24 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
             self._unanswered.pop(key, None)
 
     def _forget(self, key: bytes) -> None:
-        """Drop the feedback callbacks of all but the last ended goals, because feedback may arrive after the end."""
+        """End the feedback of a goal: only what was published before, and waits for a thread, is still delivered."""
         with self._lock:
-            self._ended.append(key)
-            if len(self._ended) > MOST_ENDED:
-                self._feedback_callbacks.pop(self._ended.popleft(), None)
+            self._ended_ns[key] = time.time_ns()
+            if len(self._ended_ns) > MOST_ENDED:
+                self._feedback_callbacks.pop(self._ended_ns.popitem(last=False)[0], None)
 
-    def _on_feedback(self, message: Any) -> Any:
-        callback = self._feedback_callbacks.get(key_of(message.goal_id))
-        return None if callback is None else callback(message)
+    def _on_feedback(self, message: Any, info: dict[str, Any]) -> Any:
+        key = key_of(message.goal_id)
+        callback = self._feedback_callbacks.get(key)
+        ended_ns = self._ended_ns.get(key)
+        if callback is None or (ended_ns is not None and info["source_timestamp"] > ended_ns):
+            return None
+        return callback(message)
+
+    def _deliver_waiting_feedback(self) -> None:
+        executor = self._node.executor
+        if executor is not None:
+            executor.run_waiting(self._feedback)
 
     def _on_status(self, message: GoalStatusArray) -> None:
         for each in message.status_list:

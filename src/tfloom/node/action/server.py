@@ -24,6 +24,7 @@ from tfloom.node.action.names import (
     key_of,
 )
 from tfloom.node.action.server_goal_handle import ServerGoalHandle
+from tfloom.node.endpoints.service import ResponseFirst
 from tfloom.node.endpoints.type_variables import FeedbackT, GoalT, ResultT
 from tfloom.node.executing.executors import await_or_execute
 from tfloom.node.qos.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
@@ -210,9 +211,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         with self._lock:
             self._goals[key] = handle
         self._publish_status()
-        # A task, so that the response is sent before the callback begins.
-        self._start(self._handle_accepted_callback, handle)
-        return response
+        return ResponseFirst(response, lambda: await_or_execute(self._handle_accepted_callback, handle))
 
     async def _accepts(self, goal: Any) -> bool:
         response = await await_or_execute(self._goal_callback, goal)

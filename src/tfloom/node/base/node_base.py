@@ -31,6 +31,7 @@ from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
 from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions, apply_overrides
 from tfloom.node.values.constants import S_TO_NS
+from tfloom.node.values.set_by_init import SET_BY_INIT
 from tfloom.node.values.type_support import (
     check_is_valid_msg_type,
     check_is_valid_srv_type,
@@ -48,7 +49,7 @@ if TYPE_CHECKING:
     from tfloom.node.context.context import Context
     from tfloom.node.endpoints.service import ServiceCallback
     from tfloom.node.endpoints.subscription import SubscriptionCallback
-    from tfloom.rmw.base import Reader, Writer
+    from tfloom.rmw.base import Reader, Topic, Writer
 
 __all__ = ["NodeBase"]
 
@@ -75,6 +76,8 @@ class NodeBase(NodeEntities, NodeParameters):
         InvalidNodeNameException: the name isn't valid.
         InvalidNamespaceException: the namespace isn't valid.
     """
+
+    __owned: OwnedEntities = SET_BY_INIT
 
     _parameter_event_overriding: QoSOverridingOptions | None = None
     """Overridable policies of the parameter event publisher: none, as in rclpy; rclcpp has some."""
@@ -174,6 +177,7 @@ class NodeBase(NodeEntities, NodeParameters):
         group = callback_group or self.default_callback_group
         publisher = publisher_class(writer, msg_type, name, profile, None, group, context=self.context)
         self.__owned.add_publisher(publisher, self)
+        self.__warn_of_other_type(wire_topic, publisher)
         try:
             publisher.event_handlers = self.__watch(
                 event_callbacks or PublisherEventCallbacks(), group, writer, name
@@ -260,6 +264,7 @@ class NodeBase(NodeEntities, NodeParameters):
             reader.close()
             raise
         self.__owned.add(subscription, self)
+        self.__warn_of_other_type(wire_topic, subscription)
         try:
             subscription.event_handlers = self.__watch(
                 event_callbacks or SubscriptionEventCallbacks(), group, reader, name
@@ -268,6 +273,14 @@ class NodeBase(NodeEntities, NodeParameters):
             self.destroy_subscription(subscription)
             raise
         return subscription
+
+    def __warn_of_other_type(self, topic: Topic, endpoint: Publisher[Any] | Subscription[Any]) -> None:
+        other = self.context.topic_types.add(topic, endpoint)
+        if other is not None:
+            self.get_logger().warning(
+                f"{topic.name} has two types in this program: {other}, and here {topic.type_name}. Messages pass "
+                "only between endpoints of one type"
+            )
 
     def __profile(
         self, kind: str, topic_name: str, given: QoSProfile | int, options: QoSOverridingOptions | None

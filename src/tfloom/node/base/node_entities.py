@@ -16,6 +16,7 @@ from tfloom.node.executing.guard_condition import GuardCondition
 from tfloom.node.executing.timer import Rate, Timer
 from tfloom.node.executing.waitable_entity import WaitableEntity
 from tfloom.node.values.handle import Handle
+from tfloom.node.values.set_by_init import SET_BY_INIT
 
 if TYPE_CHECKING:
     from tfloom.node.base.node_names import NodeNames
@@ -46,6 +47,14 @@ class NodeEntities(NodeGraph):
         owned: The entities that it has created.
     """
 
+    __context: Context = SET_BY_INIT
+    __clock: Clock = SET_BY_INIT
+    __logger: RcutilsLogger = SET_BY_INIT
+    __owned: OwnedEntities = SET_BY_INIT
+    __executor: weakref.ref[Executor] | None = SET_BY_INIT
+    __default_callback_group: CallbackGroup = SET_BY_INIT
+    __destroyed: bool = SET_BY_INIT
+
     def __init__(
         self,
         names: NodeNames,
@@ -61,7 +70,7 @@ class NodeEntities(NodeGraph):
         self.__clock = clock
         self.__logger = logger
         self.__owned = owned
-        self.__executor: weakref.ref[Executor] | None = None
+        self.__executor = None
         self.__default_callback_group = MutuallyExclusiveCallbackGroup()
         self.__destroyed = False
 

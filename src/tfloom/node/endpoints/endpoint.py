@@ -77,6 +77,11 @@ class Endpoint(Generic[WireEndpoint]):
         return Handle(self._alive())
 
     @property
+    def is_destroyed(self) -> bool:
+        """Whether it has left the wire."""
+        return self._destroyed
+
+    @property
     def wire_endpoint(self) -> WireEndpoint:
         """The endpoint on the wire.
 

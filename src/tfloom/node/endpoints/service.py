@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Coroutine
+from collections.abc import Awaitable, Callable, Coroutine
 from types import CoroutineType
-from typing import TYPE_CHECKING, Any, Generic
+from typing import TYPE_CHECKING, Any, Generic, NamedTuple
 
 from tfloom.node.endpoints.endpoint import UNREADABLE, Receiver, TakingEndpoint
 from tfloom.node.endpoints.service_introspection import Introspection, ServiceIntrospectionState
@@ -28,7 +28,14 @@ if TYPE_CHECKING:
         SrvTypeResponse | Future[SrvTypeResponse] | Coroutine[Any, Any, SrvTypeResponse],
     ]
 
-__all__ = ["Service", "ServiceEndpoint", "SrvType", "SrvTypeRequest", "SrvTypeResponse"]
+__all__ = ["ResponseFirst", "Service", "ServiceEndpoint", "SrvType", "SrvTypeRequest", "SrvTypeResponse"]
+
+
+class ResponseFirst(NamedTuple):
+    """Result of a callback's coroutine that goes on, in its callback group, after the response is sent."""
+
+    response: Any
+    go_on: Callable[[], Awaitable[Any]]
 
 
 class ServiceEndpoint(Receiver[TakingEndpoint], Generic[TakingEndpoint, SrvTypeRequest, SrvTypeResponse]):
@@ -164,4 +171,9 @@ class Service(ServiceEndpoint["Responder", SrvTypeRequest, SrvTypeResponse]):
             self.send_response(response, header)
 
     async def _send_when_done(self, response: Coroutine[Any, Any, Any], header: RequestId) -> None:
-        self.send_response(await response, header)
+        outcome = await response
+        if isinstance(outcome, ResponseFirst):
+            self.send_response(outcome.response, header)
+            await outcome.go_on()
+        else:
+            self.send_response(outcome, header)

@@ -23,7 +23,14 @@ __all__ = [
     "RCLError",
     "ROSInterruptException",
     "TimerCancelledError",
+    "add_note",
 ]
+
+
+def add_note(error: BaseException, note: str) -> None:
+    """Add a line that Python 3.11 and later print below the error, whose own text is the reference's."""
+    error.__notes__ = [*getattr(error, "__notes__", ()), note]  # type: ignore[attr-defined]  # new in 3.11
+
 
 # ROS's own names end in "Exception".
 # ruff: noqa: N818

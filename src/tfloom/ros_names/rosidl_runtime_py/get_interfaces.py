@@ -2,12 +2,12 @@
 
 from typing import TYPE_CHECKING
 
-from tfloom.rosidl.runtime import get_action_interfaces as get_action_interfaces
-from tfloom.rosidl.runtime import get_interface_packages as get_interface_packages
-from tfloom.rosidl.runtime import get_interface_path as get_interface_path
-from tfloom.rosidl.runtime import get_interfaces as get_interfaces
-from tfloom.rosidl.runtime import get_message_interfaces as get_message_interfaces
-from tfloom.rosidl.runtime import get_service_interfaces as get_service_interfaces
+from tfloom.workspace.get_interfaces import get_action_interfaces as get_action_interfaces
+from tfloom.workspace.get_interfaces import get_interface_packages as get_interface_packages
+from tfloom.workspace.get_interfaces import get_interface_path as get_interface_path
+from tfloom.workspace.get_interfaces import get_interfaces as get_interfaces
+from tfloom.workspace.get_interfaces import get_message_interfaces as get_message_interfaces
+from tfloom.workspace.get_interfaces import get_service_interfaces as get_service_interfaces
 
 if TYPE_CHECKING:
     from tfloom.workspace.ament import get_resource as get_resource
