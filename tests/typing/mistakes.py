@@ -31,9 +31,8 @@ class Mistaken(Node):
         self.fibonacci.send_goal_async(Fibonacci.Result())  # mistake
         self.fibonacci.send_goal_async(Fibonacci.Goal(), feedback_callback=self.on_number)  # mistake
         handle = await self.fibonacci.send_goal_async(Fibonacci.Goal())
-        ended = await handle.get_result_async() if handle is not None else None
-        if ended is not None:
-            print(ended.result.sequense)  # mistake
+        ended = await handle.get_result_async()
+        print(ended.result.sequense)  # mistake
         ActionServer(self, Fibonacci, "fibonacci", self.on_goal)  # mistake
 
     def on_number(self, message: Int32) -> None: ...

@@ -57,7 +57,7 @@ class Typed(Node):
 
     async def on_add(self, request: AddTwoInts.Request, response: AddTwoInts.Response) -> AddTwoInts.Response:
         """Serve by a coroutine, which awaits a client."""
-        assert_type(await self.switch.call_async(SetBool.Request()), SetBool.Response | None)
+        assert_type(await self.switch.call_async(SetBool.Request()), SetBool.Response)
         response.sum = request.a + request.b
         return response
 
@@ -107,12 +107,11 @@ class Typed(Node):
         """Send a goal and wait for its result."""
         goal = Fibonacci.Goal(order=5)
         handle = await self.fibonacci.send_goal_async(goal, feedback_callback=self.on_feedback)
-        if handle is None or not handle.accepted:
+        if not handle.accepted:
             return
         bare: ClientGoalHandle = handle
         print(bare.goal_id)
         ended = await handle.get_result_async()
-        if ended is not None:
-            assert_type(ended.result, Fibonacci.Result)
-            assert_type(ended.status, int)
+        assert_type(ended.result, Fibonacci.Result)
+        assert_type(ended.status, int)
         self.server.register_execute_callback(self.on_any_goal)
