@@ -57,7 +57,7 @@ class Typed(Node):
 
     async def on_add(self, request: AddTwoInts.Request, response: AddTwoInts.Response) -> AddTwoInts.Response:
         """Serve by a coroutine, which awaits a client."""
-        assert_type(await self.switch.call_async(SetBool.Request()), SetBool.Response | None)
+        assert_type(await self.switch.call_async(SetBool.Request()), SetBool.Response)
         response.sum = request.a + request.b
         return response
 

@@ -6,7 +6,7 @@ import sys
 import threading
 import weakref
 from collections.abc import Callable, Coroutine, Generator, Iterable, Mapping
-from typing import Any, Generic, Protocol, TypeVar
+from typing import Any, Generic, Protocol, TypeVar, cast
 
 from tfloom.node.executing.asyncio_wait import is_driven_by_asyncio, step, wait_in_asyncio
 
@@ -49,13 +49,14 @@ class Future(Generic[T]):
         if self._exception is not None and not self._exception_fetched:
             print(f"The following exception was never retrieved: {self._exception}", file=sys.stderr)
 
-    def __await__(self) -> Generator[Any, None, T | None]:
+    # Typed as the result, because only a cancelled future gives None, and that in an executor alone.
+    def __await__(self) -> Generator[Any, None, T]:
         if not self._done:
             if is_driven_by_asyncio():
                 yield from wait_in_asyncio(self)
             else:
                 yield from self._wait_in_executor()
-        return self.result()
+        return cast("T", self.result())
 
     def _wait_in_executor(self) -> Generator[Future[T], None, None]:
         # The task that runs the coroutine is resumed by a callback of the future that is yielded here.
