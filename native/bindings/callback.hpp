@@ -9,17 +9,10 @@
 #include <type_traits>
 #include <utility>
 
+#include "bindings/gil.hpp"
 #include "core/deferred_queue.hpp"
 
 namespace tfloom::bindings {
-
-inline bool python_is_ending() {
-#if PY_VERSION_HEX >= 0x030D0000
-  return !Py_IsInitialized() || Py_IsFinalizing();
-#else
-  return !Py_IsInitialized() || _Py_IsFinalizing();
-#endif
-}
 
 class Callback {
  public:
@@ -32,7 +25,8 @@ class Callback {
           }
         }) {}
 
-  // An exception of the callable is reported as unraisable, because no Python caller could handle it.
+  // An exception of the callable is reported as unraisable, because no Python caller could handle it. Once the
+  // interpreter is ending, the call does nothing.
   template <class... Args>
   void operator()(Args&&... args) const {
     if (DeferredQueue* queue = DeferredQueue::current()) {
@@ -41,8 +35,8 @@ class Callback {
       });
       return;
     }
-    if (python_is_ending()) return;
-    const nanobind::gil_scoped_acquire gil;
+    const AcquiredGil gil;
+    if (!gil) return;
     const nanobind::handle callable(callable_.get());
     try {
       callable(std::forward<Args>(args)...);
@@ -54,12 +48,11 @@ class Callback {
 
  private:
   static void release(PyObject* object) {
-    if (python_is_ending()) return;
-    const nanobind::gil_scoped_acquire gil;
-    Py_DECREF(object);
+    const AcquiredGil gil;
+    if (gil) Py_DECREF(object);
   }
 
-  std::shared_ptr<PyObject> callable_;
+  std::shared_ptr<PyObject> callable_;  // one reference of Python's, shared by all copies
 };
 
 }  // namespace tfloom::bindings

@@ -25,10 +25,10 @@ bool ReadyQueue::take(std::vector<Token>& tokens) {
   return !tokens.empty();
 }
 
-ReadyQueue::Outcome ReadyQueue::wait(std::int64_t timeout_ns, std::vector<Token>& tokens) {
+ReadyQueue::Outcome ReadyQueue::wait(std::int64_t timeout_ns, std::vector<Token>& tokens, int interrupt_fd) {
   const Waker::Deadline deadline(timeout_ns);
   while (!take(tokens)) {
-    switch (waker_.wait(deadline)) {
+    switch (waker_.wait(deadline, interrupt_fd)) {
       case Waker::Outcome::woken: break;
       case Waker::Outcome::timeout: return take(tokens) ? Outcome::ready : Outcome::timeout;
       case Waker::Outcome::interrupted: return Outcome::interrupted;

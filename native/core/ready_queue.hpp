@@ -19,13 +19,14 @@ class ReadyQueue {
 
   void post(Token token);
 
-  // Move all posted tokens, in order of first posting, into `tokens`. If there are none, wait for the first one: up to
-  // `timeout_ns`, or without limit if that is negative. `interrupted`: a signal handler ran on this thread.
-  Outcome wait(std::int64_t timeout_ns, std::vector<Token>& tokens);
-
- private:
+  // Move all posted tokens, in order of first posting, into `tokens`. Return false if there are none.
   bool take(std::vector<Token>& tokens);
 
+  // Move all posted tokens, in order of first posting, into `tokens`. If there are none, wait for the first one: up to
+  // `timeout_ns`, or without limit if that is negative. `interrupted`, `interrupt_fd`: see Waker::wait.
+  Outcome wait(std::int64_t timeout_ns, std::vector<Token>& tokens, int interrupt_fd = -1);
+
+ private:
   std::mutex mutex_;
   std::vector<Token> order_;  // guarded by mutex_, like the next two
   std::unordered_set<Token> pending_;
