@@ -36,6 +36,19 @@ class AcquiredGil {
   PyGILState_STATE state_{};
 };
 
+// A class whose `close` waits for other threads, as Python holds it: its destructor closes it without the GIL, because
+// those threads may wait for the GIL. A class with virtual functions must not be derived from like this: other threads
+// may call them while the constructor of the derived class replaces them.
+template <class Closable>
+class ClosedWithoutGil : public Closable {
+ public:
+  using Closable::Closable;
+  ~ClosedWithoutGil() {
+    const ReleasedGil released;
+    this->close();
+  }
+};
+
 // From now on, block every other thread for ever at the end of its ReleasedGil, and let no other thread begin an
 // AcquiredGil. Wait up to a second for the end of those that have begun. Must be called with the GIL held, on the thread
 // that ends the interpreter.

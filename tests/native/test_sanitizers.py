@@ -14,7 +14,7 @@ ROOT = Path(__file__).parents[2]
 BUILD_TIMEOUT_S = 900
 RUN_TIMEOUT_S = 120
 pytestmark = pytest.mark.slow
-PROGRAMS = ["buffer_threads", "hostile_tf", "queue_threads"]
+PROGRAMS = ["buffer_threads", "dds_ownership", "hostile_tf", "queue_threads"]
 
 
 def build(folder: Path, sanitize: str, programs: list[str]) -> None:
