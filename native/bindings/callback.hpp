@@ -46,6 +46,12 @@ class Callback {
     }
   }
 
+  // Visit the callable for the garbage collector, on behalf of the object that holds this callback. While a copy waits
+  // for its call, the callable is not visited: the collector then takes it, and all that it refers to, for reachable.
+  int traverse(visitproc visit, void* argument) const {
+    return callable_.use_count() == 1 ? visit(callable_.get(), argument) : 0;
+  }
+
  private:
   static void release(PyObject* object) {
     const AcquiredGil gil;

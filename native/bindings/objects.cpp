@@ -1,15 +1,31 @@
 #include "bindings/objects.hpp"
 
+#include <atomic>
 #include <cmath>
 #include <cstring>
+#include <stdexcept>
 
 namespace tfloom::bindings {
 
 using cdr::DecodeError;
 using cdr::EncodeError;
 
-MessageHooks& message_hooks() {
-  static auto* hooks = new MessageHooks;  // never destroyed, because messages use it until the interpreter has ended
+namespace {
+
+std::atomic<const MessageHooks*> current_hooks{nullptr};
+
+}  // namespace
+
+MessageHooks::~MessageHooks() {
+  const MessageHooks* self = this;
+  current_hooks.compare_exchange_strong(self, nullptr);
+}
+
+void set_message_hooks(const MessageHooks* hooks) noexcept { current_hooks.store(hooks, std::memory_order_release); }
+
+const MessageHooks& message_hooks() {
+  const MessageHooks* hooks = current_hooks.load(std::memory_order_acquire);
+  if (hooks == nullptr) throw std::runtime_error("messages can't be used any more: the interpreter is ending");
   return *hooks;
 }
 
