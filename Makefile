@@ -38,6 +38,7 @@ check:
 	"$(BIN)/ruff" format --check .
 	"$(BIN)/mypy"
 	"$(BIN)/mypy" tools
+	"$(BIN)/basedpyright" --pythonpath "$(BIN)/python"
 
 # Generate the type stub of the extension, after a change in native/bindings.
 stub:

@@ -20,8 +20,8 @@ SHELVES = [
     ["rmw"],
     ["node"],
     ["tf2_ros", "workspace"],
-    ["tf2_tools", "turtlesim", "demos"],
-    ["cli"],
+    ["tf2_tools", "turtlesim", "sensing", "demos"],
+    ["cli", "pyinstaller"],
 ]
 """The rooms, from the bottom up; rooms on one shelf don't import each other, except interfaces rosidl."""
 
@@ -43,16 +43,21 @@ NODE_ROOMS = [
 """The rooms inside node/, from the bottom up; "" are the files beside them."""
 
 DOORS = {
-    "pygame": "turtlesim/window.py",
-    "reportlab": "tf2_tools/",
-    "argcomplete": "cli/main.py",
-    "PIL": "turtlesim/picture.py",
-    "transforms3d": "tf2_ros/transformations.py",
+    "pygame": ("turtlesim/window.py",),
+    "reportlab": ("tf2_tools/",),
+    "argcomplete": ("cli/tab_key.py",),
+    "PIL": ("turtlesim/picture.py", "sensing/image_files.py"),
+    "transforms3d": ("tf2_ros/transformations.py",),
+    "cv2": ("sensing/opencv.py",),
+    "PyInstaller": ("pyinstaller/",),
 }
-"""Where each third-party library may be imported."""
+"""Where each third-party library may be imported: one file or folder of a room."""
 
-EVERYWHERE = {"numpy", "yaml", "typing_extensions"}
+EVERYWHERE = {"numpy", "yaml"}
 """Third-party libraries that any file may import."""
+
+ANNOTATIONS_ONLY = "typing_extensions"
+"""The library that any file may import for type checkers alone, because tfloom doesn't install it."""
 
 NATIVE_ROOMS = {"core": set[str](), "tf2": {"core"}, "cdr": {"core", "tf2"}, "dds": {"core"}}
 """The rooms of native/ that know no Python, and what each may include."""
@@ -150,8 +155,8 @@ def no_ros_name(house: Path) -> list[str]:
 
 
 def one_door_for_each_library(house: Path) -> list[str]:
-    """A third-party library is imported by its one file or room alone, and each has such a door."""
-    known = sys.stdlib_module_names | EVERYWHERE | {"tfloom"}
+    """A third-party library is imported by its doors alone, one in a room, and each has such a door."""
+    known = sys.stdlib_module_names | EVERYWHERE | {"tfloom", ANNOTATIONS_ONLY}
     known |= {path.name for path in (house / "ros_names").glob("*")}  # another rule's
     found = []
     for path, line, library in libraries(house):
@@ -159,12 +164,21 @@ def one_door_for_each_library(house: Path) -> list[str]:
         where = f"{place}:{line} imports {library}"
         if library in known:
             continue
-        door = DOORS.get(library)
-        if door is None:
+        doors = DOORS.get(library)
+        if doors is None:
             found.append(f"{where}, a library that has no door")
-        elif not place.startswith(door):
-            found.append(f"{where}; its one door is {door}")
+        elif not place.startswith(doors):
+            found.append(f"{where}; its door is {' or '.join(doors)}")
     return found
+
+
+def no_type_checkers_library_at_run_time(house: Path) -> list[str]:
+    """`typing_extensions` is imported under `if TYPE_CHECKING:` alone."""
+    return [
+        f"{_where(house, each)} at run time"
+        for each in imports(house)
+        if each.imported.split(".")[0] == ANNOTATIONS_ONLY and each.kind is not Kind.ANNOTATION
+    ]
 
 
 def no_ring(house: Path) -> list[str]:
@@ -252,6 +266,7 @@ HOUSE_RULES: list[Rule] = [
     no_relative_import,
     no_ros_name,
     one_door_for_each_library,
+    no_type_checkers_library_at_run_time,
     no_ring,
     a_top_holds_its_docstring_alone,
     each_room_has_its_place,

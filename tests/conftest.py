@@ -297,7 +297,7 @@ def programs() -> Iterator[Callable[..., Program]]:
 
     def start(*command: str | Path, **options: object) -> Program:
         first, *rest = command
-        beside_python = Path(sys.executable).with_name(str(first))
+        beside_python = Path(sys.executable).parent / first
         program = Program([beside_python if beside_python.exists() else first, *rest], **options)
         started.append(program)
         return program

@@ -55,14 +55,15 @@ def sound_house(tmp_path: Path) -> Path:
     }
     files |= {f"node/{room}/__init__.py": '"""A room."""\n' for room in NODE_ROOMS if room}
     files["_native.pyi"] = ""
-    files["__init__.py"] = "import numpy, yaml, typing_extensions\n"
+    files["__init__.py"] = "import numpy, yaml\nif TYPE_CHECKING:\n    import typing_extensions\n"
     files["ros_names/rclpy/__init__.py"] = "from tfloom.node.node import Node\n"
     files["node/node.py"] = "from tfloom.node.values.time import Time\n"
     files["node/values/time.py"] = "class Time: ...\n"
     files["cli/main.py"] = "import argparse\n"
-    for library, door in architecture.DOORS.items():
-        path = f"{door}imports_{library}.py" if door.endswith("/") else door
-        files[path] = files.get(path, "") + f"import {library}\n"
+    for library, doors in architecture.DOORS.items():
+        for door in doors:
+            path = f"{door}imports_{library}.py" if door.endswith("/") else door
+            files[path] = files.get(path, "") + f"import {library}\n"
     return plant(tmp_path / "tfloom", files)
 
 
@@ -126,9 +127,17 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
         },
         [
             "rmw/x.py:1 imports cyclonedds, a library that has no door",
-            "rmw/x.py:2 imports PIL; its one door is turtlesim/picture.py",
-            "tf2_tools/show.py:1 imports pygame; its one door is turtlesim/window.py",
+            "rmw/x.py:2 imports PIL; its door is turtlesim/picture.py or sensing/image_files.py",
+            "tf2_tools/show.py:1 imports pygame; its door is turtlesim/window.py",
         ],
+    ),
+    (
+        architecture.no_type_checkers_library_at_run_time,
+        {
+            "tf2/x.py": "from typing_extensions import Self\n",
+            "rmw/x.py": "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from typing_extensions import Self\n",
+        },
+        ["tf2/x.py:1 imports typing_extensions at run time"],
     ),
     (
         architecture.no_ring,
@@ -178,7 +187,7 @@ def test_name_of_a_missing_room_or_library_is_found(tmp_path: Path, monkeypatch:
     house = sound_house(tmp_path)
     monkeypatch.setattr(architecture, "SHELVES", [*SHELVES, ["bag"]])
     monkeypatch.setattr(architecture, "NODE_ROOMS", [*NODE_ROOMS, "helpers"])
-    monkeypatch.setattr(architecture, "DOORS", architecture.DOORS | {"viser": "viewer/"})
+    monkeypatch.setattr(architecture, "DOORS", architecture.DOORS | {"viser": ("viewer/",)})
     monkeypatch.setattr(architecture, "EVERYWHERE", architecture.EVERYWHERE | {"scipy"})
     assert architecture.nothing_is_named_that_does_not_exist(house) == [
         "SHELVES names bag",

@@ -9,6 +9,7 @@ import ast
 import importlib
 import json
 import os
+import shutil
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -54,7 +55,7 @@ def files_beside_the_facades(folder: Path) -> Iterator[str]:
 
 
 def more_than_handing_on(folder: Path) -> Iterator[str]:
-    """A façade's statements are a docstring, imports from the house, `__all__`, and the claim of its name."""
+    """A façade's statements are a docstring, imports from the house, `__all__`, its claim, and what it defers."""
     for path in modules(folder):
         for node in ast.parse(path.read_text("utf-8")).body:
             if not hands_on(node):
@@ -62,6 +63,10 @@ def more_than_handing_on(folder: Path) -> Iterator[str]:
 
 
 def hands_on(node: ast.stmt) -> bool:
+    if ast.unparse(node) in {"from typing import TYPE_CHECKING", "TYPE_CHECKING = False"}:
+        return True
+    if isinstance(node, ast.If):
+        return defers(node)
     if isinstance(node, ast.ImportFrom):
         return (node.module or "").split(".")[0] in {"tfloom", "__future__"}
     if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
@@ -70,6 +75,45 @@ def hands_on(node: ast.stmt) -> bool:
         target = node.targets[0] if isinstance(node, ast.Assign) else node.target
         return ast.unparse(target) == "__all__"
     return isinstance(node, (ast.Expr, ast.Import))
+
+
+def defers(node: ast.If) -> bool:
+    """Return whether a statement imports for type checkers alone, and has a `__getattr__` for all others."""
+    otherwise = [ast.unparse(each).split("(")[0] for each in node.orelse]
+    return (
+        ast.unparse(node.test) == "TYPE_CHECKING"
+        and all(isinstance(each, ast.ImportFrom) for each in node.body)
+        and otherwise
+        in (
+            ["from tfloom.ros_modules import deferred", "__getattr__, __dir__ = deferred"],
+            ["from tfloom.ros_modules import submodules", "__getattr__ = submodules"],
+        )
+    )
+
+
+def deferred_otherwise_than_typed(folder: Path) -> Iterator[str]:
+    """What loads when it is named is what type checkers are shown: the same names, of the same homes."""
+    for path in modules(folder):
+        for node in ast.parse(path.read_text("utf-8")).body:
+            if not isinstance(node, ast.If) or not defers(node):
+                continue
+            imports = [each for each in node.body if isinstance(each, ast.ImportFrom)]
+            typed = {(alias.asname or alias.name, each.module) for each in imports for alias in each.names}
+            call = node.orelse[-1].value
+            if call.func.id == "deferred":
+                loaded = {(keyword.arg, keyword.value.value) for keyword in call.keywords}
+            else:
+                loaded = {(name, dotted(path, folder)) for name in submodules_of(path.parent)}
+            yield from (
+                f"{path.relative_to(folder)}: {name} of {home}" for name, home in sorted(typed ^ loaded)
+            )
+
+
+def submodules_of(package: Path) -> Iterator[str]:
+    for path in package.iterdir():
+        is_module = path.suffix == ".py" or (path / "__init__.py").is_file()
+        if is_module and not path.name.startswith("_"):
+            yield path.stem
 
 
 def names_that_are_missing(folder: Path) -> Iterator[str]:
@@ -92,10 +136,12 @@ RULES: list[Rule] = [
     not_typed_packages,
     files_beside_the_facades,
     more_than_handing_on,
+    deferred_otherwise_than_typed,
     names_that_are_missing,
 ]
 
 
+@pytest.mark.filterwarnings("ignore:importing 'qos_event'")
 @pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.__name__)
 def test_each_facade_keeps_the_rule(rule: Rule) -> None:
     assert modules(ROS_NAMES)
@@ -111,6 +157,26 @@ from tfloom.ros_guard import claim
 
 __all__ = ["claim"]
 '''
+
+
+DEFERRED = """\
+if TYPE_CHECKING:
+    from a import X as X
+    from b import Y as Y
+else:
+    from tfloom.ros_modules import deferred
+
+    __getattr__, __dir__ = deferred(__name__, X="a", Y="b")
+"""
+SUBMODULES = """\
+if TYPE_CHECKING:
+    from planted import gone as gone
+    from planted import more as more
+else:
+    from tfloom.ros_modules import submodules
+
+    __getattr__ = submodules("planted")
+"""
 
 
 @pytest.mark.parametrize(
@@ -130,6 +196,26 @@ __all__ = ["claim"]
         ),
         (more_than_handing_on, {"planted/more.py": "from . import x"}, "planted/more.py:1: from . import x"),
         (names_that_are_missing, {"planted/more.py": "__all__ = ['x']"}, "planted.more has no x"),
+        (
+            more_than_handing_on,
+            {"planted/more.py": "if TYPE_CHECKING:\n    import json\nelse:\n    json = None"},
+            "planted/more.py:1: if TYPE_CHECKING:",
+        ),
+        (
+            deferred_otherwise_than_typed,
+            {"planted/more.py": DEFERRED.replace('Y="b"', 'Y="b", Z="c"')},
+            "planted/more.py: Z of c",
+        ),
+        (
+            deferred_otherwise_than_typed,
+            {"planted/more.py": DEFERRED.replace("from b import Y as Y", "from b import Z as Y, Y as Z")},
+            "planted/more.py: Z of b",
+        ),
+        (
+            deferred_otherwise_than_typed,
+            {"planted/__init__.py": SUBMODULES, "planted/more.py": ""},
+            "planted/__init__.py: gone of planted",
+        ),
         (
             names_that_are_missing,
             {"planted/more.py": "import no_such"},
@@ -171,6 +257,26 @@ def test_mixture_with_a_real_ros_raises_with_the_origins(tmp_path: Path) -> None
     last = result.stderr.strip().splitlines()[-1]
     assert last.startswith("ImportError"), result.stderr
     assert str(tmp_path) in last, result.stderr
+
+
+def test_frozen_program_imports_the_facades_from_any_folder(tmp_path: Path) -> None:
+    """A frozen program has all modules in one folder, here that of a copied façade."""
+    shutil.copytree(ROS_NAMES / "rclpy", tmp_path / "rclpy")
+    code = "import sys; sys.frozen = True; import tf2_ros; print(sys.modules['rclpy'].__file__)"
+    result = python(code, PYTHONPATH=str(tmp_path))
+    assert result.stdout.startswith(str(tmp_path)), result.stderr
+    without = (
+        "import sys; sys.frozen = True; sys.path.pop(); from tfloom.ros_guard import claim; claim('tf2_ros')"
+    )
+    assert python(without).returncode == 0
+
+
+def test_mixture_with_a_real_ros_in_a_frozen_program_raises(tmp_path: Path) -> None:
+    (tmp_path / "rclpy").mkdir()
+    (tmp_path / "rclpy" / "__init__.py").write_text("def init(): ...\n")
+    result = python("import sys; sys.frozen = True; import tf2_ros", PYTHONPATH=str(tmp_path))
+    assert result.returncode == 1
+    assert f"'rclpy' comes from {tmp_path}" in result.stderr
 
 
 def test_use_ros_names_works_without_the_pth_file() -> None:

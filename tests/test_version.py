@@ -50,19 +50,20 @@ def test_version_is_printed_without_loading_the_rooms() -> None:
     assert not {"numpy", "importlib.metadata"} & set(loaded.splitlines())
 
 
-def test_version_is_in_the_metadata_of_both_distributions() -> None:
+def test_version_is_in_the_metadata_of_each_distribution() -> None:
     assert version("tfloom") == tfloom.__version__, "run `make setup`"
-    assert version("tfloom-ros2") == tfloom.__version__, "run `make setup`"
+    for beside in ("tfloom-ros2", "tfloom-interfaces"):
+        assert version(beside) == tfloom.__version__, "run `make setup`"
 
 
-def test_version_is_written_once_and_its_copy_matches() -> None:
-    own, beside = (
+def test_version_is_written_once_and_its_copies_match() -> None:
+    own, *beside = (
         re.findall(r'^version = "(.*)"$', path.read_text("utf-8"), re.MULTILINE)
-        for path in (ROOT / "pyproject.toml", ROOT / "packages" / "tfloom-ros2" / "pyproject.toml")
+        for path in (ROOT / "pyproject.toml", *(ROOT / "packages").glob("*/pyproject.toml"))
     )
     assert own == []
-    # Its sdist is built without tfloom's sources, so it can't read them.
-    assert beside == [tfloom.__version__]
+    # Their sdists are built without tfloom's sources, so they can't read them.
+    assert beside == [[tfloom.__version__]] * 2
 
 
 def test_classifiers_match_the_systems_in_the_readme() -> None:

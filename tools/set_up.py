@@ -31,14 +31,14 @@ from typing import Any
 ROOT = Path(__file__).resolve().parents[1]
 STAGES: dict[str, tuple[list[str], list[str]]] = {
     "demo": (["build"], []),
-    "test": (["test"], ["turtlesim", "transformations", "workspace"]),
+    "test": (["test"], ["turtlesim", "transformations", "workspace", "launch"]),
     "check": (["check"], []),
     "bench": (["bench"], []),
 }
 """The additions of each stage to the one before it: dependency groups, and extras of tfloom."""
 PACKAGE = ROOT / "src" / "tfloom"
-COMMAND = ROOT / "packages" / "tfloom-ros2"
-"""Installed in the stage `test`, because tests call `ros2`."""
+PACKAGES = ("tfloom-ros2", "tfloom-interfaces")
+"""Distributions in packages/, installed in the stage `test`, because tests call `ros2` and import nav2_msgs."""
 DDS = "cyclonedds"
 OLDEST = (3, 10)
 """The oldest Python that tfloom supports."""
@@ -256,8 +256,12 @@ class Environment:
                 ]
                 steps.append(("native", digest_of(settings, sources), self._compile))
             if name == "test":
-                sources = sorted(path for path in COMMAND.rglob("*") if path.suffix in {".py", ".toml"})
-                steps.append(("command", digest_of([], sources), self._install_command))
+                for package in PACKAGES:
+                    folder = ROOT / "packages" / package
+                    sources = sorted(
+                        path for path in folder.rglob("*") if path.is_file() and path.suffix != ".pyc"
+                    )
+                    steps.append((package, digest_of([], sources), partial(self._install, folder)))
         return steps
 
     def _download(self, stage: str, requirements: Sequence[str]) -> None:
@@ -288,8 +292,8 @@ class Environment:
         # Without build isolation, so that a second run compiles only the changed files.
         self.pip("install", *options, "--editable", str(ROOT))
 
-    def _install_command(self) -> None:
-        self.pip("install", "--no-deps", "--no-build-isolation", str(COMMAND))
+    def _install(self, folder: Path) -> None:
+        self.pip("install", "--no-deps", "--no-build-isolation", str(folder))
 
     def _read_record(self) -> dict[str, str]:
         with suppress(OSError, ValueError):

@@ -25,16 +25,16 @@ Gid to_gid(const nb::bytes& bytes) {
   return gid;
 }
 
-std::vector<ReadyQueue::Token> wait_for_tokens(ReadyQueue& queue, std::int64_t timeout_ns) {
+std::vector<ReadyQueue::Token> wait_for_tokens(ReadyQueue& queue, std::int64_t timeout_ns, bool quiet) {
   std::vector<ReadyQueue::Token> tokens;
-  if (queue.take(tokens)) return tokens;
+  if (queue.take(tokens, quiet)) return tokens;
   const Waker::Deadline deadline(timeout_ns);
   for (;;) {
     const SignalWakeup signals;  // before the check, so that a signal after it ends the wait
     if (PyErr_CheckSignals() != 0) throw nb::python_error();
     const ReleasedGil release;
     const auto left = deadline.left();
-    const auto outcome = queue.wait(left ? left->count() : -1, tokens, signals.fd());
+    const auto outcome = queue.wait(left ? left->count() : -1, tokens, quiet, signals.fd());
     if (outcome != ReadyQueue::Outcome::interrupted) return tokens;
   }
 }
@@ -69,7 +69,11 @@ void bind_core(nb::module_& m) {
             sink.push(view, info);
           },
           "data"_a, "source_stamp_ns"_a, "received_stamp_ns"_a, "publisher_gid"_a,
-          "Push one sample: encapsulation header and CDR, stamps [ns since epoch], 16 octets of gid.");
+          "Push one sample: encapsulation header and CDR, stamps [ns since epoch], 16 octets of gid.")
+      .def("notify", &Sink::notify, "queue"_a.none(), "token"_a, nb::keep_alive<1, 2>(),
+           "Post `token` to `queue` after a push, for waits with `quiet` only; None ends it.\n\n"
+           "Post at once if there was a push since `take_pushed`.")
+      .def("take_pushed", &Sink::take_pushed, "Return whether a sample was pushed since the last call.");
 
   nb::class_<SampleQueue, Sink>(m, "SampleQueue",
                                 "A sink that stores the newest samples until Python takes them.")
@@ -83,8 +87,8 @@ void bind_core(nb::module_& m) {
       .def(nb::init<>())
       .def("post", &ReadyQueue::post, "token"_a, nb::call_guard<ReleasedGil>(),
            "Post a token. A token that is posted again before it is taken is taken once.")
-      .def("wait", &wait_for_tokens, "timeout_ns"_a,
-           "Wait for tokens and take all of them, in order of first posting.\n\n"
+      .def("wait", &wait_for_tokens, "timeout_ns"_a, "quiet"_a = false,
+           "Wait for tokens and take all of them, in order of first posting; tokens of sinks only if `quiet`.\n\n"
            "Does not wait if the timeout is 0, and waits without limit if it is negative. Returns an empty list on a "
            "timeout. Releases the GIL. A signal's Python handler runs at once, and its exception is raised here.");
 }

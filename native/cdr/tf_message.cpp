@@ -77,6 +77,7 @@ void TfSink::insert(std::span<const std::byte> data) {
     return;
   }
   buffer_->set(entries, authority_, is_static_);
+  signal_push();
 }
 
 }  // namespace tfloom::cdr

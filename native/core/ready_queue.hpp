@@ -19,19 +19,28 @@ class ReadyQueue {
 
   void post(Token token);
 
-  // Move all posted tokens, in order of first posting, into `tokens`. Return false if there are none.
-  bool take(std::vector<Token>& tokens);
+  // Post a token for waits with `quiet` only; other waits neither wake nor take it.
+  void post_quietly(Token token);
 
-  // Move all posted tokens, in order of first posting, into `tokens`. If there are none, wait for the first one: up to
-  // `timeout_ns`, or without limit if that is negative. `interrupted`, `interrupt_fd`: see Waker::wait.
-  Outcome wait(std::int64_t timeout_ns, std::vector<Token>& tokens, int interrupt_fd = -1);
+  // Remove a token that was posted quietly, unless it was taken.
+  void withdraw(Token token);
+
+  // Move all posted tokens, in order of first posting, into `tokens`, and with `quiet` also those posted quietly. Return
+  // false if there are none.
+  bool take(std::vector<Token>& tokens, bool quiet = false);
+
+  // Do as `take`; if there are none, wait for the first one: up to `timeout_ns`, or without limit if that is negative.
+  // `interrupted`, `interrupt_fd`: see Waker::wait.
+  Outcome wait(std::int64_t timeout_ns, std::vector<Token>& tokens, bool quiet = false, int interrupt_fd = -1);
 
  private:
   std::mutex mutex_;
-  std::vector<Token> order_;  // guarded by mutex_, like the next two
+  std::vector<Token> order_;  // guarded by mutex_, like the next four
   std::unordered_set<Token> pending_;
-  bool is_waiting_ = false;  // the waiting thread found no token, and has not been woken since
-  Waker waker_;              // thread-safe by itself
+  std::vector<Token> quiet_;      // posted quietly: few, one for each sink
+  bool is_waiting_ = false;       // the waiting thread found no token, and has not been woken since
+  bool is_quiet_wanted_ = false;  // whether that wait, or the last one, takes quiet tokens
+  Waker waker_;                   // thread-safe by itself
 };
 
 }  // namespace tfloom

@@ -6,14 +6,18 @@
 namespace tfloom {
 
 void SampleQueue::push(std::span<const std::byte> data, const SampleInfo& info) noexcept {
+  try {
+    keep(data, info);
+    signal_push();
+  } catch (const std::bad_alloc&) {  // the sample is dropped, but counted
+  }
+}
+
+void SampleQueue::keep(std::span<const std::byte> data, const SampleInfo& info) {
   const std::lock_guard lock(mutex_);
   ++pushed_;
   if (depth_ == 0) return;
-  try {
-    samples_.push_back({{data.begin(), data.end()}, info});
-  } catch (const std::bad_alloc&) {
-    return;  // the sample is dropped, but counted
-  }
+  samples_.push_back({{data.begin(), data.end()}, info});
   if (samples_.size() > depth_) samples_.pop_front();
 }
 

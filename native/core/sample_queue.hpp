@@ -26,6 +26,8 @@ class SampleQueue : public Sink {
   [[nodiscard]] std::uint64_t pushed() const;  // number of samples pushed since construction
 
  private:
+  void keep(std::span<const std::byte> data, const SampleInfo& info);
+
   mutable std::mutex mutex_;
   const std::size_t depth_;
   std::deque<Sample> samples_;  // guarded by mutex_, like the next

@@ -2,9 +2,13 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <span>
+
+#include "core/ready_queue.hpp"
 
 namespace tfloom {
 
@@ -28,6 +32,23 @@ class Sink {
   // may be the one that receives all samples of the process; calls into Python are deferred
   // (core/deferred_queue.hpp).
   virtual void push(std::span<const std::byte> data, const SampleInfo& info) noexcept = 0;
+
+  // Post `token` quietly after a push, at once if there was one since `take_pushed`; nullptr ends it.
+  void notify(ReadyQueue* queue, ReadyQueue::Token token);
+
+  // Return whether a sample was pushed since the last call.
+  [[nodiscard]] bool take_pushed() { return is_pushed_.exchange(false); }
+
+ protected:
+  // Called by `push` once the effect of the sample is visible. Acquires no lock between two calls of `take_pushed`, but
+  // for the first push.
+  void signal_push();
+
+ private:
+  std::atomic<bool> is_pushed_ = false;
+  std::mutex mutex_;
+  ReadyQueue* queue_ = nullptr;  // guarded by mutex_, like the next
+  ReadyQueue::Token token_ = 0;
 };
 
 }  // namespace tfloom

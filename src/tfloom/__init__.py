@@ -20,9 +20,19 @@ _ROS_NAMES = os.path.join(os.path.dirname(__file__), "ros_names")  # noqa: PTH11
 def use_ros_names() -> None:
     """Put `rclpy`, `tf2_ros`, `geometry_msgs` and the other ROS names last on `sys.path`.
 
+    Packages on AMENT_PREFIX_PATH that hold definitions can be imported, too, if nothing else has their names.
+
     Needed only where Python did not read `tfloom.pth` from site-packages: under `-S`, after `pip install
     --target`, or in a notebook whose kernel has been running since before the install. Calling it again does
     nothing.
     """
-    if _ROS_NAMES not in sys.path:
-        sys.path.append(_ROS_NAMES)
+    from importlib.machinery import PathFinder
+
+    from tfloom.ros_finder import install
+
+    folders = [_ROS_NAMES]
+    extra = PathFinder.find_spec("tfloom_interfaces")
+    if extra is not None and extra.origin:
+        folders.append(os.path.join(os.path.dirname(extra.origin), "ros_names"))  # noqa: PTH118, PTH120
+    sys.path += [folder for folder in folders if folder not in sys.path]
+    install()

@@ -25,6 +25,16 @@ class Sink:
         Push one sample: encapsulation header and CDR, stamps [ns since epoch], 16 octets of gid.
         """
 
+    def notify(self, queue: ReadyQueue | None, token: int) -> None:
+        """
+        Post `token` to `queue` after a push, for waits with `quiet` only; None ends it.
+
+        Post at once if there was a push since `take_pushed`.
+        """
+
+    def take_pushed(self) -> bool:
+        """Return whether a sample was pushed since the last call."""
+
 class SampleQueue(Sink):
     """A sink that stores the newest samples until Python takes them."""
 
@@ -50,9 +60,9 @@ class ReadyQueue:
         Post a token. A token that is posted again before it is taken is taken once.
         """
 
-    def wait(self, timeout_ns: int) -> list[int]:
+    def wait(self, timeout_ns: int, quiet: bool = False) -> list[int]:
         """
-        Wait for tokens and take all of them, in order of first posting.
+        Wait for tokens and take all of them, in order of first posting; tokens of sinks only if `quiet`.
 
         Does not wait if the timeout is 0, and waits without limit if it is negative. Returns an empty list on a timeout. Releases the GIL. A signal's Python handler runs at once, and its exception is raised here.
         """

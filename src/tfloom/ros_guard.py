@@ -6,7 +6,7 @@ import os
 import sys
 from importlib.machinery import PathFinder
 
-__all__ = ["claim"]
+__all__ = ["claim", "serves_rclpy"]
 
 _ROS_NAMES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ros_names") + os.sep  # noqa: PTH100, PTH118, PTH120  # pathlib takes longer to import than all the rest here
 
@@ -14,7 +14,7 @@ _ROS_NAMES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ros_names
 def claim(name: str) -> None:
     """Check that `rclpy` is tfloom's too, so that a façade that needs it can be imported.
 
-    Each façade calls this before its other imports. It imports nothing.
+    Each façade calls this before its other imports. It imports nothing, except `rclpy` in a frozen program.
 
     Args:
         name: The façade's own name, for the text of the error.
@@ -23,9 +23,9 @@ def claim(name: str) -> None:
         ImportError: `rclpy` is, or would be, imported from elsewhere, because a real ROS and tfloom in one program have
             incompatible nodes and messages.
     """
-    where = _origin("rclpy")
-    if where is not None and os.path.abspath(where).startswith(_ROS_NAMES):  # noqa: PTH100
+    if serves_rclpy():
         return
+    where = _origin("rclpy")
     if where is None:
         advice = "call `tfloom.use_ros_names()` first"
     else:
@@ -33,6 +33,27 @@ def claim(name: str) -> None:
     raise ImportError(
         f"'{name}' would come from tfloom, but 'rclpy' comes from {where or 'nowhere'}: {advice}.", name=name
     )
+
+
+def serves_rclpy() -> bool:
+    """Return whether `rclpy` is, or would be, imported from tfloom; in a frozen program, also if there is none."""
+    if getattr(sys, "frozen", False):
+        return _is_frozen_rclpy_ours()
+    where = _origin("rclpy")
+    return where is not None and os.path.abspath(where).startswith(_ROS_NAMES)  # noqa: PTH100
+
+
+def _is_frozen_rclpy_ours() -> bool:
+    """Return whether the `rclpy` of a frozen program, if any, is tfloom's.
+
+    PyInstaller and its like put all modules into one folder, so that the path of `rclpy` is the same for each ROS. But
+    its `init` is defined in tfloom if the façade was frozen.
+    """
+    try:
+        rclpy = __import__("rclpy")
+    except ModuleNotFoundError:
+        return True
+    return getattr(getattr(rclpy, "init", None), "__module__", "").startswith("tfloom.")
 
 
 def _origin(name: str) -> str | None:

@@ -1,26 +1,70 @@
-"""Submodules of a façade that are imported on first use, as `rclpy.time.Time()` after `import rclpy` alone.
+"""Imports of a façade on first use: submodules, and names whose modules the façade's other imports do not load.
 
-In the original they are there because its modules import one another; these façades import tfloom's rooms instead.
+After `import rclpy` alone, `rclpy.time.Time()` works in the original, because its modules import one another. For the
+same reason `rclpy.client` has `Clock`, and programs import it from there. The façades import tfloom's rooms instead.
+They defer such imports until first use, because `import rclpy` would be slower otherwise.
+
+A façade has the deferred names twice: as imports under `if TYPE_CHECKING:`, for type checkers, and in the `else:` as
+`__getattr__, __dir__ = deferred(__name__, Clock="tfloom.node.clock.clock")`.
 """
 
 from __future__ import annotations
 
-from importlib import import_module
-from types import ModuleType
+import sys
 
-__all__ = ["rclpy_module"]
+TYPE_CHECKING = False  # neither typing nor importlib is imported, because the messages alone need neither
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from types import ModuleType
+    from typing import Any
+
+__all__ = ["deferred", "submodules"]
 
 
-def rclpy_module(name: str) -> ModuleType:
-    """Import and return the module `rclpy.<name>`: the `__getattr__` of the façade `rclpy`.
+def submodules(package: str) -> Callable[[str], ModuleType]:
+    """Return the `__getattr__` of a package, which imports the submodule of a name.
 
-    Raises:
-        AttributeError: there is no such module.
+    It raises AttributeError where there is no such module.
+
+    Args:
+        package: Name of the package.
     """
-    if not name.startswith("_"):
-        try:
-            return import_module(f"rclpy.{name}")
-        except ModuleNotFoundError as error:
-            if error.name != f"rclpy.{name}":
-                raise
-    raise AttributeError(f"module 'rclpy' has no attribute {name!r}")
+
+    def load(name: str) -> ModuleType:
+        if not name.startswith("_"):
+            module = f"{package}.{name}"
+            try:
+                __import__(module)
+            except ModuleNotFoundError as error:
+                if error.name != module:
+                    raise
+            else:
+                return sys.modules[module]
+        raise AttributeError(f"module {package!r} has no attribute {name!r}")
+
+    return load
+
+
+def deferred(module: str, **homes: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
+    """Return a module's `__getattr__`, which imports the home of a name, and the `__dir__` that lists these names.
+
+    The `__getattr__` raises AttributeError for any other name.
+
+    Args:
+        module: Name of the module.
+        homes: For each name, the module that has an object of this name.
+    """
+
+    def load(name: str) -> Any:
+        home = homes.get(name)
+        if home is None:
+            raise AttributeError(f"module {module!r} has no attribute {name!r}")
+        __import__(home)
+        found = getattr(sys.modules[home], name)
+        setattr(sys.modules[module], name, found)
+        return found
+
+    def names() -> list[str]:
+        return sorted({*vars(sys.modules[module]), *homes})
+
+    return load, names

@@ -78,3 +78,39 @@ def test_invalid_arguments_give_an_error_message() -> None:
     wrong = transcript.run("action", "send_goal", "/turtle1/rotate_absolute", "turtlesim/action/Rotate")
     assert wrong.text.startswith("The passed action type is invalid\n")
     assert transcript.run(*SEND, "{angle: 1}").text.endswith("RotateAbsolute_Goal has: theta")
+
+
+LISTS = """\
+Waiting for an action server to become available...
+Sending goal:
+     order: 2
+
+Goal accepted with ID: #
+
+Feedback:
+    sequence:
+- #
+
+Feedback:
+    sequence:
+- #
+- #
+
+Result:
+    sequence:
+- #
+- #
+- #
+
+Goal finished with status: SUCCEEDED"""
+
+
+def test_the_acceptance_comes_first_and_lists_as_the_reference_prints_them(
+    domain_id: int, start_program: Callable[..., object], deviations: dict[str, dict[str, str]]
+) -> None:
+    assert "cli-goal-accepted-first" in deviations
+    start_program("python", Path(__file__).with_name("a_counting_server.py")).wait_for("ready")
+    words = ("action", "send_goal", "-f", "/count", "example_interfaces/action/Fibonacci", "{order: 2}")
+    answer = transcript.run(*words)
+    assert masked(answer.text).replace("order: #", "order: 2") == LISTS
+    assert answer.exit_code == 0

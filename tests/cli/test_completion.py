@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import shlex
 import shutil
@@ -16,6 +17,12 @@ import transcript
 from test_usage import VERBS
 
 from tfloom.cli.completion import find_offer
+from tfloom.cli.interfaces import action_class, fill_message, message_class, parse_yaml, service_class
+from tfloom.cli.prototype import prototype
+from tfloom.interfaces.geometry_msgs.msg import Vector3
+from tfloom.interfaces.std_msgs.msg import String
+from tfloom.rosidl.message import Message
+from tfloom.workspace.interfaces import known_interfaces
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="completion is a shell's")
 
@@ -51,7 +58,7 @@ def complete(line: str, tmp_path: Path) -> list[str]:
         ("tfloom run turtles", {"turtlesim"}),
         ("tfloom pkg prefix tf2_r", {"tf2_ros"}),
         ("tfloom interface show geometry_msgs/msg/TwistW", None),
-        ("tfloom interface package geo", {"geometry_msgs"}),
+        ("tfloom interface package geo", {"geographic_msgs", "geometry_msgs"}),
         ("tfloom topic pub /nobodys geometry_msgs/msg/Twist", None),
         ("tfloom service find std_srvs/srv/Em", {"std_srvs/srv/Empty"}),
         ("tfloom action send_goal /nobodys turtlesim/action/Rot", {"turtlesim/action/RotateAbsolute"}),
@@ -70,6 +77,67 @@ def test_verbs_and_names_are_completed(
         assert set(found) == offers
 
 
+TWIST = "{linear: {x: 0.0, y: 0.0, z: 0.0}, angular: {x: 0.0, y: 0.0, z: 0.0}}"
+PUB_TWIST = "tfloom topic pub -1 /nobodys geometry_msgs/msg/Twist "
+
+
+@pytest.mark.parametrize(
+    ("line", "offers"),
+    [
+        (PUB_TWIST, [f"'{TWIST}'"]),
+        (f"{PUB_TWIST}'", [TWIST]),
+        (f"{PUB_TWIST}'{{lin", [TWIST]),
+        (f"{PUB_TWIST}{{lin", [f"'{TWIST}'"]),
+        (f"{PUB_TWIST}{{ang", []),
+        ('tfloom topic pub /x std_msgs/msg/String "', [r"{data: \"\"}"]),
+        ("tfloom topic pub /x std_msgs/msg/Nope ", []),
+        ("tfloom topic pub /x std_msgs/msg/Empty ", ["'{}'"]),
+        ("tfloom service call /s turtlesim/srv/Spawn ", ["""'{x: 0.0, y: 0.0, theta: 0.0, name: ""}'"""]),
+        ("tfloom service call /s turtlesim/srv/Nope ", []),
+        ("tfloom action send_goal /a turtlesim/action/RotateAbsolute ", ["'{theta: 0.0}'"]),
+        ("tfloom action send_goal -f /a turtlesim/action/Nope ", []),
+    ],
+)
+def test_a_message_to_edit(
+    line: str, offers: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+    assert complete(line, tmp_path) == offers
+
+
+SENT: dict[str, Callable[[str], type[Message]]] = {
+    "msg": message_class,
+    "srv": lambda name: service_class(name).Request,
+    "action": lambda name: action_class(name).Goal,
+}
+"""The class of what is sent, by the kind of its interface."""
+
+
+@pytest.mark.parametrize("kind", SENT)
+def test_each_message_is_read_back_as_its_defaults(kind: str) -> None:
+    for name in known_interfaces(kind):
+        cls = SENT[kind](name)
+        message = cls()
+        text = prototype(message)
+        assert "\n" not in text
+        filled = cls()
+        fill_message(filled, parse_yaml(text))
+        assert filled == message, name
+
+
+def test_values_that_yaml_writes_its_own_way() -> None:
+    odd = Vector3(x=math.inf, y=-math.inf, z=1e-9)
+    filled = Vector3()
+    fill_message(filled, parse_yaml(prototype(odd)))
+    assert filled == odd
+    fill_message(filled, parse_yaml(prototype(Vector3(x=math.nan))))
+    assert math.isnan(filled.x)
+    text = String(data='it\'s \\ "two"\nlines: ü')
+    filled = String()
+    fill_message(filled, parse_yaml(prototype(text)))
+    assert filled == text
+
+
 def test_programs_of_a_workspace_are_completed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     program = tmp_path / "lib" / "my_pkg" / "my_program"
     marker = tmp_path / "share" / "ament_index" / "resource_index" / "packages" / "my_pkg"
@@ -81,7 +149,7 @@ def test_programs_of_a_workspace_are_completed(tmp_path: Path, monkeypatch: pyte
     assert complete("tfloom run my_pkg my", tmp_path) == ["my_program"]
 
 
-FREE = {"values", "goal", "value", "argv", "parameter_file"}
+FREE = {"value", "argv", "parameter_file", "folder", "launch_file_name", "launch_arguments"}
 
 
 @pytest.mark.parametrize("verb", VERBS)
@@ -182,19 +250,34 @@ def test_completion_works_in_bash(
         ("ros2 topic ech", "ros2 topic echo"),
         ("ros2 topic echo /my_to", "ros2 topic echo /my_topic"),
         ("ros2 topic pub /my_topic ", "ros2 topic pub /my_topic std_msgs/msg/Empty"),
+        ("ros2 topic pub /x std_msgs/msg/String '", """ros2 topic pub /x std_msgs/msg/String {data: ""}"""),
+        ("ros2 topic pub /x std_msgs/msg/String ", """ros2 topic pub /x std_msgs/msg/String {data: ""}"""),
+        (
+            "ros2 service call /x std_srvs/srv/SetBool ",
+            "ros2 service call /x std_srvs/srv/SetBool {data: false}",
+        ),
     ):
         wait_until(partial(is_completed, line, whole))
     type_keys("exit\n")
 
 
 @pytest.mark.skipif(not shutil.which("fish"), reason="needs fish")
-def test_completion_works_in_fish() -> None:
+@pytest.mark.parametrize(
+    ("line", "offers"),
+    [
+        ("tfloom run turtlesim turtlesim_n", ["turtlesim_node"]),
+        ("tfloom topic pub /x std_msgs/msg/String ", ['{data: ""}']),
+        ('tfloom topic pub /x std_msgs/msg/String "', ['{data: ""}']),
+        ("tfloom topic pub /x std_msgs/msg/String {da", []),
+    ],
+)
+def test_completion_works_in_fish(line: str, offers: list[str]) -> None:
     folder = transcript.PROGRAM.parent
     code = (
         f"set -x PATH '{folder}' $PATH; register-python-argcomplete --shell fish tfloom ros2 | source; "
-        "complete -C 'tfloom run turtlesim turtlesim_n'"
+        f"complete -C '{line}'"
     )
     done = subprocess.run(
         ["fish", "--no-config", "-c", code], capture_output=True, text=True, timeout=60, check=True
     )
-    assert done.stdout.split() == ["turtlesim_node"]
+    assert [offer.strip() for offer in done.stdout.splitlines()] == offers

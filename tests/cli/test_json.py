@@ -55,10 +55,13 @@ ELSEWHERE = {"service echo": "tests/cli/test_service.py"}
 WITHOUT = {
     **dict.fromkeys(["action send_goal", "service call", "topic pub", "demo", "run"], "does something"),
     **dict.fromkeys(
-        ["param delete", "param load", "param set", "lifecycle set", "pkg create"], "changes something"
+        ["param delete", "param load", "param set", "lifecycle set", "pkg create", "interface stubs"],
+        "changes something",
     ),
     **dict.fromkeys(["topic bw", "topic delay", "topic hz"], "reports until Ctrl-C"),
-    **dict.fromkeys(["daemon start", "daemon status", "daemon stop", "component"], "prints a sentence"),
+    **dict.fromkeys(
+        ["daemon start", "daemon status", "daemon stop", "component", "launch", "bag"], "prints a sentence"
+    ),
     **dict.fromkeys(
         ["interface proto", "interface show", "pkg prefix", "pkg xml"], "prints a text of its own form"
     ),

@@ -58,6 +58,20 @@ def test_lists_print_parameters_of_nodes() -> None:
     assert json.loads(transcript.run("param", "list", "--json").text)["/turtlesim"]["background_g"] is None
 
 
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("--param-prefixes", "start_type_description_service", "nope", "/turtlesim"),
+        ("/turtlesim", "--param-prefixes", "start_type_description_service"),
+    ],
+)
+def test_the_node_is_found_after_prefixes_too(
+    words: tuple[str, ...], deviations: dict[str, dict[str, str]]
+) -> None:
+    assert "param-prefixes-node" in deviations
+    assert transcript.run("param", "list", *words).text == "  start_type_description_service"
+
+
 @pytest.mark.usefixtures("turtlesim_to_change")
 def test_dump_can_be_loaded(tmp_path: Path) -> None:
     dumped = transcript.run("param", "dump", "/turtlesim").text

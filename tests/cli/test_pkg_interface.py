@@ -13,6 +13,7 @@ import pytest
 import transcript
 from tests.conftest import COLCON_PYTHON
 
+from tfloom.rosidl.definition_files import extra_prefix
 from tfloom.workspace import index
 
 
@@ -95,6 +96,31 @@ def test_turtlesim_programs_match_the_recording(deviations: dict[str, dict[str, 
     recorded = transcript.golden("pkg_executables")
     listed = transcript.run(*recorded.command).text.splitlines()
     assert [line for line in listed if line != "turtlesim multisim"] == recorded.text.splitlines()
+
+
+def test_packages_of_tfloom_interfaces_are_listed_as_our_own() -> None:
+    assert "nav2_msgs" in transcript.run("pkg", "list").text.splitlines()
+    prefix = transcript.run("pkg", "prefix", "nav2_msgs").text
+    assert prefix == str(extra_prefix())
+    share = Path(transcript.run("pkg", "prefix", "--share", "nav2_msgs").text)
+    assert (share / "action" / "NavigateToPose.action").is_file()
+    listed = transcript.run("interface", "list").text
+    assert "    nav2_msgs/action/NavigateToPose\n" in listed
+    assert "    vision_msgs/msg/Detection3D\n" in listed
+    shown = transcript.run("interface", "show", "map_msgs/msg/ProjectedMap").text
+    assert shown.startswith("nav_msgs/OccupancyGrid map\n\tstd_msgs/Header header\n")
+    assert transcript.run("interface", "proto", "nav2_msgs/action/Wait").text.startswith('"time:\n')
+
+
+def test_packages_with_definitions_and_no_marker_are_listed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "share" / "my_interfaces" / "msg"
+    folder.mkdir(parents=True)
+    (folder / "Ball.msg").write_text("float64 radius\n")
+    monkeypatch.setenv(index.PREFIX_PATH_VARIABLE, str(tmp_path))
+    assert transcript.run("interface", "package", "my_interfaces").text == "my_interfaces/msg/Ball"
+    assert transcript.run("interface", "show", "my_interfaces/Ball").text == "float64 radius"
 
 
 def test_packages_are_listed() -> None:

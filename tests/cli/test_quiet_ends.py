@@ -47,8 +47,11 @@ PRINTING = {
 }
 """A command line of each verb that prints on stdout."""
 SILENT = {
-    "component": "tells on stderr",
-    "param delete": "turtlesim's parameters can't be deleted, which it tells on stderr",
+    "bag": "prints on stderr",
+    "component": "prints on stderr",
+    "interface stubs": "no workspace with definitions is sourced, as it prints on stderr",
+    "param delete": "turtlesim's parameters can't be deleted, as it prints on stderr",
+    "launch": "prints on stderr",
     "pkg xml": "our own packages have no package.xml",
     "service echo": "turtlesim publishes no events",
     "topic delay": "no topic of turtlesim has a header",

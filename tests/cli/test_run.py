@@ -57,6 +57,31 @@ def test_misspelt_package_or_program_gives_the_nearest(add_program: Callable[...
         assert answer.text.startswith(said)
 
 
+def test_a_package_alone_lists_its_programs(
+    add_program: Callable[..., Path], capsys: pytest.CaptureFixture[str]
+) -> None:
+    for name in ("two", "one"):
+        add_program(name, "")
+    for words, hint in (
+        (("turtlesim",), f"turtlesim has: {', '.join(sorted(index.PROGRAMS['turtlesim']))}"),
+        (("my_pkg",), "my_pkg has: one, two"),
+        (("--prefix", "x", "my_pkg"), "my_pkg has: one, two"),
+        (("std_msgs",), "std_msgs has: no programs"),
+        (("turtlesm",), "Package 'turtlesm' not found\ndid you mean turtlesim "),
+        ((), "are required: package_name, executable_name, argv\n"),
+    ):
+        with pytest.raises(SystemExit, match="2"):
+            cli.main(["run", *words])
+        told = capsys.readouterr().err
+        assert told.startswith("usage: tfloom run [-h] [--prefix PREFIX] package_name executable_name ...\n")
+        assert hint in told
+
+
+def test_a_package_without_programs_is_found(capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["run", "std_msgs", "x"]) == 1
+    assert capsys.readouterr().err == "No executable found\n"
+
+
 @pytest.mark.parametrize("quote", ["", '"'])
 def test_script_whose_interpreter_path_has_a_space_runs(
     quote: str, add_program: Callable[..., Path], tmp_path: Path

@@ -17,7 +17,6 @@ USAGES: dict[str, str | None] = json.loads(
 
 NOT_HERE = {
     **dict.fromkeys(["component list", "component load"], "`component` says that it needs C++"),
-    "launch": "comes with launch files",
 }
 """Verbs that ros2 has and we don't, each with its reason."""
 
@@ -30,6 +29,7 @@ def parsers(parser: VerbParser) -> dict[str, VerbParser]:
     return {
         f"{word} {rest}".strip(): each
         for word, child in parser.words.items()
+        if child.prog.split()[-1] == word  # no alias
         for rest, each in parsers(child).items()
     }
 

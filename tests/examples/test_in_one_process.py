@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import re
 import threading
 from collections.abc import Callable, Iterator
@@ -207,6 +208,16 @@ def test_example_calls_a_service_while_a_thread_spins(load_example: Load, spin: 
     spin(load_example("services/add_server.py").AddServer(), node)
     assert client.wait_for_service(10.0)
     assert example.add_up(node, client, [1, 2, 3, 4]) == 10
+
+
+def test_example_calls_a_service_from_asyncio(
+    load_example: Load, spin: Callable[..., None], log: Log
+) -> None:
+    example = load_example("services/add_client_in_asyncio.py")
+    node = example.AddClientInAsyncio()
+    spin(load_example("services/add_server.py").AddServer(), node)
+    assert asyncio.run(example.work(node)) == 0
+    assert log.has(r"\[add_client_in_asyncio\]: 3 \+ 4 = 7", r"\[add_client_in_asyncio\]: In all 21")
 
 
 def test_example_sets_and_watches_parameters(

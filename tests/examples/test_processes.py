@@ -59,6 +59,13 @@ SPINNING: dict[str, dict[str, list[str]]] = {
             r"No news for the strict one: RELIABILITY doesn't fit$",
         ]
     },
+    "overridden": {
+        "qos/overrides.py": [
+            r"/frames\.publisher\.depth = 10$",
+            r"/frames\.publisher\.reliability = reliable$",
+            r"\[camera\]: Seen a frame$",
+        ]
+    },
     "logs": {"logs/levels.py": [r"Only the first time: 1$", r"Each second: (9|1\d)$"]},
 }
 
@@ -66,6 +73,11 @@ SPINNING: dict[str, dict[str, list[str]]] = {
 ENDING: dict[str, tuple[list[str], list[str], list[str]]] = {
     "wait once": (["topics/talker.py"], ["topics/wait_once.py"], [r"The next words: Hello \d+$"]),
     "call": (["services/add_server.py"], ["services/add_client.py"], [r"2 \+ 3 = 5$"]),
+    "call in asyncio": (
+        ["services/add_server.py"],
+        ["services/add_client_in_asyncio.py"],
+        [r"3 \+ 4 = 7$", r"In all 21$"],
+    ),
     "call in thread": (["services/add_server.py"], ["services/add_client_in_thread.py"], [r"In all 10$"]),
     "parameters": (
         ["parameters/thruster.py", "parameters/watch.py"],
@@ -81,6 +93,17 @@ ENDING: dict[str, tuple[list[str], list[str], list[str]]] = {
         ["actions/fibonacci_server.py"],
         ["actions/fibonacci_client.py", "--ros-args", "-p", "order:=30", "-p", "cancel_after:=2"],
         [r"That will do$", r"The goal was canceled: \[0, 1, 1, 2(, \d+)*\]$"],
+    ),
+    "navigation": (
+        ["navigation/fake_navigation.py"],
+        ["navigation/patrol.py"],
+        [
+            r"bt_navigator is active$",
+            r"[01]\.\d m to go to \(1\.0, 0\.0\)$",
+            r"(?s)The goal succeeded$.*The goal succeeded$.*The goal was canceled$",
+            r"The goal failed: the goal is beyond the map$",
+            r"After the shutdown, a goal is accepted: False$",
+        ],
     ),
     "lifecycle": (
         ["lifecycle/sensor.py"],
@@ -140,11 +163,13 @@ def test_finite_programs_end_with_their_output(scene: str, domain_id: int, start
     "path",
     [
         "services/add_client.py",
+        "services/add_client_in_asyncio.py",
         "services/add_client_in_thread.py",
         "topics/wait_once.py",
         "parameters/tune.py",
         "actions/fibonacci_client.py",
         "lifecycle/manager.py",
+        "navigation/patrol.py",
     ],
 )
 def test_waiting_program_ends_cleanly(
@@ -158,12 +183,42 @@ def test_waiting_program_ends_cleanly(
     assert "Traceback" not in program.output
 
 
+def test_parameters_override_the_quality_of_service(domain_id: int, start_program: Start) -> None:
+    words = ["--ros-args", "--params-file", EXAMPLES / "qos" / "overrides.yaml"]
+    words += ["-p", "qos_overrides./frames.publisher.reliability:=best_effort"]
+    camera = start_program("python", EXAMPLES / "qos" / "overrides.py", *words)
+    camera.wait_for("Seen a frame")
+    for line in (
+        "publisher.depth = 3",
+        "publisher.reliability = best_effort",
+        "subscription_viewer.depth = 10",
+    ):
+        assert f"/frames.{line}" in camera.output
+    info = start_program("ros2", "topic", "info", "--verbose", "/frames")
+    assert info.wait() == 0, info.output
+    publisher, subscription = info.output.split("Subscription count")
+    for policy in ("Reliability: BEST_EFFORT", "Durability: TRANSIENT_LOCAL"):
+        assert policy in publisher
+    for policy in ("Reliability: BEST_EFFORT", "Durability: VOLATILE"):
+        assert policy in subscription
+    end_well(signal.SIGINT, camera)
+
+
+def test_program_rejects_an_override(domain_id: int, start_program: Start) -> None:
+    words = ["--ros-args", "-p", "qos_overrides./frames.publisher.depth:=1000"]
+    camera = start_program("python", EXAMPLES / "qos" / "overrides.py", *words)
+    assert camera.wait() == 1
+    assert "The camera doesn't start" in camera.output
+    assert "more than 100 frames" in camera.output
+
+
 UNASKED = {"parameters/watch.py": "watch"}
 """The nodes of programs that the others don't wait for."""
 NODES = {
     "topics/wait_once.py": "waiter",
     "parameters/tune.py": "tuner",
     "lifecycle/manager.py": "manager",
+    "navigation/patrol.py": "navigator",
 }
 
 WATCH = """

@@ -1,6 +1,7 @@
 // Threads that post, wait, feed and cancel at once, as a wire's listeners, executors and readers do. Returns 0 if no
 // sample was lost, none was drained after its source had been cancelled, and all deferred work was run; the sanitizer
 // checks the rest.
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <memory>
@@ -64,9 +65,34 @@ class Reader {
   Feeder::Source source_{[this] { return drain(); }};
 };
 
+// One thread pushes into a sink; another waits for the sink's tokens, and detaches and attaches as executors do.
+void check_sink() {
+  ReadyQueue queue;
+  SampleQueue sink(1);
+  std::thread wire([&] {
+    const std::byte data[5]{};
+    for (int i = 0; i < samples; ++i) sink.push(data, {});
+  });
+  std::vector<ReadyQueue::Token> tokens;
+  std::uint64_t seen = 0;
+  for (ReadyQueue::Token token = 1; seen < samples; ++token) {
+    sink.notify(&queue, token);
+    for (int spins = 0; spins < 5 && seen < samples; ++spins) {
+      const auto outcome = queue.wait(10'000'000'000, tokens, true);
+      check(outcome == ReadyQueue::Outcome::ready, "a push woke no thread");
+      if (outcome != ReadyQueue::Outcome::ready) seen = samples;
+      for (const auto each : tokens) check(each == token, "a token came after it had been withdrawn");
+      if (sink.take_pushed()) seen = std::max(seen, sink.pushed());
+    }
+    sink.notify(nullptr, 0);
+  }
+  wire.join();
+}
+
 }  // namespace
 
 int main() {
+  check_sink();
   Feeder feeder;
   ReadyQueue queue;
   SampleQueue sink(10);

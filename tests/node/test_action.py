@@ -24,7 +24,7 @@ from tfloom.node.context.context import Context
 from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
-from tfloom.node.values.exceptions import NoTypeSupportImportedException, RCLError
+from tfloom.node.values.exceptions import RCLError
 
 Finish = Callable[[Future[Any]], Any]
 
@@ -247,8 +247,14 @@ def test_blocking_calls_work_with_threads(make_node: Callable[..., Node], contex
 def test_invalid_arguments_raise(node: Node, client: ActionClient) -> None:
     with pytest.raises(TypeError, match=r"Expected .*Fibonacci_Goal.*, got .*Fibonacci_Result"):
         client.send_goal_async(Fibonacci.Result())
-    with pytest.raises(NoTypeSupportImportedException):
+    with pytest.raises(
+        RuntimeError, match=r"The action type provided is not valid .*might be a message or service"
+    ):
         ActionClient(node, Fibonacci.Goal, "x")
+    with pytest.raises(
+        AttributeError, match=r"expected an action class, such as .*Fibonacci, got 5 of class int"
+    ):
+        ActionServer(node, 5, "x", print)
     with pytest.raises(TypeError, match="not callable"):
         ActionServer(node, Fibonacci, "x", 5)
     assert not client.wait_for_server(timeout_sec=0.01)

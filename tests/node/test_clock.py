@@ -69,6 +69,9 @@ def test_invalid_thresholds_and_callbacks_raise() -> None:
         JumpThreshold(min_forward=Duration(), min_backward=None)
     with pytest.raises(ValueError, match="negative"):
         JumpThreshold(min_forward=None, min_backward=Duration(seconds=1))
+    with pytest.raises(ValueError, match=r"^At least one jump threshold must be enabled$"):
+        JumpThreshold(min_forward=None, min_backward=None, on_clock_change=False)
+    assert JumpThreshold(min_forward=None, min_backward=None).on_clock_change
     with pytest.raises(ValueError, match="One of pre_callback or post_callback"):
         Clock().create_jump_callback(ANY)
     with pytest.raises(ValueError, match="post_callback must be callable"):

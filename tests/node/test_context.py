@@ -260,3 +260,12 @@ def test_node_creation_after_a_signal_raises_external_shutdown(context: Context)
     with pytest.raises(ExternalShutdownException, match="a signal has shut the context down") as caught:
         Node("late", context=context)
     assert isinstance(caught.value, NotInitializedException)
+
+
+def test_missing_init_raises_the_text_of_the_reference(context: Context) -> None:
+    with pytest.raises(NotInitializedException) as caught:
+        Node("early", context=Context())
+    assert str(caught.value) == "rclpy.init() has not been called. msg:cannot create node"
+    assert str(NotInitializedException()) == "rclpy.init() has not been called."
+    with pytest.raises(RuntimeError, match=r"^Context must be initialized before it can be shutdown$"):
+        Context().shutdown()

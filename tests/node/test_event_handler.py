@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from typing import Any
 
@@ -9,11 +10,14 @@ import pytest
 
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.node.executing.event_handler import (
+    EventHandler,
+    IncompatibleTypeInfo,
     PublisherEventCallbacks,
     QoSEventHandler,
     SubscriptionEventCallbacks,
     UnsupportedEventTypeError,
 )
+from tfloom.node.executing.event_types import QoSPublisherEventType, QoSSubscriptionEventType
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import ReliabilityPolicy, qos_profile_best_available, qos_profile_sensor_data
@@ -134,3 +138,80 @@ def test_deprecated_name_of_event_handler_warns(node: Node) -> None:
 
         class Mine(QoSEventHandler):
             """A derived class of a program."""
+
+
+def test_handler_accepts_rclpys_event_type_and_a_handle(
+    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
+) -> None:
+    seen: list[Any] = []
+    publisher = node.create_publisher(String, "chatter", 10)
+    handler = EventHandler(
+        callback_group=node.default_callback_group,
+        callback=seen.append,
+        event_type=QoSPublisherEventType.RCL_PUBLISHER_MATCHED,
+        parent_impl=publisher.handle,
+    )
+    node.add_waitable(handler)
+    executor.add_node(node)
+    node.create_subscription(String, "chatter", print, 10)
+    spin_until(lambda: seen)
+    assert seen[0].current_count == 1
+    node.remove_waitable(handler)
+    with pytest.raises(ValueError, match="is no waitable of this node"):
+        node.remove_waitable(handler)
+    assert handler.event_type is QoSPublisherEventType.RCL_PUBLISHER_MATCHED
+
+
+@pytest.mark.parametrize(
+    ("event_type", "error", "text"),
+    [
+        (QoSPublisherEventType.RCL_PUBLISHER_INCOMPATIBLE_TYPE, UnsupportedEventTypeError, "another type"),
+        (
+            QoSSubscriptionEventType.RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE,
+            UnsupportedEventTypeError,
+            "another type",
+        ),
+        (4, TypeError, "QoSPublisherEventType or QoSSubscriptionEventType, not 4"),
+    ],
+)
+def test_handler_names_the_event_that_it_cannot_watch(
+    node: Node, event_type: Any, error: type[Exception], text: str
+) -> None:
+    publisher = node.create_publisher(String, "chatter", 10)
+    with pytest.raises(error, match=text):
+        EventHandler(
+            callback_group=node.default_callback_group,
+            callback=print,
+            event_type=event_type,
+            parent_impl=publisher.handle,
+        )
+
+
+def test_event_types_have_rclpys_numbers() -> None:
+    # as in a real Jazzy: rclpy.event_handler.QoSPublisherEventType.__members__
+    assert {each.name: int(each) for each in QoSPublisherEventType} == {
+        "RCL_PUBLISHER_OFFERED_DEADLINE_MISSED": 0,
+        "RCL_PUBLISHER_LIVELINESS_LOST": 1,
+        "RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS": 2,
+        "RCL_PUBLISHER_INCOMPATIBLE_TYPE": 3,
+        "RCL_PUBLISHER_MATCHED": 4,
+    }
+    assert {each.name: int(each) for each in QoSSubscriptionEventType} == {
+        "RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED": 0,
+        "RCL_SUBSCRIPTION_LIVELINESS_CHANGED": 1,
+        "RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS": 2,
+        "RCL_SUBSCRIPTION_MESSAGE_LOST": 3,
+        "RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE": 4,
+        "RCL_SUBSCRIPTION_MATCHED": 5,
+    }
+    assert IncompatibleTypeInfo(total_count=2, total_count_change=1).total_count_change == 1
+
+
+def test_deprecated_name_of_the_module_warns() -> None:
+    sys.modules.pop("rclpy.qos_event", None)
+    sys.modules.pop("tfloom.node.executing.qos_event", None)
+    with pytest.warns(UserWarning, match="importing 'qos_event' is deprecated; import 'event_handler'"):
+        import rclpy.qos_event
+    import rclpy.event_handler
+
+    assert rclpy.qos_event.PublisherEventCallbacks is rclpy.event_handler.PublisherEventCallbacks

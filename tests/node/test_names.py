@@ -88,10 +88,37 @@ def test_invalid_namespaces_are_rejected(name: str) -> None:
 
 
 def test_unknown_substitution_is_rejected() -> None:
-    with pytest.raises(InvalidTopicNameException, match=r"unknown substitution '\{robot\}'"):
+    with pytest.raises(InvalidTopicNameException, match=r"unknown substitution: \{robot\}"):
         expand_topic_name("/{robot}/x", "me", "/")
 
 
 def test_names_with_a_leading_underscore_are_hidden() -> None:
     assert topic_or_service_is_hidden("/a/_b/c")
     assert not topic_or_service_is_hidden("/a/b_")
+
+
+def test_repeated_slashes_have_the_text_of_the_reference() -> None:
+    with pytest.raises(InvalidTopicNameException) as topic:
+        validate_full_topic_name("/a//b")
+    with pytest.raises(InvalidNamespaceException) as namespace:
+        validate_namespace("/a//b")
+    assert (
+        str(topic.value)
+        == "Invalid topic name: topic name must not contain repeated '/':\n  '/a//b'\n      ^"
+    )
+    assert (
+        str(namespace.value)
+        == "Invalid namespace: namespace must not contain repeated '/':\n  '/a//b'\n      ^"
+    )
+
+
+def test_invalid_names_raise_a_value_error() -> None:
+    """The reference raises ValueError itself when it expands a name."""
+    for expand in (
+        lambda: expand_topic_name("a b", "me", "/"),
+        lambda: expand_topic_name("a", "m e", "/"),
+        lambda: expand_topic_name("a", "me", "x"),
+        lambda: validate_node_name(""),
+    ):
+        with pytest.raises(ValueError, match=r"Invalid (topic name|node name|namespace): "):
+            expand()

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from functools import partial
 
 import pytest
 
 from tfloom import _native
+from tfloom.interfaces.example_interfaces.action import Fibonacci
 from tfloom.interfaces.rcl_interfaces.msg import Log, SetParametersResult
 from tfloom.interfaces.std_msgs.msg import Int32, String
 from tfloom.interfaces.std_srvs.srv import SetBool
@@ -19,7 +21,6 @@ from tfloom.node.qos.qos_overriding_options import InvalidQosOverridesError, QoS
 from tfloom.node.values.exceptions import (
     InvalidHandle,
     NotInitializedException,
-    NoTypeSupportImportedException,
     RCLError,
 )
 from tfloom.node.values.names import (
@@ -27,6 +28,8 @@ from tfloom.node.values.names import (
     InvalidNodeNameException,
     InvalidTopicNameException,
 )
+from tfloom.node.values.serialization import deserialize_message
+from tfloom.node.values.type_support import check_for_type_support
 from tfloom.node.wait_for_message import wait_for_message
 from tfloom.rosidl import cdr
 
@@ -132,12 +135,50 @@ def test_sink_receives_the_bytes_and_no_callback_runs(node: Node, executor: Sing
     assert cdr.decode(String, data).data == "x"
 
 
-@pytest.mark.parametrize("bad", [5, None, str, "std_msgs/msg/String"])
-def test_only_message_classes_are_accepted_as_types(node: Node, bad: object) -> None:
-    with pytest.raises(NoTypeSupportImportedException):
+@pytest.mark.parametrize(
+    ("bad", "given"),
+    [
+        (5, "5 of class int"),
+        (None, "None of class NoneType"),
+        (str, "the class builtins.str"),
+        ("std_msgs/msg/String", "'std_msgs/msg/String' of class str"),
+        (String(data="x"), "std_msgs.msg.String(data='x') of class String"),
+    ],
+)
+def test_error_names_what_is_not_a_type(node: Node, bad: object, given: str) -> None:
+    text = f"expected a message class, such as std_msgs.msg.String, got {re.escape(given)}$"
+    with pytest.raises(AttributeError, match=text):
         node.create_publisher(bad, "chatter", 10)  # type: ignore[arg-type]
-    with pytest.raises(NoTypeSupportImportedException):
+    with pytest.raises(AttributeError, match=text):
         node.create_subscription(bad, "chatter", print, 10)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("bad", [SetBool, Fibonacci])
+def test_types_of_another_kind_are_rejected(node: Node, bad: type) -> None:
+    text = f"The message type provided is not valid ({bad}), this might be a service or action"
+    with pytest.raises(RuntimeError, match=f"^{re.escape(text)}$"):
+        node.create_publisher(bad, "chatter", 10)
+    with pytest.raises(RuntimeError, match=f"^{re.escape(text)}$"):
+        node.create_subscription(bad, "chatter", print, 10)
+    with pytest.raises(RuntimeError, match=f"^{re.escape(text)}$"):
+        deserialize_message(b"", bad)
+    check_for_type_support(bad)
+    with pytest.raises(AttributeError, match="expected a message or service class"):
+        check_for_type_support(int)
+
+
+@pytest.mark.parametrize("name", [1, None, b"chatter"])
+def test_names_must_be_str(node: Node, name: object) -> None:
+    for create in (
+        lambda: node.create_publisher(String, name, 10),
+        lambda: node.create_client(SetBool, name),
+        lambda: Node(name, context=node.context),
+        lambda: Node("x", namespace=1, context=node.context),
+    ):
+        with pytest.raises(
+            TypeError, match=r"a (topic name|service name|node name|namespace) must be a str, not"
+        ):
+            create()
 
 
 def test_publishing_invalid_messages_raises(node: Node) -> None:
@@ -150,7 +191,7 @@ def test_publishing_invalid_messages_raises(node: Node) -> None:
         node.create_publisher(String, "no topic", 10)
     with pytest.raises(TypeError, match="Expected QoSProfile or int"):
         node.create_publisher(String, "chatter", "10")  # type: ignore[arg-type]
-    with pytest.raises(ValueError, match="greater than or equal to 0"):
+    with pytest.raises(ValueError, match=r"^history depth must be greater than or equal to zero$"):
         node.create_publisher(String, "chatter", -1)
 
 

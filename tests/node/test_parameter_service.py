@@ -115,6 +115,21 @@ def test_parameter_file_is_loaded(
     assert remote.get_parameter("a.number").value == 3
     path.write_text("/**: {ros__parameters: {a: {number: 99}}}\n")
     assert not finish(client.load_parameter_file_atomically(str(path), use_wildcard=True)).result.successful
+    with pytest.raises(RuntimeError, match="Param file does not contain selected parameters"):
+        client.load_parameter_file(str(path))
+
+
+def test_load_file_of_other_nodes(
+    client: AsyncParameterClient, remote: Node, finish: Finish, tmp_path: Path
+) -> None:
+    path = tmp_path / "p.yaml"
+    other = "/somebody/else: {ros__parameters: {a: {number: 4}}}\n"
+    path.write_text(other)
+    assert finish(client.load_parameter_file(str(path))).results[0].successful
+    assert remote.get_parameter("a.number").value == 4
+    path.write_text("/*/remote: {ros__parameters: {a: {number: 5}}}\n" + other)
+    assert finish(client.load_parameter_file(str(path))).results[0].successful
+    assert remote.get_parameter("a.number").value == 5
 
 
 def test_logger_levels_are_read_and_set(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import array
 import math
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from tfloom.interfaces.rcl_interfaces.msg import (
     IntegerRange,
     ParameterDescriptor,
     ParameterEvent,
+    ParameterType,
     SetParametersResult,
 )
 from tfloom.node.builtin.parameter_event_handler import ParameterEventHandler
@@ -331,9 +333,103 @@ def test_parameters_are_read_from_a_file(tmp_path: Path) -> None:
     path = tmp_path / "p.yaml"
     path.write_text("/**: {ros__parameters: {w: 1}}\n/a: {ros__parameters: {x: {y: 2}}}\n")
     assert set(parameter_dict_from_yaml_file(str(path), True, ["/a"])) == {"w", "x.y"}
-    assert set(parameter_dict_from_yaml_file(str(path), target_nodes=["a"], namespace="n")) == {"n.x.y"}
-    with pytest.raises(RuntimeError, match="/b"):
+    assert set(parameter_dict_from_yaml_file(str(path), target_nodes=["a"], namespace="n.")) == {"n.x.y"}
+    text = r"^Param file does not contain parameters for /b,only for nodes: \['/\*\*', '/a'\] $"
+    with pytest.raises(RuntimeError, match=text):
         parameter_dict_from_yaml_file(str(path), target_nodes=["b"])
+    path.write_text("/**: {ros__parameters: {w: 1}}\n")
+    with pytest.raises(RuntimeError, match=r"^Param file does not contain selected parameters$"):
+        parameter_dict_from_yaml_file(str(path))
+
+
+def test_rules_for_a_node_override_the_wildcard(tmp_path: Path) -> None:
+    path = tmp_path / "p.yaml"
+    path.write_text("/a: {ros__parameters: {x: 2}}\n/**: {ros__parameters: {x: 1, y: 1}}\n")
+    found = parameter_dict_from_yaml_file(str(path), use_wildcard=True)
+    assert {name: each.value.integer_value for name, each in found.items()} == {"x": 2, "y": 1}
+
+
+REPEATED = """
+/**:
+  ros__parameters:
+    a: 1
+    n: {x: 1}
+/**:
+  ros__parameters:
+    b: 2
+    n: {y: 2}
+/**:
+  ros__parameters:
+    a: 3
+"""
+
+
+def test_repeated_node_names_are_merged(make_node: MakeNode, tmp_path: Path) -> None:
+    path = tmp_path / "p.yaml"
+    path.write_text(REPEATED)
+    node = make_node(
+        cli_args=["--ros-args", "--params-file", str(path)],
+        automatically_declare_parameters_from_overrides=True,
+    )
+    values = {name: node.get_parameter(name).value for name in ("a", "b", "n.x", "n.y")}
+    assert values == {"a": 3, "b": 2, "n.x": 1, "n.y": 2}
+    found = parameter_dict_from_yaml_file(str(path), use_wildcard=True)
+    assert {name: each.value.integer_value for name, each in found.items()} == values
+
+
+@pytest.mark.parametrize("text", [" ", "  ", "# x", "\n"])
+def test_text_without_a_value_is_unchanged(text: str) -> None:
+    value = get_parameter_value(text)
+    assert (value.type, value.string_value) == (4, text)
+
+
+STATIC_WITHOUT_VALUE = (
+    "^Cannot declare a statically typed parameter with default value of type PARAMETER_NOT_SET$"
+)
+
+
+@pytest.mark.parametrize("options", [{}, {"cli_args": ["--ros-args", "-p", "x:=5"]}])
+def test_typed_descriptor_without_a_value_is_rejected(
+    make_node: MakeNode, options: dict[str, object]
+) -> None:
+    node = make_node(**options)
+    typed = ParameterDescriptor(type=ParameterType.PARAMETER_INTEGER)
+    with pytest.raises(ValueError, match=STATIC_WITHOUT_VALUE):
+        node.declare_parameter("x", descriptor=typed)
+    with pytest.raises(ValueError, match=STATIC_WITHOUT_VALUE):
+        node.declare_parameter("x", None, ParameterDescriptor(read_only=True))
+    assert not node.has_parameter("x")
+    typed.dynamic_typing = True
+    assert node.declare_parameter("free", descriptor=typed).value is None
+    described = node.describe_parameter("free")
+    assert (described.name, described.type) == ("free", ParameterType.PARAMETER_NOT_SET)
+
+
+def test_type_and_dynamic_typing_are_exclusive(node: Node) -> None:
+    text = (
+        "When declaring parameter {x} passing a descriptor with`dynamic_typing=True` "
+        "is not allowed when the parameter type is provided"
+    )
+    with pytest.raises(ValueError, match=f"^{re.escape(text)}$"):
+        node.declare_parameter("x", Parameter.Type.INTEGER, ParameterDescriptor(dynamic_typing=True))
+
+
+def test_description_without_a_value_has_the_name(node: Node) -> None:
+    node.declare_parameter("typed", Parameter.Type.INTEGER)
+    with pytest.warns(UserWarning, match="only providing its name is deprecated"):
+        node.declare_parameter("bare")
+    typed, bare = node.describe_parameters(["typed", "bare"])
+    assert (typed.name, typed.type, typed.dynamic_typing) == ("typed", ParameterType.PARAMETER_INTEGER, False)
+    assert (bare.name, bare.type, bare.dynamic_typing) == ("bare", ParameterType.PARAMETER_NOT_SET, True)
+
+
+def test_static_parameters_cannot_be_undeclared_by_setting(node: Node) -> None:
+    node.declare_parameter("set", 1)
+    node.declare_parameter("unset", Parameter.Type.INTEGER)
+    for name in ("set", "unset"):
+        (result,) = node.set_parameters([Parameter(name)])
+        assert (result.successful, result.reason) == (False, "Static parameter cannot be undeclared")
+    assert node.get_parameter("set").value == 1
 
 
 def test_use_sim_time_of_a_wrong_type_raises(context: Context) -> None:

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import json
+from collections.abc import Callable
+from pathlib import Path
+
 import pytest
 
 from tfloom.node.qos.qos import (
@@ -15,6 +19,7 @@ from tfloom.node.qos.qos import (
     ReliabilityPolicy,
     qos_check_compatible,
     qos_profile_action_status_default,
+    qos_profile_best_available,
     qos_profile_parameter_events,
     qos_profile_rosout_default,
     qos_profile_sensor_data,
@@ -97,9 +102,53 @@ def test_presets_and_policies_have_short_names() -> None:
     assert QoSPresetProfiles.SENSOR_DATA.value is qos_profile_sensor_data
 
 
-def test_compatibility_check_names_the_policies() -> None:
-    assert qos_check_compatible(QoSProfile(depth=1), qos_profile_sensor_data) == (QoSCompatibility.OK, "")
-    compatibility, reason = qos_check_compatible(qos_profile_sensor_data, qos_profile_action_status_default)
-    assert compatibility is QoSCompatibility.ERROR
-    assert "reliability" in reason
-    assert "durability" in reason
+GOLDEN = Path(__file__).parents[1] / "golden" / "qos_compatible_jazzy.json"
+"""Recorded from a real rclpy 7.1: fields of the publisher's profile and of the subscription's, verdict, reasons."""
+POLICIES = {
+    "history": HistoryPolicy,
+    "reliability": ReliabilityPolicy,
+    "durability": DurabilityPolicy,
+    "liveliness": LivelinessPolicy,
+}
+
+
+def profile_of(fields: dict[str, str | int]) -> QoSProfile:
+    values = {
+        name: POLICIES[name][value] if name in POLICIES else Duration(nanoseconds=value)
+        for name, value in fields.items()
+    }
+    return QoSProfile(**{"depth": 1, **values})
+
+
+def test_compatibility_is_as_recorded() -> None:
+    rows = json.loads(GOLDEN.read_text("utf-8"))
+    assert {verdict for _, _, verdict, _ in rows} == {"OK", "WARNING", "ERROR"}
+    for offered, requested, verdict, reasons in rows:
+        answer = qos_check_compatible(profile_of(offered), profile_of(requested))
+        assert answer == (QoSCompatibility[verdict], reasons), (offered, requested)
+
+
+def test_best_available_durations_are_compatible(deviations: dict[str, dict[str, str]]) -> None:
+    assert "qos-best-available" in deviations
+    for one in (QoSProfile(depth=1, deadline=Duration(seconds=1)), qos_profile_sensor_data):
+        assert "deadline" not in qos_check_compatible(one, qos_profile_best_available)[1]
+        assert "deadline" not in qos_check_compatible(qos_profile_best_available, one)[1]
+
+
+@pytest.mark.parametrize(
+    "make", [lambda: QoSProfile(depth=0), lambda: setattr(QoSProfile(depth=1), "depth", 0)]
+)
+def test_depth_of_zero_warns_at_the_line_of_the_caller(make: Callable[[], object]) -> None:
+    text = (
+        "A zero depth with KEEP_LAST doesn't make sense; no data could be stored. "
+        "This will be interpreted as SYSTEM_DEFAULT"
+    )
+    with pytest.warns(UserWarning, match=f"^{text}$") as caught:
+        make()
+    assert [each.filename for each in caught] == [__file__]
+
+
+def test_depth_of_zero_is_allowed_without_keep_last() -> None:
+    assert QoSProfile(history=HistoryPolicy.KEEP_ALL, depth=0).depth == 0
+    assert QoSProfile(history=HistoryPolicy.SYSTEM_DEFAULT, depth=0).depth == 0
+    assert QoSProfile.from_wire(wire.QoS(depth=0)).depth == 0  # as a peer announces it

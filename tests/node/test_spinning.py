@@ -292,7 +292,7 @@ def test_callback_can_spin_its_own_executor(node: Node, executor: Executor) -> N
             executor.spin_until_future_complete(future, timeout_sec=10)
             outcome.append("done" if future.done() else "timeout")
         except RuntimeError as error:
-            outcome.append(str(error))
+            outcome.append(str(error).partition(",")[0])
 
     timer = node.create_timer(0.0, outer)
     node.create_timer(0.001, lambda: future.set_result(None), MutuallyExclusiveCallbackGroup())
@@ -302,7 +302,7 @@ def test_callback_can_spin_its_own_executor(node: Node, executor: Executor) -> N
     executor.shutdown(10)
     assert spinning.join() is None
     many = isinstance(executor, MultiThreadedExecutor)
-    assert outcome == ["Executor is already spinning, on another thread" if many else "done"]
+    assert outcome == ["Executor is already spinning" if many else "done"]
 
 
 def test_callback_can_spin_its_own_node_by_rclpy_functions(node: Node, context: Context) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import operator
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -61,12 +63,25 @@ def test_values_beyond_64_bits_raise() -> None:
 
 def test_times_of_different_clocks_are_incompatible() -> None:
     system, steady = Time(), Time(clock_type=ClockType.STEADY_TIME)
-    with pytest.raises(ValueError, match="different clock types"):
+    with pytest.raises(TypeError, match=r"^Can't subtract times with different clock types$"):
         system - steady
-    with pytest.raises(TypeError, match="different clock types"):
-        _ = system < steady
-    with pytest.raises(TypeError):
-        _ = system == 0
+    for compare in (operator.eq, operator.ne, operator.lt, operator.ge):
+        with pytest.raises(TypeError, match=r"^Can't compare times with different clock types$"):
+            compare(system, steady)
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [(Time(), 0), (Time(), None), (Time(), Duration()), (Duration(), Time()), (Duration(), 0)],
+)
+def test_other_types_are_unequal_and_have_no_order(left: object, right: object) -> None:
+    assert not left == right  # noqa: SIM201  # the operator itself
+    assert left != right
+    assert [left] != [right]
+    for symbol, compare in (("<", operator.lt), ("<=", operator.le), (">", operator.gt), (">=", operator.ge)):
+        names = f"'{type(left).__name__}' and '{type(right).__name__}'"
+        with pytest.raises(TypeError, match=f"^'{symbol}' not supported between instances of {names}$"):
+            compare(left, right)
 
 
 def test_reprs_and_strings() -> None:

@@ -139,3 +139,60 @@ def test_sample_queue_of_depth_0_counts() -> None:
 def test_a_gid_has_sixteen_octets() -> None:
     with pytest.raises(ValueError, match="publisher_gid must have 16 octets"):
         SampleQueue(1).push(b"data", 1, 2, GID[:15])
+
+
+def push(sink: SampleQueue) -> None:
+    sink.push(b"\0\1\0\0", 0, 0, GID)
+
+
+def test_sink_posts_for_quiet_waits() -> None:
+    queue, sink = ReadyQueue(), SampleQueue(5)
+    sink.notify(queue, 4)
+    push(sink)
+    push(sink)
+    assert queue.wait(0) == []
+    queue.post(9)
+    assert queue.wait(0, quiet=True) == [9, 4]
+    assert (sink.take_pushed(), sink.take_pushed()) == (True, False)
+    assert queue.wait(0, quiet=True) == []
+    push(sink)
+    assert queue.wait(-1, quiet=True) == [4]
+
+
+def test_sink_wakes_only_a_quiet_wait() -> None:
+    queue, sink = ReadyQueue(), SampleQueue(5)
+    sink.notify(queue, 4)
+    taken: list[list[int]] = []
+    waiter = threading.Thread(target=lambda: taken.extend([queue.wait(-1), queue.wait(-1, quiet=True)]))
+    waiter.start()
+    push(sink)
+    waiter.join(0.05)
+    assert taken == []
+    queue.post(1)
+    waiter.join(10)
+    assert taken == [[1], [4]]
+
+
+def test_push_wakes_a_quiet_wait() -> None:
+    queue, sink = ReadyQueue(), SampleQueue(5)
+    sink.notify(queue, 4)
+    taken: list[int] = []
+    waiter = threading.Thread(target=lambda: taken.extend(queue.wait(10_000_000_000, quiet=True)))
+    waiter.start()
+    waiter.join(0.05)
+    push(sink)
+    waiter.join(5)
+    assert taken == [4]
+
+
+def test_pushes_before_notify_are_posted_to_the_new_queue() -> None:
+    first, second, sink = ReadyQueue(), ReadyQueue(), SampleQueue(5)
+    push(sink)
+    sink.notify(first, 1)
+    sink.notify(None, 0)
+    assert first.wait(0, quiet=True) == []
+    sink.notify(second, 2)
+    assert second.wait(0, quiet=True) == [2]
+    assert sink.take_pushed()
+    sink.notify(first, 3)
+    assert first.wait(0, quiet=True) == []

@@ -162,6 +162,40 @@ def test_definitions_of_a_folder_are_defined(tmp_path: Path) -> None:
         define_folder(tmp_path)
 
 
+def test_folder_with_what_cannot_be_loaded(tmp_path: Path) -> None:
+    home = tmp_path / "my_msgs" / "msg"
+    home.mkdir(parents=True)
+    texts = {
+        "Broken": "int32 a\nint33 b\n",
+        "Uses": "Broken b\n",
+        "Sound": "int32 a\n",
+        "bad_name": "int32 a\n",
+    }
+    for name, text in texts.items():
+        (home / f"{name}.msg").write_text(text)
+    (home / "Bytes.msg").write_bytes(b"\xff")
+    (home / "Folder.msg").mkdir()
+    with pytest.warns(UserWarning, match="can't be loaded") as warned:
+        classes = define_folder(home.parent)
+    assert list(classes) == ["my_msgs/msg/Sound"]
+    broken = f"{home}/Broken.msg:2:1: 'int33' is neither a primitive type nor a message's name"
+    assert str(warned[0].message).splitlines() == [
+        f"5 of 6 definitions in {home.parent} can't be loaded:",
+        f"  my_msgs/msg/Broken: {broken}",
+        f"  my_msgs/msg/Bytes: {home}/Bytes.msg:1:1: octet 0xff isn't UTF-8 text",
+        f"  my_msgs/msg/Folder: [Errno 21] Is a directory: '{home}/Folder.msg'",
+        f"  my_msgs/msg/Uses: {broken}",
+        "  my_msgs/msg/bad_name: 'bad_name' is no interface name: letters and digits, the first a capital",
+    ]
+    assert warned[0].filename == __file__
+    for name in ("Broken", "Uses"):
+        with pytest.raises(LookupError):
+            get_message_class(f"my_msgs/msg/{name}")
+    (home / "Sound.msg").unlink()
+    with pytest.raises(ValueError, match=r"^5 of 5 definitions in .*\n  my_msgs/msg/Broken: .*:2:1: 'int33'"):
+        define_folder(home.parent)
+
+
 def test_definitions_of_a_sourced_workspace_are_found(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -209,3 +243,12 @@ def test_unknown_names_raise_with_the_nearest_name() -> None:
         with pytest.raises(LookupError) as raised:
             get_message_class(name)
         assert raised.value.args[0] == text
+
+
+def test_defaults_of_arrays_are_new_each_time() -> None:
+    text = "float64[2] pair [1.5, 2.5]\nint32[] some [1, 2]\nstring[] words ['a', 'b']"
+    cls = define("my_msgs/msg/Defaults", text)
+    assert cls.PAIR__DEFAULT.tolist() == [1.5, 2.5]
+    cls.SOME__DEFAULT.append(3)
+    cls.WORDS__DEFAULT.append("c")
+    assert (cls.SOME__DEFAULT.tolist(), cls.WORDS__DEFAULT) == ([1, 2], ["a", "b"])

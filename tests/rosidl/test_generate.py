@@ -30,7 +30,7 @@ def test_class_with_the_name_of_a_referenced_one() -> None:
     ours = parse_interface("other_msgs/Shape shape\nShape[2] pair", "my_msgs/msg/Holder")
     own = spec.Message("my_msgs/msg/Shape", (spec.Field("x", spec.Type("float64")),))
     specs = {each.name: each for each in (theirs, ours, own) if isinstance(each, spec.Message)}
-    source = generate.generate([ours, own], specs.__getitem__, home="")
+    source = generate.generate([ours, own], specs.__getitem__)
     assert "from other_msgs.msg import Shape as other_msgs_Shape" in source
     assert "shape: other_msgs_Shape" in source
     assert "pair: list[Shape]" in source

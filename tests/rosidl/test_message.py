@@ -104,6 +104,29 @@ def test_constants_are_on_class_and_instance() -> None:
     assert (PointField.FLOAT32, PointField().FLOAT32) == (7, 7)
 
 
+# As in a real Jazzy: every `…__DEFAULT` of these classes.
+DEFAULTS = {
+    "geometry_msgs/msg/Quaternion": {
+        "W__DEFAULT": 1.0,
+        "X__DEFAULT": 0.0,
+        "Y__DEFAULT": 0.0,
+        "Z__DEFAULT": 0.0,
+    },
+    "rcl_interfaces/msg/ParameterDescriptor": {"DYNAMIC_TYPING__DEFAULT": False, "READ_ONLY__DEFAULT": False},
+    "rcl_interfaces/msg/SetParametersResult": {},
+    "type_description_interfaces/msg/FieldType": {"TYPE_ID__DEFAULT": 0},
+    "type_description_interfaces/srv/GetTypeDescription_Request": {"INCLUDE_TYPE_SOURCES__DEFAULT": True},
+}
+
+
+@pytest.mark.parametrize("name", DEFAULTS)
+def test_defaults_are_on_class_and_instance(name: str) -> None:
+    cls = get_message_class(name)
+    for owner in (cls, cls()):
+        names = [each for each in dir(owner) if each.endswith("__DEFAULT")]
+        assert {each: getattr(owner, each) for each in names} == DEFAULTS[name]
+
+
 @pytest.mark.parametrize(
     "name",
     ["geometry_msgs/msg/TransformStamped", "sensor_msgs/msg/CameraInfo", "turtlesim/srv/Spawn_Request"],

@@ -11,10 +11,11 @@ import pytest
 import tfloom
 from tfloom.interfaces.geometry_msgs.msg import Twist
 from tfloom.interfaces.sensor_msgs.msg import CameraInfo
+from tfloom.interfaces.std_srvs.srv import SetBool
 from tfloom.interfaces.turtlesim.action import RotateAbsolute
 from tfloom.interfaces.turtlesim.srv import Spawn
 from tfloom.rosidl import definition, runtime, sources
-from tfloom.rosidl.definition_files import interface_names
+from tfloom.rosidl.definition_files import EXTRA_PACKAGES, interface_names
 
 
 def test_types_are_found_by_name() -> None:
@@ -43,16 +44,27 @@ def test_kinds_of_classes_are_recognised() -> None:
     assert runtime.is_action(RotateAbsolute)
 
 
-def test_interfaces_are_listed() -> None:
-    assert runtime.get_message_interfaces(["turtlesim"]) == {"turtlesim": ["msg/Color", "msg/Pose"]}
-    assert "std_srvs" not in runtime.get_message_interfaces()
-    assert runtime.get_action_interfaces(["turtlesim"]) == {"turtlesim": ["action/RotateAbsolute"]}
-    assert "srv/Spawn" in runtime.get_service_interfaces()["turtlesim"]
-    with pytest.raises(LookupError, match="Unknown package 'nope'"):
-        runtime.get_interfaces(["nope"])
-    with pytest.raises(LookupError, match="Could not find the interface 'turtlesim/msg/Nope'"):
-        runtime.get_interface_path("turtlesim/msg/Nope")
-    assert runtime.get_interface_path("turtlesim/msg/Pose").endswith("turtlesim/msg/Pose.msg")
+IN_THEIR_PACKAGES = {
+    "std_srvs/srv/SetBool": SetBool,
+    "std_srvs/srv/SetBool_Request": SetBool.Request,
+    "turtlesim/action/RotateAbsolute": RotateAbsolute,
+    "turtlesim/action/RotateAbsolute_Goal": RotateAbsolute.Goal,
+    "turtlesim/action/RotateAbsolute_FeedbackMessage": RotateAbsolute.Impl.FeedbackMessage,
+    "geometry_msgs/msg/Twist": Twist,
+}
+
+
+@pytest.mark.parametrize("name", IN_THEIR_PACKAGES)
+def test_classes_of_services_and_actions_are_imported_too(name: str) -> None:
+    named = runtime.get_namespaced_type(name)
+    assert runtime.import_message_from_namespaced_type(named) is IN_THEIR_PACKAGES[name]
+
+
+def test_what_cannot_be_imported() -> None:
+    with pytest.raises(ModuleNotFoundError, match="No module named 'nope'"):
+        runtime.import_message_from_namespaced_type(runtime.get_namespaced_type("nope/msg/Twist"))
+    with pytest.raises(AttributeError, match=r"module 'std_msgs\.msg' has no attribute 'Nope'"):
+        runtime.import_message_from_namespaced_type(runtime.get_namespaced_type("std_msgs/msg/Nope"))
 
 
 def test_slot_types_are_definition_objects() -> None:
@@ -109,6 +121,7 @@ def test_every_interface_has_a_facade(kind: str) -> None:
     tfloom.use_ros_names()
     for package in {name.split("/")[0] for name in interface_names(kind)}:
         facade = importlib.import_module(f"{package}.{kind}")
-        room = importlib.import_module(f"tfloom.interfaces.{package}.{kind}")
+        root = "tfloom_interfaces" if package in EXTRA_PACKAGES else "tfloom"
+        room = importlib.import_module(f"{root}.interfaces.{package}.{kind}")
         assert facade.__all__ == room.__all__
         assert all(getattr(facade, name) is getattr(room, name) for name in room.__all__)

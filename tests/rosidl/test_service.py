@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import pickle
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -16,6 +18,7 @@ from tfloom.interfaces.turtlesim import srv as turtlesim_srv
 from tfloom.interfaces.turtlesim.srv import Spawn
 from tfloom.interfaces.turtlesim_msgs.srv import Spawn as KiltedSpawn
 from tfloom.rosidl.registry import find_class
+from tfloom.rosidl.service import Service
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "jazzy_types.jsonl"
 HASHES = {each["type"]: each["type_hash"] for each in map(json.loads, GOLDEN.read_text("utf-8").splitlines())}
@@ -35,6 +38,20 @@ def test_service_has_request_response_and_event() -> None:
     assert pickle.loads(pickle.dumps(request)) == request
     assert KiltedSpawn._TYPE_NAME == "turtlesim_msgs/srv/Spawn"
     assert KiltedSpawn._TYPE_HASH != Spawn._TYPE_HASH
+
+
+def test_type_arguments_are_for_type_checkers_alone() -> None:
+    assert Spawn.__bases__ == (Service,)
+    assert Service[Spawn.Request, Spawn.Response] is Service
+    assert not hasattr(Service, "Request")
+    loads = (
+        "import sys; before = {*sys.modules}; import tfloom.rosidl.service; print({*sys.modules} - before)"
+    )
+    run = subprocess.run(
+        [sys.executable, "-c", loads], capture_output=True, text=True, timeout=60, check=True
+    )
+    assert "'tfloom.rosidl.service'" in run.stdout
+    assert "'typing'" not in run.stdout
 
 
 def test_action_has_goal_result_and_feedback() -> None:

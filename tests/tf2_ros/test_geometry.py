@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import subprocess
+import sys
 from copy import deepcopy
 from typing import Any
 
@@ -17,6 +19,7 @@ from tfloom.node.values.time import Time
 from tfloom.tf2_ros import geometry
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.buffer_interface import (
+    CONVERSIONS,
     BufferInterface,
     ConvertRegistration,
     NotImplementedException,
@@ -171,6 +174,46 @@ def test_zero_quaternion_is_the_identity() -> None:
 def test_unregistered_type_raises(buffer: Buffer) -> None:
     with pytest.raises(TypeException, match="is not loaded or supported"):
         buffer.transform(5, "B")
+
+
+def unregistered_types(imported: str, *types: str) -> list[str]:
+    """Return the notes of `transform` of each type in a program that has imported `imported` beside tf2_ros."""
+    lines = [
+        f"import tf2_ros, {imported}, geometry_msgs.msg, sensor_msgs.msg",
+        f"for message_class in ({''.join(f'{each}, ' for each in types)}):",
+        "    try:",
+        "        tf2_ros.Buffer().transform(message_class(), 'map')",
+        "    except tf2_ros.TypeException as error:",
+        "        print(error, getattr(error, '__notes__', []))",
+    ]
+    done = subprocess.run(
+        [sys.executable, "-c", "\n".join(lines)], capture_output=True, text=True, check=True
+    )
+    return [line.partition(" is not loaded or supported ")[2] for line in done.stdout.splitlines()]
+
+
+def test_what_is_not_registered_names_the_import() -> None:
+    types = ("geometry_msgs.msg.PointStamped", "geometry_msgs.msg.Pose", "sensor_msgs.msg.PointCloud2")
+    cloud = "add `import tf2_sensor_msgs`, which registers the conversions of sensor_msgs"
+    register = "add `import tf2_geometry_msgs`, which registers the conversions of geometry_msgs"
+    stamped = "a Pose has no frame: transform a PoseStamped"
+    assert unregistered_types("math", *types, "sensor_msgs.msg.Imu") == [
+        f"['{register}']",
+        f"['{stamped}, and {register}']",
+        f"['{cloud}']",
+        "[]",
+    ]
+    assert unregistered_types("tf2_geometry_msgs", *types[1:]) == [f"['{stamped}']", f"['{cloud}']"]
+
+
+def test_the_imports_that_are_named_register_these_types() -> None:
+    for module, types in CONVERSIONS.items():
+        code = (
+            f"import {module}; from tfloom.tf2_ros.buffer_interface import TransformRegistration as T, _ros_name;"
+            "print(*('/'.join(_ros_name(each)) for each in T._functions))"
+        )
+        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+        assert types <= set(done.stdout.split())
 
 
 def test_interface_methods_raise() -> None:

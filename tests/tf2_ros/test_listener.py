@@ -6,17 +6,23 @@ import gc
 import threading
 import time
 import weakref
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import suppress
 
 import pytest
+from tests.conftest import wait_until
 from tests.tf2_ros.conftest import SECOND, transform_stamped
 
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.interfaces.tf2_msgs.srv import FrameGraph
-from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.executing.events_executor import EventsExecutor
+from tfloom.node.executing.executor import Executor
+from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
+from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from tfloom.node.values.duration import Duration
+from tfloom.node.values.exceptions import ExternalShutdownException
 from tfloom.node.values.time import Time
 from tfloom.rmw.base import Topic
 from tfloom.tf2.errors import LookupException
@@ -113,6 +119,105 @@ def test_lookup_can_wait_in_a_callback_of_a_single_threaded_executor(node: Node)
     assert time.monotonic() - start < 20
     sender.join()
     executor.shutdown()
+
+
+@pytest.fixture
+def executor(node: Node) -> Iterator[SingleThreadedExecutor]:
+    with SingleThreadedExecutor(context=node.context) as executor:
+        executor.add_node(node)
+        yield executor
+
+
+def send_soon(broadcaster: TransformBroadcaster) -> None:
+    threading.Timer(0.05, broadcaster.sendTransform, [transform_stamped("map", "base", 5 * SECOND)]).start()
+
+
+def test_spin_once_returns_after_a_transform(node: Node, executor: SingleThreadedExecutor) -> None:
+    buffer = Buffer()
+    TransformListener(buffer, node)
+    broadcaster = TransformBroadcaster(node)
+    send_soon(broadcaster)
+    while not buffer.can_transform("map", "base", NOW):
+        executor.spin_once()
+
+
+def test_spin_once_returns_for_transforms_since_the_last_call(
+    node: Node, executor: SingleThreadedExecutor
+) -> None:
+    """As for a callback: also if the message was received before, or while the node was in no executor."""
+    buffer = Buffer()
+    TransformListener(buffer, node)
+    StaticTransformBroadcaster(node).sendTransform(transform_stamped("base", "laser", 0))
+    executor.remove_node(node)
+    executor.add_node(node)
+    executor.spin_once()
+    broadcaster = TransformBroadcaster(node)
+    broadcaster.sendTransform(transform_stamped("map", "base", 5 * SECOND))
+    executor.spin_once()
+    start = time.monotonic()
+    executor.spin_once(timeout_sec=0.05)  # for none
+    assert time.monotonic() - start >= 0.05
+
+
+def test_spin_once_inside_a_callback_returns_for_a_transform(
+    node: Node, executor: SingleThreadedExecutor
+) -> None:
+    buffer = Buffer()
+    TransformListener(buffer, node)
+    broadcaster = TransformBroadcaster(node)
+    seen: Future[bool] = Future()
+
+    def wait() -> None:
+        timer.cancel()
+        send_soon(broadcaster)
+        while not buffer.can_transform("map", "base", NOW):
+            executor.spin_once()
+        seen.set_result(True)
+
+    timer = node.create_timer(0.001, wait)
+    executor.spin_until_future_complete(seen, 30)
+    assert seen.done()
+
+
+@pytest.mark.parametrize("kind", [SingleThreadedExecutor, MultiThreadedExecutor, EventsExecutor])
+@pytest.mark.parametrize("spin", ["spin", "spin_until_future_complete"])
+def test_long_spins_do_not_wake_for_transforms(
+    node: Node, kind: type[Executor], spin: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    begun, ended = [], []
+    collect = kind._collect
+
+    def counted(self: Executor, *args: object, **options: object) -> bool:
+        begun.append(1)
+        has_response = collect(self, *args, **options)
+        ended.append(1)
+        return has_response
+
+    with kind(context=node.context) as executor:
+        executor.add_node(node)
+        buffer = Buffer()
+        TransformListener(buffer, node)
+        broadcaster = TransformBroadcaster(node)
+        broadcaster.sendTransform(transform_stamped("map", "base", SECOND))
+        done: Future[bool] = Future()
+        executor.spin_until_future_complete(done, 0.01)  # what was posted before
+        monkeypatch.setattr(kind, "_collect", counted)
+
+        def run() -> None:
+            with suppress(ExternalShutdownException):
+                getattr(executor, spin)(*([done] if spin != "spin" else []))
+
+        thread = threading.Thread(target=run)
+        thread.start()
+        wait_until(lambda: len(begun) > len(ended))
+        for stamp in range(1, 101):
+            broadcaster.sendTransform(transform_stamped("map", "base", stamp * SECOND))
+        assert len(ended) < 5
+        done.set_result(True)
+        node.context.try_shutdown()
+        thread.join(30)
+        assert not thread.is_alive()
+    assert buffer.get_latest_common_time("map", "base").nanoseconds == 100 * SECOND
 
 
 def test_timeout_raises_the_error_of_the_lookup() -> None:

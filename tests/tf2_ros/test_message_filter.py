@@ -162,11 +162,13 @@ def test_from_a_topic_by_the_nodes_executor(node: Node) -> None:
         target=broadcaster.sendTransform, args=(transform_stamped("map", "laser", 5 * SECOND),)
     )
     sender.start()
-    executor.spin_once(timeout_sec=30)
+    while not threads:  # the transform ends a spin_once, too
+        executor.spin_once(timeout_sec=30)
     assert threads == [threading.current_thread()]
     sender.join()
     waiting.add(point(SECOND, ""))
-    executor.spin_once(timeout_sec=30)
+    while not dropped:
+        executor.spin_once(timeout_sec=30)
     assert dropped == [FilterFailureReason.EmptyFrameID]
     executor.shutdown()
     listener.unregister()

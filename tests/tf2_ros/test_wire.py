@@ -150,6 +150,20 @@ while not answered:
 print("answered at last:", answered[0].result().child_frame_id, flush=True)
 """
 
+WAITER = """
+import rclpy
+from rclpy.node import Node
+from tf2_ros import Buffer, TransformListener
+
+rclpy.init()
+node = Node("waiter")
+buffer = Buffer(node=node)
+listener = TransformListener(buffer, node)
+while not buffer.can_transform("map", "laser", rclpy.time.Time()):
+    rclpy.spin_once(node)
+print("found", flush=True)
+"""
+
 
 @pytest.fixture
 def start(start_program: Callable[..., Program], domain_id: int) -> Callable[[str], Program]:
@@ -181,6 +195,12 @@ def test_listener_survives_hostile_bytes_and_a_killed_broadcaster(
     start(BROADCASTER)
     wait_until(lambda: count(listener, "x 3.0") > before + 5, what="transforms of the new broadcaster")
     assert listener.process.poll() is None
+
+
+def test_spin_once_without_a_timeout_returns_for_a_transform(start: Callable[[str], Program]) -> None:
+    waiter = start(WAITER)
+    start(BROADCASTER)
+    waiter.wait_for("found")
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="usleep")

@@ -5,10 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+import yaml
 from hypothesis import given
 from hypothesis import strategies as st
 
 from tfloom.tf2_tools.frame_records import FrameRecord, parse_frames_yaml, write_gv
+from tfloom.tf2_tools.view_frames import generate_dot
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
 CAMERA_YAML = (
@@ -61,3 +63,8 @@ def test_quotes_in_frame_ids_are_escaped() -> None:
 def test_a_cycle_has_a_legend_too() -> None:
     text = write_gv([CAMERA, CAMERA._replace(child="world", parent="camera")], 1.0)
     assert '}->"camera";' in text
+
+
+def test_the_graph_of_what_a_yaml_parser_read_is_the_same() -> None:
+    assert generate_dot(yaml.safe_load(CAMERA_YAML), (12, 500_000_000)) == write_gv([CAMERA], 12.5)
+    assert generate_dot({}, (0, 0)) == 'digraph G { "No tf data received" }'

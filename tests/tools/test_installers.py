@@ -12,6 +12,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 COMMAND = "./packages/tfloom-ros2"
+INTERFACES = "./packages/tfloom-interfaces"
 TIMEOUT_S = 600.0
 
 pytestmark = [
@@ -65,11 +66,17 @@ def expect_working(ros2: Path) -> None:
         assert expected in done.stdout, done.stdout + done.stderr
 
 
-def test_pip_installs_both_packages(clone: Path, tmp_path: Path) -> None:
+def test_pip_installs_all_three_packages(clone: Path, tmp_path: Path) -> None:
     subprocess.run([sys.executable, "-m", "venv", tmp_path / "venv"], check=True, timeout=TIMEOUT_S)
     python = tmp_path / "venv" / "bin" / "python"
-    run(tmp_path, python, "-m", "pip", "install", "--quiet", ".[all]", COMMAND, cwd=clone)
+    run(tmp_path, python, "-m", "pip", "install", "--quiet", ".[all]", COMMAND, INTERFACES, cwd=clone)
     expect_working(tmp_path / "venv" / "bin" / "ros2")
+    run(tmp_path, python, "-c", "from nav2_msgs.action import NavigateToPose; NavigateToPose.Goal()")
+    definition = tmp_path / "ws" / "share" / "my_interfaces" / "msg" / "Ball.msg"
+    definition.parent.mkdir(parents=True)
+    definition.write_text("float64 radius\n")
+    code = "from my_interfaces.msg import Ball; Ball(radius=1.0)"
+    run(tmp_path, python, "-c", code, cwd=tmp_path, AMENT_PREFIX_PATH=tmp_path / "ws")
 
 
 def test_uv_pip_installs_both_packages(tools: Path, clone: Path, tmp_path: Path) -> None:

@@ -52,7 +52,7 @@ def test_recording_without_pictures_writes_no_file(tmp_path: Path, ending: str) 
 
 
 def test_invalid_recording_raises_at_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    with pytest.raises(RecordingError, match=r"has to end in \.gif, \.webp, \.png or \.mp4"):
+    with pytest.raises(RecordingError, match=r"must end in \.gif, \.webp, \.png or \.mp4"):
         open_recorder(tmp_path / "out.txt")
     with pytest.raises(RecordingError, match="there is no folder"):
         open_recorder(tmp_path / "missing" / "out.gif")

@@ -1,18 +1,27 @@
-"""User programs with ROS's names pass mypy --strict, against an editable install and against a wheel."""
+"""User programs with ROS's names pass mypy --strict and pyright, against an editable install and against a wheel.
+
+pyright is run as basedpyright, which brings its JavaScript in wheels, with the rules that pyright has by default.
+"""
 
 from __future__ import annotations
 
+import json
+import re
 import subprocess
 import sys
 import sysconfig
 import venv
+from collections.abc import Iterable
 from pathlib import Path
 
 import pytest
+from docs import rclpy_api
+from tests.wheels import build_wheel
 
 pytestmark = pytest.mark.slow
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples"
+MISTAKES = Path(__file__).parent / "mistakes.py"
 PROGRAMS = [
     *sorted((Path(__file__).parent / "programs").glob("*.py")),
     *sorted(path for path in EXAMPLES.glob("*/*.py") if path.name != "setup.py"),
@@ -26,26 +35,34 @@ def mypy(python: Path, *programs: Path, cache: Path) -> subprocess.CompletedProc
     return subprocess.run(command, capture_output=True, text=True, timeout=300, cwd=cache, check=False)
 
 
+def pyright(python: Path, *programs: Path, folder: Path) -> list[str]:
+    """Return the errors that pyright finds, as `file:line: text`."""
+    (folder / "pyrightconfig.json").write_text('{"typeCheckingMode": "standard", "pythonVersion": "3.10"}')
+    command = [sys.executable, "-m", "basedpyright", "--outputjson", f"--pythonpath={python}"]
+    done = subprocess.run(
+        [*command, *map(str, programs)], capture_output=True, text=True, timeout=300, cwd=folder, check=False
+    )
+    report = json.loads(done.stdout)
+    assert report["summary"]["filesAnalyzed"] >= len(programs)
+    return [
+        f"{each['file']}:{each['range']['start']['line'] + 1}: {each['message']}"
+        for each in report["generalDiagnostics"]
+        if each["severity"] == "error"
+    ]
+
+
 @pytest.fixture(scope="session")
 def wheel_python(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Build a wheel, install it into a fresh environment, and return that environment's Python."""
+    """Build the wheels, install them into a fresh environment, and return that environment's Python."""
     folder = tmp_path_factory.mktemp("wheel")
-    pip = [sys.executable, "-m", "pip", "--disable-pip-version-check", "--quiet"]
-    build = [
-        "wheel",
-        "--no-deps",
-        "--no-build-isolation",
-        "--config-settings",
-        f"build-dir={folder}/build",
-        "-w",
-        str(folder),
+    wheels = [
+        build_wheel(folder / "tfloom"),
+        build_wheel(folder / "interfaces", ROOT / "packages" / "tfloom-interfaces"),
     ]
-    subprocess.run([*pip, *build, str(ROOT)], check=True, timeout=600)
     venv.create(folder / "venv", symlinks=True)
     python = folder / "venv" / Path(sysconfig.get_path("scripts")).name / "python"
-    (wheel,) = folder.glob("*.whl")
-    install = ["--python", str(python), "install", "--no-deps", str(wheel)]
-    subprocess.run([*pip, *install], check=True, timeout=300)
+    pip = [sys.executable, "-m", "pip", "--disable-pip-version-check", "--quiet", "--python", str(python)]
+    subprocess.run([*pip, "install", "--no-deps", *map(str, wheels)], check=True, timeout=300)
     return python
 
 
@@ -57,6 +74,60 @@ def test_programs_pass_against_the_editable_install(tmp_path: Path) -> None:
 def test_programs_pass_against_a_wheel(wheel_python: Path, tmp_path: Path) -> None:
     result = mypy(wheel_python, *PROGRAMS, cache=tmp_path)
     assert result.returncode == 0, result.stdout
+
+
+def test_programs_pass_pyright_against_the_editable_install(tmp_path: Path) -> None:
+    assert pyright(Path(sys.executable), *PROGRAMS, folder=tmp_path) == []
+
+
+def test_programs_pass_pyright_against_a_wheel(wheel_python: Path, tmp_path: Path) -> None:
+    assert pyright(wheel_python, *PROGRAMS, folder=tmp_path) == []
+
+
+def lines_of(found: Iterable[str]) -> list[int]:
+    """Return the lines of errors in the file of mistakes."""
+    matches = (re.match(rf"{re.escape(str(MISTAKES))}:(\d+): (?!note)", each) for each in found)
+    return sorted(int(match[1]) for match in matches if match)
+
+
+@pytest.mark.parametrize("checker", ["mypy", "pyright"])
+def test_each_mistake_is_found_and_nothing_else(checker: str, tmp_path: Path) -> None:
+    lines = MISTAKES.read_text("utf-8").splitlines()
+    planted = [number for number, line in enumerate(lines, 1) if line.endswith("  # mistake")]
+    assert len(planted) == 12
+    python = Path(sys.executable)
+    if checker == "mypy":
+        found = mypy(python, MISTAKES, cache=tmp_path).stdout.splitlines()
+    else:
+        found = pyright(python, MISTAKES, folder=tmp_path)
+    assert lines_of(found) == planted, "\n".join(found)
+
+
+def test_every_public_name_passes_mypy_and_pyright(tmp_path: Path) -> None:
+    reasons = rclpy_api.missing()
+    names = [
+        name
+        for name in rclpy_api.all_names()
+        if "." not in name.path and name.path != "TYPE_CHECKING" and not rclpy_api.reason_for(name, reasons)
+    ]
+    lines = [f"from {name.module} import {name.path} as name_{number}" for number, name in enumerate(names)]
+    modules = ["import rclpy, std_msgs", "rclpy.time.Time().nanoseconds + 1", "std_msgs.msg.Bool(data=True)"]
+    program = tmp_path / "all_names.py"
+    program.write_text("\n".join([*lines, *modules, ""]))
+    assert len(names) > 800
+    result = mypy(Path(sys.executable), program, cache=tmp_path)
+    assert result.returncode == 0, result.stdout
+    assert pyright(Path(sys.executable), program, folder=tmp_path) == []
+
+
+def test_names_that_a_facade_lacks_are_rejected_by_mypy_and_pyright(tmp_path: Path) -> None:
+    program = tmp_path / "wrong.py"
+    program.write_text(
+        "import rclpy, std_msgs\nfrom rclpy.client import Parameter\nrclpy.spn\nstd_msgs.srv\n"
+    )
+    result = mypy(Path(sys.executable), program, cache=tmp_path)
+    assert result.stdout.count("attr-defined") == 3, result.stdout
+    assert len(pyright(Path(sys.executable), program, folder=tmp_path)) == 3
 
 
 def test_wrong_program_is_rejected_by_mypy(tmp_path: Path) -> None:

@@ -4,10 +4,15 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable, Iterable
+from typing import TYPE_CHECKING
 
+from tfloom.cli.errors import CommandError
 from tfloom.cli.parser import VerbParser
 from tfloom.workspace import index
 from tfloom.workspace.interfaces import interface_packages, known_interfaces
+
+if TYPE_CHECKING:
+    from tfloom.rosidl.message import Message
 
 MOST_S = 1.0
 """The longest wait of a completion for discovery [s]."""
@@ -44,7 +49,7 @@ def _topics(_: argparse.Namespace) -> list[str]:
 
     with graph.joined_participant() as participant:
         graph.wait_until_quiet(participant.graph, MOST_S)
-        names = graph.topic_types(participant.graph.endpoints())
+        names = graph.known_topics(participant.graph.endpoints())
     # Names are valid without their first slash, so they are also completed without it.
     return [*names, *(name[1:] for name in names)]
 
@@ -55,7 +60,7 @@ def _types_of_topic(args: argparse.Namespace) -> list[str]:
 
     with graph.joined_participant() as participant:
         graph.wait_until_quiet(participant.graph, MOST_S)
-        types = graph.topic_types(participant.graph.endpoints())
+        types = graph.known_topics(participant.graph.endpoints())
     name = args.topic_name or ""
     return types.get(name if name.startswith("/") else f"/{name}", []) or known_interfaces("msg")
 
@@ -99,6 +104,34 @@ def _type_of_action(args: argparse.Namespace) -> list[str]:
 
     types = {end.type_name for end in settled_ends() if end.name == args.action_name}
     return sorted(types) or known_interfaces("action")
+
+
+def _message(args: argparse.Namespace) -> list[str]:
+    """Return a message of the typed type with its defaults; nothing for an unknown type."""
+    from tfloom.cli.interfaces import message_class
+
+    return _prototype(message_class, args.message_type)
+
+
+def _request(args: argparse.Namespace) -> list[str]:
+    from tfloom.cli.interfaces import service_class
+
+    return _prototype(lambda name: service_class(name).Request, args.service_type)
+
+
+def _goal(args: argparse.Namespace) -> list[str]:
+    from tfloom.cli.interfaces import action_class
+
+    return _prototype(lambda name: action_class(name).Goal, args.action_type)
+
+
+def _prototype(find_class: Callable[[str], type[Message]], type_name: str) -> list[str]:
+    from tfloom.cli.prototype import prototype
+
+    try:
+        return [prototype(find_class(type_name)())]
+    except CommandError:  # there is no such type
+        return []
 
 
 def _parameters(args: argparse.Namespace) -> list[str]:
@@ -152,6 +185,9 @@ _OFFERS: dict[tuple[str, ...], Callable[[argparse.Namespace], Iterable[str]]] = 
     ("service_type",): _type_of_service,
     ("action_name",): _actions,
     ("action_type",): _type_of_action,
+    ("pub", "values"): _message,
+    ("call", "values"): _request,
+    ("send_goal", "goal"): _goal,
     ("parameter_name",): _parameters,
     ("parameter_names",): _parameters,
     ("topic_type",): lambda _: known_interfaces("msg"),

@@ -29,6 +29,12 @@ LATE_WEIGHT = 4.0
 MOST_S = 5.0
 """The longest wait without --spin-time [s]."""
 
+TOPICS_OF_EVERY_NODE = {
+    "/parameter_events": "rcl_interfaces/msg/ParameterEvent",
+    "/rosout": "rcl_interfaces/msg/Log",
+}
+"""The topics that each node publishes, by name, with their types."""
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the common flags of all verbs that use the graph."""
@@ -102,3 +108,11 @@ def topic_types(endpoints: Iterable[EndpointInfo]) -> dict[str, list[str]]:
     for endpoint in endpoints:
         types.setdefault(endpoint.topic.name, set()).add(endpoint.topic.type_name)
     return {name: sorted(types[name]) for name in sorted(types)}
+
+
+def known_topics(endpoints: Iterable[EndpointInfo]) -> dict[str, list[str]]:
+    """Return `topic_types` with those of every node, which ros2's own asker has, too, where it finds no other."""
+    topics = topic_types(endpoints)
+    for name, type_name in TOPICS_OF_EVERY_NODE.items():
+        topics[name] = sorted({*topics.get(name, ()), type_name})
+    return dict(sorted(topics.items()))

@@ -23,6 +23,7 @@ LARGE_BUFFER = 4 << 20
 
 DISTRIBUTIONS = (
     "tfloom-ros2",
+    "tfloom-interfaces",
     "cyclonedds",
     "numpy",
     "PyYAML",
@@ -251,13 +252,16 @@ def check_round_trip() -> Finding:
 def check_names() -> Finding:
     """Check from which distribution a Python program imports each of ROS's names."""
     ours, others = {}, {}
-    for folder in sorted((index.OWN_PREFIX / "ros_names").glob("[a-z]*")):
-        spec = PathFinder.find_spec(folder.name)
+    for name, prefix in index.own_packages().items():
+        folder = prefix / "ros_names" / name
+        if not folder.is_dir():
+            continue  # programs alone
+        spec = PathFinder.find_spec(name)
         origin = str(spec.origin) if spec is not None else ""
         if Path(origin).parent == folder:
-            ours[folder.name] = "tfloom"
+            ours[name] = "tfloom"
         else:
-            others[folder.name] = origin or "nobody"
+            others[name] = origin or "nobody"
     details = {**ours, **others}
     if not others:
         return Finding(Verdict.OK, f"all {len(ours)} packages come from tfloom", details=details)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Callable, Iterable, Iterator
 from itertools import chain
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from tfloom.cli.errors import CommandError
 from tfloom.rosidl import cdr, registry
@@ -13,49 +14,86 @@ from tfloom.rosidl.fill import Filler, StampSetter
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.parse import ParseError
 
+if TYPE_CHECKING:
+    from tfloom.rmw.base import Participant
+
 T = TypeVar("T")
 
 
-def message_class(name: str, *, search_graph: bool = False) -> type[Message]:
+def message_class(
+    name: str, participant: Participant | None = None, *, search_graph: bool = False
+) -> type[Message]:
     """Return the class of a message type's name.
 
-    Raises:
-        CommandError: there is none, or its definition can't be parsed; the text has the nearest names, with
-            `search_graph` those on the graph first.
-    """
-    return _class(registry.get_message_class, name, "msg", search_graph=search_graph)
-
-
-def service_class(name: str, *, search_graph: bool = False) -> type[Any]:
-    """Return the class of a service type's name.
+    Args:
+        name: `package/msg/Name`, or `package/Name` for short.
+        participant: Where a type without a definition here is searched for: among the nodes that it has discovered.
+        search_graph: Whether to join the domain for this search, where there is no participant yet.
 
     Raises:
-        CommandError: as `message_class`.
+        CommandError: there is none, or its definition can't be parsed; the text has the nearest names, those on the
+            searched graph first, and why a node's description of the type can't be used.
     """
-    return _class(registry.get_service_class, name, "srv", search_graph=search_graph)
+    return _class(registry.get_message_class, name, "msg", participant, search_graph=search_graph)
 
 
-def action_class(name: str, *, search_graph: bool = False) -> type[Any]:
-    """Return the class of an action type's name.
-
-    Raises:
-        CommandError: as `message_class`.
-    """
-    return _class(registry.get_action_class, name, "action", search_graph=search_graph)
+def service_class(
+    name: str, participant: Participant | None = None, *, search_graph: bool = False
+) -> type[Any]:
+    """Return the class of a service type's name; arguments and errors as of `message_class`."""
+    return _class(registry.get_service_class, name, "srv", participant, search_graph=search_graph)
 
 
-def _class(find: Callable[[str], type[T]], name: str, kind: str, *, search_graph: bool) -> type[T]:
+def action_class(
+    name: str, participant: Participant | None = None, *, search_graph: bool = False
+) -> type[Any]:
+    """Return the class of an action type's name; arguments and errors as of `message_class`."""
+    return _class(registry.get_action_class, name, "action", participant, search_graph=search_graph)
+
+
+def _class(
+    find: Callable[[str], type[T]],
+    name: str,
+    kind: str,
+    participant: Participant | None,
+    *,
+    search_graph: bool,
+) -> type[T]:
     what = {"msg": "message", "srv": "service"}.get(kind, kind)
+    invalid = f"The passed {what} type is invalid"
+    live: set[str] = set()
+    reasons: list[str] = []
     try:
         return find(name)
     except registry.UnknownTypeError:
-        from tfloom.cli.type_names import did_you_mean_type, types_on_graph
-
-        live = types_on_graph(kind) if search_graph else ()
-        reason = f"there is no {what} type '{name}'{did_you_mean_type(name, kind, live)}"
+        if search_graph or participant:
+            live, reasons = _search_graph(participant, name, kind)
     except (LookupError, ParseError) as error:
-        reason = str(error)
-    raise CommandError(f"The passed {what} type is invalid\n{reason}")
+        raise CommandError(f"{invalid}\n{error}") from None
+    try:
+        return find(name)
+    except registry.UnknownTypeError:
+        from tfloom.cli.type_names import did_you_mean_type
+
+        unknown = f"there is no {what} type '{name}'{did_you_mean_type(name, kind, live - {name})}"
+        raise CommandError("\n".join([invalid, unknown, *reasons])) from None
+
+
+def _search_graph(participant: Participant | None, name: str, kind: str) -> tuple[set[str], list[str]]:
+    """Make the classes of a type from a node's description.
+
+    Returns:
+        The types on the graph, and why the descriptions can't be used; both empty where there is no wire.
+    """
+    from tfloom.cli import peer_types
+    from tfloom.rmw.errors import WireError
+
+    full = name.replace("/", f"/{kind}/") if name.count("/") == 1 else name
+    try:
+        with peer_types.searched_participant(participant) as searched:
+            return peer_types.types_on_graph(searched.graph, kind), peer_types.learn(searched, full, kind)
+    except WireError:
+        return set(), []
 
 
 def yaml_documents(lines: Iterable[str]) -> Iterator[str]:
@@ -86,7 +124,9 @@ def parse_yaml(text: str) -> dict[str, Any]:
     if values is None:
         return {}
     if not isinstance(values, dict):
-        raise CommandError(f"The passed value needs to be a dictionary in YAML format, not {values!r}")
+        raise CommandError(
+            f"The passed value needs to be a dictionary in YAML format, not {values!r}{_missing_space(values)}"
+        )
     return values
 
 
@@ -113,8 +153,9 @@ def fill_message(message: Message, values: dict[str, Any]) -> list[StampSetter]:
         set_stamps(filler.setters, time.time_ns())
         cdr.encode(message)
     except (AttributeError, TypeError, ValueError, AssertionError, OverflowError) as error:
+        where = _fields_there_are(error) or _in_field(filler)
         raise CommandError(
-            f"Failed to populate field: {error}{_fields_there_are(error) or _in_field(filler)}"
+            f"Failed to populate field: {error}{where}{_tight_colon(error)}{_bare_word(error)}"
         ) from None
     return filler.setters
 
@@ -132,6 +173,35 @@ def set_stamps(setters: list[StampSetter], now_ns: int) -> None:
 def _in_field(filler: Filler) -> str:
     path = "".join(filler.path).lstrip(".")
     return f"\nin the field {path}" if path else ""
+
+
+def _tight_colon(error: Exception) -> str:
+    """Return a line on the space that YAML wants after a colon, where a text with a colon is no field, or no fields."""
+    if isinstance(error, AttributeError):
+        return _missing_space(error.name)
+    in_place_of_fields = re.match(r"Value '(.*)' is expected to be a dictionary but is a str", str(error))
+    return _missing_space(in_place_of_fields[1]) if in_place_of_fields else ""
+
+
+def _bare_word(error: Exception) -> str:
+    """Return a line on the quotes that a field's name needs which YAML reads as a value, as `off`."""
+    holder = getattr(error, "obj", None)
+    if (
+        not isinstance(error, AttributeError)
+        or not isinstance(holder, Message)
+        or isinstance(error.name, str)
+    ):
+        return ""
+    import yaml
+
+    fields = type(holder).get_fields_and_field_types()
+    bare = next((field for field in fields if yaml.safe_load(field) == error.name), None)
+    return f'\nYAML reads a bare {bare} as {error.name}: write "{bare}" with its quotes' if bare else ""
+
+
+def _missing_space(text: Any) -> str:
+    found = re.match(r"\s*(\w+):(\S+)", text) if isinstance(text, str) else None
+    return f"\na space is missing after the colon: {found[1]}: {found[2]}" if found else ""
 
 
 def _fields_there_are(error: Exception) -> str:

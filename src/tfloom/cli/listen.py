@@ -12,7 +12,7 @@ from typing import Any
 
 from tfloom._native import ReadyQueue
 from tfloom.cli.errors import CommandError
-from tfloom.cli.graph import topic_types
+from tfloom.cli.graph import known_topics
 from tfloom.cli.names import did_you_mean
 from tfloom.rmw.base import EndpointInfo, Graph, NodeName, Participant, Reader, Sample, Topic, Writer
 from tfloom.rmw.errors import UnsupportedEventError
@@ -36,7 +36,7 @@ def find_type(graph: Graph, name: str) -> str:
     Raises:
         CommandError: there is no such topic, or it has several types.
     """
-    topics = topic_types(graph.endpoints())
+    topics = known_topics(graph.endpoints())
     types = topics.get(name, [])
     if not types:
         raise CommandError(

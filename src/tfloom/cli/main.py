@@ -26,6 +26,7 @@ COMMANDS: dict[str, str | Group] = {
             "type": "Print an action's type",
         },
     ),
+    "bag": "Explain that recordings can't be made or played yet",
     "component": "Explain that components need C++",
     "daemon": Group(
         "Explain that there is no daemon, and that none is needed",
@@ -45,8 +46,11 @@ COMMANDS: dict[str, str | Group] = {
             "packages": "List the packages that define interfaces",
             "proto": "Print a YAML value with an interface's fields and defaults",
             "show": "Print an interface's definition",
+            "stubs": "Write typed modules for editors, of a workspace's packages with definitions",
         },
+        aliases=("interfaces",),
     ),
+    "launch": "Explain that launch files can't be run yet",
     "lifecycle": Group(
         "Inspect lifecycle nodes, and change their state",
         {
@@ -205,16 +209,9 @@ def _sentence(error: Exception, prog: str) -> str | None:
 def _run(argv: Sequence[str] | None, prog: str) -> int:
     parser = build_parser(prog, COMMANDS)
     if "_ARGCOMPLETE" in os.environ:
-        import argcomplete
+        from tfloom.cli.tab_key import complete
 
-        from tfloom.cli.completion import complete_argument, fill_typed_verb
-
-        fill_typed_verb(parser, os.environ.get("COMP_LINE", ""))
-        argcomplete.autocomplete(
-            parser,
-            always_complete_options=False,
-            default_completer=complete_argument,  # type: ignore[arg-type]  # any callable works
-        )
+        complete(parser)
     args = parser.parse_args(argv)
     args.prog = prog
     if args.run_verb.__module__ != "tfloom.cli.run":

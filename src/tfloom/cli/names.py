@@ -30,6 +30,14 @@ def did_you_mean(name: str, known: Iterable[str]) -> str:
     return f"\ndid you mean {or_list(near)}?" if near else ""
 
 
+def way_to_package(package: str, known: Iterable[str]) -> str:
+    """Return a line on how to make a package known that a workspace here holds, else the nearest known, or nothing."""
+    from tfloom.workspace.unsourced import how_to_find
+
+    hint = how_to_find(package)
+    return f"\n{hint}" if hint else did_you_mean(package, known)
+
+
 def or_list(names: Sequence[str]) -> str:
     """Return names joined as in a sentence: `a, b or c`."""
     return " or ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from importlib import import_module
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, NoReturn
 
 from tfloom import __version__
 
@@ -19,6 +19,8 @@ class Group(NamedTuple):
     """One line for each verb; the verb's code is `tfloom.cli.<group>.<verb>`."""
     hidden: str = ""
     """The `<hidden>` of its flag `--include-hidden-<hidden>`; empty: it has no such flag."""
+    aliases: Sequence[str] = ()
+    """Other words for it."""
 
 
 class VerbParser(argparse.ArgumentParser):
@@ -33,6 +35,9 @@ class VerbParser(argparse.ArgumentParser):
         self._module = module
         self._group = group
         self._words: dict[str, VerbParser] = {}
+        self._hint_after_error: Callable[[argparse.Namespace], str] | None = None
+        """Of a verb: returns what follows an error about its arguments, from those that were read before."""
+        self._parsed = argparse.Namespace()
 
     @property
     def words(self) -> dict[str, VerbParser]:
@@ -62,6 +67,7 @@ class VerbParser(argparse.ArgumentParser):
             self._module = ""
             verb.add_arguments(self)
             self.set_defaults(run_verb=verb.main, verb_parser=self)
+            self._hint_after_error = getattr(verb, "hint_after_error", None)
             self.description = self.description or verb.__doc__
 
     def parse_args(  # type: ignore[override]
@@ -92,7 +98,13 @@ class VerbParser(argparse.ArgumentParser):
     ) -> tuple[argparse.Namespace, list[str]]:
         """Parse as argparse does, after adding the verb's arguments."""
         self.fill()
-        return super().parse_known_args(args, namespace)
+        self._parsed = argparse.Namespace() if namespace is None else namespace
+        return super().parse_known_args(args, self._parsed)
+
+    def error(self, message: str) -> NoReturn:
+        """Print the usage and an error, with the verb's hint, and exit."""
+        hint = "" if self._hint_after_error is None else self._hint_after_error(self._parsed)
+        super().error(f"{message}{hint}")
 
 
 def build_parser(prog: str, commands: Mapping[str, str | Group]) -> VerbParser:
@@ -123,7 +135,12 @@ def build_parser(prog: str, commands: Mapping[str, str | Group]) -> VerbParser:
             )
         else:
             words.add_parser(
-                word, help=command.summary, description=command.summary, prog=f"{prog} {word}", group=command
+                word,
+                aliases=command.aliases,
+                help=command.summary,
+                description=command.summary,
+                prog=f"{prog} {word}",
+                group=command,
             )
     return top
 

@@ -10,7 +10,7 @@ from importlib import import_module
 from pathlib import Path
 
 from tfloom.cli.errors import CommandError, refuse_bytes
-from tfloom.cli.names import did_you_mean
+from tfloom.cli.names import did_you_mean, way_to_package
 from tfloom.workspace import index
 
 
@@ -22,6 +22,28 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("package_name", help="package of the program")
     parser.add_argument("executable_name", help="name of the program")
     parser.add_argument("argv", nargs=argparse.REMAINDER, help="arguments of the program")
+
+
+def hint_after_error(args: argparse.Namespace) -> str:
+    """Return a line with the programs of the package where the command line ends after its name."""
+    package = getattr(args, "package_name", None)
+    if package is None or getattr(args, "executable_name", None) is not None:
+        return ""
+    programs = package_programs(package)
+    if programs is None:
+        known = {*index.workspace_packages(), *index.PROGRAMS}
+        return f"\nPackage '{package}' not found{way_to_package(package, known)}"
+    return f"\n{package} has: {', '.join(programs) or 'no programs'}"
+
+
+def package_programs(package: str) -> list[str] | None:
+    """Return the names of a package's programs in order, or None if there is no such package."""
+    prefix = index.find_package(package)
+    if prefix is not None:
+        return sorted({index.program_name(path) for path in index.package_programs(package, prefix)})
+    if package in index.own_packages():
+        return sorted(index.PROGRAMS.get(package, {}))
+    return None
 
 
 def main(args: argparse.Namespace) -> int:
@@ -54,12 +76,13 @@ def find_command(package: str, program: str) -> list[str] | str:
     """
     prefix = index.find_package(package)
     if prefix is None:
-        if package not in index.PROGRAMS:
-            near = did_you_mean(package, {*index.workspace_packages(), *index.PROGRAMS})
-            raise CommandError(f"Package '{package}' not found{near}")
-        if program not in index.PROGRAMS[package]:
-            raise CommandError(f"No executable found{did_you_mean(program, index.PROGRAMS[package])}")
-        return index.PROGRAMS[package][program]
+        if package not in index.own_packages():
+            known = {*index.workspace_packages(), *index.PROGRAMS}
+            raise CommandError(f"Package '{package}' not found{way_to_package(package, known)}")
+        own = index.PROGRAMS.get(package, {})
+        if program not in own:
+            raise CommandError(f"No executable found{did_you_mean(program, own)}")
+        return own[program]
     programs = index.package_programs(package, prefix)
     paths = [path for path in programs if index.program_name(path) == program]
     if not paths:

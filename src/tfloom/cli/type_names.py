@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import argparse
 import difflib
 import sys
 from collections.abc import Collection, Iterable
 
-from tfloom.cli import graph
 from tfloom.cli.names import or_list
-from tfloom.rmw.errors import WireError
 from tfloom.workspace.interfaces import known_interfaces
 
 FAMILIAR = ("std_msgs", "geometry_msgs", "sensor_msgs", "nav_msgs", "tf2_msgs", "std_srvs", "turtlesim")
@@ -46,21 +43,6 @@ def nearest_types(name: str, known: Iterable[str], live: Collection[str] = ()) -
     best = max(likeness.values(), default=0.0)
     near = [each for each, like in likeness.items() if like >= max(NEAR, best - SPREAD)]
     return sorted(near, key=lambda each: (each not in live, -likeness[each], _rank(each), each))[:3]
-
-
-def types_on_graph(kind: str) -> set[str]:
-    """Return the types of a kind on the graph; empty without a wire."""
-    try:
-        with graph.settled_graph(argparse.Namespace(spin_time=LIVE_S)) as found:
-            if kind == "msg":
-                return {end.topic.type_name for end in found.endpoints()}
-            if kind == "srv":
-                return {end.type_name for end in found.service_ends()}
-            from tfloom.cli.action.common import action_ends
-
-            return {end.type_name for end in action_ends(found)}
-    except WireError:
-        return set()
 
 
 def _likeness(name: str, known: str) -> float:

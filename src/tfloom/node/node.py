@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from tfloom.node.base.node_base import MsgType, NodeBase
+from tfloom.node.base.node_base import NodeBase
 from tfloom.node.builtin.parameter_service import ParameterService
 from tfloom.node.builtin.rosout import Rosout
 from tfloom.node.builtin.time_source import TimeSource
 from tfloom.node.builtin.type_description_service import TypeDescriptionService
 from tfloom.node.context.arguments import Arguments, parse_arguments
 from tfloom.node.context.utilities import get_default_context
-from tfloom.node.endpoints.service import SrvType, SrvTypeRequest, SrvTypeResponse
+from tfloom.node.endpoints.type_variables import MsgType, SrvType, SrvTypeRequest, SrvTypeResponse
 from tfloom.node.parameters.parameter import PARAMETER_SEPARATOR_STRING, Parameter
 from tfloom.node.values.constants import S_TO_NS
 

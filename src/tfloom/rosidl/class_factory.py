@@ -6,7 +6,7 @@ import threading
 from typing import Any
 
 from tfloom.rosidl import class_table, sources, spec
-from tfloom.rosidl.parse import ParseError
+from tfloom.rosidl.references import check_references
 from tfloom.rosidl.service import Action, Service
 from tfloom.rosidl.type_hash import type_hash
 
@@ -25,7 +25,7 @@ def load(name: str) -> Any:
         ParseError: it can't be parsed, refers to an unknown message, or contains itself.
     """
     interface = sources.find_interface(name)
-    _check_references(interface)
+    check_references(interface)
     class_table.forget(name)
     parts = {part.name: _message_class(part) for part in spec.messages_of(interface)}
     for part, cls in parts.items():
@@ -39,36 +39,6 @@ def load(name: str) -> Any:
     )
     class_table.register(name, made)
     return made
-
-
-def _check_references(interface: spec.Interface) -> None:
-    """Check that all messages referred to exist, and that none contains itself.
-
-    Raises:
-        ParseError: one is unknown, or contains itself.
-    """
-    known = {message.name: message for message in spec.messages_of(interface)}
-
-    def visit(message: spec.Message, above: tuple[str, ...]) -> None:
-        for field in message.fields:
-            if field.type.is_primitive:
-                continue
-            chain = (*above, message.name, field.type.base)
-            if field.type.base in chain[:-1]:
-                raise _at(message, field, f"a message contains itself: {' -> '.join(chain)}")
-            try:
-                nested = known.get(field.type.base) or sources.find_message(field.type.base)
-            except LookupError as error:
-                raise _at(message, field, str(error)) from None
-            visit(nested, chain[:-1])
-
-    for message in known.values():
-        visit(message, ())
-
-
-def _at(message: spec.Message, field: spec.Field, reason: str) -> ParseError:
-    source = sources.find_source(sources.definition_name(message.name))
-    return ParseError(source.path if source else message.name, *field.position, reason)
 
 
 def _class(name: str, base: type, attributes: dict[str, Any]) -> Any:

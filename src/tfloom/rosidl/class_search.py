@@ -25,7 +25,7 @@ def find_class(name: str) -> Any:
     """
     found = class_table.find(name)
     if found is None:
-        found = _find_by_definition(name)
+        found = find_by_definition(name)
         if found is None:
             raise UnknownTypeError(f"there is no {_word(name)} type '{name}'{_nearest(name)}")
         class_table.register(name, found)
@@ -60,7 +60,14 @@ def find_field_class(name: str) -> type[Any]:
     return find_class_of_kind(name, "msg", class_table.message_base())
 
 
-def _find_by_definition(name: str) -> Any:
+def find_by_definition(name: str) -> Any:
+    """Return the class of a whole name as its definition says, or None where there is no definition.
+
+    Raises:
+        ParseError: the definition can't be parsed, or refers to an unknown message.
+    """
+    if (found := class_table.registered(name)) is not None:
+        return found
     parts = name.split("/")
     if len(parts) != 3 or not all(part.isidentifier() for part in parts):
         return None

@@ -60,7 +60,8 @@ def forget(name: str) -> None:
 def find(name: str) -> Any:
     """Return the class of `package/kind/Name` from the table or from a Python module, or None.
 
-    Modules are `tfloom.interfaces.package.kind` and `package.kind`, in this order.
+    Modules are `tfloom.interfaces.package.kind`, that of the distribution `tfloom-interfaces`, and `package.kind`, in
+    this order.
     """
     found = _classes.get(name)
     if found is None:
@@ -75,7 +76,8 @@ def _find_in_modules(name: str) -> Any:
     if len(parts) != 3 or not all(part.isidentifier() for part in parts):
         return None
     package, kind, base = parts
-    for module_name in (f"tfloom.interfaces.{package}.{kind}", f"{package}.{kind}"):
+    for home in ("tfloom.interfaces.", "tfloom_interfaces.interfaces.", ""):
+        module_name = f"{home}{package}.{kind}"
         found = getattr(_import(module_name), base, None)
         if isinstance(found, type) and issubclass(found, (MessageBase, Service, Action)):
             return found

@@ -1,12 +1,29 @@
-"""Definition files, `package/kind/Name.kind`, of sourced workspaces, then of tfloom."""
+"""Definition files, `package/kind/Name.kind`, of sourced workspaces, then of tfloom.
+
+The packages of the distribution `tfloom-interfaces`, if it is installed, count as tfloom's.
+"""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from functools import cache
+from importlib.machinery import PathFinder
 from pathlib import Path
 
 KINDS = ("msg", "srv", "action")
+EXTRA_ROOT = "tfloom_interfaces"
+"""The import package of the distribution `tfloom-interfaces`."""
+EXTRA_PACKAGES = (
+    "ackermann_msgs",
+    "action_tutorials_interfaces",
+    "control_msgs",
+    "geographic_msgs",
+    "map_msgs",
+    "nav2_msgs",
+    "vision_msgs",
+)
+"""The interface packages of that distribution, for error texts where it is not installed."""
 
 
 def find_path(name: str) -> Path | None:
@@ -27,20 +44,39 @@ def definitions_folder() -> Path:
     return Path(__file__).parent / "definitions"
 
 
+@cache
+def extra_prefix() -> Path | None:
+    """Return the folder of the import package of `tfloom-interfaces`, or None where it isn't installed."""
+    spec = PathFinder.find_spec(EXTRA_ROOT)
+    return None if spec is None or spec.origin is None else Path(spec.origin).parent
+
+
+def own_folders() -> list[Path]:
+    """Return the folders of tfloom's definitions, and of those of `tfloom-interfaces` where it is installed."""
+    extra = extra_prefix()
+    return [definitions_folder()] if extra is None else [definitions_folder(), extra / "definitions"]
+
+
 def interface_names(kind: str = "msg") -> list[str]:
     """Return the names of all tfloom's interfaces of a kind (msg, srv, action), sorted."""
     return sorted(
         f"{path.parent.parent.name}/{kind}/{path.stem}"
-        for path in definitions_folder().glob(f"*/{kind}/*.{kind}")
+        for folder in own_folders()
+        for path in folder.glob(f"*/{kind}/*.{kind}")
     )
+
+
+def workspace_folders() -> Iterator[Path]:
+    """Yield the folders on AMENT_PREFIX_PATH that may hold `package/kind/Name.kind`."""
+    for prefix in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep):
+        if prefix:
+            yield Path(prefix) / "share"
 
 
 def share_folders() -> Iterator[Path]:
     """Yield the folders that hold `package/kind/Name.kind`: those of AMENT_PREFIX_PATH, then tfloom's own."""
-    for prefix in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep):
-        if prefix:
-            yield Path(prefix) / "share"
-    yield definitions_folder()
+    yield from workspace_folders()
+    yield from own_folders()
 
 
 def interfaces_of(package_folder: Path, kind: str) -> list[str]:

@@ -3,17 +3,18 @@
     Custom = define("my_msgs/msg/Custom", "float64[<=3] ranges")
     classes = define_folder("my_ws/src/my_msgs")
 
-Types of a sourced workspace need neither: `registry.get_message_class` finds their definitions.
+Types of a sourced workspace need neither: `registry.get_message_class` and `from my_msgs.msg import Custom` find them.
 """
 
 from __future__ import annotations
 
+import warnings
 from pathlib import Path
 from typing import Any
 
 from tfloom.rosidl import definition_files, registry, sources
 from tfloom.rosidl.class_factory import LOCK, load
-from tfloom.rosidl.parse import parse_interface
+from tfloom.rosidl.parse import ParseError, parse_interface
 
 
 def define(name: str, text: str, path: str | None = None) -> Any:
@@ -48,23 +49,50 @@ def _define(name: str, text: str, path: str | None) -> Any:
 def define_folder(folder: str | Path) -> dict[str, Any]:
     """Make the classes of all definitions in a package's folder, by name.
 
+    Definitions that can't be loaded, because they can't be parsed or refer to what can't be loaded, are left out, and
+    one warning names each with its file, line and reason.
+
     Args:
         folder: The folder of `msg`, `srv` and `action`; its name is the package's.
 
     Raises:
         FileNotFoundError: the folder holds no definitions.
-        ParseError: a definition can't be parsed, or refers to an unknown message.
+        ValueError: none of them can be loaded; the text is that of the warning.
     """
     home = Path(folder).resolve()
     names = definition_files.names_in(home)
     if not names:
         raise FileNotFoundError(f"there are no definitions in {home}/{{{','.join(definition_files.KINDS)}}}")
-    for name in names:
-        _, kind, base = name.split("/")
-        path = home / kind / f"{base}.{kind}"
-        sources.replace(name, sources.Source(path.read_text(encoding="utf-8"), str(path)))
     with LOCK:
-        return {name: load(name) for name in names}
+        classes, failures = _define_all(home, names)
+    if failures:
+        reasons = "".join(f"\n  {name}: {error}" for name, error in sorted(failures.items()))
+        text = f"{len(failures)} of {len(names)} definitions in {home} can't be loaded:{reasons}"
+        if not classes:
+            raise ValueError(text)
+        warnings.warn(text, stacklevel=2)
+    return classes
+
+
+def _define_all(home: Path, names: list[str]) -> tuple[dict[str, Any], dict[str, Exception]]:
+    """Return the classes of those definitions that can be loaded, and the errors of the others."""
+    classes: dict[str, Any] = {}
+    failures: dict[str, Exception] = {}
+    before: dict[str, sources.Source | None] = {}
+    for name in names:  # all of them, before any is loaded: they refer to one another
+        _, kind, base = name.split("/")
+        try:
+            before[name] = sources.replace(name, sources.read_source(home / kind / f"{base}.{kind}"))
+        except (OSError, ParseError) as error:
+            failures[name] = error
+    for name in before:
+        try:
+            classes[name] = load(name)
+        except ValueError as error:  # noqa: PERF203  # each has its own reason
+            failures[name] = error
+    for name in failures.keys() & before.keys():
+        sources.replace(name, before[name])
+    return classes, failures
 
 
 def __getattr__(name: str) -> Any:

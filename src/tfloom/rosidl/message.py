@@ -34,6 +34,16 @@ class _SlotTypes:
         return tuple(to_type(parse_type(text)) for text in owner._FIELDS.values())
 
 
+class _Default:
+    """`X__DEFAULT`: what field `x`, whose definition has a default, holds in a new message."""
+
+    def __init__(self, field: str) -> None:
+        self._field = field
+
+    def __get__(self, instance: object, owner: type[Message]) -> Any:
+        return getattr(owner(), self._field)
+
+
 class Message(MessageBase):
     """A ROS message: a plain object with a slot for each field.
 
@@ -62,6 +72,8 @@ class Message(MessageBase):
         for name, type_text in cls._FIELDS.items():
             member = cls.__dict__[f"_{name}"]
             setattr(cls, name, _converting(name, member) if _is_numeric_array(type_text) else member)
+        for name in cls._DEFAULTS:
+            setattr(cls, f"{name.upper()}__DEFAULT", _Default(name))
         cls.__slots__ = [*(f"_{name}" for name in cls._FIELDS), "_check_fields"]
         cls._PLAN = None
 

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
-from tfloom.rosidl.class_search import UnknownTypeError, find_class, find_class_of_kind
+from tfloom.rosidl.class_search import (
+    UnknownTypeError,
+    find_by_definition,
+    find_class,
+    find_class_of_kind,
+)
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.service import Action, Service
 
 __all__ = [
     "UnknownTypeError",
+    "find_by_definition",
     "find_class",
     "get_action_class",
     "get_message_class",

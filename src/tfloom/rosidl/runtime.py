@@ -1,12 +1,11 @@
-"""The functions of `rosidl_runtime_py`: types by name, and lists of them."""
+"""The functions of `rosidl_runtime_py`: types by name."""
 
 from __future__ import annotations
 
+import importlib
 from collections import OrderedDict
-from collections.abc import Iterable
 from typing import Any
 
-from tfloom.rosidl import definition_files
 from tfloom.rosidl.class_search import find_class
 from tfloom.rosidl.definition import AbstractType, NamespacedType, to_namespaced_type
 from tfloom.rosidl.message import Message
@@ -125,92 +124,21 @@ def _is(interface: object, base: type) -> bool:
     return issubclass(interface if isinstance(interface, type) else type(interface), base)
 
 
-def import_message_from_namespaced_type(message_type: NamespacedType) -> type[Message]:
-    """Return the class of a message.
+def import_message_from_namespaced_type(message_type: NamespacedType) -> Any:
+    """Return the class of a message, a service or an action, or of a part of one.
 
     Raises:
-        ValueError: there is none.
+        ModuleNotFoundError: there is no such package, or it has no interfaces of that kind.
+        AttributeError: there is no such interface in it.
     """
-    return get_message("/".join(message_type.namespaced_name()))
+    *namespaces, base = message_type.namespaced_name()
+    try:
+        return find_class("/".join([*namespaces, base]))
+    except LookupError:
+        module = importlib.import_module(".".join(namespaces))
+    return getattr(module, base)
 
 
 def get_message_slot_types(msg: Message) -> OrderedDict[str, AbstractType]:
     """Return the type of each field, as an object of `rosidl_parser.definition`."""
     return OrderedDict(zip(msg._FIELDS, msg.SLOT_TYPES, strict=True))
-
-
-def get_interface_packages() -> dict[str, str]:
-    """Return the packages that have definitions, each with the folder of its definitions."""
-    found: dict[str, str] = {}
-    for share in definition_files.share_folders():
-        for folder in sorted(share.glob("*/")):
-            if folder.name not in found and definition_files.names_in(folder):
-                found[folder.name] = str(share)
-    return found
-
-
-def get_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
-    """Return the interfaces of packages, or of all of them, as `kind/Name`, sorted.
-
-    Raises:
-        LookupError: a package is unknown.
-    """
-    packages = get_interface_packages()
-    wanted = list(package_names) or sorted(packages)
-    for name in wanted:
-        if name not in packages:
-            raise LookupError(f"Unknown package '{name}'")
-    return {name: _names(packages[name], name) for name in wanted}
-
-
-def get_message_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
-    """Return the messages of packages, or of all of them, as `msg/Name`; packages without any are omitted.
-
-    Raises:
-        LookupError: a package is unknown.
-    """
-    return _of_kind("msg", package_names)
-
-
-def get_service_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
-    """Return the services of packages, or of all of them, as `srv/Name`; packages without any are omitted.
-
-    Raises:
-        LookupError: a package is unknown.
-    """
-    return _of_kind("srv", package_names)
-
-
-def get_action_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
-    """Return the actions of packages, or of all of them, as `action/Name`; packages without any are omitted.
-
-    Raises:
-        LookupError: a package is unknown.
-    """
-    return _of_kind("action", package_names)
-
-
-def get_interface_path(interface_name: str) -> str:
-    """Return the file that defines `package/kind/Name`.
-
-    Raises:
-        LookupError: there is none.
-    """
-    path = definition_files.find_path(interface_name)
-    if path is None:
-        raise LookupError(f"Could not find the interface '{interface_name}'")
-    return str(path)
-
-
-def _names(share: str, package: str) -> list[str]:
-    from pathlib import Path
-
-    return [name.partition("/")[2] for name in definition_files.names_in(Path(share) / package)]
-
-
-def _of_kind(kind: str, package_names: Iterable[str]) -> dict[str, list[str]]:
-    found = {
-        package: [name for name in names if name.startswith(f"{kind}/")]
-        for package, names in get_interfaces(package_names).items()
-    }
-    return {package: names for package, names in found.items() if names}

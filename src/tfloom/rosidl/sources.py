@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import NamedTuple
 
-from tfloom.rosidl import spec
-from tfloom.rosidl.definition_files import find_path
-from tfloom.rosidl.parse import parse_interface
+from tfloom.rosidl import definition_files, spec
+from tfloom.rosidl.parse import ParseError, parse_interface
 
 
 class Source(NamedTuple):
@@ -34,11 +34,40 @@ def definition_name(name: str) -> str:
 
 
 def find_source(name: str) -> Source | None:
-    """Return the definition of `package/kind/Name`, or None."""
+    """Return the definition of `package/kind/Name`, or None.
+
+    Raises:
+        ParseError: its file is not UTF-8 text.
+    """
     if name in _defined:
         return _defined[name]
-    path = find_path(name)
-    return None if path is None else Source(path.read_text(encoding="utf-8"), str(path))
+    path = definition_files.find_path(name)
+    return None if path is None else read_source(path)
+
+
+def read_source(path: Path) -> Source:
+    """Return the definition in a file.
+
+    Raises:
+        ParseError: it is not UTF-8 text.
+        OSError: it can't be read.
+    """
+    data = path.read_bytes()
+    try:
+        return Source(data.decode("utf-8"), str(path))
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        column = error.start - (data.rfind(b"\n", 0, error.start) + 1) + 1
+        raise ParseError(
+            str(path), line, column, f"octet {data[error.start]:#04x} isn't UTF-8 text"
+        ) from None
+
+
+def is_package(package: str) -> bool:
+    """Return whether there is a definition of any kind in a package."""
+    return any(name.startswith(f"{package}/") for name in _defined) or any(
+        definition_files.names_in(share / package) for share in definition_files.share_folders()
+    )
 
 
 def find_interface(name: str) -> spec.Interface:

@@ -10,8 +10,8 @@ from typing import Any
 from tfloom.rosidl import spec
 
 # type_description_interfaces/msg/FieldType
-_NESTED = 1
-_TYPE_IDS = {
+NESTED = 1
+TYPE_IDS = {
     "int8": 2,
     "uint8": 3,
     "int16": 4,
@@ -28,8 +28,8 @@ _TYPE_IDS = {
     "string": 17,
     "wstring": 18,
 }
-_BOUNDED_STRINGS = {"string": 21, "wstring": 22}
-_SHAPE_OFFSETS = {"": 0, "array": 48, "bounded": 96, "unbounded": 144}
+BOUNDED_STRINGS = {"string": 21, "wstring": 22}
+SHAPE_OFFSETS = {"": 0, "array": 48, "bounded": 96, "unbounded": 144}
 
 FindSpec = Callable[[str], spec.Message]
 """Returns the spec of a message by its name; raises LookupError for an unknown one."""
@@ -45,7 +45,12 @@ def type_hash(interface: spec.Interface, find: FindSpec) -> str:
     Raises:
         LookupError: a message that it refers to is unknown.
     """
-    text = json.dumps(type_description(interface, find), separators=(", ", ": "))
+    return description_hash(type_description(interface, find))
+
+
+def description_hash(description: dict[str, Any]) -> str:
+    """Return the hash of what `type_description` returns."""
+    text = json.dumps(description, separators=(", ", ": "))
     return f"RIHS01_{hashlib.sha256(text.encode()).hexdigest()}"
 
 
@@ -57,7 +62,7 @@ def type_description(interface: spec.Interface, find: FindSpec) -> dict[str, Any
         for field in waiting.pop()["fields"]:
             name = field["type"]["nested_type_name"]
             if name and name not in known:
-                known[name] = _describe(name, find(name).wire_fields)
+                known[name] = describe(name, find(name).wire_fields)
                 waiting.append(known[name])
     own = known.pop(interface.name)
     return {"type_description": own, "referenced_type_descriptions": [known[name] for name in sorted(known)]}
@@ -66,9 +71,9 @@ def type_description(interface: spec.Interface, find: FindSpec) -> dict[str, Any
 def _descriptions(interface: spec.Interface) -> Iterable[tuple[str, dict[str, Any]]]:
     """Yield the interface's own description and those of its parts, with their names."""
     if isinstance(interface, spec.Message):
-        yield interface.name, _describe(interface.name, interface.wire_fields)
+        yield interface.name, describe(interface.name, interface.wire_fields)
         return
-    yield interface.name, _describe(interface.name, _part_fields(interface))
+    yield interface.name, describe(interface.name, _part_fields(interface))
     for message in interface.messages:
         yield from _descriptions(message)
     if isinstance(interface, spec.Action):
@@ -95,7 +100,8 @@ def _part_fields(interface: spec.Service | spec.Action) -> list[spec.Field]:
     return [spec.Field(name, spec.Type(part.name)) for name, part in parts.items()]
 
 
-def _describe(name: str, fields: Iterable[spec.Field]) -> dict[str, Any]:
+def describe(name: str, fields: Iterable[spec.Field]) -> dict[str, Any]:
+    """Return the description of one type by its name and its fields on the wire."""
     return {
         "type_name": name,
         "fields": [{"name": field.name, "type": _describe_type(field.type)} for field in fields],
@@ -103,9 +109,9 @@ def _describe(name: str, fields: Iterable[spec.Field]) -> dict[str, Any]:
 
 
 def _describe_type(type_: spec.Type) -> dict[str, Any]:
-    ids = _BOUNDED_STRINGS if type_.string_bound else _TYPE_IDS
+    ids = BOUNDED_STRINGS if type_.string_bound else TYPE_IDS
     return {
-        "type_id": ids.get(type_.base, _NESTED) + _SHAPE_OFFSETS[type_.shape],
+        "type_id": ids.get(type_.base, NESTED) + SHAPE_OFFSETS[type_.shape],
         "capacity": type_.length,
         "string_capacity": type_.string_bound,
         "nested_type_name": "" if type_.is_primitive else type_.base,

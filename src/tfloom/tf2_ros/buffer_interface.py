@@ -3,12 +3,13 @@
 # ruff: noqa: ARG002, an interface's methods don't use their arguments
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from copy import deepcopy
 from typing import Any
 
 from tfloom.interfaces.std_msgs.msg import Header
 from tfloom.node.values.duration import Duration
+from tfloom.node.values.exceptions import add_note
 from tfloom.node.values.time import Time
 from tfloom.tf2.errors import TransformException
 
@@ -23,6 +24,23 @@ __all__ = [
 ]
 
 NO_WAIT = Duration()
+
+CONVERSIONS = {
+    "tf2_geometry_msgs": {
+        "geometry_msgs/PointStamped",
+        "geometry_msgs/PolygonStamped",
+        "geometry_msgs/PoseStamped",
+        "geometry_msgs/PoseWithCovarianceStamped",
+        "geometry_msgs/QuaternionStamped",
+        "geometry_msgs/TransformStamped",
+        "geometry_msgs/TwistStamped",
+        "geometry_msgs/Vector3Stamped",
+        "geometry_msgs/VelocityStamped",
+        "geometry_msgs/WrenchStamped",
+    },
+    "tf2_sensor_msgs": {"sensor_msgs/PointCloud2"},
+}
+"""The types that `Buffer.transform` takes once a module is imported, by the module; for hints."""
 
 
 class TypeException(Exception):  # noqa: N818, tf2's name
@@ -163,9 +181,14 @@ class TransformRegistration:
         """Return the function for a type.
 
         Raises:
-            TypeException: no function is registered for it.
+            TypeException: no function is registered for it; a note names the package that registers one.
         """
-        return _get(self._functions, key)
+        try:
+            return _get(self._functions, key)
+        except TypeException as error:
+            if hint := _how_to_transform(key, self._functions):
+                add_note(error, hint)
+            raise
 
 
 class ConvertRegistration:
@@ -214,6 +237,22 @@ def convert(a: Any, b_type: Any) -> Any:
             return deepcopy(a)
         return registration.get_from_msg(b_type)(registration.get_to_msg(type(a))(a))
     return direct(a)
+
+
+def _how_to_transform(key: Any, registered: Collection[Any]) -> str:
+    """Return a sentence on what to import, or on the stamped type to use; empty if neither helps."""
+    name = _ros_name(key)
+    if name is None or isinstance(key, tuple):
+        return ""
+    package, base = name
+    stamped = base if base.endswith("Stamped") or package == "sensor_msgs" else f"{base}Stamped"
+    module = next((each for each, types in CONVERSIONS.items() if f"{package}/{stamped}" in types), None)
+    if module is None:
+        return ""
+    advice = [] if stamped == base else [f"a {base} has no frame: transform a {stamped}"]
+    if all(_ros_name(each) != (package, stamped) for each in registered):
+        advice.append(f"add `import {module}`, which registers the conversions of {package}")
+    return ", and ".join(advice)
 
 
 def _get(table: dict[Any, Callable[..., Any]], key: Any) -> Callable[..., Any]:

@@ -5,7 +5,9 @@ from __future__ import annotations
 import argparse
 import sys
 import time
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 from tfloom.node.client_library import spin_once
 from tfloom.node.context.utilities import ok, remove_ros_args
@@ -13,7 +15,7 @@ from tfloom.node.node import Node
 from tfloom.node.program import run_program
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener
-from tfloom.tf2_tools.frame_records import parse_frames_yaml, write_gv
+from tfloom.tf2_tools.frame_records import FrameRecord, parse_frames_yaml, write_gv
 
 COPY_NAME = "frames.pdf"
 """The name of the file in tutorials."""
@@ -65,6 +67,32 @@ def write_files(frames_yaml: str, name: str, recorded_at: float, folder: Path) -
         return [text, picture]
     copy.write_bytes(picture.read_bytes())
     return [text, picture, copy]
+
+
+def generate_dot(data: Mapping[Any, Mapping[str, Any]], recorded_time: tuple[int, int]) -> str:
+    """Return the Graphviz text of the frames that a YAML parser read.
+
+    Args:
+        data: The properties of each frame that has a parent, by its id, as `all_frames_as_yaml` names them.
+        recorded_time: When the frames were gathered, as whole seconds and nanoseconds since the epoch.
+
+    Raises:
+        KeyError: a property is missing.
+    """
+    records = [
+        FrameRecord(
+            child=str(child),
+            parent=frame["parent"],
+            broadcaster=frame["broadcaster"],
+            rate=frame["rate"],
+            most_recent=frame["most_recent_transform"],
+            oldest=frame["oldest_transform"],
+            buffer_length=frame["buffer_length"],
+        )
+        for child, frame in data.items()
+    ]
+    seconds, nanoseconds = recorded_time
+    return write_gv(records, seconds + nanoseconds / 1e9)
 
 
 def spin_for(node: Node, duration_s: float) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from tfloom.interfaces.geometry_msgs.msg import Twist
+from tfloom.node.endpoints.service import Service
 from tfloom.node.node import Node
 from tfloom.turtlesim import parameters
 from tfloom.turtlesim.messages import Color, Pose, SetPen, TeleportAbsolute, TeleportRelative
@@ -33,7 +34,7 @@ class TurtleEndpoints:
         self._pose = node.create_publisher(Pose, f"{name}/pose", QOS_DEPTH)
         self._color = node.create_publisher(Color, f"{name}/color_sensor", QOS_DEPTH)
         self._cmd_vel = node.create_subscription(Twist, f"{name}/cmd_vel", self._on_cmd_vel, QOS_DEPTH)
-        self._services = [
+        self._services: list[Service] = [
             node.create_service(SetPen, f"{name}/set_pen", self._on_set_pen),
             node.create_service(TeleportRelative, f"{name}/teleport_relative", self._on_teleport_relative),
             node.create_service(TeleportAbsolute, f"{name}/teleport_absolute", self._on_teleport_absolute),

@@ -11,7 +11,9 @@ import sys
 from pathlib import Path
 from typing import Literal
 
+from tfloom.node.values.exceptions import add_note
 from tfloom.workspace import index
+from tfloom.workspace.unsourced import how_to_find
 
 AMENT_PREFIX_PATH_ENV_VAR = index.PREFIX_PATH_VARIABLE
 RESOURCE_INDEX_SUBFOLDER = index.RESOURCE_INDEX
@@ -40,7 +42,8 @@ def get_search_paths() -> list[str]:
 
 def get_packages_with_prefixes() -> dict[str, str]:
     """Return the prefix of each package by its name."""
-    return dict.fromkeys(index.own_packages(), str(index.OWN_PREFIX)) | index.workspace_packages()
+    own = {name: str(prefix) for name, prefix in index.own_packages().items()}
+    return own | index.workspace_packages()
 
 
 def get_package_prefix(package_name: str) -> str:
@@ -50,7 +53,7 @@ def get_package_prefix(package_name: str) -> str:
         PackageNotFoundError: there is no such package.
         ValueError: it is not a valid package name.
     """
-    return _find(package_name) or str(index.OWN_PREFIX)
+    return _find(package_name) or str(index.own_packages()[package_name])
 
 
 def get_package_share_path(package_name: str, print_warning: bool = True) -> Path:
@@ -122,5 +125,8 @@ def _find(package: str) -> str | None:
         raise ValueError(f"'{package}' is not a valid package name")
     prefix = index.find_package(package)
     if prefix is None and package not in index.own_packages():
-        raise PackageNotFoundError(f"package '{package}' not found, searching: {index.search_paths()}")
+        error = PackageNotFoundError(f"package '{package}' not found, searching: {index.search_paths()}")
+        if hint := how_to_find(package):
+            add_note(error, hint)
+        raise error
     return prefix

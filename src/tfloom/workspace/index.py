@@ -11,7 +11,7 @@ import os
 from pathlib import Path
 
 OWN_PREFIX = Path(__file__).parents[1]
-"""The prefix of tfloom's own packages."""
+"""The prefix of tfloom's own packages, but for those of the distribution `tfloom-interfaces`."""
 PREFIX_PATH_VARIABLE = "AMENT_PREFIX_PATH"
 RESOURCE_INDEX = "share/ament_index/resource_index"
 
@@ -102,10 +102,14 @@ def find_package(package: str) -> str | None:
     return find_resource("packages", package)
 
 
-def own_packages() -> list[str]:
-    """Return tfloom's own packages in order of name: programs, interfaces and Python packages."""
-    names = {path.name for path in (OWN_PREFIX / "ros_names").glob("[a-z]*") if path.is_dir()}
-    return sorted(names | PROGRAMS.keys())
+def own_packages() -> dict[str, Path]:
+    """Return tfloom's own packages in order of name, each with its prefix: programs, interfaces and Python packages."""
+    from tfloom.rosidl.definition_files import extra_prefix
+
+    found = dict.fromkeys(PROGRAMS, OWN_PREFIX)
+    for prefix in filter(None, (extra_prefix(), OWN_PREFIX)):
+        found |= {path.name: prefix for path in (prefix / "ros_names").glob("[a-z]*") if path.is_dir()}
+    return dict(sorted(found.items()))
 
 
 def share_folder(package: str, prefix: str | None) -> Path:
@@ -115,8 +119,10 @@ def share_folder(package: str, prefix: str | None) -> Path:
     """
     if prefix is not None:
         return Path(prefix, "share", package)
-    definitions = OWN_PREFIX / "rosidl" / "definitions" / package
-    return definitions if definitions.is_dir() else OWN_PREFIX / "share" / package
+    from tfloom.rosidl.definition_files import own_folders
+
+    folders = (folder / package for folder in own_folders())
+    return next((folder for folder in folders if folder.is_dir()), OWN_PREFIX / "share" / package)
 
 
 def package_programs(package: str, prefix: str) -> list[Path]:

@@ -6,17 +6,33 @@ import difflib
 from collections.abc import Iterator
 from pathlib import Path
 
-from tfloom.rosidl.definition_files import KINDS, definitions_folder, find_path, interfaces_of
+from tfloom.rosidl.definition_files import (
+    KINDS,
+    find_path,
+    interfaces_of,
+    names_in,
+    own_folders,
+    workspace_folders,
+)
 from tfloom.workspace import index
 
 
 def interface_packages() -> dict[str, Path]:
-    """Return the folder with the definitions of each package that has some, in order of their names."""
-    own = {path.name: path for path in definitions_folder().iterdir() if path.is_dir()}
+    """Return the folder with the definitions of each package that has some, in order of their names.
+
+    Of a workspace's packages these are the ones with ament's marker, and those whose folder holds definitions.
+    """
+    own = {path.name: path for folder in own_folders() for path in folder.iterdir() if path.is_dir()}
     built = {
         name: Path(prefix, "share", name) for name, prefix in index.resources("rosidl_interfaces").items()
     }
-    return dict(sorted((own | built).items()))
+    unmarked = {
+        folder.name: folder
+        for share in reversed([*workspace_folders()])
+        for folder in share.glob("*/")
+        if names_in(folder)
+    }
+    return dict(sorted((own | unmarked | built).items()))
 
 
 def known_interfaces(*kinds: str) -> list[str]:

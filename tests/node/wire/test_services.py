@@ -34,13 +34,10 @@ def test_server_killed_during_a_call(
     assert hang.wait_for_service(timeout_sec=20)
     assert finish(client.call_async(AddTwoInts.Request(a=40, b=2))).sum == 42
     lost = hang.call_async(AddTwoInts.Request())
-    outcome: list[BaseException] = []
+    outcome: list[object] = []
 
     def call() -> None:
-        try:
-            hang.call(AddTwoInts.Request(), timeout_sec=1.0)
-        except TimeoutError as error:
-            outcome.append(error)
+        outcome.append(hang.call(AddTwoInts.Request(), timeout_sec=1.0))
 
     waiting = threading.Thread(target=call)
     waiting.start()
@@ -49,7 +46,7 @@ def test_server_killed_during_a_call(
     server.wait()
     while waiting.is_alive():
         executor.spin_once(timeout_sec=0.1)
-    assert str(outcome[0]) == "no response from /hang in 1.0 s"
+    assert outcome == [None]
     wait_until(lambda: not hang.service_is_ready())
     assert not hang.wait_for_service(timeout_sec=0.0)
     assert not client.service_is_ready()

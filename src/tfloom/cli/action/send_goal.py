@@ -63,15 +63,10 @@ def main(args: argparse.Namespace) -> int:
             print("Canceling goal...")
             print(client.cancel())
             raise
-        print(f"Result:\n    {_indented(response.result)}")
+        print(f"Result:\n    {message_to_yaml(response.result)}")
         status = STATUS[response.status] if 0 <= response.status < len(STATUS) else f"{response.status}"
         print(f"Goal finished with status: {status}")
         return int(status != "SUCCEEDED")
-
-
-def _indented(message: Any) -> str:
-    """Return a message's YAML, all lines but the first indented."""
-    return message_to_yaml(message).replace("\n", "\n    ").rstrip(" ")
 
 
 class _ActionClient:
@@ -91,6 +86,8 @@ class _ActionClient:
         self._get_result = client(GET_RESULT, cls.Impl.GetResultService)
         self._cancel_goal = client(CANCEL_GOAL, cls.Impl.CancelGoalService)
         self._feedback: Reader | None = None
+        self._unprinted: list[Any] = []
+        """Feedback that has arrived and isn't printed yet."""
 
     def wait_for_server(self) -> None:
         """Wait until all three services of the action are ready."""
@@ -110,7 +107,9 @@ class _ActionClient:
     def send(self, goal: Any) -> bool:
         """Send the goal and return whether it was accepted."""
         request = self._class.Impl.SendGoalService.Request(goal_id=self.goal_id, goal=goal)
-        return bool(self._receive(self._send_goal, self._send_goal.send(request)).accepted)
+        number = self._send_goal.send(request)
+        # Feedback may arrive before the response, and is printed after the goal's id.
+        return bool(self._send_goal.receive(number, meanwhile=self._take_feedback).accepted)
 
     def result(self) -> Any:
         """Wait for the goal's end and return status and result."""
@@ -133,7 +132,13 @@ class _ActionClient:
         return response
 
     def _print_feedback(self) -> None:
+        self._take_feedback()
+        for feedback in self._unprinted:
+            print(f"Feedback:\n    {message_to_yaml(feedback)}")
+        self._unprinted.clear()
+
+    def _take_feedback(self) -> None:
         while self._feedback and (sample := self._feedback.take()):
             message = decoded(self._class.Impl.FeedbackMessage, sample)
             if message is not None and key_of(message.goal_id) == self._key:
-                print(f"Feedback:\n    {_indented(message.feedback)}")
+                self._unprinted.append(message.feedback)

@@ -48,7 +48,8 @@ def main(args: argparse.Namespace) -> int:
         return 0
     if twins > 1:
         print(
-            f"WARNING: {twins} nodes have the name {node.full}; their endpoints are shown together",
+            f'There are {twins} nodes in the graph with the exact name "{node.full}". '
+            "You are seeing information about all of them.",
             file=sys.stderr,
         )
     print(node.full)

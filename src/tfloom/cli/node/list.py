@@ -28,7 +28,8 @@ def main(args: argparse.Namespace) -> int:
         names = [name for name in names if not is_hidden(name)]
     if len(set(names)) < len(names) and not args.count_nodes:
         print(
-            "WARNING: several nodes have the same name, so queries by that name are ambiguous",
+            "WARNING: Be aware that there are nodes in the graph that share an exact name, "
+            "which can have unintended side effects.",
             file=sys.stderr,
         )
     print_names(names, as_json=args.json, only_count=args.count_nodes)

@@ -31,6 +31,7 @@ def main(args: argparse.Namespace) -> int:
         pattern = re.compile(args.filter or "")
     except re.error as error:
         raise CommandError(f"--filter isn't a regular expression: {error}") from None
+    _find_node_among_prefixes(args)
     with nodes_with_parameters(args, args.node_name) as nodes:
         found = call_each({node: partial(_names, services, pattern, args) for node, services in nodes})
     if args.json:
@@ -42,6 +43,12 @@ def main(args: argparse.Namespace) -> int:
         for name, kind in names.items():
             print(f"  {name} (type: {kind})" if args.param_type else f"  {name}")
     return 0
+
+
+def _find_node_among_prefixes(args: argparse.Namespace) -> None:
+    """Take the last prefix for the node if it begins with a slash: no parameter does, and argparse can't tell."""
+    if args.node_name is None and args.param_prefixes and args.param_prefixes[-1].startswith("/"):
+        args.node_name = args.param_prefixes.pop()
 
 
 def _names(

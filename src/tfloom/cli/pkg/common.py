@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tfloom.cli.errors import CommandError
-from tfloom.cli.names import did_you_mean
+from tfloom.cli.names import way_to_package
 from tfloom.workspace import index
 
 
@@ -16,5 +16,6 @@ def package_prefix(package: str) -> str | None:
     prefix = index.find_package(package)
     own = index.own_packages()
     if prefix is None and package not in own:
-        raise CommandError(f"Package not found{did_you_mean(package, {*own, *index.workspace_packages()})}")
+        known = {*own, *index.workspace_packages()}
+        raise CommandError(f"Package not found{way_to_package(package, known)}")
     return prefix

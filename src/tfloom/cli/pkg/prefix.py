@@ -17,5 +17,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(args: argparse.Namespace) -> int:
     """Print the prefix, or the share folder."""
     prefix = package_prefix(args.package_name)
-    print(index.share_folder(args.package_name, prefix) if args.share else prefix or index.OWN_PREFIX)
+    if args.share:
+        print(index.share_folder(args.package_name, prefix))
+    else:
+        print(prefix or index.own_packages()[args.package_name])
     return 0

@@ -39,7 +39,7 @@ def main(args: argparse.Namespace) -> int:
     text = message_text.message_text(args)
     with graph.joined_participant() as participant:
         graph.wait_until_quiet(participant.graph, args.spin_time)
-        cls = service_class(args.service_type or _type_of(participant.graph, name)).Event
+        cls = service_class(args.service_type or _type_of(participant.graph, name), participant).Event
         if not publishers_of(participant.graph, events):
             print(f"no publisher of the events of {name} yet (see service introspection)", file=sys.stderr)
         publishers = wait_for_publishers(participant.graph, events, float("inf"))

@@ -64,9 +64,9 @@ def main(args: argparse.Namespace) -> int:
     show = _printer(args)
     on_lost = None if args.no_lost_messages else _report_losses
     with graph.joined_participant() as participant:
-        requested_class = message_class(args.message_type, search_graph=True) if args.message_type else None
+        requested_class = message_class(args.message_type, participant) if args.message_type else None
         graph.wait_until_quiet(participant.graph, args.spin_time)
-        listen_to = requested_class or message_class(find_type(participant.graph, name))
+        listen_to = requested_class or message_class(find_type(participant.graph, name), participant)
         quality = qos.requested_qos(args, SENSOR_DATA) or _suiting_qos(participant, name, end_s)
         topic = topic_of(listen_to, name)
         if publishers_of(participant.graph, name) and (

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 
 from tfloom.cli.graph import add_arguments as add_graph_arguments
-from tfloom.cli.graph import is_hidden, settled_graph, topic_types
+from tfloom.cli.graph import is_hidden, known_topics, settled_graph
 from tfloom.cli.listing import print_names
 
 
@@ -26,7 +26,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(args: argparse.Namespace) -> int:
     """Print the topics in order of their names."""
     with settled_graph(args) as graph:
-        topics = topic_types(graph.endpoints())
+        topics = known_topics(graph.endpoints())
     names = [
         name
         for name, types in topics.items()

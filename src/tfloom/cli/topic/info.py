@@ -6,7 +6,7 @@ import argparse
 
 from tfloom.cli.errors import CommandError
 from tfloom.cli.graph import add_arguments as add_graph_arguments
-from tfloom.cli.graph import settled_graph, topic_types
+from tfloom.cli.graph import known_topics, settled_graph
 from tfloom.cli.names import did_you_mean, full_topic_name
 from tfloom.rmw.base import EndpointInfo
 from tfloom.rmw.endpoint_text import UNKNOWN_NODE, endpoint_text, policy_texts
@@ -30,10 +30,11 @@ def main(args: argparse.Namespace) -> int:
     name = full_topic_name(args.topic_name)
     with settled_graph(args) as graph:
         everything = graph.endpoints()
+    topics = known_topics(everything)
+    if name not in topics:
+        raise CommandError(f"Unknown topic '{name}'{did_you_mean(name, topics)}")
     ends = [end for end in everything if end.topic.name == name]
-    if not ends:
-        raise CommandError(f"Unknown topic '{name}'{did_you_mean(name, topic_types(everything))}")
-    types = topic_types(ends)[name]
+    types = topics[name]
     publishers = [end for end in ends if end.is_writer]
     subscriptions = [end for end in ends if not end.is_writer]
     if args.json:

@@ -6,7 +6,7 @@ import argparse
 from collections import Counter
 
 from tfloom.cli.graph import add_arguments as add_graph_arguments
-from tfloom.cli.graph import is_hidden, settled_graph, topic_types
+from tfloom.cli.graph import is_hidden, known_topics, settled_graph, topic_types
 from tfloom.cli.listing import print_json
 from tfloom.rmw.base import EndpointInfo
 
@@ -34,9 +34,9 @@ def main(args: argparse.Namespace) -> int:
         endpoints = graph.endpoints()
     if not args.include_hidden_topics:
         endpoints = [endpoint for endpoint in endpoints if not is_hidden(endpoint.topic.name)]
-    topics = topic_types(endpoints)
+    topics = known_topics(endpoints)
     if args.json:
-        _print_json(endpoints)
+        _print_json(topics, endpoints)
     elif args.count_topics:
         print(len(topics))
     elif args.verbose:
@@ -56,7 +56,7 @@ def _print_side(title: str, noun: str, endpoints: list[EndpointInfo]) -> None:
     print()
 
 
-def _print_json(endpoints: list[EndpointInfo]) -> None:
+def _print_json(types_of: dict[str, list[str]], endpoints: list[EndpointInfo]) -> None:
     counts = Counter((endpoint.topic.name, endpoint.is_writer) for endpoint in endpoints)
     topics = [
         {
@@ -65,6 +65,6 @@ def _print_json(endpoints: list[EndpointInfo]) -> None:
             "publishers": counts[name, True],
             "subscribers": counts[name, False],
         }
-        for name, types in topic_types(endpoints).items()
+        for name, types in types_of.items()
     ]
     print_json(topics)

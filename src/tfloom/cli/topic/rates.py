@@ -86,7 +86,7 @@ def watch(
         if not any(end.topic.name == name for end in participant.graph.endpoints()):
             print(f"WARNING: topic [{name}] does not appear to be published yet", file=sys.stderr)
         publishers = wait_for_publishers(participant.graph, name, math.inf)
-        cls = message_class(find_type(participant.graph, name))
+        cls = message_class(find_type(participant.graph, name), participant)
         check(cls)
         simulated = args.use_sim_time and not getattr(args, "wall_time", False)
         with clock(participant, cli_node(), simulated=simulated) as now_ns:

@@ -6,7 +6,7 @@ import argparse
 
 from tfloom.cli.errors import CommandError
 from tfloom.cli.graph import add_arguments as add_graph_arguments
-from tfloom.cli.graph import settled_graph, topic_types
+from tfloom.cli.graph import known_topics, settled_graph
 from tfloom.cli.listing import print_names
 from tfloom.cli.names import did_you_mean, full_topic_name
 
@@ -22,7 +22,7 @@ def main(args: argparse.Namespace) -> int:
     """Print each of its types on a line."""
     name = full_topic_name(args.topic_name)
     with settled_graph(args) as graph:
-        topics = topic_types(graph.endpoints())
+        topics = known_topics(graph.endpoints())
     if name not in topics:
         raise CommandError(f"Unknown topic '{name}'{did_you_mean(name, topics)}")
     print_names(topics[name], as_json=args.json)

@@ -63,7 +63,7 @@ class CancelGoal_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class CancelGoal(_Service):
+class CancelGoal(_Service[CancelGoal_Request, CancelGoal_Response]):
     """The service action_msgs/srv/CancelGoal."""
 
     _TYPE_NAME = "action_msgs/srv/CancelGoal"

@@ -62,7 +62,7 @@ class ListNodes_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class ListNodes(_Service):
+class ListNodes(_Service[ListNodes_Request, ListNodes_Response]):
     """The service composition_interfaces/srv/ListNodes."""
 
     _TYPE_NAME = "composition_interfaces/srv/ListNodes"
@@ -126,7 +126,7 @@ class LoadNode_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class LoadNode(_Service):
+class LoadNode(_Service[LoadNode_Request, LoadNode_Response]):
     """The service composition_interfaces/srv/LoadNode."""
 
     _TYPE_NAME = "composition_interfaces/srv/LoadNode"
@@ -181,7 +181,7 @@ class UnloadNode_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class UnloadNode(_Service):
+class UnloadNode(_Service[UnloadNode_Request, UnloadNode_Response]):
     """The service composition_interfaces/srv/UnloadNode."""
 
     _TYPE_NAME = "composition_interfaces/srv/UnloadNode"

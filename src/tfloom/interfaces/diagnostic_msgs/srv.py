@@ -59,7 +59,7 @@ class AddDiagnostics_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class AddDiagnostics(_Service):
+class AddDiagnostics(_Service[AddDiagnostics_Request, AddDiagnostics_Response]):
     """The service diagnostic_msgs/srv/AddDiagnostics."""
 
     _TYPE_NAME = "diagnostic_msgs/srv/AddDiagnostics"
@@ -114,7 +114,7 @@ class SelfTest_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class SelfTest(_Service):
+class SelfTest(_Service[SelfTest_Request, SelfTest_Response]):
     """The service diagnostic_msgs/srv/SelfTest."""
 
     _TYPE_NAME = "diagnostic_msgs/srv/SelfTest"

@@ -173,7 +173,7 @@ class Fibonacci_FeedbackMessage(_Message):
         __slots__ = ("_goal_id", "_feedback")
 
 
-class Fibonacci_SendGoal(_Service):
+class Fibonacci_SendGoal(_Service[Fibonacci_SendGoal_Request, Fibonacci_SendGoal_Response]):
     """The service example_interfaces/action/Fibonacci_SendGoal."""
 
     _TYPE_NAME = "example_interfaces/action/Fibonacci_SendGoal"
@@ -183,7 +183,7 @@ class Fibonacci_SendGoal(_Service):
     Event: _TypeAlias = Fibonacci_SendGoal_Event
 
 
-class Fibonacci_GetResult(_Service):
+class Fibonacci_GetResult(_Service[Fibonacci_GetResult_Request, Fibonacci_GetResult_Response]):
     """The service example_interfaces/action/Fibonacci_GetResult."""
 
     _TYPE_NAME = "example_interfaces/action/Fibonacci_GetResult"
@@ -193,7 +193,7 @@ class Fibonacci_GetResult(_Service):
     Event: _TypeAlias = Fibonacci_GetResult_Event
 
 
-class Fibonacci(_Action):
+class Fibonacci(_Action[Fibonacci_Goal, Fibonacci_Result, Fibonacci_Feedback, Fibonacci_FeedbackMessage, Fibonacci_GetResult_Response]):
     """The action example_interfaces/action/Fibonacci."""
 
     _TYPE_NAME = "example_interfaces/action/Fibonacci"
@@ -205,8 +205,8 @@ class Fibonacci(_Action):
     class Impl:
         """The services and messages that carry the action."""
 
-        SendGoalService = Fibonacci_SendGoal
-        GetResultService = Fibonacci_GetResult
-        FeedbackMessage = Fibonacci_FeedbackMessage
-        CancelGoalService = _CancelGoal
-        GoalStatusMessage = _GoalStatusArray
+        SendGoalService: _TypeAlias = Fibonacci_SendGoal
+        GetResultService: _TypeAlias = Fibonacci_GetResult
+        FeedbackMessage: _TypeAlias = Fibonacci_FeedbackMessage
+        CancelGoalService: _TypeAlias = _CancelGoal
+        GoalStatusMessage: _TypeAlias = _GoalStatusArray

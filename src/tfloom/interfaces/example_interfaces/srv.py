@@ -58,7 +58,7 @@ class AddTwoInts_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class AddTwoInts(_Service):
+class AddTwoInts(_Service[AddTwoInts_Request, AddTwoInts_Response]):
     """The service example_interfaces/srv/AddTwoInts."""
 
     _TYPE_NAME = "example_interfaces/srv/AddTwoInts"
@@ -113,7 +113,7 @@ class SetBool_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class SetBool(_Service):
+class SetBool(_Service[SetBool_Request, SetBool_Response]):
     """The service example_interfaces/srv/SetBool."""
 
     _TYPE_NAME = "example_interfaces/srv/SetBool"
@@ -167,7 +167,7 @@ class Trigger_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class Trigger(_Service):
+class Trigger(_Service[Trigger_Request, Trigger_Response]):
     """The service example_interfaces/srv/Trigger."""
 
     _TYPE_NAME = "example_interfaces/srv/Trigger"

@@ -8,6 +8,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.std_msgs.msg import Header
     from tfloom.rosidl.field_types import Floats, NumpyArray
+    from typing import ClassVar as _ClassVar
 
 __all__ = ["Accel", "AccelStamped", "AccelWithCovariance", "AccelWithCovarianceStamped", "Inertia", "InertiaStamped", "Point", "Point32", "PointStamped", "Polygon", "PolygonInstance", "PolygonInstanceStamped", "PolygonStamped", "Pose", "Pose2D", "PoseArray", "PoseStamped", "PoseWithCovariance", "PoseWithCovarianceStamped", "Quaternion", "QuaternionStamped", "Transform", "TransformStamped", "Twist", "TwistStamped", "TwistWithCovariance", "TwistWithCovarianceStamped", "Vector3", "Vector3Stamped", "VelocityStamped", "Wrench", "WrenchStamped"]
 
@@ -331,6 +332,10 @@ class Quaternion(_Message):
 
     if TYPE_CHECKING:
         def __init__(self, *, x: float = ..., y: float = ..., z: float = ..., w: float = ..., check_fields: bool | None = None) -> None: ...
+        X__DEFAULT: _ClassVar[float]
+        Y__DEFAULT: _ClassVar[float]
+        Z__DEFAULT: _ClassVar[float]
+        W__DEFAULT: _ClassVar[float]
         x: float
         y: float
         z: float

@@ -58,7 +58,7 @@ class ChangeState_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class ChangeState(_Service):
+class ChangeState(_Service[ChangeState_Request, ChangeState_Response]):
     """The service lifecycle_msgs/srv/ChangeState."""
 
     _TYPE_NAME = "lifecycle_msgs/srv/ChangeState"
@@ -111,7 +111,7 @@ class GetAvailableStates_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class GetAvailableStates(_Service):
+class GetAvailableStates(_Service[GetAvailableStates_Request, GetAvailableStates_Response]):
     """The service lifecycle_msgs/srv/GetAvailableStates."""
 
     _TYPE_NAME = "lifecycle_msgs/srv/GetAvailableStates"
@@ -164,7 +164,7 @@ class GetAvailableTransitions_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class GetAvailableTransitions(_Service):
+class GetAvailableTransitions(_Service[GetAvailableTransitions_Request, GetAvailableTransitions_Response]):
     """The service lifecycle_msgs/srv/GetAvailableTransitions."""
 
     _TYPE_NAME = "lifecycle_msgs/srv/GetAvailableTransitions"
@@ -217,7 +217,7 @@ class GetState_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class GetState(_Service):
+class GetState(_Service[GetState_Request, GetState_Response]):
     """The service lifecycle_msgs/srv/GetState."""
 
     _TYPE_NAME = "lifecycle_msgs/srv/GetState"

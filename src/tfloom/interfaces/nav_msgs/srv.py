@@ -58,7 +58,7 @@ class GetMap_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class GetMap(_Service):
+class GetMap(_Service[GetMap_Request, GetMap_Response]):
     """The service nav_msgs/srv/GetMap."""
 
     _TYPE_NAME = "nav_msgs/srv/GetMap"
@@ -114,7 +114,7 @@ class GetPlan_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class GetPlan(_Service):
+class GetPlan(_Service[GetPlan_Request, GetPlan_Response]):
     """The service nav_msgs/srv/GetPlan."""
 
     _TYPE_NAME = "nav_msgs/srv/GetPlan"
@@ -174,7 +174,7 @@ class LoadMap_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class LoadMap(_Service):
+class LoadMap(_Service[LoadMap_Request, LoadMap_Response]):
     """The service nav_msgs/srv/LoadMap."""
 
     _TYPE_NAME = "nav_msgs/srv/LoadMap"
@@ -229,7 +229,7 @@ class SetMap_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class SetMap(_Service):
+class SetMap(_Service[SetMap_Request, SetMap_Response]):
     """The service nav_msgs/srv/SetMap."""
 
     _TYPE_NAME = "nav_msgs/srv/SetMap"

@@ -8,6 +8,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces.msg import Time
     from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers
+    from typing import ClassVar as _ClassVar
 
 __all__ = ["FloatingPointRange", "IntegerRange", "ListParametersResult", "Log", "LoggerLevel", "Parameter", "ParameterDescriptor", "ParameterEvent", "ParameterEventDescriptors", "ParameterType", "ParameterValue", "SetLoggerLevelsResult", "SetParametersResult"]
 
@@ -132,6 +133,8 @@ class ParameterDescriptor(_Message):
 
     if TYPE_CHECKING:
         def __init__(self, *, name: str = ..., type: int = ..., description: str = ..., additional_constraints: str = ..., read_only: bool = ..., dynamic_typing: bool = ..., floating_point_range: list[FloatingPointRange] = ..., integer_range: list[IntegerRange] = ..., check_fields: bool | None = None) -> None: ...
+        READ_ONLY__DEFAULT: _ClassVar[bool]
+        DYNAMIC_TYPING__DEFAULT: _ClassVar[bool]
         name: str
         type: int
         description: str

@@ -67,7 +67,7 @@ class DescribeParameters_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class DescribeParameters(_Service):
+class DescribeParameters(_Service[DescribeParameters_Request, DescribeParameters_Response]):
     """The service rcl_interfaces/srv/DescribeParameters."""
 
     _TYPE_NAME = "rcl_interfaces/srv/DescribeParameters"
@@ -121,7 +121,7 @@ class GetLoggerLevels_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class GetLoggerLevels(_Service):
+class GetLoggerLevels(_Service[GetLoggerLevels_Request, GetLoggerLevels_Response]):
     """The service rcl_interfaces/srv/GetLoggerLevels."""
 
     _TYPE_NAME = "rcl_interfaces/srv/GetLoggerLevels"
@@ -178,7 +178,7 @@ class GetParameterTypes_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class GetParameterTypes(_Service):
+class GetParameterTypes(_Service[GetParameterTypes_Request, GetParameterTypes_Response]):
     """The service rcl_interfaces/srv/GetParameterTypes."""
 
     _TYPE_NAME = "rcl_interfaces/srv/GetParameterTypes"
@@ -232,7 +232,7 @@ class GetParameters_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class GetParameters(_Service):
+class GetParameters(_Service[GetParameters_Request, GetParameters_Response]):
     """The service rcl_interfaces/srv/GetParameters."""
 
     _TYPE_NAME = "rcl_interfaces/srv/GetParameters"
@@ -288,7 +288,7 @@ class ListParameters_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class ListParameters(_Service):
+class ListParameters(_Service[ListParameters_Request, ListParameters_Response]):
     """The service rcl_interfaces/srv/ListParameters."""
 
     _TYPE_NAME = "rcl_interfaces/srv/ListParameters"
@@ -342,7 +342,7 @@ class SetLoggerLevels_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class SetLoggerLevels(_Service):
+class SetLoggerLevels(_Service[SetLoggerLevels_Request, SetLoggerLevels_Response]):
     """The service rcl_interfaces/srv/SetLoggerLevels."""
 
     _TYPE_NAME = "rcl_interfaces/srv/SetLoggerLevels"
@@ -396,7 +396,7 @@ class SetParameters_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class SetParameters(_Service):
+class SetParameters(_Service[SetParameters_Request, SetParameters_Response]):
     """The service rcl_interfaces/srv/SetParameters."""
 
     _TYPE_NAME = "rcl_interfaces/srv/SetParameters"
@@ -450,7 +450,7 @@ class SetParametersAtomically_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class SetParametersAtomically(_Service):
+class SetParametersAtomically(_Service[SetParametersAtomically_Request, SetParametersAtomically_Response]):
     """The service rcl_interfaces/srv/SetParametersAtomically."""
 
     _TYPE_NAME = "rcl_interfaces/srv/SetParametersAtomically"

@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from tfloom.interfaces.geometry_msgs.msg import Point32, Quaternion, Transform, Twist, Vector3, Wrench
     from tfloom.interfaces.std_msgs.msg import Header
     from tfloom.rosidl.field_types import FloatArray, Floats, IntArray, Integers, NumpyArray
+    from typing import ClassVar as _ClassVar
 
 __all__ = ["BatteryState", "CameraInfo", "ChannelFloat32", "CompressedImage", "FluidPressure", "Illuminance", "Image", "Imu", "JointState", "Joy", "JoyFeedback", "JoyFeedbackArray", "LaserEcho", "LaserScan", "MagneticField", "MultiDOFJointState", "MultiEchoLaserScan", "NavSatFix", "NavSatStatus", "PointCloud", "PointCloud2", "PointField", "Range", "RegionOfInterest", "RelativeHumidity", "Temperature", "TimeReference"]
 
@@ -500,6 +501,7 @@ class NavSatStatus(_Message):
 
     if TYPE_CHECKING:
         def __init__(self, *, status: int = ..., service: int = ..., check_fields: bool | None = None) -> None: ...
+        STATUS__DEFAULT: _ClassVar[int]
         status: int
         service: int
     else:

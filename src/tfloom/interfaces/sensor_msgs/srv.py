@@ -59,7 +59,7 @@ class SetCameraInfo_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class SetCameraInfo(_Service):
+class SetCameraInfo(_Service[SetCameraInfo_Request, SetCameraInfo_Response]):
     """The service sensor_msgs/srv/SetCameraInfo."""
 
     _TYPE_NAME = "sensor_msgs/srv/SetCameraInfo"

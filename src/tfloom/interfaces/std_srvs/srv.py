@@ -55,7 +55,7 @@ class Empty_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class Empty(_Service):
+class Empty(_Service[Empty_Request, Empty_Response]):
     """The service std_srvs/srv/Empty."""
 
     _TYPE_NAME = "std_srvs/srv/Empty"
@@ -110,7 +110,7 @@ class SetBool_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class SetBool(_Service):
+class SetBool(_Service[SetBool_Request, SetBool_Response]):
     """The service std_srvs/srv/SetBool."""
 
     _TYPE_NAME = "std_srvs/srv/SetBool"
@@ -164,7 +164,7 @@ class Trigger_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class Trigger(_Service):
+class Trigger(_Service[Trigger_Request, Trigger_Response]):
     """The service std_srvs/srv/Trigger."""
 
     _TYPE_NAME = "std_srvs/srv/Trigger"

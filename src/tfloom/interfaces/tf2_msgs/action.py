@@ -174,7 +174,7 @@ class LookupTransform_FeedbackMessage(_Message):
         __slots__ = ("_goal_id", "_feedback")
 
 
-class LookupTransform_SendGoal(_Service):
+class LookupTransform_SendGoal(_Service[LookupTransform_SendGoal_Request, LookupTransform_SendGoal_Response]):
     """The service tf2_msgs/action/LookupTransform_SendGoal."""
 
     _TYPE_NAME = "tf2_msgs/action/LookupTransform_SendGoal"
@@ -184,7 +184,7 @@ class LookupTransform_SendGoal(_Service):
     Event: _TypeAlias = LookupTransform_SendGoal_Event
 
 
-class LookupTransform_GetResult(_Service):
+class LookupTransform_GetResult(_Service[LookupTransform_GetResult_Request, LookupTransform_GetResult_Response]):
     """The service tf2_msgs/action/LookupTransform_GetResult."""
 
     _TYPE_NAME = "tf2_msgs/action/LookupTransform_GetResult"
@@ -194,7 +194,7 @@ class LookupTransform_GetResult(_Service):
     Event: _TypeAlias = LookupTransform_GetResult_Event
 
 
-class LookupTransform(_Action):
+class LookupTransform(_Action[LookupTransform_Goal, LookupTransform_Result, LookupTransform_Feedback, LookupTransform_FeedbackMessage, LookupTransform_GetResult_Response]):
     """The action tf2_msgs/action/LookupTransform."""
 
     _TYPE_NAME = "tf2_msgs/action/LookupTransform"
@@ -206,8 +206,8 @@ class LookupTransform(_Action):
     class Impl:
         """The services and messages that carry the action."""
 
-        SendGoalService = LookupTransform_SendGoal
-        GetResultService = LookupTransform_GetResult
-        FeedbackMessage = LookupTransform_FeedbackMessage
-        CancelGoalService = _CancelGoal
-        GoalStatusMessage = _GoalStatusArray
+        SendGoalService: _TypeAlias = LookupTransform_SendGoal
+        GetResultService: _TypeAlias = LookupTransform_GetResult
+        FeedbackMessage: _TypeAlias = LookupTransform_FeedbackMessage
+        CancelGoalService: _TypeAlias = _CancelGoal
+        GoalStatusMessage: _TypeAlias = _GoalStatusArray

@@ -56,7 +56,7 @@ class FrameGraph_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class FrameGraph(_Service):
+class FrameGraph(_Service[FrameGraph_Request, FrameGraph_Response]):
     """The service tf2_msgs/srv/FrameGraph."""
 
     _TYPE_NAME = "tf2_msgs/srv/FrameGraph"

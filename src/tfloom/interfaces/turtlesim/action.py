@@ -169,7 +169,7 @@ class RotateAbsolute_FeedbackMessage(_Message):
         __slots__ = ("_goal_id", "_feedback")
 
 
-class RotateAbsolute_SendGoal(_Service):
+class RotateAbsolute_SendGoal(_Service[RotateAbsolute_SendGoal_Request, RotateAbsolute_SendGoal_Response]):
     """The service turtlesim/action/RotateAbsolute_SendGoal."""
 
     _TYPE_NAME = "turtlesim/action/RotateAbsolute_SendGoal"
@@ -179,7 +179,7 @@ class RotateAbsolute_SendGoal(_Service):
     Event: _TypeAlias = RotateAbsolute_SendGoal_Event
 
 
-class RotateAbsolute_GetResult(_Service):
+class RotateAbsolute_GetResult(_Service[RotateAbsolute_GetResult_Request, RotateAbsolute_GetResult_Response]):
     """The service turtlesim/action/RotateAbsolute_GetResult."""
 
     _TYPE_NAME = "turtlesim/action/RotateAbsolute_GetResult"
@@ -189,7 +189,7 @@ class RotateAbsolute_GetResult(_Service):
     Event: _TypeAlias = RotateAbsolute_GetResult_Event
 
 
-class RotateAbsolute(_Action):
+class RotateAbsolute(_Action[RotateAbsolute_Goal, RotateAbsolute_Result, RotateAbsolute_Feedback, RotateAbsolute_FeedbackMessage, RotateAbsolute_GetResult_Response]):
     """The action turtlesim/action/RotateAbsolute."""
 
     _TYPE_NAME = "turtlesim/action/RotateAbsolute"
@@ -201,8 +201,8 @@ class RotateAbsolute(_Action):
     class Impl:
         """The services and messages that carry the action."""
 
-        SendGoalService = RotateAbsolute_SendGoal
-        GetResultService = RotateAbsolute_GetResult
-        FeedbackMessage = RotateAbsolute_FeedbackMessage
-        CancelGoalService = _CancelGoal
-        GoalStatusMessage = _GoalStatusArray
+        SendGoalService: _TypeAlias = RotateAbsolute_SendGoal
+        GetResultService: _TypeAlias = RotateAbsolute_GetResult
+        FeedbackMessage: _TypeAlias = RotateAbsolute_FeedbackMessage
+        CancelGoalService: _TypeAlias = _CancelGoal
+        GoalStatusMessage: _TypeAlias = _GoalStatusArray

@@ -56,7 +56,7 @@ class Kill_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class Kill(_Service):
+class Kill(_Service[Kill_Request, Kill_Response]):
     """The service turtlesim/srv/Kill."""
 
     _TYPE_NAME = "turtlesim/srv/Kill"
@@ -113,7 +113,7 @@ class SetPen_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class SetPen(_Service):
+class SetPen(_Service[SetPen_Request, SetPen_Response]):
     """The service turtlesim/srv/SetPen."""
 
     _TYPE_NAME = "turtlesim/srv/SetPen"
@@ -171,7 +171,7 @@ class Spawn_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class Spawn(_Service):
+class Spawn(_Service[Spawn_Request, Spawn_Response]):
     """The service turtlesim/srv/Spawn."""
 
     _TYPE_NAME = "turtlesim/srv/Spawn"
@@ -227,7 +227,7 @@ class TeleportAbsolute_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class TeleportAbsolute(_Service):
+class TeleportAbsolute(_Service[TeleportAbsolute_Request, TeleportAbsolute_Response]):
     """The service turtlesim/srv/TeleportAbsolute."""
 
     _TYPE_NAME = "turtlesim/srv/TeleportAbsolute"
@@ -283,7 +283,7 @@ class TeleportRelative_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class TeleportRelative(_Service):
+class TeleportRelative(_Service[TeleportRelative_Request, TeleportRelative_Response]):
     """The service turtlesim/srv/TeleportRelative."""
 
     _TYPE_NAME = "turtlesim/srv/TeleportRelative"

@@ -5,6 +5,8 @@ from __future__ import annotations
 from tfloom.rosidl.message import Message as _Message
 
 TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from typing import ClassVar as _ClassVar
 
 __all__ = ["Field", "FieldType", "IndividualTypeDescription", "KeyValue", "TypeDescription", "TypeSource"]
 
@@ -124,6 +126,7 @@ class FieldType(_Message):
 
     if TYPE_CHECKING:
         def __init__(self, *, type_id: int = ..., capacity: int = ..., string_capacity: int = ..., nested_type_name: str = ..., check_fields: bool | None = None) -> None: ...
+        TYPE_ID__DEFAULT: _ClassVar[int]
         type_id: int
         capacity: int
         string_capacity: int

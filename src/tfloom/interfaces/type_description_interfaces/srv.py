@@ -9,6 +9,7 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
     from tfloom.interfaces.type_description_interfaces.msg import KeyValue, TypeDescription, TypeSource
+    from typing import ClassVar as _ClassVar
     from typing import TypeAlias as _TypeAlias
 
 __all__ = ["GetTypeDescription", "GetTypeDescription_Event", "GetTypeDescription_Request", "GetTypeDescription_Response"]
@@ -24,6 +25,7 @@ class GetTypeDescription_Request(_Message):
 
     if TYPE_CHECKING:
         def __init__(self, *, type_name: str = ..., type_hash: str = ..., include_type_sources: bool = ..., check_fields: bool | None = None) -> None: ...
+        INCLUDE_TYPE_SOURCES__DEFAULT: _ClassVar[bool]
         type_name: str
         type_hash: str
         include_type_sources: bool
@@ -65,7 +67,7 @@ class GetTypeDescription_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class GetTypeDescription(_Service):
+class GetTypeDescription(_Service[GetTypeDescription_Request, GetTypeDescription_Response]):
     """The service type_description_interfaces/srv/GetTypeDescription."""
 
     _TYPE_NAME = "type_description_interfaces/srv/GetTypeDescription"

@@ -58,7 +58,7 @@ class GetInteractiveMarkers_Event(_Message):
         __slots__ = ("_info", "_request", "_response")
 
 
-class GetInteractiveMarkers(_Service):
+class GetInteractiveMarkers(_Service[GetInteractiveMarkers_Request, GetInteractiveMarkers_Response]):
     """The service visualization_msgs/srv/GetInteractiveMarkers."""
 
     _TYPE_NAME = "visualization_msgs/srv/GetInteractiveMarkers"

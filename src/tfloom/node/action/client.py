@@ -5,12 +5,12 @@ from __future__ import annotations
 import threading
 import time
 import weakref
-from collections import deque
+from collections import OrderedDict
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from tfloom.interfaces.action_msgs.msg import GoalInfo, GoalStatus, GoalStatusArray
-from tfloom.interfaces.action_msgs.srv import CancelGoal
+from tfloom.interfaces.action_msgs.srv import CancelGoal, CancelGoal_Response
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.unique_identifier_msgs.msg import UUID
 from tfloom.node.action.goal_states import ACTIVE
@@ -23,6 +23,13 @@ from tfloom.node.action.names import (
     check_is_valid_action_type,
     key_of,
     new_goal_id,
+)
+from tfloom.node.endpoints.type_variables import (
+    FeedbackMessageT,
+    FeedbackT,
+    GoalT,
+    ResultResponseT,
+    ResultT,
 )
 from tfloom.node.executing.task import Future
 from tfloom.node.qos.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
@@ -37,15 +44,22 @@ if TYPE_CHECKING:
 
 __all__ = ["ActionClient", "ClientGoalHandle"]
 
+T = TypeVar("T")
+
 _POLL_S = 0.01
 MOST_ENDED = 64
 """Number of ended goals whose feedback callbacks are kept."""
 
 
-class ClientGoalHandle:
+class ClientGoalHandle(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultResponseT]):
     """The client's handle of a goal."""
 
-    def __init__(self, action_client: ActionClient, goal_id: UUID, goal_response: Any) -> None:
+    def __init__(
+        self,
+        action_client: ActionClient[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultResponseT],
+        goal_id: UUID,
+        goal_response: Any,
+    ) -> None:
         self._client = action_client
         self._goal_id = goal_id
         self._response = goal_response
@@ -74,24 +88,24 @@ class ClientGoalHandle:
         """Whether the server accepted it."""
         return bool(self._response.accepted)
 
-    def cancel_goal(self) -> Any:
+    def cancel_goal(self) -> CancelGoal_Response | None:
         """Request cancellation, and wait for the response; another thread must spin the node."""
         return self._client.wait_for(self.cancel_goal_async())
 
-    def cancel_goal_async(self) -> Future[Any]:
+    def cancel_goal_async(self) -> Future[CancelGoal_Response]:
         """Request cancellation, and return the future of the `action_msgs/srv/CancelGoal` response."""
         return self._client.cancel(self._goal_id)
 
-    def get_result(self) -> Any:
+    def get_result(self) -> ResultResponseT | None:
         """Wait for the end, and return `.status` and `.result`; another thread must spin the node."""
         return self._client.wait_for(self.get_result_async())
 
-    def get_result_async(self) -> Future[Any]:
+    def get_result_async(self) -> Future[ResultResponseT]:
         """Request the result, and return its future, with `.status` and `.result`."""
         return self._client.get_result(self)
 
 
-class ActionClient:
+class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultResponseT]):
     """Sends goals to an action server.
 
     Args:
@@ -106,14 +120,15 @@ class ActionClient:
         status_sub_qos_profile: QoS of the goals' states.
 
     Raises:
-        NoTypeSupportImportedException: `action_type` is not an action class.
+        AttributeError: `action_type` is not a ROS type.
+        RuntimeError: `action_type` is a message or a service.
         InvalidServiceNameException: the name isn't valid.
     """
 
     def __init__(
         self,
         node: Node,
-        action_type: type[Action],
+        action_type: type[Action[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultResponseT]],
         action_name: str,
         *,
         callback_group: CallbackGroup | None = None,
@@ -125,22 +140,25 @@ class ActionClient:
     ) -> None:
         check_is_valid_action_type(action_type)
         self._node = node
-        self._action_type = action_type
+        self._action_type: type[Any] = action_type
         self._action_name = action_name
         self._lock = threading.Lock()
         """Guards the goals and their callbacks, below."""
-        self._feedback_callbacks: dict[bytes, Callable[[Any], Any]] = {}
-        self._ended: deque[bytes] = deque()
+        self._feedback_callbacks: dict[bytes, Callable[[FeedbackMessageT], Any]] = {}
+        self._ended_ns: OrderedDict[bytes, int] = OrderedDict()
+        """Times at which the results of goals were taken [ns since the epoch], the oldest first."""
         self._unanswered: dict[bytes, int] = {}
         """The last state received of each goal whose request has no response yet. Guarded by `_lock`."""
-        self._goals: weakref.WeakValueDictionary[bytes, ClientGoalHandle] = weakref.WeakValueDictionary()
+        self._goals: weakref.WeakValueDictionary[
+            bytes, ClientGoalHandle[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultResponseT]
+        ] = weakref.WeakValueDictionary()
 
         def client(srv_type: Any, suffix: str, qos: QoSProfile) -> Client:
             return node.create_client(
                 srv_type, action_name + suffix, qos_profile=qos, callback_group=callback_group
             )
 
-        carrier = action_type.Impl
+        carrier = self._action_type.Impl
         self._send = client(carrier.SendGoalService, SEND_GOAL, goal_service_qos_profile)
         self._result = client(carrier.GetResultService, GET_RESULT, result_service_qos_profile)
         self._cancel = client(carrier.CancelGoalService, CANCEL_GOAL, cancel_service_qos_profile)
@@ -180,10 +198,10 @@ class ActionClient:
 
     def send_goal_async(
         self,
-        goal: Any,
-        feedback_callback: Callable[[Any], Any] | None = None,
+        goal: GoalT,
+        feedback_callback: Callable[[FeedbackMessageT], Any] | None = None,
         goal_uuid: UUID | None = None,
-    ) -> Future[ClientGoalHandle]:
+    ) -> Future[ClientGoalHandle[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultResponseT]]:
         """Send a goal.
 
         Args:
@@ -206,9 +224,13 @@ class ActionClient:
             if feedback_callback is not None:
                 self._feedback_callbacks[key] = feedback_callback
         request = self._action_type.Impl.SendGoalService.Request(goal_id=goal_id, goal=goal)
-        future: Future[ClientGoalHandle] = Future()
+        future: Future[ClientGoalHandle[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultResponseT]] = (
+            Future()
+        )
 
-        def on_response(response: Any) -> ClientGoalHandle:
+        def on_response(
+            response: Any,
+        ) -> ClientGoalHandle[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultResponseT]:
             handle = ClientGoalHandle(self, goal_id, response)
             if response.accepted:
                 with self._lock:
@@ -228,7 +250,7 @@ class ActionClient:
         answer.when_complete(lambda: self._forget_answered(key))
         return future
 
-    def send_goal(self, goal: Any, **kwargs: Any) -> Any:
+    def send_goal(self, goal: GoalT, **kwargs: Any) -> ResultResponseT | None:
         """Send a goal and wait for its end; another thread must spin the node.
 
         Args:
@@ -241,24 +263,26 @@ class ActionClient:
         handle = self.wait_for(self.send_goal_async(goal, **kwargs))
         return handle.get_result() if handle is not None and handle.accepted else None
 
-    def cancel(self, goal_id: UUID) -> Future[Any]:
+    def cancel(self, goal_id: UUID) -> Future[CancelGoal_Response]:
         """Request cancellation of a goal; goal handles call this."""
         return self._cancel.call_async(CancelGoal.Request(goal_info=GoalInfo(goal_id=goal_id)))
 
-    def get_result(self, goal_handle: ClientGoalHandle) -> Future[Any]:
+    def get_result(
+        self, goal_handle: ClientGoalHandle[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultResponseT]
+    ) -> Future[ResultResponseT]:
         """Request the result of a goal; goal handles call this."""
         request = self._action_type.Impl.GetResultService.Request(goal_id=goal_handle.goal_id)
-        future: Future[Any] = Future()
+        future: Future[ResultResponseT] = Future()
 
         def on_response(response: Any) -> Any:
             goal_handle.status = response.status
             self._forget(key_of(goal_handle.goal_id))
             return response
 
-        self._chain(self._result.call_async(request), future, on_response)
+        self._chain(self._result.call_async(request), future, on_response, self._deliver_waiting_feedback)
         return future
 
-    def wait_for(self, future: Future[Any]) -> Any:
+    def wait_for(self, future: Future[T]) -> T | None:
         """Wait for a future that another thread completes, or for shutdown."""
         executor = self._node.executor
         if executor is not None and executor.would_wait_for_itself():
@@ -275,11 +299,22 @@ class ActionClient:
             self._node.context.remove_shutdown_hook(ended.set)
         return future.result()
 
-    def _chain(self, first: Future[Any], then: Future[Any], convert: Callable[[Any], Any]) -> None:
-        """Complete `then` with `convert(result)` when `first` completes with `result`."""
+    def _chain(
+        self,
+        first: Future[Any],
+        then: Future[T],
+        convert: Callable[[Any], T],
+        before: Callable[[], None] | None = None,
+    ) -> None:
+        """When `first` completes with `result`, call `before`, and complete `then` with `convert(result)`."""
 
         def complete() -> None:
-            if not first.cancelled() and not then.cancelled():
+            if first.cancelled() or then.cancelled():
+                return
+            try:
+                if before is not None:
+                    before()
+            finally:
                 then.set_executor(self._node.executor)
                 then.set_result(convert(first.result()))
 
@@ -290,15 +325,24 @@ class ActionClient:
             self._unanswered.pop(key, None)
 
     def _forget(self, key: bytes) -> None:
-        """Drop the feedback callbacks of all but the last ended goals, because feedback may arrive after the end."""
+        """End the feedback of a goal: only what was published before, and waits for a thread, is still delivered."""
         with self._lock:
-            self._ended.append(key)
-            if len(self._ended) > MOST_ENDED:
-                self._feedback_callbacks.pop(self._ended.popleft(), None)
+            self._ended_ns[key] = time.time_ns()
+            if len(self._ended_ns) > MOST_ENDED:
+                self._feedback_callbacks.pop(self._ended_ns.popitem(last=False)[0], None)
 
-    def _on_feedback(self, message: Any) -> Any:
-        callback = self._feedback_callbacks.get(key_of(message.goal_id))
-        return None if callback is None else callback(message)
+    def _on_feedback(self, message: Any, info: dict[str, Any]) -> Any:
+        key = key_of(message.goal_id)
+        callback = self._feedback_callbacks.get(key)
+        ended_ns = self._ended_ns.get(key)
+        if callback is None or (ended_ns is not None and info["source_timestamp"] > ended_ns):
+            return None
+        return callback(message)
+
+    def _deliver_waiting_feedback(self) -> None:
+        executor = self._node.executor
+        if executor is not None:
+            executor.run_waiting(self._feedback)
 
     def _on_status(self, message: GoalStatusArray) -> None:
         for each in message.status_list:

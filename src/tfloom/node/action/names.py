@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from tfloom.node.values.exceptions import NoTypeSupportImportedException
+from tfloom.node.values.type_support import check_type
 from tfloom.rmw.action_names import CANCEL_GOAL, FEEDBACK, GET_RESULT, SEND_GOAL, STATUS, key_of, new_goal_id
 from tfloom.rosidl.service import Action
 
@@ -24,7 +24,7 @@ def check_is_valid_action_type(action_type: Any) -> None:
     """Check that a class is an action.
 
     Raises:
-        NoTypeSupportImportedException: it isn't.
+        AttributeError: it is not a ROS type.
+        RuntimeError: it is a message or a service.
     """
-    if not (isinstance(action_type, type) and issubclass(action_type, Action)):
-        raise NoTypeSupportImportedException
+    check_type(action_type, Action, "action class, such as example_interfaces.action.Fibonacci")

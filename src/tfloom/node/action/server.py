@@ -5,10 +5,10 @@ from __future__ import annotations
 import threading
 import time
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Coroutine
 from contextlib import suppress
 from enum import Enum
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic
 
 from tfloom.interfaces.action_msgs.msg import GoalInfo, GoalStatus, GoalStatusArray
 from tfloom.interfaces.action_msgs.srv import CancelGoal_Request, CancelGoal_Response
@@ -24,6 +24,8 @@ from tfloom.node.action.names import (
     key_of,
 )
 from tfloom.node.action.server_goal_handle import ServerGoalHandle
+from tfloom.node.endpoints.service import ResponseFirst
+from tfloom.node.endpoints.type_variables import FeedbackT, GoalT, ResultT
 from tfloom.node.executing.executors import await_or_execute
 from tfloom.node.qos.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from tfloom.node.values.constants import S_TO_NS
@@ -31,6 +33,8 @@ from tfloom.node.values.exceptions import InvalidHandle, RCLError
 from tfloom.rosidl.service import Action
 
 if TYPE_CHECKING:
+    from typing import TypeAlias
+
     from typing_extensions import Self
 
     from tfloom.node.executing.callback_groups import CallbackGroup
@@ -64,6 +68,17 @@ class CancelResponse(Enum):
     ACCEPT = 2
 
 
+if TYPE_CHECKING:
+    ExecuteCallback: TypeAlias = Callable[
+        [ServerGoalHandle[GoalT, ResultT, FeedbackT]], ResultT | Coroutine[Any, Any, ResultT]
+    ]
+    GoalCallback: TypeAlias = Callable[[GoalT], GoalResponse | Coroutine[Any, Any, GoalResponse]]
+    HandleAcceptedCallback: TypeAlias = Callable[[ServerGoalHandle[GoalT, ResultT, FeedbackT]], Any]
+    CancelCallback: TypeAlias = Callable[
+        [ServerGoalHandle[GoalT, ResultT, FeedbackT]], CancelResponse | Coroutine[Any, Any, CancelResponse]
+    ]
+
+
 def default_handle_accepted_callback(goal_handle: ServerGoalHandle) -> None:
     """Execute the goal."""
     goal_handle.execute()
@@ -79,7 +94,7 @@ def default_cancel_callback(cancel_request: Any) -> CancelResponse:  # noqa: ARG
     return CancelResponse.REJECT
 
 
-class ActionServer:
+class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
     """Accepts goals and executes them, several at once if the executor has threads or the callback is a coroutine.
 
     Args:
@@ -101,21 +116,24 @@ class ActionServer:
         forget_sent_results: Whether a goal is dropped as soon as its result was sent to one client.
 
     Raises:
-        NoTypeSupportImportedException: `action_type` is not an action class.
+        AttributeError: `action_type` is not a ROS type.
+        RuntimeError: `action_type` is a message or a service.
         InvalidServiceNameException: the name isn't valid.
     """
 
     def __init__(
         self,
         node: Node,
-        action_type: type[Action],
+        action_type: type[Action[GoalT, ResultT, FeedbackT]],
         action_name: str,
-        execute_callback: Callable[[ServerGoalHandle], Any],
+        execute_callback: ExecuteCallback[GoalT, ResultT, FeedbackT],
         *,
         callback_group: CallbackGroup | None = None,
-        goal_callback: Callable[[Any], Any] = default_goal_callback,
-        handle_accepted_callback: Callable[[ServerGoalHandle], Any] = default_handle_accepted_callback,
-        cancel_callback: Callable[[ServerGoalHandle], Any] = default_cancel_callback,
+        goal_callback: GoalCallback[GoalT] = default_goal_callback,
+        handle_accepted_callback: HandleAcceptedCallback[
+            GoalT, ResultT, FeedbackT
+        ] = default_handle_accepted_callback,
+        cancel_callback: CancelCallback[GoalT, ResultT, FeedbackT] = default_cancel_callback,
         goal_service_qos_profile: QoSProfile = qos_profile_services_default,
         result_service_qos_profile: QoSProfile = qos_profile_services_default,
         cancel_service_qos_profile: QoSProfile = qos_profile_services_default,
@@ -126,18 +144,18 @@ class ActionServer:
     ) -> None:
         check_is_valid_action_type(action_type)
         self._node = node
-        self._action_type = action_type
+        self._action_type: type[Any] = action_type
         self._result_timeout_ns = int(result_timeout * S_TO_NS)
         self._forgets_sent_results = forget_sent_results
         self._lock = threading.RLock()
         """Guards `_goals` and `_ended_ns`."""
-        self._goals: dict[bytes, ServerGoalHandle] = {}
+        self._goals: dict[bytes, ServerGoalHandle[GoalT, ResultT, FeedbackT]] = {}
         self._ended_ns: dict[bytes, int] = {}
         self.register_execute_callback(execute_callback)
         self.register_goal_callback(goal_callback)
         self.register_handle_accepted_callback(handle_accepted_callback)
         self.register_cancel_callback(cancel_callback)
-        carrier = action_type.Impl
+        carrier = self._action_type.Impl
         services = (
             (carrier.SendGoalService, SEND_GOAL, self._on_goal, goal_service_qos_profile),
             (carrier.GetResultService, GET_RESULT, self._on_result, result_service_qos_profile),
@@ -156,26 +174,28 @@ class ActionServer:
         self._expiry: Timer = node.create_timer(3600.0, self._expire, autostart=False)
 
     @property
-    def action_type(self) -> type[Action]:
+    def action_type(self) -> type[Action[GoalT, ResultT, FeedbackT]]:
         """Class of the action."""
         return self._action_type
 
-    def register_execute_callback(self, execute_callback: Callable[[ServerGoalHandle], Any]) -> None:
+    def register_execute_callback(self, execute_callback: ExecuteCallback[GoalT, ResultT, FeedbackT]) -> None:
         """Set the callback that executes goals; TypeError if it isn't callable."""
         self._execute_callback = _callable(execute_callback, "execute")
 
-    def register_goal_callback(self, goal_callback: Callable[[Any], Any] | None) -> None:
+    def register_goal_callback(self, goal_callback: GoalCallback[GoalT] | None) -> None:
         """Set the callback that accepts or rejects goals; None: accept all."""
         self._goal_callback = _callable(goal_callback or default_goal_callback, "goal")
 
     def register_handle_accepted_callback(
-        self, handle_accepted_callback: Callable[[ServerGoalHandle], Any] | None
+        self, handle_accepted_callback: HandleAcceptedCallback[GoalT, ResultT, FeedbackT] | None
     ) -> None:
         """Set the callback for accepted goals; None: execute them."""
         callback = handle_accepted_callback or default_handle_accepted_callback
         self._handle_accepted_callback = _callable(callback, "handle accepted")
 
-    def register_cancel_callback(self, cancel_callback: Callable[[ServerGoalHandle], Any] | None) -> None:
+    def register_cancel_callback(
+        self, cancel_callback: CancelCallback[GoalT, ResultT, FeedbackT] | None
+    ) -> None:
         """Set the callback that accepts or rejects cancellation; None: reject."""
         self._cancel_callback = _callable(cancel_callback or default_cancel_callback, "cancel")
 
@@ -191,9 +211,7 @@ class ActionServer:
         with self._lock:
             self._goals[key] = handle
         self._publish_status()
-        # A task, so that the response is sent before the callback begins.
-        self._start(self._handle_accepted_callback, handle)
-        return response
+        return ResponseFirst(response, lambda: await_or_execute(self._handle_accepted_callback, handle))
 
     async def _accepts(self, goal: Any) -> bool:
         response = await await_or_execute(self._goal_callback, goal)
@@ -273,7 +291,7 @@ class ActionServer:
             response.return_code = response.ERROR_REJECTED
         return response
 
-    def _to_cancel(self, request: CancelGoal_Request) -> list[ServerGoalHandle]:
+    def _to_cancel(self, request: CancelGoal_Request) -> list[ServerGoalHandle[GoalT, ResultT, FeedbackT]]:
         """Return the goals of a request: one by its id, all up to a time, or all."""
         key = key_of(request.goal_info.goal_id)
         until_ns = _stamp_ns(request.goal_info)

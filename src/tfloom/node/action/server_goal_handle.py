@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
-from typing import Any, Protocol
+from collections.abc import Callable, Coroutine
+from typing import Any, Generic, Protocol
 
 from tfloom.interfaces.action_msgs.msg import GoalInfo, GoalStatus
 from tfloom.interfaces.unique_identifier_msgs.msg import UUID
 from tfloom.node.action.goal_states import ACTIVE, GoalEvent, next_state
 from tfloom.node.action.names import key_of
+from tfloom.node.endpoints.type_variables import FeedbackT, GoalT, ResultT
 from tfloom.node.executing.task import Future
 
 __all__ = ["GoalServer", "ServerGoalHandle"]
@@ -33,13 +34,13 @@ class GoalServer(Protocol):
         """Drop a goal."""
 
 
-class ServerGoalHandle:
+class ServerGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
     """An accepted goal: its request, its state, and the methods that end it.
 
     After `destroy`, of the handle or of its server, the state is unknown and nothing more is published.
     """
 
-    def __init__(self, action_server: GoalServer, goal_info: GoalInfo, goal_request: Any) -> None:
+    def __init__(self, action_server: GoalServer, goal_info: GoalInfo, goal_request: GoalT) -> None:
         self._server = action_server
         self._info = goal_info
         self._request = goal_request
@@ -59,7 +60,7 @@ class ServerGoalHandle:
         return hash(key_of(self.goal_id))
 
     @property
-    def request(self) -> Any:
+    def request(self) -> GoalT:
         """The goal's message."""
         return self._request
 
@@ -102,7 +103,13 @@ class ServerGoalHandle:
         if event is GoalEvent.CANCEL_GOAL:
             self.cancel_future.set_result(None)
 
-    def execute(self, execute_callback: Callable[[ServerGoalHandle], Any] | None = None) -> None:
+    def execute(
+        self,
+        execute_callback: Callable[
+            [ServerGoalHandle[GoalT, ResultT, FeedbackT]], ResultT | Coroutine[Any, Any, ResultT]
+        ]
+        | None = None,
+    ) -> None:
         """Execute the goal, by the server's callback or `execute_callback`.
 
         Raises:
@@ -115,7 +122,7 @@ class ServerGoalHandle:
             self.update(GoalEvent.EXECUTE)
         self._server.notify_execute(self, execute_callback)
 
-    def publish_feedback(self, feedback: Any) -> None:
+    def publish_feedback(self, feedback: FeedbackT) -> None:
         """Publish feedback.
 
         Raises:

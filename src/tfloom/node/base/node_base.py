@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, overload
 
 from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
 from tfloom.node.base.node_entities import NodeEntities
@@ -16,6 +16,7 @@ from tfloom.node.endpoints.publisher import Publisher
 from tfloom.node.endpoints.service import Service
 from tfloom.node.endpoints.service_introspection import Introspection
 from tfloom.node.endpoints.subscription import Subscription
+from tfloom.node.endpoints.type_variables import MsgType, SrvTypeRequest, SrvTypeResponse
 from tfloom.node.executing.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
 from tfloom.node.executing.event_handler import (
     EventHandler,
@@ -30,28 +31,29 @@ from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
 from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions, apply_overrides
 from tfloom.node.values.constants import S_TO_NS
+from tfloom.node.values.set_by_init import SET_BY_INIT
 from tfloom.node.values.type_support import (
     check_is_valid_msg_type,
     check_is_valid_srv_type,
 )
 from tfloom.rmw.typed_names import service_of, topic_of
-from tfloom.rosidl.message import Message
 from tfloom.rosidl.service import Service as ServiceType
 
 if TYPE_CHECKING:
     from types import TracebackType
+    from typing import Literal
 
     from typing_extensions import Self
 
     from tfloom.node.clock.clock import Clock
     from tfloom.node.context.context import Context
-    from tfloom.rmw.base import Reader, Writer
+    from tfloom.node.endpoints.service import ServiceCallback
+    from tfloom.node.endpoints.subscription import SubscriptionCallback
+    from tfloom.rmw.base import Reader, Topic, Writer
 
 __all__ = ["NodeBase"]
 
 PARAMETER_EVENTS_TOPIC = "/parameter_events"
-
-MsgType = TypeVar("MsgType", bound=Message)
 
 
 # Private names are mangled, because programs derive from Node and choose names of their own.
@@ -74,6 +76,8 @@ class NodeBase(NodeEntities, NodeParameters):
         InvalidNodeNameException: the name isn't valid.
         InvalidNamespaceException: the namespace isn't valid.
     """
+
+    __owned: OwnedEntities = SET_BY_INIT
 
     _parameter_event_overriding: QoSOverridingOptions | None = None
     """Overridable policies of the parameter event publisher: none, as in rclpy; rclcpp has some."""
@@ -156,7 +160,8 @@ class NodeBase(NodeEntities, NodeParameters):
             publisher_class: Class of the publisher.
 
         Raises:
-            NoTypeSupportImportedException: `msg_type` is not a message class.
+            AttributeError: `msg_type` is not a ROS type.
+            RuntimeError: `msg_type` is a service or an action.
             InvalidTopicNameException: the name isn't valid.
             TypeError, ValueError: `qos_profile` is neither a profile nor a depth.
             InvalidQosOverridesError: the parameters give an invalid profile.
@@ -172,6 +177,7 @@ class NodeBase(NodeEntities, NodeParameters):
         group = callback_group or self.default_callback_group
         publisher = publisher_class(writer, msg_type, name, profile, None, group, context=self.context)
         self.__owned.add_publisher(publisher, self)
+        self.__warn_of_other_type(wire_topic, publisher)
         try:
             publisher.event_handlers = self.__watch(
                 event_callbacks or PublisherEventCallbacks(), group, writer, name
@@ -180,6 +186,34 @@ class NodeBase(NodeEntities, NodeParameters):
             self.destroy_publisher(publisher)
             raise
         return publisher
+
+    @overload
+    def create_subscription(
+        self,
+        msg_type: type[MsgType],
+        topic: str,
+        callback: SubscriptionCallback[MsgType],
+        qos_profile: QoSProfile | int,
+        *,
+        callback_group: CallbackGroup | None = None,
+        event_callbacks: SubscriptionEventCallbacks | None = None,
+        qos_overriding_options: QoSOverridingOptions | None = None,
+        raw: Literal[False] = False,
+    ) -> Subscription[MsgType]: ...
+
+    @overload
+    def create_subscription(
+        self,
+        msg_type: type[MsgType],
+        topic: str,
+        callback: Callable[..., Any],
+        qos_profile: QoSProfile | int,
+        *,
+        callback_group: CallbackGroup | None = None,
+        event_callbacks: SubscriptionEventCallbacks | None = None,
+        qos_overriding_options: QoSOverridingOptions | None = None,
+        raw: bool,
+    ) -> Subscription[MsgType]: ...
 
     def create_subscription(
         self,
@@ -206,7 +240,8 @@ class NodeBase(NodeEntities, NodeParameters):
             raw: Whether the callback takes bytes, encapsulation header and CDR, rather than messages.
 
         Raises:
-            NoTypeSupportImportedException: `msg_type` is not a message class.
+            AttributeError: `msg_type` is not a ROS type.
+            RuntimeError: `msg_type` is a service or an action.
             InvalidTopicNameException: the name isn't valid.
             TypeError, ValueError: `qos_profile` is neither a profile nor a depth.
             InvalidQosOverridesError: the parameters give an invalid profile.
@@ -229,6 +264,7 @@ class NodeBase(NodeEntities, NodeParameters):
             reader.close()
             raise
         self.__owned.add(subscription, self)
+        self.__warn_of_other_type(wire_topic, subscription)
         try:
             subscription.event_handlers = self.__watch(
                 event_callbacks or SubscriptionEventCallbacks(), group, reader, name
@@ -237,6 +273,14 @@ class NodeBase(NodeEntities, NodeParameters):
             self.destroy_subscription(subscription)
             raise
         return subscription
+
+    def __warn_of_other_type(self, topic: Topic, endpoint: Publisher[Any] | Subscription[Any]) -> None:
+        other = self.context.topic_types.add(topic, endpoint)
+        if other is not None:
+            self.get_logger().warning(
+                f"{topic.name} has two types in this program: {other}, and here {topic.type_name}. Messages pass "
+                "only between endpoints of one type"
+            )
 
     def __profile(
         self, kind: str, topic_name: str, given: QoSProfile | int, options: QoSOverridingOptions | None
@@ -261,13 +305,13 @@ class NodeBase(NodeEntities, NodeParameters):
 
     def create_service(
         self,
-        srv_type: type[ServiceType],
+        srv_type: type[ServiceType[SrvTypeRequest, SrvTypeResponse]],
         srv_name: str,
-        callback: Callable[[Any, Any], Any],
+        callback: ServiceCallback[SrvTypeRequest, SrvTypeResponse],
         *,
         qos_profile: QoSProfile = qos_profile_services_default,
         callback_group: CallbackGroup | None = None,
-    ) -> Service:
+    ) -> Service[SrvTypeRequest, SrvTypeResponse]:
         """Create a service.
 
         Args:
@@ -279,7 +323,8 @@ class NodeBase(NodeEntities, NodeParameters):
             callback_group: Group of its callbacks; None: the node's own.
 
         Raises:
-            NoTypeSupportImportedException: `srv_type` is not a service class.
+            AttributeError: `srv_type` is not a ROS type.
+            RuntimeError: `srv_type` is a message or an action.
             InvalidServiceNameException: the name isn't valid.
         """
         check_is_valid_srv_type(srv_type)
@@ -302,12 +347,12 @@ class NodeBase(NodeEntities, NodeParameters):
 
     def create_client(
         self,
-        srv_type: type[ServiceType],
+        srv_type: type[ServiceType[SrvTypeRequest, SrvTypeResponse]],
         srv_name: str,
         *,
         qos_profile: QoSProfile = qos_profile_services_default,
         callback_group: CallbackGroup | None = None,
-    ) -> Client:
+    ) -> Client[SrvTypeRequest, SrvTypeResponse]:
         """Create a client of a service.
 
         Args:
@@ -317,7 +362,8 @@ class NodeBase(NodeEntities, NodeParameters):
             callback_group: Unused, because responses are received in no callback group; kept for rclpy's signature.
 
         Raises:
-            NoTypeSupportImportedException: `srv_type` is not a service class.
+            AttributeError: `srv_type` is not a ROS type.
+            RuntimeError: `srv_type` is a message or an action.
             InvalidServiceNameException: the name isn't valid.
         """
         check_is_valid_srv_type(srv_type)
@@ -412,5 +458,5 @@ def _profile(qos_profile: QoSProfile | int) -> QoSProfile:
     if isinstance(qos_profile, bool) or not isinstance(qos_profile, int):
         raise TypeError(f"Expected QoSProfile or int, but received {type(qos_profile)!r}")
     if qos_profile < 0:
-        raise ValueError("History depth must be greater than or equal to 0")
+        raise ValueError("history depth must be greater than or equal to zero")
     return QoSProfile(depth=qos_profile)

@@ -11,10 +11,12 @@ from tfloom.node.endpoints.client import Client
 from tfloom.node.endpoints.service import Service
 from tfloom.node.endpoints.subscription import Subscription
 from tfloom.node.executing.callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
+from tfloom.node.executing.event_handler import EventHandler
 from tfloom.node.executing.guard_condition import GuardCondition
 from tfloom.node.executing.timer import Rate, Timer
 from tfloom.node.executing.waitable_entity import WaitableEntity
 from tfloom.node.values.handle import Handle
+from tfloom.node.values.set_by_init import SET_BY_INIT
 
 if TYPE_CHECKING:
     from tfloom.node.base.node_names import NodeNames
@@ -45,6 +47,14 @@ class NodeEntities(NodeGraph):
         owned: The entities that it has created.
     """
 
+    __context: Context = SET_BY_INIT
+    __clock: Clock = SET_BY_INIT
+    __logger: RcutilsLogger = SET_BY_INIT
+    __owned: OwnedEntities = SET_BY_INIT
+    __executor: weakref.ref[Executor] | None = SET_BY_INIT
+    __default_callback_group: CallbackGroup = SET_BY_INIT
+    __destroyed: bool = SET_BY_INIT
+
     def __init__(
         self,
         names: NodeNames,
@@ -60,7 +70,7 @@ class NodeEntities(NodeGraph):
         self.__clock = clock
         self.__logger = logger
         self.__owned = owned
-        self.__executor: weakref.ref[Executor] | None = None
+        self.__executor = None
         self.__default_callback_group = MutuallyExclusiveCallbackGroup()
         self.__destroyed = False
 
@@ -142,18 +152,21 @@ class NodeEntities(NodeGraph):
         """The waitables that were added."""
         return (each.waitable for each in self.entities() if isinstance(each, WaitableEntity))
 
-    def add_waitable(self, waitable: Waitable) -> None:
-        """Add a waitable to those that the node's executor waits for."""
-        self.__owned.add(WaitableEntity(waitable, lambda: self.executor), self)
+    def add_waitable(self, waitable: Waitable | EventHandler) -> None:
+        """Add a waitable, or an event handler, to those that the node's executor waits for."""
+        if isinstance(waitable, EventHandler):
+            self.__owned.add(waitable, self)
+        else:
+            self.__owned.add(WaitableEntity(waitable, lambda: self.executor), self)
 
-    def remove_waitable(self, waitable: Waitable) -> None:
+    def remove_waitable(self, waitable: Waitable | EventHandler) -> None:
         """Undo `add_waitable`.
 
         Raises:
             ValueError: it was never added.
         """
         for each in self.entities():
-            if isinstance(each, WaitableEntity) and each.waitable is waitable:
+            if each is waitable or (isinstance(each, WaitableEntity) and each.waitable is waitable):
                 self.__owned.destroy(each)
                 return
         raise ValueError(f"{waitable!r} is no waitable of this node")

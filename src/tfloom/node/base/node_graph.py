@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from tfloom.node.qos.topic_endpoint_info import TopicEndpointInfo
 from tfloom.node.values.exceptions import NodeNameNonExistentError
+from tfloom.node.values.set_by_init import SET_BY_INIT
 from tfloom.rmw.base import NodeName
 
 if TYPE_CHECKING:
@@ -22,6 +23,9 @@ _POLL_PERIOD_S = 0.02
 
 class NodeGraph:
     """The names of a node, and its queries of the graph; a base of Node."""
+
+    __names: NodeNames = SET_BY_INIT
+    __graph: Graph = SET_BY_INIT
 
     def __init__(self, names: NodeNames, graph: Graph) -> None:
         self.__names = names

@@ -30,7 +30,7 @@ class NodeNames:
 
     def __init__(self, node_name: str, namespace: str, arguments: Arguments) -> None:
         validate_node_name(node_name)
-        if not namespace.startswith("/"):
+        if isinstance(namespace, str) and not namespace.startswith("/"):
             namespace = f"/{namespace}"
         namespace = arguments.namespace(node_name, namespace)
         validate_namespace(namespace)

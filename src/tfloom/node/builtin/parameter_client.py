@@ -17,8 +17,10 @@ from tfloom.interfaces.rcl_interfaces.srv import (
     SetParametersAtomically,
 )
 from tfloom.node.executing.task import Future
-from tfloom.node.parameters.parameter import Parameter, ParameterType, parameter_dict_from_yaml_file
+from tfloom.node.parameters.parameter import Parameter, ParameterType, parameter_dict
+from tfloom.node.parameters.parameter_file import EVERY_NODE, read_parameter_file
 from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
+from tfloom.node.values.names import full_node_name
 
 if TYPE_CHECKING:
     from tfloom.node.base.node_base import NodeBase
@@ -49,6 +51,10 @@ class AsyncParameterClient:
         callback_group: CallbackGroup | None = None,
     ) -> None:
         self.remote_node_name = remote_node_name
+        is_absolute = remote_node_name.startswith("/")
+        self._full_name = (
+            remote_node_name if is_absolute else full_node_name(node.get_namespace(), remote_node_name)
+        )
         self.node = node
 
         def client(srv_type: type[Any], name: str) -> Client:
@@ -120,7 +126,15 @@ class AsyncParameterClient:
     def load_parameter_file(
         self, parameter_file: str, use_wildcard: bool = False, callback: _Callback | None = None
     ) -> Future[Any]:
-        """Set one by one the parameters that a YAML file has for the other node, and for `/**` if `use_wildcard`."""
+        """Set one by one the parameters that a YAML file has for the other node, and for `/**` if `use_wildcard`.
+
+        If it has none for that node, set those that it has for other nodes.
+
+        Raises:
+            OSError: the file can't be read.
+            ValueError: it isn't a parameter file.
+            RuntimeError: it has no parameters.
+        """
         return self.set_parameters(self._read(parameter_file, use_wildcard), callback)
 
     def load_parameter_file_atomically(
@@ -130,10 +144,11 @@ class AsyncParameterClient:
         return self.set_parameters_atomically(self._read(parameter_file, use_wildcard), callback)
 
     def _read(self, parameter_file: str, use_wildcard: bool) -> list[ParameterMsg]:
-        found = parameter_dict_from_yaml_file(
-            parameter_file, use_wildcard, target_nodes=[self.remote_node_name]
-        )
-        return list(found.values())
+        rules = [
+            rule for rule in read_parameter_file(parameter_file) if use_wildcard or rule.node != EVERY_NODE
+        ]
+        own = [rule for rule in rules if rule.is_for(self._full_name)]
+        return list(parameter_dict(own or rules).values())
 
     def on_parameter_event(
         self,

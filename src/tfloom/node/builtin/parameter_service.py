@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.rcl_interfaces.msg import Parameter as ParameterMsg
 from tfloom.interfaces.rcl_interfaces.msg import SetParametersResult
@@ -46,14 +46,15 @@ class ParameterService:
 
     def __init__(self, node: NodeBase) -> None:
         self._node = node
-        for srv_type, name, callback in (
+        services: tuple[tuple[type[Any], str, Callable[[Any, Any], Any]], ...] = (
             (DescribeParameters, "describe_parameters", self._describe),
             (GetParameters, "get_parameters", self._get),
             (GetParameterTypes, "get_parameter_types", self._get_types),
             (ListParameters, "list_parameters", self._list),
             (SetParameters, "set_parameters", self._set),
             (SetParametersAtomically, "set_parameters_atomically", self._set_atomically),
-        ):
+        )
+        for srv_type, name, callback in services:
             node.create_service(srv_type, f"~/{name}", callback, qos_profile=qos_profile_parameters)
 
     def _describe(

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
+from weakref import WeakKeyDictionary
 
 from tfloom.interfaces.builtin_interfaces import msg as builtin_msg
 from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
 from tfloom.node.log import log_output
+from tfloom.node.log.rcutils_logger import RcutilsLogger
 from tfloom.node.qos.qos import qos_profile_rosout_default
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.rmw.errors import ClosedError
@@ -15,14 +17,21 @@ from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:
     from tfloom.node.base.node_base import NodeBase
+    from tfloom.node.context.context import Context
 
 __all__ = ["Rosout"]
 
 TOPIC = "/rosout"
 
+_by_context: WeakKeyDictionary[Context, dict[str, list[Rosout]]] = WeakKeyDictionary()
+"""What publishes in each context, by the logger's name, the oldest first; changed by single operations."""
+
 
 class Rosout:
-    """Publishes the records of a node's logger, and of the loggers below it."""
+    """Publishes the records of a node's logger, and of the loggers below it.
+
+    Of several nodes of a context with one name, the oldest publishes, because they share the logger.
+    """
 
     def __init__(self, node: NodeBase) -> None:
         topic = topic_of(rcl_msg.Log, TOPIC)
@@ -30,9 +39,19 @@ class Rosout:
             self, lambda wire, name: wire.create_writer(name, topic, qos_profile_rosout_default.to_wire())
         )
         self._logger_name = node.get_logger().name
+        self._twins = _by_context.setdefault(node.context, {}).setdefault(self._logger_name, [])
+        if self._twins:
+            RcutilsLogger("rcl.logging_rosout").warning(
+                f"Publisher already registered for node name: '{node.get_name()}'. If this is due to multiple nodes "
+                f"with the same name then all logs for the logger named '{self._logger_name}' will go out over the "
+                "existing publisher. As soon as that node is destroyed the next one of that name takes over."
+            )
+        self._twins.append(self)
         log_output.add_listener(self._logger_name, self._publish)
 
     def _publish(self, record: log_output.Record) -> None:
+        if self._twins[:1] != [self]:
+            return
         sec, nanosec = divmod(record.stamp_ns, S_TO_NS)
         message = rcl_msg.Log(
             stamp=builtin_msg.Time(sec=sec, nanosec=nanosec),
@@ -50,6 +69,8 @@ class Rosout:
 
     def destroy(self) -> None:
         """Stop publishing; the node calls this when it is destroyed."""
+        if self in self._twins:
+            self._twins.remove(self)
         log_output.remove_listener(self._logger_name, self._publish)
         self._writer.close()
 

@@ -24,7 +24,9 @@ if TYPE_CHECKING:
 
     from tfloom.node.context.context import Context
 
-__all__ = ["Clock", "JumpHandle", "ROSClock"]
+__all__ = ["Clock", "JumpHandle", "JumpHandlePreCallbackType", "ROSClock"]
+
+JumpHandlePreCallbackType = Callable[[], None]
 
 _LONGEST_SLICE_S = 1.0
 """The longest single wait of a sleep by system time [s], because the system's clock may be set during it."""
@@ -38,7 +40,7 @@ class JumpHandle:
         *,
         clock: Clock,
         threshold: JumpThreshold,
-        pre_callback: Callable[[], None] | None,
+        pre_callback: JumpHandlePreCallbackType | None,
         post_callback: Callable[[TimeJump], None] | None,
     ) -> None:
         if not isinstance(clock, Clock):
@@ -99,7 +101,7 @@ class Clock(ReadableClock):
         self,
         threshold: JumpThreshold,
         *,
-        pre_callback: Callable[[], None] | None = None,
+        pre_callback: JumpHandlePreCallbackType | None = None,
         post_callback: Callable[[TimeJump], None] | None = None,
     ) -> JumpHandle:
         """Call callbacks before and after each jump that passes `threshold`.

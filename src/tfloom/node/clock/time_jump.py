@@ -27,12 +27,14 @@ class JumpThreshold:
         on_clock_change: Whether the callback is called when simulated time is activated or deactivated.
 
     Raises:
-        ValueError: `min_forward` is not above, or `min_backward` not below, zero.
+        ValueError: `min_forward` is not above, or `min_backward` not below, zero; or no jump passes the threshold.
     """
 
     def __init__(
         self, *, min_forward: Duration | None, min_backward: Duration | None, on_clock_change: bool = True
     ) -> None:
+        if min_forward is None and min_backward is None and not on_clock_change:
+            raise ValueError("At least one jump threshold must be enabled")
         if min_forward is not None and min_forward.nanoseconds <= 0:
             raise ValueError("min_forward must be a positive non-zero duration")
         if min_backward is not None and min_backward.nanoseconds >= 0:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 from tfloom._native import block_gil_reacquire_at_exit
 from tfloom.node.context.arguments import Arguments, parse_arguments
+from tfloom.node.context.topic_types import TopicTypes
 from tfloom.node.log import log_output
 from tfloom.node.log.log_file import LogFile
 from tfloom.node.values.exceptions import (
@@ -84,6 +85,8 @@ class Context:
         """Nodes that the garbage collector has finalized. Appended and popped without the lock."""
         self._domain_id: int | None = None
         self._arguments = Arguments()
+        self.topic_types = TopicTypes()
+        """The types of its nodes' topics."""
 
     def init(
         self, args: list[str] | None = None, *, initialize_logging: bool = True, domain_id: int | None = None
@@ -164,7 +167,7 @@ class Context:
             RCLError: it was shut down before.
         """
         if not self._initialized:
-            raise RuntimeError("Context must be initialized before it can be shut down")
+            raise RuntimeError("Context must be initialized before it can be shutdown")
         if not self.try_shutdown():
             raise RCLError("failed to shutdown: rcl_shutdown already called on the given context")
 

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 from tfloom._native import ReadyQueue
 from tfloom.node.endpoints.endpoint import UNREADABLE
-from tfloom.node.endpoints.service import ServiceEndpoint, SrvType, SrvTypeRequest, SrvTypeResponse
+from tfloom.node.endpoints.service import ServiceEndpoint
 from tfloom.node.endpoints.service_introspection import Introspection
+from tfloom.node.endpoints.type_variables import SrvType, SrvTypeRequest, SrvTypeResponse
 from tfloom.node.executing.task import Future
 from tfloom.node.qos.qos import QoSProfile
 from tfloom.rmw.base import RequestId
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
 __all__ = ["Client", "SrvType", "SrvTypeRequest", "SrvTypeResponse"]
 
 
-class Client(ServiceEndpoint["Requester"]):
+class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
     """Calls a service; `Node.create_client` creates one.
 
     The executor that spins the node receives the responses.
@@ -45,7 +46,7 @@ class Client(ServiceEndpoint["Requester"]):
         self,
         context: Context,
         client_impl: Requester,
-        srv_type: type[ServiceType],
+        srv_type: type[ServiceType[SrvTypeRequest, SrvTypeResponse]],
         srv_name: str,
         qos_profile: QoSProfile,
         callback_group: CallbackGroup,
@@ -70,9 +71,9 @@ class Client(ServiceEndpoint["Requester"]):
         self._reported_obstacle = ""
         self._lock = threading.Lock()
         """Guards `_pending`."""
-        self._pending: dict[int, Future[Any]] = {}
+        self._pending: dict[int, Future[SrvTypeResponse]] = {}
 
-    def call(self, request: Any, timeout_sec: float | None = None) -> Any:
+    def call(self, request: SrvTypeRequest, timeout_sec: float | None = None) -> SrvTypeResponse | None:
         """Send a request and wait for the response. Another thread must spin the node.
 
         Args:
@@ -80,11 +81,10 @@ class Client(ServiceEndpoint["Requester"]):
             timeout_sec: The longest wait [s]; None: no limit.
 
         Returns:
-            The response; None if the context was shut down before it arrived.
+            The response; None if it was not received in time, or before the context was shut down.
 
         Raises:
             TypeError: `request` isn't of the service's request type.
-            TimeoutError: no response arrived in time.
             RuntimeError: called from a callback of a single-threaded executor, which would block its own thread.
         """
         executor = self._executor()
@@ -100,12 +100,11 @@ class Client(ServiceEndpoint["Requester"]):
         try:
             if not ended.wait(timeout_sec):
                 self.remove_pending_request(future)
-                raise TimeoutError(f"no response from {self.srv_name} in {timeout_sec} s")
         finally:
             self._context.remove_shutdown_hook(ended.set)
         return future.result()
 
-    def call_async(self, request: Any) -> Future[Any]:
+    def call_async(self, request: SrvTypeRequest) -> Future[SrvTypeResponse]:
         """Send a request and return the future of its response.
 
         Raises:
@@ -117,7 +116,7 @@ class Client(ServiceEndpoint["Requester"]):
         if not isinstance(request, self.srv_type.Request):
             raise TypeError(f"Expected {self.srv_type.Request}, got {type(request)}")
         data = cdr.encode(request)
-        future: Future[Any] = Future()
+        future: Future[SrvTypeResponse] = Future()
         with self._alive()._lock:  # a response may arrive before `send` has returned  # noqa: SLF001
             number = self._endpoint.send(data)
             self._pending[number] = future
@@ -125,7 +124,7 @@ class Client(ServiceEndpoint["Requester"]):
         self._introspection.request_sent(request, RequestId(self._endpoint.client_gid, number))
         return future
 
-    def get_pending_request(self, sequence_number: int) -> Future[Any]:
+    def get_pending_request(self, sequence_number: int) -> Future[SrvTypeResponse]:
         """Return the future of a pending request.
 
         Raises:
@@ -133,7 +132,7 @@ class Client(ServiceEndpoint["Requester"]):
         """
         return self._pending[sequence_number]
 
-    def remove_pending_request(self, future: Future[Any]) -> None:
+    def remove_pending_request(self, future: Future[SrvTypeResponse]) -> None:
         """Remove a pending request; its response will be dropped."""
         with self._lock:
             for number, pending in list(self._pending.items()):

@@ -76,6 +76,21 @@ class Endpoint(Generic[WireEndpoint]):
         """
         return Handle(self._alive())
 
+    @property
+    def is_destroyed(self) -> bool:
+        """Whether it has left the wire."""
+        return self._destroyed
+
+    @property
+    def wire_endpoint(self) -> WireEndpoint:
+        """The endpoint on the wire.
+
+        Raises:
+            InvalidHandle: it was destroyed.
+        """
+        self._alive()
+        return self._endpoint
+
     def _alive(self) -> Self:
         """Return this endpoint.
 

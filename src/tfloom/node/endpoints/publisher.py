@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Generic, TypeVar
+from typing import TYPE_CHECKING, Generic
 
 from tfloom.node.endpoints.endpoint import Endpoint
+from tfloom.node.endpoints.type_variables import MsgType
 from tfloom.node.qos.qos import QoSProfile
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.exceptions import InvalidHandle, RCLError
 from tfloom.rosidl import cdr
-from tfloom.rosidl.message import Message
 
 if TYPE_CHECKING:
     from tfloom.node.context.context import Context
@@ -18,8 +18,6 @@ if TYPE_CHECKING:
     from tfloom.rmw.base import Writer
 
 __all__ = ["MsgType", "Publisher"]
-
-MsgType = TypeVar("MsgType", bound=Message)
 
 
 class Publisher(Endpoint["Writer"], Generic[MsgType]):

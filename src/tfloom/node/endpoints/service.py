@@ -2,38 +2,49 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Coroutine
+from collections.abc import Awaitable, Callable, Coroutine
 from types import CoroutineType
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, NamedTuple
 
 from tfloom.node.endpoints.endpoint import UNREADABLE, Receiver, TakingEndpoint
 from tfloom.node.endpoints.service_introspection import Introspection, ServiceIntrospectionState
+from tfloom.node.endpoints.type_variables import SrvType, SrvTypeRequest, SrvTypeResponse
 from tfloom.node.executing.task import Future
 from tfloom.node.qos.qos import QoSProfile
 from tfloom.rosidl import cdr
 from tfloom.rosidl.service import Service as ServiceType
 
 if TYPE_CHECKING:
+    from typing import TypeAlias
+
     from tfloom.node.clock.clock import Clock
     from tfloom.node.executing.callback_groups import CallbackGroup
     from tfloom.node.log.rcutils_logger import RcutilsLogger
     from tfloom.rmw.base import Request, RequestId, Responder
     from tfloom.rosidl.message import Message
 
-__all__ = ["Service", "ServiceEndpoint", "SrvType", "SrvTypeRequest", "SrvTypeResponse"]
+    ServiceCallback: TypeAlias = Callable[
+        [SrvTypeRequest, SrvTypeResponse],
+        SrvTypeResponse | Future[SrvTypeResponse] | Coroutine[Any, Any, SrvTypeResponse],
+    ]
 
-SrvType = TypeVar("SrvType", bound=ServiceType)
-SrvTypeRequest = TypeVar("SrvTypeRequest")
-SrvTypeResponse = TypeVar("SrvTypeResponse")
+__all__ = ["ResponseFirst", "Service", "ServiceEndpoint", "SrvType", "SrvTypeRequest", "SrvTypeResponse"]
 
 
-class ServiceEndpoint(Receiver[TakingEndpoint]):
+class ResponseFirst(NamedTuple):
+    """Result of a callback's coroutine that goes on, in its callback group, after the response is sent."""
+
+    response: Any
+    go_on: Callable[[], Awaitable[Any]]
+
+
+class ServiceEndpoint(Receiver[TakingEndpoint], Generic[TakingEndpoint, SrvTypeRequest, SrvTypeResponse]):
     """The base of servers and clients."""
 
     def __init__(
         self,
         endpoint: TakingEndpoint,
-        srv_type: type[ServiceType],
+        srv_type: type[ServiceType[SrvTypeRequest, SrvTypeResponse]],
         srv_name: str,
         qos_profile: QoSProfile,
         callback_group: CallbackGroup,
@@ -43,7 +54,7 @@ class ServiceEndpoint(Receiver[TakingEndpoint]):
     ) -> None:
         super().__init__(endpoint, srv_name, incoming_type, logger)
         self._introspection = introspection
-        self.srv_type = srv_type
+        self.srv_type: type[Any] = srv_type
         self.srv_name = srv_name
         self.qos_profile = qos_profile
         self.callback_group = callback_group
@@ -74,7 +85,7 @@ class ServiceEndpoint(Receiver[TakingEndpoint]):
         super().destroy()
 
 
-class Service(ServiceEndpoint["Responder"]):
+class Service(ServiceEndpoint["Responder", SrvTypeRequest, SrvTypeResponse]):
     """Replies to requests with the responses that its callback returns; `Node.create_service` creates one.
 
     The callback may return the future of a response; other callbacks of its group run until it completes. A
@@ -87,9 +98,9 @@ class Service(ServiceEndpoint["Responder"]):
     def __init__(
         self,
         service_impl: Responder,
-        srv_type: type[ServiceType],
+        srv_type: type[ServiceType[SrvTypeRequest, SrvTypeResponse]],
         srv_name: str,
-        callback: Callable[[Any, Any], Any],
+        callback: ServiceCallback[SrvTypeRequest, SrvTypeResponse],
         callback_group: CallbackGroup,
         qos_profile: QoSProfile,
         *,
@@ -110,7 +121,7 @@ class Service(ServiceEndpoint["Responder"]):
         self._refusal = ""
         self.callback = callback
 
-    def send_response(self, response: Any, header: RequestId) -> None:
+    def send_response(self, response: SrvTypeResponse, header: RequestId) -> None:
         """Send the response to the request of `header`.
 
         Raises:
@@ -145,7 +156,7 @@ class Service(ServiceEndpoint["Responder"]):
         if taken is UNREADABLE:
             return None
         request, header = taken
-        response = self.callback(request, self.srv_type.Response())
+        response: Any = self.callback(request, self.srv_type.Response())
         if isinstance(response, CoroutineType):
             return self._send_when_done(response, header)
         if isinstance(response, Future):
@@ -156,7 +167,13 @@ class Service(ServiceEndpoint["Responder"]):
 
     def _send_result(self, future: Future[Any], header: RequestId) -> None:
         if not self._destroyed and future.done():
-            self.send_response(future.result(), header)
+            response: Any = future.result()
+            self.send_response(response, header)
 
     async def _send_when_done(self, response: Coroutine[Any, Any, Any], header: RequestId) -> None:
-        self.send_response(await response, header)
+        outcome = await response
+        if isinstance(outcome, ResponseFirst):
+            self.send_response(outcome.response, header)
+            await outcome.go_on()
+        else:
+            self.send_response(outcome, header)

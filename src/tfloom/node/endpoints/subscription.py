@@ -4,24 +4,29 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from enum import Enum
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Any, Generic
 
 from tfloom.node.endpoints.endpoint import UNREADABLE, Receiver
+from tfloom.node.endpoints.type_variables import MsgType
 from tfloom.node.executing.callback_arguments import takes
 from tfloom.node.qos.qos import QoSProfile
 from tfloom.rosidl import cdr
-from tfloom.rosidl.message import Message
 
 if TYPE_CHECKING:
-    from tfloom._native import Sink
+    from typing import TypeAlias
+
+    from tfloom._native import ReadyQueue, Sink
     from tfloom.node.executing.callback_groups import CallbackGroup
     from tfloom.node.executing.event_handler import EventHandler
     from tfloom.node.log.rcutils_logger import RcutilsLogger
     from tfloom.rmw.base import Reader, Sample
 
+    SubscriptionCallback: TypeAlias = Callable[[MsgType], Any] | Callable[[MsgType, dict[str, Any]], Any]
+
 __all__ = ["MsgType", "Subscription"]
 
-MsgType = TypeVar("MsgType", bound=Message)
+_FED = object()
+"""Returned by `take` after messages were pushed into the sink, which need no callback."""
 
 
 class Subscription(Receiver["Reader"], Generic[MsgType]):
@@ -55,6 +60,9 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
         self.callback_group = callback_group
         self.qos_profile = qos_profile
         self.raw = raw
+        self._sink: Sink | None = None
+        self._queue: tuple[ReadyQueue, int] | None = None
+        """Of the executor that this is attached to, and the token there."""
         self.event_handlers: list[EventHandler] = []
 
     @property
@@ -79,9 +87,35 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
     def feed(self, sink: Sink) -> None:
         """Push the bytes of every message into `sink`, on the wire's thread, from now on.
 
-        The callback is no longer called, and no message object is built.
+        The callback is no longer called, and no message object is built. The messages end an executor's `spin_once`,
+        as a callback does, but wake no other spin.
         """
+        if self._sink is not None:
+            self._sink.notify(None, 0)
+        self._sink = sink
+        if self._queue is not None:
+            sink.notify(*self._queue)
         self._endpoint.feed(sink)
+
+    def attach(self, queue: ReadyQueue, token: int) -> None:
+        """Post `token` when data is received; for `spin_once` only, if it is pushed into a sink."""
+        super().attach(queue, token)
+        self._queue = (queue, token)
+        if self._sink is not None:
+            self._sink.notify(queue, token)
+
+    def detach(self) -> None:
+        """Stop posting."""
+        super().detach()
+        self._queue = None
+        if self._sink is not None:
+            self._sink.notify(None, 0)
+
+    def take(self) -> Any:
+        """Return what `run` needs of the oldest message, `UNREADABLE` or `_FED`, or None."""
+        if self._sink is None:
+            return super().take()
+        return _FED if self._sink.take_pushed() else None
 
     def get_publisher_count(self) -> int:
         """Return the number of connected publishers."""
@@ -99,7 +133,7 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
 
     def run(self, taken: Any) -> Any:
         """Call the callback."""
-        return None if taken is UNREADABLE else self._callback(*taken)
+        return None if taken is UNREADABLE or taken is _FED else self._callback(*taken)
 
 
 def _info(sample: Sample) -> dict[str, Any]:

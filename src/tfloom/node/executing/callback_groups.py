@@ -21,7 +21,7 @@ class CallbackGroup:
 
     def __init__(self) -> None:
         self.entities: weakref.WeakSet[Any] = weakref.WeakSet()
-        self._parked: list[Callable[[], None]] = []
+        self._parked: list[tuple[Any, Callable[[], None]]] = []
         self._parked_lock = threading.Lock()
         """Guards `_parked`."""
 
@@ -45,17 +45,22 @@ class CallbackGroup:
         """End a callback of `entity`."""
         raise NotImplementedError
 
-    def park(self, post_again: Callable[[], None]) -> None:
-        """Call `post_again` when a callback of the group completes."""
+    def park(self, entity: Any, post_again: Callable[[], None]) -> None:
+        """Call `post_again` when a callback of the group completes, so that `entity` is looked at again."""
         with self._parked_lock:
-            self._parked.append(post_again)
+            self._parked.append((entity, post_again))
+
+    def has_parked(self, entity: Any) -> bool:
+        """Return whether an entity waits for a callback of the group to complete."""
+        with self._parked_lock:
+            return any(parked is entity for parked, _ in self._parked)
 
     def release_parked(self) -> None:
         """Post the parked entities again."""
         if self._parked:
             with self._parked_lock:
                 parked, self._parked = self._parked, []
-            for post_again in parked:
+            for _, post_again in parked:
                 post_again()
 
 
@@ -82,6 +87,10 @@ class MutuallyExclusiveCallbackGroup(CallbackGroup):
         self._active_entity: Any = None
         self._lock = threading.Lock()
         """Guards changes of `_active_entity`."""
+
+    def is_running(self, entity: Any) -> bool:
+        """Return whether the callback that runs is one of `entity`."""
+        return self._active_entity is entity
 
     def can_execute(self, entity: Any) -> bool:  # noqa: ARG002
         """Return whether no callback is running."""

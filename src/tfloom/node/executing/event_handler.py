@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Protocol
 
 from tfloom.node.executing.entity import Entity
+from tfloom.node.values.handle import Handle, unwrap_handle
 from tfloom.rmw.errors import UnsupportedEventError
 from tfloom.rmw.events import Count, Event, IncompatibleQoS, LivelinessChanged, Matched, Status
 from tfloom.rmw.qos_mismatch import mismatch_text
@@ -13,11 +14,13 @@ from tfloom.rmw.qos_mismatch import mismatch_text
 if TYPE_CHECKING:
     from tfloom._native import ReadyQueue
     from tfloom.node.executing.callback_groups import CallbackGroup
+    from tfloom.node.executing.event_types import QoSPublisherEventType, QoSSubscriptionEventType
     from tfloom.node.log.rcutils_logger import RcutilsLogger
     from tfloom.rmw.base import Graph
 
 __all__ = [
     "EventHandler",
+    "IncompatibleTypeInfo",
     "PublisherEventCallbacks",
     "QoSEventHandler",
     "QoSLivelinessChangedInfo",
@@ -36,6 +39,7 @@ __all__ = [
 UnsupportedEventTypeError = UnsupportedEventError
 
 # The statuses passed to callbacks, by the names that programs use in annotations.
+IncompatibleTypeInfo = Count
 QoSLivelinessChangedInfo = LivelinessChanged
 QoSLivelinessLostInfo = Count
 QoSMessageLostInfo = Count
@@ -62,38 +66,52 @@ class Watched(Protocol):
 
 
 class EventHandler(Entity):
-    """Calls a callback with the status of one event each time that it changes."""
+    """Calls a callback with the status of one event each time that it changes.
+
+    Args:
+        callback_group: Group of the callback.
+        callback: Called with the status, on a thread of the executor.
+        event_type: The event.
+        parent_impl: The `handle` of a publisher or subscription, or its endpoint on the wire.
+
+    Raises:
+        UnsupportedEventTypeError: the endpoint has no such event, or the wire does not report it.
+        InvalidHandle: the endpoint was destroyed.
+    """
 
     def __init__(
         self,
         *,
         callback_group: CallbackGroup,
         callback: StatusCallback,
-        event_type: Event,
-        parent_impl: Watched,
+        event_type: Event | QoSPublisherEventType | QoSSubscriptionEventType,
+        parent_impl: Watched | Handle,
     ) -> None:
         self.callback_group = callback_group
         self.callback = callback
         self.event_type = event_type
-        self._endpoint = parent_impl
+        self._event = event_type if isinstance(event_type, Event) else _wire_event(event_type)
+        self._endpoint: Watched = (
+            unwrap_handle(parent_impl).wire_endpoint if isinstance(parent_impl, Handle) else parent_impl
+        )
         self._destroyed = False
-        parent_impl.notify_event(
-            event_type, None
+        self._endpoint.notify_event(
+            self._event, None
         )  # raises UnsupportedEventTypeError if the wire has no such event
 
     def attach(self, queue: ReadyQueue, token: int) -> None:
         """Post `token` when the status has changed."""
         if not self._destroyed:
-            self._endpoint.notify_event(self.event_type, queue, token)
+            self._endpoint.notify_event(self._event, queue, token)
 
     def detach(self) -> None:
         """Stop posting."""
         if not self._destroyed:
-            self._endpoint.notify_event(self.event_type, None)
+            self._endpoint.notify_event(self._event, None)
 
     def take(self) -> Any:
         """Return the status if it has changed, else None."""
-        return None if self._destroyed else self._endpoint.take_event(self.event_type)
+        return None if self._destroyed else self._endpoint.take_event(self._event)
 
     def run(self, taken: Any) -> Any:
         """Call the callback."""
@@ -102,6 +120,13 @@ class EventHandler(Entity):
     def destroy(self) -> None:
         """Stop watching."""
         self._destroyed = True
+
+
+def _wire_event(event_type: QoSPublisherEventType | QoSSubscriptionEventType) -> Event:
+    # Imported here, because most programs have no use for rclpy's event types.
+    from tfloom.node.executing.event_types import wire_event
+
+    return wire_event(event_type)
 
 
 class QoSEventHandler(EventHandler):

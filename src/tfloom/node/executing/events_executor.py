@@ -53,7 +53,9 @@ class EventsExecutor(Executor):
             self._pass_left -= 1
             token = self._ready.popleft()
             entity = self._entities.get(token)
-            if entity is not None:
+            if entity is not None and not entity.goes_by_group:
+                self._take_responses(token)
+            elif entity is not None:
                 taken = self._take(entity, token)
                 if taken is not None:
                     self._run_entity(entity, taken)

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from types import CoroutineType, TracebackType
 from typing import TYPE_CHECKING, Any, Protocol
 
 from tfloom.node.context.context import Context
 from tfloom.node.context.utilities import get_default_context, timeout_sec_to_nsec
+from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup
 from tfloom.node.executing.executor_exceptions import (
     ConditionReachedException,
     ShutdownException,
@@ -18,7 +20,7 @@ from tfloom.node.executing.executor_exceptions import (
 )
 from tfloom.node.executing.running_work import RunningWork
 from tfloom.node.executing.task import Future, Task
-from tfloom.node.executing.work_queue import Work, WorkQueue
+from tfloom.node.executing.work_queue import MOST_AT_ONCE, Work, WorkQueue
 from tfloom.node.values.exceptions import ExternalShutdownException
 
 if TYPE_CHECKING:
@@ -31,12 +33,23 @@ if TYPE_CHECKING:
 
 __all__ = ["Executor", "SpunNode"]
 
+NESTED_HINT_NS = 1_000_000_000
+"""How long a callback that spins may keep others of its group from running before a hint is logged [ns]."""
+NESTED_HINT = (
+    "A callback spins, and others that are ready can't run before it returns, because they are in its callback "
+    "group. Await the future in an async callback, or give one of them a callback group of its own"
+)
+
 
 class SpunNode(Protocol):
     """The methods of a node that an executor calls."""
 
-    executor: Executor | None
-    """The executor that the node was added to."""
+    @property
+    def executor(self) -> Executor | None:
+        """The executor that the node was added to."""
+
+    @executor.setter
+    def executor(self, new_executor: Executor | None) -> None: ...
 
     @property
     def context(self) -> Context:
@@ -79,12 +92,17 @@ class Executor(WorkQueue):
         self._context.add_queue(self._queue)
         self._spinning = threading.RLock()
         """Lock held by the thread that spins."""
+        self._is_in_long_spin = False
+        """Whether the spin continues after one callback. Used only by the thread that spins."""
         self._nodes: list[SpunNode] = []
         """The nodes that were added. Guarded by `_lock`."""
         self._is_shutdown = False
         """Set once, by `shutdown`, without a lock."""
         self._running = RunningWork()
         """The threads that run callbacks now."""
+        self._held_since_ns: int | None = None
+        """When callbacks were first found held by one that spins. Of the thread that spins alone, as is the next."""
+        self._has_hinted = False
 
     @property
     def context(self) -> Context:
@@ -95,6 +113,7 @@ class Executor(WorkQueue):
 
     def add_node(self, node: SpunNode) -> bool:
         """Add a node; return False if it was added before. A node in another executor is removed from that one."""
+        node.get_name()  # raises, before anything is changed, where the node's `__init__` has not run
         with self._lock:
             if self._is_shutdown:
                 raise ShutdownException("cannot add a node to an executor that is shut down")
@@ -179,7 +198,7 @@ class Executor(WorkQueue):
         """
         timeout_ns = timeout_sec_to_nsec(timeout_sec)
         end_ns = None if timeout_ns < 0 else time.monotonic_ns() + timeout_ns
-        waited = has_response = False
+        waited = self._has_response = False
         while True:
             if self._is_shutdown:
                 raise ShutdownException
@@ -191,14 +210,55 @@ class Executor(WorkQueue):
                 work = self._work_of_this_pass()
                 if work is not None:
                     return work
-            if has_response and until_response:
+            if self._has_response and until_response:
                 raise ConditionReachedException
             if waited and end_ns is not None and time.monotonic_ns() >= end_ns:
                 raise TimeoutException
             waited = True
-            has_response = self._collect(end_ns)
+            # Messages for a sink need no callback, so a long spin ignores them. A spin in a callback may wait for them.
+            quiet = not self._is_in_long_spin or self._running.is_this_thread()
+            self._collect(self._end_of_nested_wait(end_ns), quiet=quiet)
+
+    def _end_of_nested_wait(self, end_ns: int | None) -> int | None:
+        """Return when to wake from a wait until `end_ns` to log a hint: a callback that spins may wait for itself.
+
+        Callbacks of its group are ready and can't run before it returns. The hint comes once, because the wait may
+        be for something else.
+        """
+        if self._has_hinted or not RunningWork.is_any_on_this_thread():
+            return end_ns
+        held = next((each for each in self._entities.values() if _is_held(each)), None)
+        if held is None:
+            self._held_since_ns = None
+            return end_ns
+        now_ns = time.monotonic_ns()
+        if self._held_since_ns is None:
+            self._held_since_ns = now_ns
+        hint_ns = self._held_since_ns + NESTED_HINT_NS
+        if now_ns < hint_ns:
+            return hint_ns if end_ns is None else min(end_ns, hint_ns)
+        self._has_hinted = True
+        held._part_of.get_logger().warning(NESTED_HINT)  # noqa: SLF001  # ours
+        return end_ns
 
     # Running
+
+    def run_waiting(self, entity: Entity) -> None:
+        """Run the callbacks for all that an entity has waiting, as far as its group admits them.
+
+        To be called where a response was taken. It does nothing while another thread spins.
+        """
+        token = self._tokens.get(entity)
+        if token is None or not self._spinning.acquire(blocking=False):
+            return
+        try:
+            for _ in range(MOST_AT_ONCE):
+                taken = self._take(entity, token)
+                if taken is None:
+                    return
+                self._run(Work(entity, taken))
+        finally:
+            self._spinning.release()
 
     def _run(self, work: Work) -> None:
         """Run a callback to its end, or a coroutine to its next await, and raise its exception, if any."""
@@ -253,17 +313,14 @@ class Executor(WorkQueue):
             Exception: raised by a callback.
             RuntimeError: another thread is spinning this executor.
         """
-        self._begin_spin()
-        try:
+        with self._long_spin():
             while self._context.ok() and not self._is_shutdown:
                 self.spin_once()
-        finally:
-            self._spinning.release()
         if self._context.is_interrupted():  # by a signal that arrived while a callback ran
             raise ExternalShutdownException
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
-        """Wait for one callback and run it, or for a response to a client.
+        """Wait for one callback and run it, for a response to a client, or for a transform of a TransformListener.
 
         Return without either after `timeout_sec` [s] (None, negative: no limit).
         """
@@ -271,11 +328,8 @@ class Executor(WorkQueue):
 
     def spin_until_future_complete(self, future: Future[Any], timeout_sec: float | None = None) -> None:
         """Run callbacks until a future is done, or for `timeout_sec` [s] (None, negative: no limit)."""
-        self._begin_spin()
-        try:
+        with self._long_spin():
             self._spin_until(future, timeout_sec)
-        finally:
-            self._spinning.release()
 
     def _spin_until(self, future: Future[Any], timeout_sec: float | None) -> None:
         def is_over() -> bool:
@@ -318,14 +372,31 @@ class Executor(WorkQueue):
         finally:
             self._spinning.release()
 
+    @contextmanager
+    def _long_spin(self) -> Iterator[None]:
+        """Hold the right to spin for more than one callback."""
+        self._begin_spin()
+        outer, self._is_in_long_spin = self._is_in_long_spin, True
+        try:
+            yield
+        finally:
+            self._is_in_long_spin = outer
+            self._spinning.release()
+
     def _begin_spin(self) -> None:
         """Acquire the right to spin; `_spinning.release` releases it.
 
         Raises:
-            RuntimeError: another thread is spinning.
+            RuntimeError: another thread is spinning; inside a callback, the text has what to do instead.
         """
         if not self._spinning.acquire(blocking=False):
-            raise RuntimeError("Executor is already spinning, on another thread")
+            advice = ""
+            if self._running.is_this_thread():
+                advice = (
+                    ", which runs what this callback would spin for. Await the future in an async callback, or wait "
+                    "for it by a threading.Event; what completes it needs another callback group"
+                )
+            raise RuntimeError(f"Executor is already spinning, on another thread{advice}")
 
     # Shutdown
 
@@ -356,3 +427,14 @@ class Executor(WorkQueue):
         self, t: type[BaseException] | None, v: BaseException | None, tb: TracebackType | None
     ) -> None:
         self.shutdown()
+
+
+def _is_held(entity: Entity) -> bool:
+    """Return whether an entity has posted, and waits for a callback of another one in its group to complete."""
+    group = entity.callback_group
+    if not isinstance(group, MutuallyExclusiveCallbackGroup) or not group.has_parked(entity):
+        return False
+    # An entity is looked at again after each of its callbacks: that alone is no sign of more to run.
+    if group.is_running(entity) or group.can_execute(entity):
+        return False
+    return not entity.is_timed or entity.deadline_ns() is not None

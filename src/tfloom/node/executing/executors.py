@@ -6,7 +6,7 @@ import threading
 from collections import deque
 from collections.abc import Callable, Coroutine
 from contextlib import suppress
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 from weakref import WeakKeyDictionary
 
 from tfloom.node.context.context import Context
@@ -20,6 +20,9 @@ from tfloom.node.executing.executor_exceptions import (
 )
 from tfloom.node.executing.signals import defer_keyboard_interrupt_in
 from tfloom.node.executing.work_queue import Work
+
+if TYPE_CHECKING:
+    from tfloom.node.executing.entity import Entity
 
 __all__ = [
     "MultiThreadedExecutor",
@@ -57,7 +60,7 @@ class MultiThreadedExecutor(Executor):
         from concurrent.futures import thread
 
         # An exception between two lines of the pool's `submit` would prevent its threads from ending.
-        defer_keyboard_interrupt_in(thread.__file__)
+        defer_keyboard_interrupt_in(thread.ThreadPoolExecutor.submit.__code__.co_filename)
         if num_threads is None:
             num_threads = os.cpu_count() or 1
         self._num_threads = max(num_threads, 2) if num_threads != 1 else 1
@@ -67,6 +70,8 @@ class MultiThreadedExecutor(Executor):
         """Number of callbacks in the pool. Changed under `_busy_lock`, read without it."""
         self._errors: deque[BaseException] = deque()
         """Exceptions of callbacks, for the thread that spins. Changed by single operations, without a lock."""
+
+    _runs_tasks_first = False  # they run on other threads, which may all wait for a response
 
     def _has_room(self) -> bool:
         # Until a thread is free, a message waits in its reader, whose history depth limits the number.
@@ -104,6 +109,9 @@ class MultiThreadedExecutor(Executor):
             with self._busy_lock:
                 self._busy -= 1
             self.wake()
+
+    def run_waiting(self, entity: Entity) -> None:
+        """Do nothing, because callbacks run on other threads than the one that takes responses."""
 
     def would_wait_for_itself(self) -> bool:
         """Return False, because the thread that spins receives data while callbacks run on other threads."""

@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import threading
+import weakref
 
 __all__ = ["RunningWork"]
+
+
+_all_running_work: weakref.WeakSet[RunningWork] = weakref.WeakSet()
 
 
 class RunningWork:
@@ -15,6 +19,7 @@ class RunningWork:
         self._waiters = 0
         # Changed without the lock, by single operations of a list, because a lock would cost time in each callback.
         self._threads: list[int] = []
+        _all_running_work.add(self)
 
     def __enter__(self) -> None:
         self._threads.append(threading.get_ident())
@@ -28,6 +33,11 @@ class RunningWork:
     def is_this_thread(self) -> bool:
         """Return whether a callback runs on the calling thread."""
         return threading.get_ident() in self._threads
+
+    @staticmethod
+    def is_any_on_this_thread() -> bool:
+        """Return whether a callback of any executor runs on the calling thread."""
+        return any(work.is_this_thread() for work in list(_all_running_work))
 
     def wait(self, timeout_s: float | None) -> bool:
         """Wait until no callback runs on another thread; False after `timeout_s` [s] (None: no limit)."""

@@ -37,8 +37,14 @@ class SignalHandlerOptions(IntFlag):
 ECHO_S = 0.5
 """Time in which a second SIGINT is ignored [s], because launchers send it to a process and to its group."""
 
-_uninterruptible_files = {weakref.__file__, _weakrefset.__file__}
-"""Files whose code an exception between two lines would break, or would lose the exception."""
+_uninterruptible_files = {
+    weakref.WeakMethod.__new__.__code__.co_filename,
+    _weakrefset.WeakSet.add.__code__.co_filename,
+}
+"""Files whose code an exception between two lines would break, or would lose the exception.
+
+Named as in their code objects, because in a frozen program `__file__` is another path.
+"""
 
 _interrupted_at = -ECHO_S
 _previous: dict[signal.Signals, Any] = {}
@@ -99,7 +105,11 @@ def _may_interrupt(frame: FrameType | None) -> bool:
 
 
 def defer_keyboard_interrupt_in(file: str) -> None:
-    """Raise no KeyboardInterrupt inside the functions of a file, while there is a context to shut down instead."""
+    """Raise no KeyboardInterrupt inside the functions of a file, while there is a context to shut down instead.
+
+    Args:
+        file: `co_filename` of their code objects.
+    """
     _uninterruptible_files.add(file)
 
 

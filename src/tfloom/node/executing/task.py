@@ -8,6 +8,8 @@ import weakref
 from collections.abc import Callable, Coroutine, Generator, Iterable, Mapping
 from typing import Any, Generic, Protocol, TypeVar
 
+from tfloom.node.executing.asyncio_wait import is_driven_by_asyncio, step, wait_in_asyncio
+
 __all__ = ["Future", "Task", "TaskRunner"]
 
 T = TypeVar("T")
@@ -22,6 +24,9 @@ class TaskRunner(Protocol):
 
 class Future(Generic[T]):
     """The result of a call that isn't complete yet.
+
+    Coroutines may await it, in an executor and in asyncio. In asyncio, cancelling the task that awaits it cancels the
+    future, and a cancelled future raises `asyncio.CancelledError`; in an executor it returns None.
 
     Methods may be called from any thread. A callback of `add_done_callback` runs as a task of `executor` if there is
     one; otherwise at once, on the thread that completes the future.
@@ -44,11 +49,18 @@ class Future(Generic[T]):
         if self._exception is not None and not self._exception_fetched:
             print(f"The following exception was never retrieved: {self._exception}", file=sys.stderr)
 
-    def __await__(self) -> Generator[Future[T], None, T | None]:
+    def __await__(self) -> Generator[Any, None, T | None]:
+        if not self._done:
+            if is_driven_by_asyncio():
+                yield from wait_in_asyncio(self)
+            else:
+                yield from self._wait_in_executor()
+        return self.result()
+
+    def _wait_in_executor(self) -> Generator[Future[T], None, None]:
         # The task that runs the coroutine is resumed by a callback of the future that is yielded here.
         while not self._done and not self._cancelled:
             yield self
-        return self.result()
 
     def cancel(self) -> None:
         """Cancel the future and schedule its callbacks, unless it is complete already."""
@@ -224,7 +236,7 @@ class Task(Future[T]):
                     return None
                 self._coroutine = outcome
             if self._coroutine is not None:
-                awaited = self._coroutine.send(None)
+                awaited = step(self._coroutine)
                 return awaited if isinstance(awaited, Future) else None
         except StopIteration as end:
             self.set_result(end.value)

@@ -48,6 +48,12 @@ class WorkQueue:
     except `_end` and `_register_task`, which any thread may call.
     """
 
+    _runs_tasks_first = True
+    """Whether tasks that are ready run before a response is taken that arrived beside them.
+
+    What a callback has begun, as the execution of a goal, has then run when the caller's future is complete.
+    """
+
     def __init__(self) -> None:
         self._queue = ReadyQueue()
         """Queue of the tokens that entities, tasks and `wake` post, on any thread; it has a lock of its own."""
@@ -64,13 +70,15 @@ class WorkQueue:
         self._numbers = count(WAKE + 1)
         """Counter of tokens; taking the next is a single operation."""
         self._ready: deque[int] = deque()
-        """Tokens to check, the oldest first. Used by the thread that spins alone, as are the four below."""
+        """Tokens to check, the oldest first. Used by the thread that spins alone, as are the five below."""
         self._refused: list[int] = []
         """Tokens of entities that their group, of a class of the program's own, has not admitted."""
         self._held: dict[int, Any] = {}
         """Items taken from such entities before the refusal. `remove_entity` removes from it, too."""
         self._pass_left = 0
         """Number of tokens in `_ready` that belong to the present pass."""
+        self._has_response = False
+        """Set when a response to a client was taken, and cleared by whatever waits for one."""
         self._timers = TimerSchedule()
         """The deadlines of timed entities."""
 
@@ -147,32 +155,36 @@ class WorkQueue:
                 return work
         return None
 
-    def _collect(self, end_ns: int | None) -> bool:
+    def _collect(self, end_ns: int | None, *, quiet: bool = False) -> None:
         """Wait for posts and timers, not beyond `end_ns`, and begin a new pass over all that is ready.
 
-        Returns:
-            Whether responses arrived; their futures are complete.
+        With `quiet`, this includes subscriptions whose messages were pushed into a sink. Responses to clients are
+        taken at once, or in the pass, after the tasks that are ready already.
         """
-        has_response = False
         if self._refused:
             self._retry_refused()
-        tokens = self._queue.wait(self._wait_ns(end_ns))
+        tokens = self._queue.wait(self._wait_ns(end_ns), quiet)
+        responses: list[int] = []
         for token in tokens:
             entity = self._entities.get(token)
             if entity is None:
                 if token != WAKE:
                     self._ready.append(token)
             elif not entity.goes_by_group:
-                has_response |= self._run_on_spinning_thread(entity, token)
+                responses.append(token)
             elif entity.is_timed and not entity.is_polled and (due_ns := entity.deadline_ns()) is not None:
                 self._timers.set(token, due_ns)  # timers run in the order of their deadlines
             else:
                 self._ready.append(token)
+        if responses and self._runs_tasks_first and any(token in self._tasks for token in tokens):
+            self._ready.extend(responses)
+        else:
+            for token in responses:
+                self._take_responses(token)
         self._ready.extend(self._timers.take_due(time.monotonic_ns()))
         if self._polled:
             self._ready.extend(token for token in self._polled if token not in tokens)
         self._pass_left = len(self._ready)
-        return has_response
 
     def _retry_refused(self) -> None:
         """Move the entities that their groups admit from `_refused` to `_ready`."""
@@ -182,15 +194,18 @@ class WorkQueue:
             if entity is not None:
                 (self._ready if self.can_execute(entity) else self._refused).append(token)
 
-    def _run_on_spinning_thread(self, entity: Entity, token: int) -> bool:
-        """Run an entity without callbacks of the program on this thread; return False if it has nothing to run."""
-        for number in range(MOST_AT_ONCE):
+    def _take_responses(self, token: int) -> None:
+        """Run an entity without callbacks of the program on this thread, to the end of what it has."""
+        entity = self._entities.get(token)
+        if entity is None:
+            return
+        for _ in range(MOST_AT_ONCE):
             taken = entity.take()
             if taken is None:
-                return number > 0
+                return
+            self._has_response = True
             entity.run(taken)
         self._queue.post(token)
-        return True
 
     def _wait_ns(self, end_ns: int | None) -> int:
         if self._ready and self._has_room():
@@ -203,6 +218,9 @@ class WorkQueue:
         if entity is None:
             task = self._tasks.get(token)
             return None if task is None else Work(None, task)
+        if not entity.goes_by_group:
+            self._take_responses(token)
+            return None
         taken = self._take(entity, token)
         return None if taken is None else Work(entity, taken)
 
@@ -212,7 +230,7 @@ class WorkQueue:
         if group is not None and type(group) not in _GROUPS_FREED_ON_COMPLETION:
             return self._take_with_consent(group, entity, token)
         if group is not None and not group.beginning_execution(entity):
-            group.park(lambda: self._queue.post(token))
+            group.park(entity, lambda: self._queue.post(token))
             if group.can_execute(entity):  # a callback completed in between
                 group.release_parked()
             return None

@@ -5,6 +5,7 @@ from __future__ import annotations
 from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
 from tfloom.node.parameters.exceptions import ParameterNotDeclaredException, ParameterUninitializedException
 from tfloom.node.parameters.parameter import PARAMETER_SEPARATOR_STRING, Parameter, ParameterType
+from tfloom.node.values.set_by_init import SET_BY_INIT
 
 __all__ = ["DeclaredParameters"]
 
@@ -15,9 +16,13 @@ class DeclaredParameters:
     The attributes have rclpy's names, because programs read them.
     """
 
+    _parameters: dict[str, Parameter] = SET_BY_INIT
+    _descriptors: dict[str, rcl_msg.ParameterDescriptor] = SET_BY_INIT
+    _allow_undeclared_parameters: bool = SET_BY_INIT
+
     def __init__(self, *, allow_undeclared: bool) -> None:
-        self._parameters: dict[str, Parameter] = {}
-        self._descriptors: dict[str, rcl_msg.ParameterDescriptor] = {}
+        self._parameters = {}
+        self._descriptors = {}
         self._allow_undeclared_parameters = allow_undeclared
 
     def has_parameter(self, name: str) -> bool:

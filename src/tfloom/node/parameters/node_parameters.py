@@ -19,6 +19,7 @@ from tfloom.node.parameters.parameter import Parameter, ParameterType
 from tfloom.node.parameters.parameter_declaration import Declaration, read_declarations
 from tfloom.node.parameters.parameter_rules import check_against_descriptor
 from tfloom.node.parameters.validate_parameter_name import validate_parameter_name
+from tfloom.node.values.set_by_init import SET_BY_INIT
 
 __all__ = ["NodeParameters"]
 
@@ -36,6 +37,12 @@ class NodeParameters(DeclaredParameters):
         publish_event: Called with the new, changed and deleted parameters of each setting; it adds stamp and node.
     """
 
+    __pre_set_callbacks: list[_PreCallback] = SET_BY_INIT
+    __on_set_callbacks: list[_SetCallback] = SET_BY_INIT
+    __post_set_callbacks: list[_PostCallback] = SET_BY_INIT
+    __parameters_lock = SET_BY_INIT
+    """Held while parameters are declared, undeclared or set; reading takes no lock."""
+
     def __init__(
         self,
         overrides: dict[str, Parameter],
@@ -46,11 +53,10 @@ class NodeParameters(DeclaredParameters):
         DeclaredParameters.__init__(self, allow_undeclared=allow_undeclared)
         self._parameter_overrides = overrides
         self.__publish_event = publish_event
-        self.__pre_set_callbacks: list[_PreCallback] = []
-        self.__on_set_callbacks: list[_SetCallback] = []
-        self.__post_set_callbacks: list[_PostCallback] = []
+        self.__pre_set_callbacks = []
+        self.__on_set_callbacks = []
+        self.__post_set_callbacks = []
         self.__parameters_lock = threading.RLock()
-        """Held while parameters are declared, undeclared or set; reading takes no lock."""
 
     # Declaring
 
@@ -70,6 +76,7 @@ class NodeParameters(DeclaredParameters):
             ignore_override: Whether the initial value is the default even if the command line gives a value.
 
         Raises:
+            ValueError: there is neither a value nor a type, and the descriptor doesn't allow dynamic typing.
             ParameterAlreadyDeclaredException: it was declared before.
             InvalidParameterException: the name is empty.
             InvalidParameterTypeException: the value given on the command line is of another type.
@@ -95,7 +102,8 @@ class NodeParameters(DeclaredParameters):
 
         Raises:
             TypeError: a tuple isn't of that form.
-            ValueError: a type is NOT_SET, or given together with dynamic typing.
+            ValueError: a type is NOT_SET, or given together with dynamic typing; or there is neither a value nor a
+                type, and no dynamic typing.
             ParameterException: as from `declare_parameter`; the tuples before it in the list are then declared.
         """
         declarations = read_declarations(namespace, parameters)
@@ -115,6 +123,7 @@ class NodeParameters(DeclaredParameters):
             parameter = self._parameter_overrides[declaration.name]
         descriptor = declaration.descriptor
         if parameter.type_ is ParameterType.NOT_SET:
+            descriptor.name = parameter.name
             self._descriptors[parameter.name] = descriptor
             self._parameters[parameter.name] = parameter
             return

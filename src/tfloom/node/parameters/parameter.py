@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from enum import Enum
 from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
-from tfloom.node.parameters.parameter_file import read_parameter_file
+from tfloom.node.parameters.parameter_file import EVERY_NODE, ParameterRule, read_parameter_file
 from tfloom.node.values.names import full_node_name
 from tfloom.node.values.scalars import parse_value
 
@@ -17,12 +17,15 @@ if TYPE_CHECKING:
 __all__ = [
     "PARAMETER_SEPARATOR_STRING",
     "Parameter",
+    "ParameterMsg",
     "get_parameter_value",
     "parameter_dict_from_yaml_file",
     "parameter_value_to_python",
 ]
 
 PARAMETER_SEPARATOR_STRING = "."
+ParameterMsg = rcl_msg.Parameter
+"""The message of a parameter, by the name that rclpy's modules give it beside `Parameter`."""
 
 
 class ParameterType(Enum):
@@ -177,7 +180,7 @@ def parameter_value_to_python(parameter_value: rcl_msg.ParameterValue) -> Any:
 def get_parameter_value(string_value: str) -> rcl_msg.ParameterValue:
     """Return the message for a value written as YAML; text that is not a value of another type is a string."""
     try:
-        value = parse_value(string_value)
+        value = parse_value(string_value, nothing=string_value)
         return Parameter("", value=value).get_parameter_value()
     except (TypeError, ValueError):
         return Parameter("", value=string_value).get_parameter_value()
@@ -193,27 +196,40 @@ def parameter_dict_from_yaml_file(
 
     Args:
         parameter_file: The YAML file.
-        use_wildcard: Whether values for `/**` are included.
+        use_wildcard: Whether values for `/**` are included; values for a node override them.
         target_nodes: Full names of the nodes to read; None: all.
-        namespace: Joined to each name by a dot.
+        namespace: Prefix of each name, its final dot included.
 
     Raises:
         OSError: the file can't be read.
         ValueError: it isn't a parameter file.
-        RuntimeError: a target node isn't in it.
+        RuntimeError: a target node isn't in it, or no parameter is selected.
     """
     rules = read_parameter_file(parameter_file)
-    targets = (
-        None if target_nodes is None else [full_node_name("/", node.strip("/")) for node in target_nodes]
-    )
-    if targets is not None and not use_wildcard:
-        missing = [node for node in targets if all(rule.node != node for rule in rules)]
-        if missing:
-            raise RuntimeError(f"Param file does not contain any valid parameters for {', '.join(missing)}")
+    nodes = list(dict.fromkeys(rule.node for rule in rules))
+    if not use_wildcard:
+        rules = [rule for rule in rules if rule.node != EVERY_NODE]
+    if target_nodes is not None:
+        targets = [full_node_name("/", node.strip("/")) for node in target_nodes]
+        for target in targets:
+            if target not in nodes and not (use_wildcard and EVERY_NODE in nodes):
+                raise RuntimeError(
+                    f"Param file does not contain parameters for {target},only for nodes: {nodes} "
+                )
+        rules = [rule for rule in rules if rule.node in (*targets, EVERY_NODE)]
+    return parameter_dict(rules, namespace)
+
+
+def parameter_dict(rules: Iterable[ParameterRule], namespace: str = "") -> dict[str, rcl_msg.Parameter]:
+    """Return the parameters of rules by name, with `namespace` before each; other rules override those for `/**`.
+
+    Raises:
+        RuntimeError: there are no rules.
+    """
     found: dict[str, rcl_msg.Parameter] = {}
-    for rule in rules:
-        is_wild = "*" in rule.node
-        if use_wildcard if is_wild else targets is None or rule.node in targets:
-            name = f"{namespace}{PARAMETER_SEPARATOR_STRING}{rule.name}" if namespace else rule.name
-            found[name] = Parameter(name, value=rule.value).to_parameter_msg()
+    for rule in sorted(rules, key=lambda rule: rule.node != EVERY_NODE):
+        name = f"{namespace}{rule.name}"
+        found[name] = Parameter(name, value=rule.value).to_parameter_msg()
+    if not found:
+        raise RuntimeError("Param file does not contain selected parameters")
     return found

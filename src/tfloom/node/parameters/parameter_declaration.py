@@ -31,7 +31,8 @@ def read_declarations(namespace: str, parameters: Sequence[tuple[Any, ...]]) -> 
 
     Raises:
         TypeError: a tuple isn't of that form.
-        ValueError: a type is NOT_SET, or given together with dynamic typing.
+        ValueError: a type is NOT_SET, or given together with dynamic typing; or there is neither value nor type,
+            and no dynamic typing.
     """
     return [_read(index, namespace, each) for index, each in enumerate(parameters)]
 
@@ -62,19 +63,18 @@ def _settle_type(name: str, value: Any, descriptor: rcl_msg.ParameterDescriptor)
             raise ValueError(f"Cannot declare parameter {{{name}}} as statically typed of type NOT_SET")
         if descriptor.dynamic_typing:
             raise ValueError(
-                f"When declaring parameter {{{name}}} passing a descriptor with `dynamic_typing=True`, "
-                "a type can't be passed too: pass a value, or None"
+                f"When declaring parameter {{{name}}} passing a descriptor with`dynamic_typing=True` "
+                "is not allowed when the parameter type is provided"
             )
         descriptor.type = value.value
         return None
     if isinstance(value, rcl_msg.ParameterValue):
         value = parameter_value_to_python(value)
-    if not descriptor.dynamic_typing and value is not None:
-        descriptor.type = Parameter(name, value=value).type_.value
-    elif not descriptor.dynamic_typing and descriptor.type == ParameterType.NOT_SET.value:
+    if value is None and not descriptor.dynamic_typing:
         raise ValueError(
             "Cannot declare a statically typed parameter with default value of type PARAMETER_NOT_SET"
         )
+    descriptor.type = Parameter(name, value=value).type_.value
     return value
 
 
@@ -84,6 +84,6 @@ def _warn_of_name_alone(name: str) -> None:
         "You have to either:\n"
         '\t- Pass a name and a default value different to "PARAMETER NOT SET" (and optionally a descriptor).\n'
         "\t- Pass a name and a parameter type.\n"
-        "\t- Pass a name and a descriptor with `dynamic_typing=True`\n",
+        "\t- Pass a name and a descriptor with `dynamic_typing=True",
         stacklevel=5,
     )

@@ -14,7 +14,10 @@ if TYPE_CHECKING:
 # A malformed file raises ValueError, whichever Python type the value has.
 # ruff: noqa: TRY004
 
-__all__ = ["ParameterRule", "checked_value", "read_parameter_file"]
+__all__ = ["EVERY_NODE", "ParameterRule", "checked_value", "read_parameter_file"]
+
+EVERY_NODE = "/**"
+"""The pattern that matches all nodes."""
 
 _KEY = "ros__parameters"
 
@@ -29,7 +32,7 @@ class ParameterRule(NamedTuple):
 
     def is_for(self, full_name: str) -> bool:
         """Return whether the pattern matches this full name."""
-        if self.node == "/**":
+        if self.node == EVERY_NODE:
             return True
         parts = (
             ".*" if part == "**" else "[^/]*" if part == "*" else re.escape(part)

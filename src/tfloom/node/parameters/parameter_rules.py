@@ -21,6 +21,8 @@ def check_against_descriptor(
         return f"Trying to set a read-only parameter: {parameter.name}."
     if descriptor.dynamic_typing or parameter.type_.value == descriptor.type:
         return _check_range(parameter, descriptor)
+    if parameter.type_ is ParameterType.NOT_SET:
+        return "Static parameter cannot be undeclared"
     return f"Wrong parameter type, expected '{ParameterType(descriptor.type)}' got '{parameter.type_}'"
 
 

@@ -17,12 +17,14 @@ from tfloom.rmw.qos import (
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
 
 __all__ = [
+    "DeadlineBestAvailable",
     "DurabilityPolicy",
     "HistoryPolicy",
     "InvalidQoSProfileException",
+    "LivelinessLeaseDurationeBestAvailable",
     "LivelinessPolicy",
     "QoSCompatibility",
     "QoSDurabilityPolicy",
@@ -68,6 +70,8 @@ QoSLivelinessPolicy = LivelinessPolicy
 
 BEST_AVAILABLE_DURATION = Duration(nanoseconds=wire.BEST_AVAILABLE_NS)
 """A deadline or lease that is chosen to be compatible with the topic's other endpoints."""
+DeadlineBestAvailable = BEST_AVAILABLE_DURATION
+LivelinessLeaseDurationeBestAvailable = BEST_AVAILABLE_DURATION  # rclpy's spelling
 
 
 def _number(value: Any, name: str) -> int:
@@ -112,6 +116,11 @@ _FIELDS: dict[str, tuple[Any, Callable[[Any, str], Any]]] = {
     "avoid_ros_namespace_conventions": (False, _flag),
 }
 
+_NO_DEPTH = (
+    "A zero depth with KEEP_LAST doesn't make sense; no data could be stored. "
+    "This will be interpreted as SYSTEM_DEFAULT"
+)
+
 
 class QoSProfile:
     """The quality of service that a publisher offers, or a subscription requests.
@@ -132,6 +141,9 @@ class QoSProfile:
     Raises:
         InvalidQoSProfileException: neither `history` nor `depth` is given, or KEEP_LAST without `depth`.
         TypeError: an argument is unknown or of the wrong type.
+
+    Warns:
+        UserWarning: KEEP_LAST with a depth of 0, which leaves the depth to the wire.
     """
 
     __slots__ = tuple(f"_{name}" for name in _FIELDS)
@@ -152,10 +164,18 @@ class QoSProfile:
             raise TypeError(f"Invalid arguments passed to constructor: {', '.join(sorted(unknown))}")
         if "history" not in kwargs and "depth" not in kwargs:
             raise InvalidQoSProfileException("History and/or depth settings are required.")
-        for name, (default, _) in _FIELDS.items():
-            setattr(self, name, kwargs.get(name, default))
+        _fill(self, kwargs)
+        if "depth" in kwargs:
+            self._warn_of_no_depth()
         if self.history == HistoryPolicy.KEEP_LAST and "depth" not in kwargs:
             raise InvalidQoSProfileException("History set to KEEP_LAST without a depth setting.")
+
+    def _warn_of_no_depth(self) -> None:
+        """Warn of a history without samples, at the line that called the caller."""
+        if self.depth == 0 and self.history == HistoryPolicy.KEEP_LAST:
+            import warnings
+
+            warnings.warn(_NO_DEPTH, stacklevel=3)
 
     def get_c_qos_profile(self) -> QoSProfile:
         """Return this object, in place of rclpy's C profile."""
@@ -188,16 +208,21 @@ class QoSProfile:
     @classmethod
     def from_wire(cls, qos: wire.QoS) -> QoSProfile:
         """Return the profile of an endpoint on the graph; a duration without limit is `Infinite`."""
-        return cls(
-            history=qos.history,
-            depth=qos.depth,
-            reliability=qos.reliability,
-            durability=qos.durability,
-            lifespan=Duration(nanoseconds=qos.lifespan_ns),
-            deadline=Duration(nanoseconds=qos.deadline_ns),
-            liveliness=qos.liveliness,
-            liveliness_lease_duration=Duration(nanoseconds=qos.liveliness_lease_ns),
-        )
+        profile = cls.__new__(
+            cls
+        )  # without the warning of the constructor, because some peers announce no depth
+        values = {
+            "history": qos.history,
+            "depth": qos.depth,
+            "reliability": qos.reliability,
+            "durability": qos.durability,
+            "lifespan": Duration(nanoseconds=qos.lifespan_ns),
+            "deadline": Duration(nanoseconds=qos.deadline_ns),
+            "liveliness": qos.liveliness,
+            "liveliness_lease_duration": Duration(nanoseconds=qos.liveliness_lease_ns),
+        }
+        _fill(profile, values)
+        return profile
 
     @staticmethod
     def field_names() -> list[str]:
@@ -215,6 +240,12 @@ class QoSProfile:
         return f"QoSProfile({', '.join(f'{name}={getattr(self, name)!s}' for name in _FIELDS)})"
 
 
+def _fill(profile: QoSProfile, values: Mapping[str, Any]) -> None:
+    """Set all fields: to `values`, or to their defaults."""
+    for name, (default, convert) in _FIELDS.items():
+        setattr(profile, f"_{name}", convert(values.get(name, default), name))
+
+
 def _field(name: str, convert: Callable[[Any, str], Any]) -> property:
     slot = f"_{name}"
 
@@ -223,6 +254,8 @@ def _field(name: str, convert: Callable[[Any, str], Any]) -> property:
 
     def set_(self: QoSProfile, value: Any) -> None:
         setattr(self, slot, convert(value, name))
+        if name == "depth":
+            self._warn_of_no_depth()
 
     return property(get, set_)
 
@@ -245,17 +278,20 @@ qos_profile_best_available = QoSProfile.from_wire(wire.PROFILES["best_available"
 def qos_check_compatible(
     publisher_qos: QoSProfile, subscription_qos: QoSProfile
 ) -> tuple[QoSCompatibility, str]:
-    """Return whether a publisher and a subscription of these profiles connect, and the reason if not."""
-    from tfloom.rmw.compatibility import incompatible_policies
+    """Return whether a publisher and a subscription of these profiles connect, and the reasons if not.
 
-    apart = incompatible_policies(publisher_qos.to_wire(), subscription_qos.to_wire())
-    if not apart:
-        return QoSCompatibility.OK, ""
-    reasons = "".join(
-        f"ERROR: {kind.name.lower()} of the publisher is less than the subscription requests;"
-        for kind in apart
-    )
-    return QoSCompatibility.ERROR, reasons
+    Returns:
+        OK and ""; ERROR and the reasons; or WARNING and the reasons if policies of SYSTEM_DEFAULT or UNKNOWN leave it
+        undetermined. Each reason ends with a semicolon.
+    """
+    from tfloom.node.qos.qos_compatibility import find_errors, find_warnings
+
+    offered, requested = publisher_qos.as_stated(), subscription_qos.as_stated()
+    if errors := find_errors(offered, requested):
+        return QoSCompatibility.ERROR, "".join(f"ERROR: {error};" for error in errors)
+    if warnings := find_warnings(offered, requested):
+        return QoSCompatibility.WARNING, "".join(f"WARNING: {warning};" for warning in warnings)
+    return QoSCompatibility.OK, ""
 
 
 class QoSCompatibility(IntEnum):

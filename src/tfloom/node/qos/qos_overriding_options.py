@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias, Union
 
 from tfloom.interfaces.rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
 from tfloom.node.qos.qos import (
@@ -20,7 +20,21 @@ from tfloom.node.values.duration import Duration
 if TYPE_CHECKING:
     from tfloom.node.parameters.node_parameters import NodeParameters
 
-__all__ = ["InvalidQosOverridesError", "QoSOverridingOptions", "apply_overrides"]
+__all__ = [
+    "InvalidQosOverridesError",
+    "QoSOverridingOptions",
+    "QoSProfileAttributes",
+    "QosCallbackResult",
+    "QosCallbackType",
+    "apply_overrides",
+]
+
+QosCallbackResult = SetParametersResult
+QosCallbackType = Callable[[QoSProfile], QosCallbackResult]
+QoSProfileAttributes: TypeAlias = Union[  # noqa: UP007 - evaluated on 3.10
+    HistoryPolicy, int, ReliabilityPolicy, DurabilityPolicy, Duration, LivelinessPolicy, bool
+]
+"""What a field of a profile holds."""
 
 _ENUMS: dict[QoSPolicyKind, type[QoSPolicyEnum]] = {
     QoSPolicyKind.HISTORY: HistoryPolicy,
@@ -48,7 +62,7 @@ class QoSOverridingOptions:
         self,
         policy_kinds: Iterable[QoSPolicyKind],
         *,
-        callback: Callable[[QoSProfile], SetParametersResult] | None = None,
+        callback: QosCallbackType | None = None,
         entity_id: str | None = None,
     ) -> None:
         self._policy_kinds = list(policy_kinds)
@@ -61,7 +75,7 @@ class QoSOverridingOptions:
         return self._policy_kinds
 
     @property
-    def callback(self) -> Callable[[QoSProfile], SetParametersResult] | None:
+    def callback(self) -> QosCallbackType | None:
         """Accepts or rejects the profile with its overrides."""
         return self._callback
 
@@ -74,7 +88,7 @@ class QoSOverridingOptions:
     def with_default_policies(
         cls,
         *,
-        callback: Callable[[QoSProfile], SetParametersResult] | None = None,
+        callback: QosCallbackType | None = None,
         entity_id: str | None = None,
     ) -> QoSOverridingOptions:
         """Return options for history, depth and reliability."""

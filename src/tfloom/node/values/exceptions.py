@@ -1,12 +1,12 @@
 """Errors that several rooms raise or catch; every other error is defined beside the code that raises it.
 
 Exception
-├── InvalidHandle
 ├── NoTypeSupportImportedException
 ├── NotInitializedException
 ├── ROSInterruptException
 ├── ExternalShutdownException
 └── RuntimeError
+    ├── InvalidHandle
     └── RCLError
         ├── NodeNameNonExistentError
         └── TimerCancelledError
@@ -23,13 +23,20 @@ __all__ = [
     "RCLError",
     "ROSInterruptException",
     "TimerCancelledError",
+    "add_note",
 ]
+
+
+def add_note(error: BaseException, note: str) -> None:
+    """Add a line that Python 3.11 and later print below the error, whose own text is the reference's."""
+    error.__notes__ = [*getattr(error, "__notes__", ()), note]  # type: ignore[attr-defined]  # new in 3.11
+
 
 # ROS's own names end in "Exception".
 # ruff: noqa: N818
 
 
-class InvalidHandle(Exception):
+class InvalidHandle(RuntimeError):
     """An object was used after it was destroyed."""
 
 
@@ -37,8 +44,8 @@ class NotInitializedException(Exception):
     """`rclpy.init()` has not been called, or the context has been shut down since."""
 
     def __init__(self, message: str | None = None) -> None:
-        texts = ["rclpy.init() has not been called", *([message] if message is not None else [])]
-        super().__init__(*texts)
+        reason = "" if message is None else f" msg:{message}"
+        super().__init__(f"rclpy.init() has not been called.{reason}")
 
 
 class ROSInterruptException(Exception):
@@ -56,7 +63,7 @@ class ExternalShutdownException(Exception):
 
 
 class NoTypeSupportImportedException(Exception):
-    """A class given as a type is not a message or service class."""
+    """Kept for programs that catch it; a class that is not a ROS type raises AttributeError."""
 
     def __init__(self) -> None:
         super().__init__("no type_support imported")

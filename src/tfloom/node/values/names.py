@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
 # ROS's own names end in "Exception".
 # ruff: noqa: N818
@@ -36,7 +37,7 @@ _Finding = tuple[str, int]
 _SUBSTITUTION = re.compile(r"\{([^{}]*)\}")
 
 
-class NameValidationException(Exception):
+class NameValidationException(ValueError):
     """A name is not valid in ROS.
 
     Attributes:
@@ -82,6 +83,11 @@ class InvalidServiceNameException(NameValidationException):
         super().__init__("service name", name, error_msg, invalid_index)
 
 
+def _check_is_text(what: str, name: object) -> None:
+    if not isinstance(name, str):
+        raise TypeError(f"a {what} must be a str, not {name!r} of class {type(name).__name__}")
+
+
 def _first(pattern: str, text: str) -> int | None:
     match = re.search(pattern, text)
     return match.start() if match else None
@@ -105,9 +111,9 @@ def _check_absolute(name: str, what: str) -> _Finding | None:
     at = _first(r"[^A-Za-z0-9_/]", name)
     if at is not None:
         return f"{what} must not contain characters other than alphanumerics, '_', or '/'", at
-    at = _first(r"//", name)
+    at = _first(r"(?<=/)/", name)
     if at is not None:
-        return f"{what} must not contain a repeated '/'", at
+        return f"{what} must not contain repeated '/'", at
     at = _first(r"/[0-9]", name)
     if at is not None:
         return f"{what} must not have a token that starts with a number", at + 1
@@ -179,7 +185,9 @@ def validate_node_name(node_name: str) -> bool:
 
     Raises:
         InvalidNodeNameException: the name isn't valid; the exception has the rule and the index.
+        TypeError: the name is not a str.
     """
+    _check_is_text("node name", node_name)
     found = _check_node_name(node_name)
     if found is not None:
         raise InvalidNodeNameException(node_name, *found)
@@ -191,7 +199,9 @@ def validate_namespace(namespace: str) -> bool:
 
     Raises:
         InvalidNamespaceException: the namespace isn't valid; the exception has the rule and the index.
+        TypeError: the namespace is not a str.
     """
+    _check_is_text("namespace", namespace)
     found = _check_namespace(namespace)
     if found is not None:
         raise InvalidNamespaceException(namespace, *found)
@@ -204,8 +214,9 @@ def validate_topic_name(name: str, *, is_service: bool = False) -> bool:
     Raises:
         InvalidTopicNameException: the name isn't valid; the exception has the rule and the index.
         InvalidServiceNameException: the same for a service.
+        TypeError: the name is not a str.
     """
-    return _raise_for(name, _check_topic_name(name), is_service)
+    return _validate(_check_topic_name, name, is_service)
 
 
 def validate_full_topic_name(name: str, *, is_service: bool = False) -> bool:
@@ -214,11 +225,14 @@ def validate_full_topic_name(name: str, *, is_service: bool = False) -> bool:
     Raises:
         InvalidTopicNameException: the name isn't valid; the exception has the rule and the index.
         InvalidServiceNameException: the same for a service.
+        TypeError: the name is not a str.
     """
-    return _raise_for(name, _check_full_topic_name(name), is_service)
+    return _validate(_check_full_topic_name, name, is_service)
 
 
-def _raise_for(name: str, found: _Finding | None, is_service: bool) -> bool:
+def _validate(check: Callable[[str], _Finding | None], name: str, is_service: bool) -> bool:
+    _check_is_text("service name" if is_service else "topic name", name)
+    found = check(name)
     if found is None:
         return True
     raise (InvalidServiceNameException if is_service else InvalidTopicNameException)(name, *found)
@@ -245,7 +259,7 @@ def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> s
     def substitute(match: re.Match[str]) -> str:
         if match.group(1) not in known:
             raise InvalidTopicNameException(
-                topic_name, f"unknown substitution '{match.group()}'", match.start()
+                topic_name, f"unknown substitution: {match.group()}", match.start()
             )
         return known[match.group(1)]
 

@@ -46,8 +46,14 @@ def _integer(text: str, base: int) -> int | float:
     return math.copysign(math.inf, -1 if text[0] == "-" else 1)
 
 
-def parse_value(text: str) -> Any:
+def parse_value(text: str, *, nothing: str = "") -> Any:
     """Return the value of a piece of YAML: a scalar, a list, or a mapping with text for keys.
+
+    Mappings of one key, given twice, are merged; of other values the last counts.
+
+    Args:
+        text: The YAML.
+        nothing: Returned for text without a value: blanks, or a comment.
 
     Raises:
         ValueError: it is not valid YAML, or more than one document.
@@ -64,6 +70,8 @@ def parse_value(text: str) -> Any:
         raise ValueError(f"it is no valid YAML: {error.problem or error.context}{place}") from None
     except yaml.YAMLError as error:
         raise ValueError(f"it is no valid YAML: {' '.join(str(error).split())}") from None
+    if node is None:
+        return nothing
     try:
         return _construct(node)
     except RecursionError:
@@ -75,10 +83,11 @@ def parse_value(text: str) -> Any:
 def _construct(node: Any) -> Any:
     import yaml
 
-    if node is None:
-        return ""
     if isinstance(node, yaml.MappingNode):
-        return {str(key.value): _construct(value) for key, value in node.value}
+        content: dict[str, Any] = {}
+        for key, value in node.value:
+            _put(content, str(key.value), _construct(value))
+        return content
     if isinstance(node, yaml.SequenceNode):
         items = [_construct(item) for item in node.value]
         is_bytes = items and all(item.tag == _BINARY for item in node.value)
@@ -88,6 +97,16 @@ def _construct(node: Any) -> Any:
     if node.style is not None or node.tag == "!!str":
         return node.value
     return parse_scalar(node.value)
+
+
+def _put(content: dict[str, Any], key: str, value: Any) -> None:
+    """Set `key` to `value`; merge them if both are mappings."""
+    before = content.get(key)
+    if isinstance(value, dict) and isinstance(before, dict):
+        for inner_key, inner in value.items():
+            _put(before, inner_key, inner)
+    else:
+        content[key] = value
 
 
 def _bytes(text: str) -> list[bytes]:

@@ -17,7 +17,7 @@ def serialize_message(message: Message) -> bytes:
     """Return encapsulation header and CDR of a message.
 
     Raises:
-        NoTypeSupportImportedException: `message` is not a message.
+        AttributeError: `message` is not a message.
         EncodeError: a field's value doesn't fit its type; the text names the field.
     """
     check_is_valid_msg_type(type(message))
@@ -28,7 +28,8 @@ def deserialize_message(serialized_message: bytes, message_type: type[M]) -> M:
     """Return the message in bytes: encapsulation header and CDR.
 
     Raises:
-        NoTypeSupportImportedException: `message_type` is not a message class.
+        AttributeError: `message_type` is not a ROS type.
+        RuntimeError: `message_type` is a service or an action.
         DecodeError: the bytes are not a message of that type.
     """
     check_is_valid_msg_type(message_type)

@@ -109,7 +109,7 @@ class Time:
     def __sub__(self, other: Time | Duration) -> Time | Duration:
         if isinstance(other, Time):
             if self._clock_type != other._clock_type:
-                raise ValueError("Can't subtract times with different clock types")
+                raise TypeError("Can't subtract times with different clock types")
             return Duration(nanoseconds=self._ns - other._ns)
         if not isinstance(other, Duration):
             return NotImplemented
@@ -120,28 +120,25 @@ class Time:
             raise OverflowError("Subtraction leads to overflow in C storage.")
         return make_time(total, self._clock_type)
 
-    def _comparable(self, other: Time) -> int:
-        # Returning False, as other classes do, would hide the mistake in `stamp == 5`.
-        if not isinstance(other, Time):
-            raise TypeError("Can't compare time with object of type: ", type(other))
+    def _ns_on_same_clock(self, other: Time) -> int:
         if self._clock_type != other._clock_type:
             raise TypeError("Can't compare times with different clock types")
         return other._ns
 
     def __eq__(self, other: object) -> bool:
-        return self._ns == self._comparable(other)  # type: ignore[arg-type]  # checked there
+        return self._ns == self._ns_on_same_clock(other) if isinstance(other, Time) else NotImplemented
 
     def __lt__(self, other: Time) -> bool:
-        return self._ns < self._comparable(other)
+        return self._ns < self._ns_on_same_clock(other) if isinstance(other, Time) else NotImplemented
 
     def __le__(self, other: Time) -> bool:
-        return self._ns <= self._comparable(other)
+        return self._ns <= self._ns_on_same_clock(other) if isinstance(other, Time) else NotImplemented
 
     def __gt__(self, other: Time) -> bool:
-        return self._ns > self._comparable(other)
+        return self._ns > self._ns_on_same_clock(other) if isinstance(other, Time) else NotImplemented
 
     def __ge__(self, other: Time) -> bool:
-        return self._ns >= self._comparable(other)
+        return self._ns >= self._ns_on_same_clock(other) if isinstance(other, Time) else NotImplemented
 
 
 def make_time(nanoseconds: int, clock_type: ClockType) -> Time:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import reprlib
 from typing import Any
 
-from tfloom.node.values.exceptions import NoTypeSupportImportedException
 from tfloom.rosidl.message import Message
+from tfloom.rosidl.service import Action
 from tfloom.rosidl.service import Service as ServiceType
 
 __all__ = [
@@ -14,36 +15,63 @@ __all__ = [
     "check_is_valid_srv_type",
 ]
 
+_TYPES = (Message, ServiceType, Action)
+
 
 def check_for_type_support(msg_or_srv_type: Any) -> None:
-    """Check that a class is a message or a service.
+    """Check that a class is a message, a service or an action.
 
     Raises:
-        NoTypeSupportImportedException: it is neither.
+        AttributeError: it is none of them.
     """
-    if not _is_subclass(msg_or_srv_type, (Message, ServiceType)):
-        raise NoTypeSupportImportedException
+    _check_known(msg_or_srv_type, "message or service class, such as std_msgs.msg.String")
 
 
 def check_is_valid_msg_type(msg_type: Any) -> None:
     """Check that a class is a message.
 
     Raises:
-        NoTypeSupportImportedException: it isn't.
+        AttributeError: it is not a ROS type.
+        RuntimeError: it is a service or an action.
     """
-    if not _is_subclass(msg_type, (Message,)):
-        raise NoTypeSupportImportedException
+    check_type(msg_type, Message, "message class, such as std_msgs.msg.String")
 
 
 def check_is_valid_srv_type(srv_type: Any) -> None:
     """Check that a class is a service.
 
     Raises:
-        NoTypeSupportImportedException: it isn't.
+        AttributeError: it is not a ROS type.
+        RuntimeError: it is a message or an action.
     """
-    if not _is_subclass(srv_type, (ServiceType,)):
-        raise NoTypeSupportImportedException
+    check_type(srv_type, ServiceType, "service class, such as std_srvs.srv.SetBool")
+
+
+def check_type(candidate: Any, base: type, wanted: str) -> None:
+    """Check that a class derives from `base`, one of Message, Service and Action; `wanted` begins with its kind.
+
+    Raises:
+        AttributeError: it is not a ROS type.
+        RuntimeError: it is a ROS type of another kind.
+    """
+    _check_known(candidate, wanted)
+    if not _is_subclass(candidate, (base,)):
+        kind = wanted.partition(" ")[0]
+        others = " or ".join(other for other in ("message", "service", "action") if other != kind)
+        raise RuntimeError(f"The {kind} type provided is not valid ({candidate}), this might be a {others}")
+
+
+def _check_known(candidate: Any, wanted: str) -> None:
+    if not _is_subclass(candidate, _TYPES):
+        article = "an" if wanted.startswith("a") else "a"
+        raise AttributeError(f"expected {article} {wanted}, got {_describe(candidate)}")
 
 
 def _is_subclass(candidate: Any, bases: tuple[type, ...]) -> bool:
     return isinstance(candidate, type) and issubclass(candidate, bases)
+
+
+def _describe(candidate: Any) -> str:
+    if isinstance(candidate, type):
+        return f"the class {candidate.__module__}.{candidate.__qualname__}"
+    return f"{reprlib.repr(candidate)} of class {type(candidate).__name__}"

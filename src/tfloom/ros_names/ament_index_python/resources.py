@@ -1,21 +1,10 @@
 """Read the resources of the ament index."""
 
-from tfloom.workspace.ament import (
-    RESOURCE_INDEX_SUBFOLDER,
-    InvalidResourceNameError,
-    InvalidResourceTypeNameError,
-    get_resource,
-    get_resource_types,
-    get_resources,
-    has_resource,
-)
-
-__all__ = [
-    "RESOURCE_INDEX_SUBFOLDER",
-    "InvalidResourceNameError",
-    "InvalidResourceTypeNameError",
-    "get_resource",
-    "get_resource_types",
-    "get_resources",
-    "has_resource",
-]
+from tfloom.workspace.ament import RESOURCE_INDEX_SUBFOLDER as RESOURCE_INDEX_SUBFOLDER
+from tfloom.workspace.ament import InvalidResourceNameError as InvalidResourceNameError
+from tfloom.workspace.ament import InvalidResourceTypeNameError as InvalidResourceTypeNameError
+from tfloom.workspace.ament import get_resource as get_resource
+from tfloom.workspace.ament import get_resource_types as get_resource_types
+from tfloom.workspace.ament import get_resources as get_resources
+from tfloom.workspace.ament import get_search_paths as get_search_paths
+from tfloom.workspace.ament import has_resource as has_resource

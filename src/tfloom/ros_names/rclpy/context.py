@@ -1,4 +1,15 @@
 """Contexts: the state of the library from `init` to `shutdown`."""
 
+from typing import TYPE_CHECKING
+
 from tfloom.node.context.context import *
-from tfloom.node.context.context import __all__
+
+if TYPE_CHECKING:
+    from tfloom.node.values.destroyable import DestroyableType as DestroyableType
+else:
+    from tfloom.ros_modules import deferred
+
+    __getattr__, __dir__ = deferred(
+        __name__,
+        DestroyableType="tfloom.node.values.destroyable",
+    )

@@ -3,13 +3,13 @@
 Exception
 ├── NotInitializedException             a context is used before init or after shutdown
 ├── ROSInterruptException               the context is shut down during a sleep
-├── NoTypeSupportImportedException      a class given as a type is not a message class
-├── InvalidHandle                       an object is used after it was destroyed
-├── NameValidationException             a name is not valid: which, why, and at which character
-│   ├── InvalidNamespaceException
-│   ├── InvalidNodeNameException
-│   ├── InvalidTopicNameException
-│   └── InvalidServiceNameException
+├── NoTypeSupportImportedException      kept for programs that catch it; never raised
+├── ValueError
+│   └── NameValidationException         a name is not valid: which, why, and at which character
+│       ├── InvalidNamespaceException
+│       ├── InvalidNodeNameException
+│       ├── InvalidTopicNameException
+│       └── InvalidServiceNameException
 ├── ParameterException
 │   ├── ParameterNotDeclaredException
 │   ├── ParameterAlreadyDeclaredException
@@ -19,6 +19,7 @@ Exception
 │   ├── ParameterImmutableException
 │   └── ParameterUninitializedException
 └── RuntimeError
+    ├── InvalidHandle                   an object is used after it was destroyed
     ├── UnknownROSArgsError             an argument after --ros-args is not a ROS argument
     └── RCLError
         ├── RCLInvalidROSArgsError      an argument after --ros-args is malformed

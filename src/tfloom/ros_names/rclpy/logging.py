@@ -1,4 +1,4 @@
 """Loggers and their levels."""
 
 from tfloom.node.log.logging import *
-from tfloom.node.log.logging import __all__
+from tfloom.node.log.rcutils_logger import RcutilsLogger as RcutilsLogger

@@ -1,4 +1,5 @@
 """Parameters."""
 
+from tfloom.interfaces.rcl_interfaces.msg import ParameterType as ParameterType
+from tfloom.interfaces.rcl_interfaces.msg import ParameterValue as ParameterValue
 from tfloom.node.parameters.parameter import *
-from tfloom.node.parameters.parameter import __all__

@@ -1,4 +1,21 @@
 """Publishers."""
 
+from typing import TYPE_CHECKING
+
 from tfloom.node.endpoints.publisher import *
-from tfloom.node.endpoints.publisher import __all__
+from tfloom.node.qos.qos import QoSProfile as QoSProfile
+from tfloom.node.values.duration import Duration as Duration
+
+if TYPE_CHECKING:
+    from tfloom.node.executing.callback_groups import CallbackGroup as CallbackGroup
+    from tfloom.node.executing.event_handler import EventHandler as EventHandler
+    from tfloom.node.executing.event_handler import PublisherEventCallbacks as PublisherEventCallbacks
+else:
+    from tfloom.ros_modules import deferred
+
+    __getattr__, __dir__ = deferred(
+        __name__,
+        CallbackGroup="tfloom.node.executing.callback_groups",
+        EventHandler="tfloom.node.executing.event_handler",
+        PublisherEventCallbacks="tfloom.node.executing.event_handler",
+    )

@@ -1,5 +1,35 @@
 """Overrides of QoS policies by parameters."""
 
-from tfloom.node.qos.qos_overriding_options import InvalidQosOverridesError, QoSOverridingOptions
+from typing import TYPE_CHECKING
 
-__all__ = ["InvalidQosOverridesError", "QoSOverridingOptions"]
+from tfloom.interfaces.rcl_interfaces.msg import ParameterDescriptor as ParameterDescriptor
+from tfloom.interfaces.rcl_interfaces.msg import SetParametersResult as SetParametersResult
+from tfloom.node.parameters.parameter import Parameter as Parameter
+from tfloom.node.qos.qos import QoSDurabilityPolicy as QoSDurabilityPolicy
+from tfloom.node.qos.qos import QoSHistoryPolicy as QoSHistoryPolicy
+from tfloom.node.qos.qos import QoSLivelinessPolicy as QoSLivelinessPolicy
+from tfloom.node.qos.qos import QoSPolicyKind as QoSPolicyKind
+from tfloom.node.qos.qos import QoSProfile as QoSProfile
+from tfloom.node.qos.qos import QoSReliabilityPolicy as QoSReliabilityPolicy
+from tfloom.node.qos.qos_overriding_options import InvalidQosOverridesError as InvalidQosOverridesError
+from tfloom.node.qos.qos_overriding_options import QosCallbackResult as QosCallbackResult
+from tfloom.node.qos.qos_overriding_options import QosCallbackType as QosCallbackType
+from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions as QoSOverridingOptions
+from tfloom.node.qos.qos_overriding_options import QoSProfileAttributes as QoSProfileAttributes
+from tfloom.node.values.duration import Duration as Duration
+
+if TYPE_CHECKING:
+    from tfloom.node.endpoints.publisher import Publisher as Publisher
+    from tfloom.node.endpoints.subscription import Subscription as Subscription
+    from tfloom.node.parameters.exceptions import (
+        ParameterAlreadyDeclaredException as ParameterAlreadyDeclaredException,
+    )
+else:
+    from tfloom.ros_modules import deferred
+
+    __getattr__, __dir__ = deferred(
+        __name__,
+        Publisher="tfloom.node.endpoints.publisher",
+        Subscription="tfloom.node.endpoints.subscription",
+        ParameterAlreadyDeclaredException="tfloom.node.parameters.exceptions",
+    )

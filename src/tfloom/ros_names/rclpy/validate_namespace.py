@@ -1,5 +1,4 @@
 """Validation of namespaces."""
 
-from tfloom.node.values.names import validate_namespace
-
-__all__ = ["validate_namespace"]
+from tfloom.node.values.names import InvalidNamespaceException as InvalidNamespaceException
+from tfloom.node.values.names import validate_namespace as validate_namespace

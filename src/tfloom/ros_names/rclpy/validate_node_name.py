@@ -1,5 +1,4 @@
 """Validation of node names."""
 
-from tfloom.node.values.names import validate_node_name
-
-__all__ = ["validate_node_name"]
+from tfloom.node.values.names import InvalidNodeNameException as InvalidNodeNameException
+from tfloom.node.values.names import validate_node_name as validate_node_name

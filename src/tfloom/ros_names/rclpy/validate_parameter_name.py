@@ -1,5 +1,4 @@
 """Validation of parameter names."""
 
-from tfloom.node.parameters.validate_parameter_name import validate_parameter_name
-
-__all__ = ["validate_parameter_name"]
+from tfloom.node.parameters.exceptions import InvalidParameterException as InvalidParameterException
+from tfloom.node.parameters.validate_parameter_name import validate_parameter_name as validate_parameter_name

@@ -1,4 +1,31 @@
 """Base of buffers: transform objects by the functions registered for their types."""
 
+from typing import TYPE_CHECKING
+
+from tfloom.interfaces.geometry_msgs.msg import PointStamped as PointStamped
+from tfloom.interfaces.geometry_msgs.msg import PoseStamped as PoseStamped
+from tfloom.interfaces.geometry_msgs.msg import PoseWithCovarianceStamped as PoseWithCovarianceStamped
+from tfloom.interfaces.geometry_msgs.msg import TransformStamped as TransformStamped
+from tfloom.interfaces.geometry_msgs.msg import Vector3Stamped as Vector3Stamped
+from tfloom.interfaces.std_msgs.msg import Header as Header
+from tfloom.node.values.duration import Duration as Duration
+from tfloom.node.values.time import Time as Time
 from tfloom.tf2_ros.buffer_interface import *
-from tfloom.tf2_ros.buffer_interface import __all__
+
+if TYPE_CHECKING:
+    from tfloom.interfaces.sensor_msgs.msg import PointCloud2 as PointCloud2
+    from tfloom.tf2_ros.annotation_types import MsgStamped as MsgStamped
+    from tfloom.tf2_ros.annotation_types import PyKDLType as PyKDLType
+    from tfloom.tf2_ros.annotation_types import TransformableObject as TransformableObject
+    from tfloom.tf2_ros.annotation_types import TransformableObjectType as TransformableObjectType
+else:
+    from tfloom.ros_modules import deferred
+
+    __getattr__, __dir__ = deferred(
+        __name__,
+        PointCloud2="tfloom.interfaces.sensor_msgs.msg",
+        MsgStamped="tfloom.tf2_ros.annotation_types",
+        PyKDLType="tfloom.tf2_ros.annotation_types",
+        TransformableObject="tfloom.tf2_ros.annotation_types",
+        TransformableObjectType="tfloom.tf2_ros.annotation_types",
+    )

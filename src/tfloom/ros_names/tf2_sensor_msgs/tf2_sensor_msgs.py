@@ -1,5 +1,26 @@
 """Transform PointCloud2; importing this module registers it for `Buffer.transform`."""
 
-from tfloom.tf2_ros.point_cloud import do_transform_cloud, from_msg_msg, to_msg_msg, transform_points
+from typing import TYPE_CHECKING
 
-__all__ = ["do_transform_cloud", "from_msg_msg", "to_msg_msg", "transform_points"]
+from tfloom.interfaces.geometry_msgs.msg import Transform as Transform
+from tfloom.interfaces.geometry_msgs.msg import TransformStamped as TransformStamped
+from tfloom.interfaces.sensor_msgs.msg import PointCloud2 as PointCloud2
+from tfloom.interfaces.std_msgs.msg import Header as Header
+from tfloom.tf2_ros.point_cloud import do_transform_cloud as do_transform_cloud
+from tfloom.tf2_ros.point_cloud import from_msg_msg as from_msg_msg
+from tfloom.tf2_ros.point_cloud import to_msg_msg as to_msg_msg
+from tfloom.tf2_ros.point_cloud import transform_points as transform_points
+from tfloom.tf2_ros.point_cloud2 import create_cloud as create_cloud
+from tfloom.tf2_ros.point_cloud2 import read_points as read_points
+
+if TYPE_CHECKING:
+    from tfloom.tf2_ros.numpy_compat import structured_to_unstructured as structured_to_unstructured
+    from tfloom.tf2_ros.numpy_compat import unstructured_to_structured as unstructured_to_structured
+else:
+    from tfloom.ros_modules import deferred
+
+    __getattr__, __dir__ = deferred(
+        __name__,
+        structured_to_unstructured="tfloom.tf2_ros.numpy_compat",
+        unstructured_to_structured="tfloom.tf2_ros.numpy_compat",
+    )

@@ -1,19 +1,18 @@
 """Actions: goals that take time, with feedback on the way and a result at the end."""
 
-from tfloom.node.action.client import ActionClient
-from tfloom.node.action.graph import (
-    get_action_client_names_and_types_by_node,
-    get_action_names_and_types,
-    get_action_server_names_and_types_by_node,
-)
-from tfloom.node.action.server import ActionServer, CancelResponse, GoalResponse
+from typing import TYPE_CHECKING
 
-__all__ = [
-    "ActionClient",
-    "ActionServer",
-    "CancelResponse",
-    "GoalResponse",
-    "get_action_client_names_and_types_by_node",
-    "get_action_names_and_types",
-    "get_action_server_names_and_types_by_node",
-]
+from tfloom.node.action.client import ActionClient as ActionClient
+from tfloom.node.action.graph import *
+from tfloom.node.action.server import ActionServer as ActionServer
+from tfloom.node.action.server import CancelResponse as CancelResponse
+from tfloom.node.action.server import GoalResponse as GoalResponse
+
+if TYPE_CHECKING:
+    from rclpy.action import client as client
+    from rclpy.action import graph as graph
+    from rclpy.action import server as server
+else:
+    from tfloom.ros_modules import submodules
+
+    __getattr__ = submodules("rclpy.action")

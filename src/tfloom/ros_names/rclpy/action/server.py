@@ -1,4 +1,28 @@
 """Action servers."""
 
+from typing import TYPE_CHECKING
+
+from tfloom.interfaces.action_msgs.msg import GoalInfo as GoalInfo
+from tfloom.interfaces.action_msgs.msg import GoalStatus as GoalStatus
+from tfloom.node.action.goal_states import GoalEvent as GoalEvent
 from tfloom.node.action.server import *
-from tfloom.node.action.server import __all__
+from tfloom.node.executing.executors import await_or_execute as await_or_execute
+from tfloom.node.executing.task import Future as Future
+from tfloom.node.qos.qos import QoSProfile as QoSProfile
+from tfloom.node.qos.qos import qos_profile_action_status_default as qos_profile_action_status_default
+from tfloom.node.qos.qos import qos_profile_services_default as qos_profile_services_default
+from tfloom.node.values.exceptions import RCLError as RCLError
+
+if TYPE_CHECKING:
+    from tfloom.node.executing.waitable import NumberOfEntities as NumberOfEntities
+    from tfloom.node.executing.waitable import Waitable as Waitable
+    from tfloom.node.values.type_support import check_for_type_support as check_for_type_support
+else:
+    from tfloom.ros_modules import deferred
+
+    __getattr__, __dir__ = deferred(
+        __name__,
+        NumberOfEntities="tfloom.node.executing.waitable",
+        Waitable="tfloom.node.executing.waitable",
+        check_for_type_support="tfloom.node.values.type_support",
+    )

@@ -1,0 +1,1 @@
+"""The interfaces of action_tutorials_interfaces."""

@@ -1,0 +1,1 @@
+"""The interfaces of nav2_msgs."""

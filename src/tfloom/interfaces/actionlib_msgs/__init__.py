@@ -1,0 +1,1 @@
+"""The interfaces of actionlib_msgs."""

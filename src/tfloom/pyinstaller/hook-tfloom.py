@@ -1,0 +1,27 @@
+"""Collect what tfloom finds by name at run time: modules, definitions, and the DDS library."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PyInstaller.utils.hooks import collect_data_files, collect_submodules, get_package_paths
+
+from tfloom.rmw.cyclone_library import find_library
+from tfloom.rmw.errors import NoBackendError
+
+# RMW_IMPLEMENTATION names a module of rmw/, a type's name one of interfaces/, a façade's deferred names those of node/.
+ROOMS = ("interfaces", "node", "rmw", "rosidl", "tf2")
+
+hiddenimports = [module for room in ROOMS for module in collect_submodules(f"tfloom.{room}")]
+datas = collect_data_files("tfloom", excludes=["**/*.pyi"])
+binaries: list[tuple[str, str]] = []
+
+try:
+    library = Path(find_library())
+except NoBackendError:
+    pass  # such a program has only the wire inside one process
+else:
+    site_packages, package = map(Path, get_package_paths("cyclonedds"))
+    binaries.append((str(library), str(library.parent.relative_to(site_packages.resolve()))))
+    # The package itself is not imported: `find_library` locates its folder by this file.
+    datas.append((str(package / "__init__.py"), package.name))

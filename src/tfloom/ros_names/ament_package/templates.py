@@ -1,0 +1,4 @@
+"""Replace the variables of a template."""
+
+from tfloom.workspace.templates import *
+from tfloom.workspace.templates import __all__

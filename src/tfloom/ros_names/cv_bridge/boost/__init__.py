@@ -1,0 +1,1 @@
+"""What is compiled in the original."""

@@ -1,0 +1,43 @@
+"""A node's health on /diagnostics."""
+
+from tfloom.ros_guard import claim
+
+claim("diagnostic_updater")
+
+from tfloom.node.clock.clock import Clock
+from tfloom.node.values.clock_type import ClockType
+from tfloom.node.values.time import Time
+from tfloom.sensing.diagnosed_publisher import DiagnosedPublisher, HeaderlessTopicDiagnostic, TopicDiagnostic
+from tfloom.sensing.diagnostic_status_wrapper import DiagnosticStatus, DiagnosticStatusWrapper, KeyValue
+from tfloom.sensing.diagnostic_tasks import CompositeDiagnosticTask, DiagnosticTask, FunctionDiagnosticTask
+from tfloom.sensing.diagnostic_updater import DiagnosticArray, DiagnosticTaskVector, Updater
+from tfloom.sensing.update_functions import (
+    FrequencyStatus,
+    FrequencyStatusParam,
+    Heartbeat,
+    TimeStampStatus,
+    TimeStampStatusParam,
+)
+
+__all__ = [
+    "Clock",
+    "ClockType",
+    "CompositeDiagnosticTask",
+    "DiagnosedPublisher",
+    "DiagnosticArray",
+    "DiagnosticStatus",
+    "DiagnosticStatusWrapper",
+    "DiagnosticTask",
+    "DiagnosticTaskVector",
+    "FrequencyStatus",
+    "FrequencyStatusParam",
+    "FunctionDiagnosticTask",
+    "HeaderlessTopicDiagnostic",
+    "Heartbeat",
+    "KeyValue",
+    "Time",
+    "TimeStampStatus",
+    "TimeStampStatusParam",
+    "TopicDiagnostic",
+    "Updater",
+]

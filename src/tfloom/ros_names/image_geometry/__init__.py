@@ -1,0 +1,11 @@
+"""Pixels to rays and back, by what CameraInfo says."""
+
+from tfloom.ros_guard import claim
+
+claim("image_geometry")
+
+import image_geometry.cameramodels
+from tfloom.sensing.pinhole_camera_model import PinholeCameraModel
+from tfloom.sensing.stereo_camera_model import StereoCameraModel
+
+__all__ = ["PinholeCameraModel", "StereoCameraModel"]

@@ -1,0 +1,12 @@
+"""Markers that viewers show and users move."""
+
+from tfloom.ros_guard import claim
+
+claim("interactive_markers")
+
+import interactive_markers.interactive_marker_server
+import interactive_markers.menu_handler
+from tfloom.sensing.interactive_marker_server import InteractiveMarkerServer
+from tfloom.sensing.menu_handler import MenuHandler
+
+__all__ = ["InteractiveMarkerServer", "MenuHandler"]

@@ -1,0 +1,288 @@
+"""Classes from a type description that a peer has sent, for types without a definition here.
+
+The description is hostile until its hash equals the one that discovery announced: its size, its depth and its names are
+bounded first. A definition that exists here is never replaced.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any, Protocol
+
+from tfloom.rosidl import spec
+from tfloom.rosidl.class_factory import LOCK, load
+from tfloom.rosidl.class_table import forget
+from tfloom.rosidl.parse import ParseError, parse_interface
+from tfloom.rosidl.sources import Source, definition_name, find_message, find_source, replace
+from tfloom.rosidl.type_hash import (
+    BOUNDED_STRINGS,
+    NESTED,
+    SHAPE_OFFSETS,
+    TYPE_IDS,
+    describe,
+    description_hash,
+    type_hash,
+)
+
+__all__ = ["ANNOUNCED", "DescriptionError", "define_described"]
+
+MOST_TYPES = 500
+MOST_FIELDS = 10_000
+"""Of all types together."""
+MOST_DEPTH = 50
+"""How deep messages may be nested."""
+MOST_VALUES = 1_000_000
+"""How many values a new message may hold: the elements of its arrays count, those of sequences do not."""
+
+PARTS = {
+    "msg": ("",),
+    "srv": ("_Request", "_Response"),
+    "action": ("_Goal", "_Result", "_Feedback"),
+}
+"""What a definition of each kind consists of, by the suffixes of its messages."""
+ANNOUNCED = {
+    "msg": ("",),
+    "srv": ("_Request", "_Response"),
+    "action": ("_SendGoal_Request", "_GetResult_Response", "_FeedbackMessage"),
+}
+"""The parts of each kind whose hashes discovery announces, and which together hold all of the definition."""
+
+_BASES = {number: base for base, number in TYPE_IDS.items() if base != "char"} | {
+    number: base for base, number in BOUNDED_STRINGS.items()
+}
+_SHAPES = {offset // 48: shape for shape, offset in SHAPE_OFFSETS.items()}
+
+
+class DescriptionError(ValueError):
+    """A type description that can't be used; the text has the reason."""
+
+
+class FieldType(Protocol):
+    """A `type_description_interfaces/msg/FieldType`."""
+
+    @property
+    def type_id(self) -> int:
+        """Number of the base type and the shape."""
+
+    @property
+    def capacity(self) -> int:
+        """Length of an array, or the bound of a bounded sequence."""
+
+    @property
+    def string_capacity(self) -> int:
+        """Greatest length of a string; 0 if unbounded."""
+
+    @property
+    def nested_type_name(self) -> str:
+        """`package/msg/Name` of a message."""
+
+
+class Field(Protocol):
+    """A `type_description_interfaces/msg/Field`. Its default is ignored, because the hash doesn't cover it."""
+
+    @property
+    def name(self) -> str:
+        """Its name."""
+
+    @property
+    def type(self) -> FieldType:
+        """Its type."""
+
+
+class IndividualTypeDescription(Protocol):
+    """A `type_description_interfaces/msg/IndividualTypeDescription`."""
+
+    @property
+    def type_name(self) -> str:
+        """`package/kind/Name`."""
+
+    @property
+    def fields(self) -> Iterable[Field]:
+        """In order."""
+
+
+class TypeDescription(Protocol):
+    """A `type_description_interfaces/msg/TypeDescription`."""
+
+    @property
+    def type_description(self) -> IndividualTypeDescription:
+        """The type itself."""
+
+    @property
+    def referenced_type_descriptions(self) -> Iterable[IndividualTypeDescription]:
+        """All types in it."""
+
+
+def define_described(name: str, description: TypeDescription, hashes: Mapping[str, str]) -> None:
+    """Make and register the classes of a type, and of the types in it that have no definition here.
+
+    Args:
+        name: `package/kind/Name` of the message, service or action.
+        description: What the peer has sent.
+        hashes: The announced hash of each part in `ANNOUNCED`, by the part's name.
+
+    Raises:
+        DescriptionError: the description is too large, incomplete or invalid, its hash is not the announced one, or it
+            differs from a definition here.
+    """
+    kind = name.split("/")[1]
+    if hashes.keys() != {name + suffix for suffix in ANNOUNCED[kind]}:
+        raise ValueError(f"the hashes of {name} must be those of its parts, not of {', '.join(hashes)}")
+    types = _table(description)
+    for part, announced in hashes.items():
+        _check_size(part, types)
+        if _hash(part, types) != announced:
+            raise DescriptionError(f"the description of {part} does not have the announced hash {announced}")
+    texts = _missing_definitions(name, types, hashes)
+    with LOCK:
+        for each, text in texts.items():
+            replace(each, Source(text, f"{each} (as described by a peer)"))
+        try:
+            load(name)
+            _check_hashes(hashes)
+        except BaseException as error:
+            for each in texts:
+                replace(each, None)
+                forget(each)
+            if isinstance(error, (ParseError, LookupError)):
+                raise DescriptionError(str(error)) from None
+            raise
+
+
+def _check_hashes(hashes: Mapping[str, str]) -> None:
+    """Check the hashes of definitions.
+
+    Raises:
+        DescriptionError: one isn't the announced one.
+    """
+    for part, announced in hashes.items():
+        if type_hash(find_message(part), find_message) != announced:
+            raise DescriptionError(f"{part} can't be written as a definition of the same hash")
+
+
+def _table(description: TypeDescription) -> dict[str, dict[str, spec.Type]]:
+    """Return the types of the fields of each type, by the names of both.
+
+    Raises:
+        DescriptionError: there are too many, or a name is there twice.
+    """
+    individuals = [description.type_description, *description.referenced_type_descriptions]
+    if len(individuals) > MOST_TYPES:
+        raise DescriptionError(f"a description of {len(individuals)} types, more than {MOST_TYPES}")
+    types: dict[str, dict[str, spec.Type]] = {}
+    count = 0
+    for each in individuals:
+        fields = {field.name: _type(each.type_name, field) for field in each.fields}
+        count += len(fields)
+        if each.type_name in types:
+            raise DescriptionError(f"{each.type_name} is described twice")
+        if count > MOST_FIELDS:
+            raise DescriptionError(f"a description of more than {MOST_FIELDS} fields")
+        types[each.type_name] = fields
+    return types
+
+
+def _type(owner: str, field: Field) -> spec.Type:
+    type_ = field.type
+    shape = _SHAPES.get((type_.type_id - 1) // 48)
+    number = (type_.type_id - 1) % 48 + 1
+    base = type_.nested_type_name if number == NESTED else _BASES.get(number)
+    if shape is None or base is None:
+        raise DescriptionError(
+            f"{owner}.{field.name} has the type {type_.type_id}, which no .msg file can have"
+        )
+    return spec.Type(base, type_.string_capacity, shape, type_.capacity)
+
+
+def _check_size(name: str, types: Mapping[str, Mapping[str, spec.Type]]) -> None:
+    """Check that a type is described, does not contain itself, and that a new message of it is of bounded size.
+
+    Raises:
+        DescriptionError: it isn't so.
+    """
+    values: dict[str, int] = {}
+
+    def visit(name: str, depth: int) -> int:
+        if depth > MOST_DEPTH:
+            raise DescriptionError(
+                f"messages are nested in {name} more than {MOST_DEPTH} deep, or in themselves"
+            )
+        if name not in types:
+            raise DescriptionError(f"the description of {name} is missing")
+        if name not in values:
+            total = 0
+            for type_ in types[name].values():
+                each = 1 if type_.is_primitive else visit(type_.base, depth + 1)
+                total += {"": each, "array": each * type_.length}.get(type_.shape, 0)
+            if total > MOST_VALUES:
+                raise DescriptionError(f"a new {name} would hold more than {MOST_VALUES} values")
+            values[name] = total
+        return values[name]
+
+    visit(name, 1)
+
+
+def _hash(name: str, types: Mapping[str, Mapping[str, spec.Type]]) -> str:
+    """Return the hash of a described type."""
+    return description_hash(
+        {
+            "type_description": _described(name, types),
+            "referenced_type_descriptions": [
+                _described(each, types) for each in sorted(_reachable([name], types) - {name})
+            ],
+        }
+    )
+
+
+def _reachable(names: Iterable[str], types: Mapping[str, Mapping[str, spec.Type]]) -> set[str]:
+    """Return the names and those of all messages in them."""
+    found: set[str] = set()
+    waiting = list(names)
+    while waiting:
+        name = waiting.pop()
+        if name not in found:
+            found.add(name)
+            waiting += [type_.base for type_ in types[name].values() if not type_.is_primitive]
+    return found
+
+
+def _described(name: str, types: Mapping[str, Mapping[str, spec.Type]]) -> dict[str, Any]:
+    return describe(name, (spec.Field(field, type_) for field, type_ in types[name].items()))
+
+
+def _missing_definitions(
+    name: str, types: Mapping[str, Mapping[str, spec.Type]], hashes: Mapping[str, str]
+) -> dict[str, str]:
+    """Return the texts of the definitions that are needed and that don't exist here, by their names.
+
+    Raises:
+        DescriptionError: one is invalid, or differs from the definition here.
+    """
+    texts: dict[str, str] = {}
+    for each in {name, *map(definition_name, _reachable(hashes, types))}:
+        if find_source(each) is None:
+            texts[each] = _definition(each, types)
+        elif each in types and type_hash(find_message(each), find_message) != _hash(each, types):
+            raise DescriptionError(f"{each} differs from the definition here")
+    return texts
+
+
+def _definition(name: str, types: Mapping[str, Mapping[str, spec.Type]]) -> str:
+    """Return the text of a described definition.
+
+    Raises:
+        DescriptionError: a part is missing, or the text isn't a valid definition.
+    """
+    parts = [name + suffix for suffix in PARTS.get(name.split("/")[1], ())]
+    if missing := [part for part in parts if part not in types]:
+        raise DescriptionError(f"the description of {missing[0]} is missing")
+    lines = [
+        "\n".join(f"{type_} {field}" for field, type_ in types[part].items() if field != spec.EMPTY_FIELD)
+        for part in parts
+    ]
+    text = "\n---\n".join(lines)
+    try:
+        parse_interface(text, name)
+    except ValueError as error:
+        raise DescriptionError(f"the description is no definition: {error}") from None
+    return text

@@ -1,0 +1,1 @@
+"""Images, cameras, diagnostics and interactive markers: what programs around sensors import."""

@@ -1,0 +1,244 @@
+"""Packages on AMENT_PREFIX_PATH that hold definitions are imported with no build."""
+
+from __future__ import annotations
+
+import importlib
+import os
+import pickle
+import subprocess
+import sys
+import textwrap
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tfloom import ros_finder, use_ros_names
+from tfloom.interfaces.geometry_msgs.msg import Point
+from tfloom.rosidl import cdr, class_table, sources
+from tfloom.rosidl.parse import ParseError
+from tfloom.rosidl.registry import get_message_class, get_service_class
+from tfloom.rosidl.service import Action, Service
+
+FILES = {
+    "my_interfaces/msg/Sphere.msg": "# A ball.\ngeometry_msgs/Point center\nfloat64 radius 1.0  # [m]\nuint8 BIG=3\n",
+    "my_interfaces/msg/Pile.msg": "Sphere[] spheres\n",
+    "my_interfaces/srv/Weigh.srv": "Sphere sphere\n---\nfloat64 mass\n",
+    "my_interfaces/action/Roll.action": "float64 distance\n---\nfloat64 rolled\n---\nfloat64 now\n",
+    "my_interfaces/msg/Broken.msg": "int32 fine\n\nint33 broken\n",
+    "my_interfaces/msg/UsesBroken.msg": "Broken broken\n",
+    "my_interfaces/msg/Latin.msg": b"# ok\n# \xe9\nint32 a\n",
+    "my_interfaces/msg/Left.msg": "int32 a\nRight right\n",
+    "my_interfaces/msg/Right.msg": "Left left\n",
+    "my_interfaces/msg/Far.msg": "int32 a\nnowhere_msgs/Thing thing\n",
+    "my_interfaces/msg/Near.msg": "geometry_msgs/Pointt point\n",
+    "other_interfaces/msg/Holder.msg": "my_interfaces/Pile pile\n",
+    "no_interfaces/launch/a.launch": "",
+}
+
+
+@pytest.fixture
+def workspace(tmp_path: Path) -> Path:
+    """Write the definitions below a prefix, and return it."""
+    for name, text in FILES.items():
+        path = tmp_path / "share" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+    return tmp_path
+
+
+@pytest.fixture
+def sourced(workspace: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """Have that prefix on AMENT_PREFIX_PATH; forget afterwards what was imported."""
+    monkeypatch.setenv("AMENT_PREFIX_PATH", os.pathsep.join(["/nowhere", str(workspace)]))
+    use_ros_names()
+    classes, modules = dict(class_table._classes), set(sys.modules)
+    yield workspace
+    class_table._classes.clear()
+    class_table._classes.update(classes)
+    for name in set(sys.modules) - modules:
+        if name.partition(".")[0] in {"my_interfaces", "other_interfaces"}:
+            del sys.modules[name]
+
+
+def python(code: str, cwd: Path, **environment: object) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-c", textwrap.dedent(code)],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+        cwd=cwd,
+        env=os.environ | {name: str(value) for name, value in environment.items()},
+    )
+
+
+def test_a_script_imports_them_before_rclpy(workspace: Path, tmp_path: Path) -> None:
+    code = """
+        from my_interfaces.msg import Sphere
+        from my_interfaces.action import Roll
+        import my_interfaces
+        import rclpy, sys
+        from tfloom.ros_finder import InterfaceFinder
+        print(Sphere(radius=2.0), Sphere.BIG, my_interfaces.srv.Weigh.Request, Roll.Impl.FeedbackMessage().feedback)
+        assert isinstance(sys.meta_path[-1], InterfaceFinder)
+    """
+    empty = tmp_path / "empty"
+    empty.mkdir()
+    run = python(code, empty, AMENT_PREFIX_PATH=workspace)
+    sphere = "my_interfaces.msg.Sphere(center=geometry_msgs.msg.Point(x=0.0, y=0.0, z=0.0), radius=2.0)"
+    request = "<class 'tfloom.rosidl.dynamic.my_interfaces/srv/Weigh_Request'>"
+    feedback = "my_interfaces.action.Roll_Feedback(now=0.0)"
+    assert (run.stdout, run.stderr) == (f"{sphere} 3 {request} {feedback}\n", "")
+
+
+def test_a_python_that_no_workspace_was_sourced_for_has_no_finder(tmp_path: Path) -> None:
+    code = """
+        import sys
+        print([each for each in sys.meta_path if "ros_finder" in repr(each)],
+              [name for name in sys.modules if name.startswith("tfloom.")])
+    """
+    assert python(code, tmp_path, AMENT_PREFIX_PATH="").stdout == "[] []\n"
+
+
+def test_the_finder_loads_nothing_before_it_is_needed(workspace: Path, tmp_path: Path) -> None:
+    code = "import sys; print(*sorted(name for name in sys.modules if name.startswith('tfloom.')))"
+    assert (
+        python(code, tmp_path, AMENT_PREFIX_PATH=workspace).stdout == "tfloom.ros_finder tfloom.ros_guard\n"
+    )
+
+
+def test_a_module_of_that_name_comes_first(workspace: Path, tmp_path: Path) -> None:
+    package = tmp_path / "path" / "my_interfaces"
+    package.mkdir(parents=True)
+    (package / "__init__.py").write_text("")
+    (package / "msg.py").write_text("Sphere = 'theirs'\n")
+    code = "from my_interfaces.msg import Sphere; from my_interfaces.srv import Weigh; print(Sphere, Weigh._TYPE_NAME)"
+    run = python(code, tmp_path, AMENT_PREFIX_PATH=workspace, PYTHONPATH=tmp_path / "path")
+    assert (run.stdout, run.stderr) == ("theirs my_interfaces/srv/Weigh\n", "")
+
+
+def test_nothing_is_served_beside_another_rclpy(workspace: Path, tmp_path: Path) -> None:
+    package = tmp_path / "path" / "rclpy"
+    package.mkdir(parents=True)
+    (package / "__init__.py").write_text("")
+    run = python("import my_interfaces", tmp_path, AMENT_PREFIX_PATH=workspace, PYTHONPATH=tmp_path / "path")
+    assert run.stderr.endswith("ModuleNotFoundError: No module named 'my_interfaces'\n")
+
+
+@pytest.mark.usefixtures("sourced")
+def test_they_are_classes_like_any() -> None:
+    module = importlib.import_module("my_interfaces.msg")
+    pile = module.Pile(spheres=[module.Sphere(center=Point(x=1.0))])
+    assert cdr.decode(module.Pile, cdr.encode(pile)) == pile
+    assert pickle.loads(pickle.dumps(pile)) == pile
+    assert get_message_class("my_interfaces/msg/Sphere") is module.Sphere
+    assert module.Sphere.__doc__ == "A ball."
+    services = importlib.import_module("my_interfaces.srv")
+    assert get_service_class("my_interfaces/Weigh") is services.Weigh
+    assert services.Weigh.Request is services.Weigh_Request
+    assert issubclass(services.Weigh, Service)
+    assert issubclass(importlib.import_module("my_interfaces.action").Roll, Action)
+    holder = importlib.import_module("other_interfaces.msg").Holder
+    assert type(holder(pile=pile).pile) is module.Pile
+
+
+@pytest.mark.usefixtures("sourced")
+def test_what_a_module_lists() -> None:
+    services = importlib.import_module("my_interfaces.srv")
+    assert services.__all__ == ["Weigh", "Weigh_Event", "Weigh_Request", "Weigh_Response"]
+    assert {"Weigh", "Weigh_Request", "__doc__"} <= set(dir(services))
+    assert "Sphere" in dir(importlib.import_module("my_interfaces.msg"))
+    assert hasattr(importlib.import_module("my_interfaces"), "msg")
+
+
+@pytest.mark.usefixtures("sourced")
+@pytest.mark.parametrize(
+    "name", ["no_interfaces", "my_interfaces.launch", "my_interfaces.msg.deeper", "nothing"]
+)
+def test_what_holds_no_definitions_is_no_module(name: str) -> None:
+    with pytest.raises(ModuleNotFoundError):
+        importlib.import_module(name)
+
+
+def test_names_that_are_no_definitions(sourced: Path) -> None:
+    module = importlib.import_module("my_interfaces.msg")
+    expected = rf"has no attribute 'Cube': {sourced}/share/my_interfaces has no msg/Cube\.msg"
+    with pytest.raises(AttributeError, match=expected):
+        module.Cube  # noqa: B018
+    with pytest.raises(ImportError, match=r"cannot import name 'Cube' from 'my_interfaces\.msg'"):
+        exec("from my_interfaces.msg import Cube")
+    with pytest.raises(AttributeError, match="module 'my_interfaces' has no attribute 'launch'"):
+        importlib.import_module("my_interfaces").launch  # noqa: B018
+
+
+@pytest.mark.parametrize(
+    ("name", "error"),
+    [
+        ("Broken", "Broken.msg:3:1: 'int33' is neither a primitive type nor a message's name"),
+        ("UsesBroken", "Broken.msg:3:1: 'int33' is neither a primitive type nor a message's name"),
+        ("Latin", "Latin.msg:2:3: octet 0xe9 isn't UTF-8 text"),
+        (
+            "Left",
+            (
+                "Right.msg:1:1: a message contains itself: "
+                "my_interfaces/msg/Left -> my_interfaces/msg/Right -> my_interfaces/msg/Left"
+            ),
+        ),
+        (
+            "Far",
+            (
+                "Far.msg:2:1: there is no definition of 'nowhere_msgs/msg/Thing': "
+                "the package 'nowhere_msgs' is neither on AMENT_PREFIX_PATH nor one of tfloom's own"
+            ),
+        ),
+        ("Near", "Near.msg:1:1: there is no definition of 'geometry_msgs/msg/Pointt'"),
+    ],
+)
+def test_a_broken_definition_names_file_and_line(sourced: Path, name: str, error: str) -> None:
+    module = importlib.import_module("my_interfaces.msg")
+    with pytest.raises(ParseError) as raised:
+        getattr(module, name)
+    assert str(raised.value) == f"{sourced}/share/my_interfaces/msg/{error}"
+    assert module.Sphere().radius == 1.0
+
+
+def test_a_package_of_tfloom_interfaces_that_is_not_installed(
+    sourced: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (sourced / "share/my_interfaces/msg/Goal.msg").write_text("nav2_msgs/Costmap map\n")
+    monkeypatch.setattr("tfloom.rosidl.definition_files.extra_prefix", lambda: None)
+    with pytest.raises(
+        ParseError, match=r"nav2_msgs comes with the distribution tfloom-interfaces, which is not"
+    ):
+        importlib.import_module("my_interfaces.msg").Goal  # noqa: B018
+
+
+def test_messages_nested_too_deep(sourced: Path) -> None:
+    folder = sourced / "share/my_interfaces/msg"
+    for depth in range(150):
+        (folder / f"Deep{depth}.msg").write_text(f"Deep{depth + 1} a\nDeep{depth + 1} b\n")
+    (folder / "Deep150.msg").write_text("int32 a\n")
+    module = importlib.import_module("my_interfaces.msg")
+    with pytest.raises(ParseError, match="messages are nested more than 100 deep"):
+        module.Deep0  # noqa: B018
+    # Two ways down at each level, and each message is looked at once.
+    assert set(module.Deep60._FIELDS.values()) == {"my_interfaces/msg/Deep61"}
+
+
+def test_use_ros_names_installs_one_finder() -> None:
+    use_ros_names()
+    use_ros_names()
+    assert [type(each) for each in sys.meta_path].count(ros_finder.InterfaceFinder) == 1
+
+
+def test_a_definition_made_by_the_program_wins(sourced: Path) -> None:
+    from tfloom.rosidl.dynamic import define
+
+    assert sourced
+    cls = define("my_interfaces/msg/Sphere", "int32 other")
+    try:
+        assert importlib.import_module("my_interfaces.msg").Sphere is cls
+    finally:
+        sources.replace("my_interfaces/msg/Sphere", None)
+        class_table.forget("my_interfaces/msg/Sphere")

@@ -1,0 +1,114 @@
+"""The interface packages of the distribution `tfloom-interfaces`, and hashes that real systems have printed."""
+
+from __future__ import annotations
+
+import importlib
+import json
+from pathlib import Path
+
+import pytest
+from rosbags.typesys import Stores, get_types_from_msg, get_typestore
+from rosbags.typesys.store import Typestore
+from tests.test_facades import ROS_NAMES, RULES, Rule
+
+from tfloom.rosidl import cdr, class_table, definition_files, generate, spec
+from tfloom.rosidl.registry import find_class, get_message_class
+from tfloom.rosidl.type_hash import type_hash
+from tfloom.workspace.get_interfaces import get_interfaces
+
+ROOT = Path(__file__).parents[2]
+HOME = ROOT / "packages" / "tfloom-interfaces" / "src" / "tfloom_interfaces"
+FILES = generate.generate_extra(HOME)
+EXTRA = generate.load_definitions(HOME / "definitions")
+OWN = generate.load_definitions()
+SPECS = {message.name: message for each in (OWN | EXTRA).values() for message in spec.messages_of(each)}
+HASHES = json.loads((ROOT / "tests" / "golden" / "interface_hashes.json").read_text("utf-8"))["hashes"]
+
+
+@pytest.mark.parametrize("path", FILES)
+def test_regenerates_without_difference(path: str) -> None:
+    assert (HOME / path).read_text("utf-8") == FILES[path], "run python -m tfloom.rosidl.generate"
+
+
+def test_nothing_is_left_of_old_definitions() -> None:
+    on_disk = {path.relative_to(HOME).as_posix() for path in HOME.glob("interfaces/*/*.py")}
+    assert on_disk == {path for path in FILES if path.startswith("interfaces/")}
+
+
+def test_the_names_of_its_packages_are_those_in_error_texts() -> None:
+    packages = {name.partition("/")[0] for name in EXTRA}
+    assert packages == set(definition_files.EXTRA_PACKAGES)
+    assert not packages & {name.partition("/")[0] for name in OWN}
+
+
+def test_what_is_installed_is_this_checkouts() -> None:
+    prefix = definition_files.extra_prefix()
+    assert prefix is not None, "run `make setup`"
+    for path in FILES:
+        assert (prefix / path).read_text("utf-8") == FILES[path], "run `make setup`"
+
+
+@pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.__name__)
+def test_each_facade_keeps_the_rules_of_facades(rule: Rule) -> None:
+    prefix = definition_files.extra_prefix()
+    assert prefix is not None
+    assert ROS_NAMES.is_dir()
+    broken = [
+        each for each in rule(prefix / "ros_names") if ": from tfloom_interfaces.interfaces" not in each
+    ]
+    assert not broken, "\n".join(broken)
+
+
+@pytest.mark.parametrize("name", sorted(EXTRA))
+def test_each_is_found_by_name_and_by_import(name: str) -> None:
+    package, kind, base = name.split("/")
+    cls = find_class(name)
+    assert type_hash(EXTRA[name], SPECS.__getitem__) == cls._TYPE_HASH
+    assert getattr(importlib.import_module(f"{package}.{kind}"), base) is cls
+    assert cls.__module__ == f"tfloom_interfaces.interfaces.{package}.{kind}"
+    assert f"{kind}/{base}" in get_interfaces([package])[package]
+    for message in spec.messages_of(EXTRA[name]):
+        made = class_table.find(message.name)()
+        assert cdr.decode(type(made), cdr.encode(made)) == made
+
+
+@pytest.mark.parametrize("name", sorted(HASHES))
+def test_hashes_that_real_systems_have_printed(name: str) -> None:
+    found = get_message_class(name)
+    assert (name, HASHES[name]) == (found._TYPE_NAME, found._TYPE_HASH)
+
+
+def written_parts() -> list[spec.Message]:
+    """Return what the definitions write: messages, and requests, responses, goals, results and feedback.
+
+    The parts of services and actions get names of messages, because rosbags hashes those alone.
+    """
+    parts: list[spec.Message] = []
+    for each in EXTRA.values():
+        if isinstance(each, spec.Service):
+            parts += [each.request, each.response]
+        elif isinstance(each, spec.Action):
+            parts += [each.goal, each.result, each.feedback]
+        else:
+            parts.append(each)
+    return [part._replace(name=message_name(part.name)) for part in parts]
+
+
+def message_name(name: str) -> str:
+    package, _, base = name.split("/")
+    return f"{package}/msg/{base.replace('_', '')}"
+
+
+def add_to(store: Typestore, message: spec.Message) -> None:
+    for name in message.references:
+        if name not in store.fielddefs:
+            add_to(store, SPECS[name])
+    text = "".join(f"{field.type} {field.name}\n" for field in message.fields)
+    store.register(get_types_from_msg(text, message.name))
+
+
+@pytest.mark.parametrize("message", written_parts(), ids=lambda each: each.name)
+def test_hashes_are_those_of_rosbags(message: spec.Message) -> None:
+    store = get_typestore(Stores.EMPTY)
+    add_to(store, message)
+    assert store.hash_rihs01(message.name) == type_hash(message, SPECS.__getitem__)

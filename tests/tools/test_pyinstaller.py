@@ -1,0 +1,99 @@
+"""A program frozen by PyInstaller, as a folder and as one file, on the graph of programs that are not frozen."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import sysconfig
+import venv
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from tests.conftest import Program
+from tests.wheels import ROOT, build_wheel
+
+PROGRAM = Path(__file__).with_name("frozen_robot.py")
+TIMEOUT_S = 600.0
+DESCRIBED = "{type_name: std_msgs/msg/String, type_hash: %s, include_type_sources: true}"
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(os.name != "posix", reason="the names of commands are POSIX's"),
+]
+
+
+@pytest.fixture(scope="module")
+def pyinstaller(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Install tfloom's wheels and PyInstaller into a fresh environment; return the path of the command."""
+    folder = tmp_path_factory.mktemp("environment")
+    wheels = [
+        build_wheel(tmp_path_factory.mktemp("wheel")),
+        build_wheel(tmp_path_factory.mktemp("interfaces"), ROOT / "packages" / "tfloom-interfaces"),
+    ]
+    venv.create(folder, symlinks=True)
+    commands = folder / Path(sysconfig.get_path("scripts")).name
+    pip = [
+        sys.executable,
+        "-m",
+        "pip",
+        "--disable-pip-version-check",
+        "--quiet",
+        "--python",
+        str(commands / "python"),
+    ]
+    requirements = [*map(str, wheels), "transforms3d"]
+    subprocess.run([*pip, "install", *requirements], check=True, timeout=TIMEOUT_S)
+    done = subprocess.run(
+        [*pip, "install", "pyinstaller>=6"], capture_output=True, text=True, timeout=TIMEOUT_S, check=False
+    )
+    if done.returncode:
+        pytest.skip(f"PyInstaller can't be installed: {done.stderr.strip().splitlines()[-1]}")
+    return commands / "pyinstaller"
+
+
+@pytest.mark.parametrize("kind", ["onedir", "onefile"])
+def test_frozen_program_runs_over_dds(
+    kind: str, pyinstaller: Path, tmp_path: Path, domain_id: int, start_program: Callable[..., Program]
+) -> None:
+    freeze = [pyinstaller, f"--{kind}", "--log-level", "WARN", "--distpath", tmp_path, "--specpath", tmp_path]
+    frozen = subprocess.run(
+        [*freeze, "--workpath", tmp_path / "work", PROGRAM],
+        capture_output=True,
+        text=True,
+        timeout=TIMEOUT_S,
+        check=False,
+    )
+    assert frozen.returncode == 0, frozen.stderr
+    program = tmp_path / "frozen_robot" if kind == "onefile" else tmp_path / "frozen_robot" / "frozen_robot"
+
+    robot = start_program(program)
+    robot.wait_for("Odometry NavigateToPose")
+    start_program(
+        "ros2",
+        "run",
+        "tf2_ros",
+        "static_transform_publisher",
+        "--frame-id",
+        "map",
+        "--child-frame-id",
+        "odom",
+    )
+    echo = start_program("ros2", "topic", "echo", "/yaws")
+    echo.wait_for("data: yaw 0.50")
+
+    from std_msgs.msg import String
+
+    request = DESCRIBED % String._TYPE_HASH
+    service = "/robot/get_type_description"
+    call = start_program(
+        "ros2", "service", "call", service, "type_description_interfaces/srv/GetTypeDescription", request
+    )
+    call.wait_for("successful=True")
+    call.wait_for("string data")
+
+    robot.signal(signal.SIGINT)
+    robot.wait_for("stopped")
+    assert robot.wait() == 0, robot.output
