@@ -43,7 +43,8 @@ check:
 # Generate the type stub of the extension, after a change in native/bindings.
 stub:
 	$(set_up) demo
-	"$(BIN)/python" -m nanobind.stubgen -m tfloom._native -q -o src/tfloom/_native.pyi
+	"$(BIN)/python" -m nanobind.stubgen -m tfloom._native -q \
+		-p native/bindings/stub_patterns.txt -o src/tfloom/_native.pyi
 
 # Generate docs/rclpy_api.md, after a change of ROS's names or of docs/rclpy_api_missing.txt.
 api:

@@ -30,7 +30,7 @@ DOMAIN_FIXTURES = {"domain_id", "module_domain_id"}
 CLOCK_FIXTURES = {"start_program", "executor", "spin_until"}
 """A test with one of these waits for a process or for timers."""
 
-COLCON_PYTHON = {"COLCON_PYTHON_EXECUTABLE": sys._base_executable}
+COLCON_PYTHON = {"COLCON_PYTHON_EXECUTABLE": str(Path(sys.executable).resolve())}
 """For a shell that sources what colcon wrote: colcon's own choice breaks where its path has a space."""
 
 _lock_descriptors: set[int] = set()

@@ -79,7 +79,11 @@ def hands_on(node: ast.stmt) -> bool:
 
 def defers(node: ast.If) -> bool:
     """Return whether a statement imports for type checkers alone, and has a `__getattr__` for all others."""
-    otherwise = [ast.unparse(each).split("(")[0] for each in node.orelse]
+    # Python 3.10 writes the targets of an assignment in parentheses.
+    otherwise = [
+        ast.unparse(each).replace("(__getattr__, __dir__)", "__getattr__, __dir__").split("(")[0]
+        for each in node.orelse
+    ]
     return (
         ast.unparse(node.test) == "TYPE_CHECKING"
         and all(isinstance(each, ast.ImportFrom) for each in node.body)

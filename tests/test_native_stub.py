@@ -7,8 +7,20 @@ import subprocess
 import sys
 from pathlib import Path
 
-STUB = Path(__file__).parents[1] / "src" / "tfloom" / "_native.pyi"
-REGENERATE = [sys.executable, "-m", "nanobind.stubgen", "-m", "tfloom._native", "-q", "-o"]
+ROOT = Path(__file__).parents[1]
+STUB = ROOT / "src" / "tfloom" / "_native.pyi"
+PATTERNS = ROOT / "native" / "bindings" / "stub_patterns.txt"
+REGENERATE = [
+    sys.executable,
+    "-m",
+    "nanobind.stubgen",
+    "-m",
+    "tfloom._native",
+    "-q",
+    "-p",
+    str(PATTERNS),
+    "-o",
+]
 
 
 def test_stub_is_current(tmp_path: Path) -> None:

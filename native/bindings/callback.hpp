@@ -9,17 +9,10 @@
 #include <type_traits>
 #include <utility>
 
+#include "bindings/gil.hpp"
 #include "core/deferred_queue.hpp"
 
 namespace tfloom::bindings {
-
-inline bool python_is_ending() {
-#if PY_VERSION_HEX >= 0x030D0000
-  return !Py_IsInitialized() || Py_IsFinalizing();
-#else
-  return !Py_IsInitialized() || _Py_IsFinalizing();
-#endif
-}
 
 class Callback {
  public:
@@ -32,7 +25,8 @@ class Callback {
           }
         }) {}
 
-  // An exception of the callable is reported as unraisable, because no Python caller could handle it.
+  // An exception of the callable is reported as unraisable, because no Python caller could handle it. Once the
+  // interpreter is ending, the call does nothing.
   template <class... Args>
   void operator()(Args&&... args) const {
     if (DeferredQueue* queue = DeferredQueue::current()) {
@@ -41,8 +35,8 @@ class Callback {
       });
       return;
     }
-    if (python_is_ending()) return;
-    const nanobind::gil_scoped_acquire gil;
+    const AcquiredGil gil;
+    if (!gil) return;
     const nanobind::handle callable(callable_.get());
     try {
       callable(std::forward<Args>(args)...);
@@ -52,14 +46,19 @@ class Callback {
     }
   }
 
- private:
-  static void release(PyObject* object) {
-    if (python_is_ending()) return;
-    const nanobind::gil_scoped_acquire gil;
-    Py_DECREF(object);
+  // Visit the callable for the garbage collector, on behalf of the object that holds this callback. While a copy waits
+  // for its call, the callable is not visited: the collector then takes it, and all that it refers to, for reachable.
+  int traverse(visitproc visit, void* argument) const {
+    return callable_.use_count() == 1 ? visit(callable_.get(), argument) : 0;
   }
 
-  std::shared_ptr<PyObject> callable_;
+ private:
+  static void release(PyObject* object) {
+    const AcquiredGil gil;
+    if (gil) Py_DECREF(object);
+  }
+
+  std::shared_ptr<PyObject> callable_;  // one reference of Python's, shared by all copies
 };
 
 }  // namespace tfloom::bindings

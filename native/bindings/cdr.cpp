@@ -59,6 +59,69 @@ Py_ssize_t slot_offset(const nb::handle& type, const std::string& field) {
   return reinterpret_cast<PyMemberDescrObject*>(member.ptr())->d_member->offset;
 }
 
+// There is no slot to clear a plan: each cycle through it passes through its class, which Python clears.
+int traverse_plan(PyObject* self, visitproc visit, void* arg) {
+  Py_VISIT(Py_TYPE(self));
+  if (!nb::inst_ready(self)) return 0;
+  const ObjectPlan& plan = *nb::inst_ptr<ObjectPlan>(self);
+  for (const ObjectPlan::Slot& slot : plan.slots) {
+    Py_VISIT(slot.name.ptr());
+    Py_VISIT(slot.initial.ptr());
+    Py_VISIT(slot.empty.ptr());
+  }
+  for (const nb::object& nested : plan.nested) Py_VISIT(nested.ptr());
+  return 0;
+}
+
+PyType_Slot plan_slots[] = {{Py_tp_traverse, reinterpret_cast<void*>(&traverse_plan)}, {0, nullptr}};
+
+template <class Visit>
+int for_each_hook(MessageHooks& hooks, Visit&& visit) {
+  for (nb::object* hook : {&hooks.compile, &hooks.convert, &hooks.check, &hooks.check_names, &hooks.encode_error,
+                           &hooks.decode_error}) {
+    if (const int result = visit(*hook)) return result;
+  }
+  return 0;
+}
+
+int traverse_hooks(PyObject* self, visitproc visit, void* arg) {
+  Py_VISIT(Py_TYPE(self));
+  if (!nb::inst_ready(self)) return 0;
+  return for_each_hook(*nb::inst_ptr<MessageHooks>(self), [&](const nb::object& hook) {
+    Py_VISIT(hook.ptr());
+    return 0;
+  });
+}
+
+int clear_hooks(PyObject* self) {
+  if (!nb::inst_ready(self)) return 0;
+  set_message_hooks(nullptr);
+  return for_each_hook(*nb::inst_ptr<MessageHooks>(self), [](nb::object& hook) {
+    hook.reset();
+    return 0;
+  });
+}
+
+PyType_Slot hooks_slots[] = {{Py_tp_traverse, reinterpret_cast<void*>(&traverse_hooks)},
+                             {Py_tp_clear, reinterpret_cast<void*>(&clear_hooks)},
+                             {0, nullptr}};
+
+void bind_message_hooks(nb::module_& m) {
+  nb::class_<MessageHooks>(m, "_MessageHooks", nb::type_slots(hooks_slots), "What `set_message_hooks` was given.");
+  m.def(
+      "set_message_hooks",
+      [module = nb::handle(m)](nb::object compile, nb::object convert, nb::object check, nb::object check_names,
+                               nb::object encode_error, nb::object decode_error) {
+        const nb::object hooks = nb::cast(MessageHooks{std::move(compile), std::move(convert), std::move(check),
+                                                       std::move(check_names), std::move(encode_error),
+                                                       std::move(decode_error)});
+        set_message_hooks(nb::inst_ptr<MessageHooks>(hooks));
+        module.attr("_message_hooks") = hooks;
+      },
+      "compile"_a, "convert"_a, "check"_a, "check_names"_a, "encode_error"_a, "decode_error"_a,
+      "Set the functions that compile classes, convert arrays and check fields, and the errors that the codec raises.");
+}
+
 void init_plan(ObjectPlan* self, const nb::type_object& message_class, const std::string& name) {
   new (self) ObjectPlan;
   self->name = name;
@@ -176,7 +239,8 @@ nb::object decode(const nb::type_object& message_class, const nb::handle& data) 
 
 void bind_cdr(nb::module_& m) {
   bind_message_base(m);
-  nb::class_<ObjectPlan>(m, "Plan", "The codec's description of a message class: its fields and their positions.")
+  nb::class_<ObjectPlan>(m, "Plan", nb::type_slots(plan_slots),
+                         "The codec's description of a message class: its fields and their positions.")
       .def("__init__", &init_plan, "message_class"_a, "name"_a, "Create a plan without fields.")
       .def("add_field", &add_field, "name"_a, "kind"_a, "shape"_a, "count"_a, "string_bound"_a,
            "message_class"_a.none(), "initial"_a.none(), "copies"_a, "empty"_a.none(),
@@ -190,15 +254,7 @@ void bind_cdr(nb::module_& m) {
   m.def("decode", &decode, "message_class"_a, "data"_a,
         nb::sig("def decode(message_class: type, data: object) -> typing.Any"),
         "Return a message of `message_class`, decoded from encapsulation header and CDR.");
-  m.def(
-      "set_message_hooks",
-      [](nb::object compile, nb::object convert, nb::object check, nb::object check_names, nb::object encode_error,
-         nb::object decode_error) {
-        message_hooks() = {std::move(compile),     std::move(convert),      std::move(check),
-                           std::move(check_names), std::move(encode_error), std::move(decode_error)};
-      },
-      "compile"_a, "convert"_a, "check"_a, "check_names"_a, "encode_error"_a, "decode_error"_a,
-      "Set the functions that compile classes, convert arrays and check fields, and the errors that the codec raises.");
+  bind_message_hooks(m);
 }
 
 }  // namespace tfloom::bindings

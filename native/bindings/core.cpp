@@ -7,6 +7,7 @@
 
 #include "bindings/bindings.hpp"
 #include "bindings/gil.hpp"
+#include "bindings/signal_wakeup.hpp"
 #include "core/ready_queue.hpp"
 #include "core/sample_queue.hpp"
 #include "core/sink.hpp"
@@ -26,16 +27,15 @@ Gid to_gid(const nb::bytes& bytes) {
 
 std::vector<ReadyQueue::Token> wait_for_tokens(ReadyQueue& queue, std::int64_t timeout_ns, bool quiet) {
   std::vector<ReadyQueue::Token> tokens;
+  if (queue.take(tokens, quiet)) return tokens;
   const Waker::Deadline deadline(timeout_ns);
   for (;;) {
-    ReadyQueue::Outcome outcome;
-    {
-      const ReleasedGil release;
-      const auto left = deadline.left();
-      outcome = queue.wait(left ? left->count() : -1, tokens, quiet);
-    }
-    if (outcome != ReadyQueue::Outcome::interrupted) return tokens;
+    const SignalWakeup signals;  // before the check, so that a signal after it ends the wait
     if (PyErr_CheckSignals() != 0) throw nb::python_error();
+    const ReleasedGil release;
+    const auto left = deadline.left();
+    const auto outcome = queue.wait(left ? left->count() : -1, tokens, quiet, signals.fd());
+    if (outcome != ReadyQueue::Outcome::interrupted) return tokens;
   }
 }
 
@@ -51,6 +51,7 @@ nb::list take_samples(SampleQueue& queue) {
 }  // namespace
 
 void bind_core(nb::module_& m) {
+  count_threads_anew_in_forks();
   m.def("block_gil_reacquire_at_exit", &block_gil_reacquire_at_exit,
         "Block every other thread that reacquires the GIL after a native call, from now on.\n\n"
         "Called at the end of the program, because Python would end such threads, and the process with them. "

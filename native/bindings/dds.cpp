@@ -18,6 +18,12 @@ using namespace nb::literals;
 namespace tfloom::bindings {
 namespace {
 
+// What Python holds. It may be freed by any thread at any time, by the garbage collector too.
+using Participant = ClosedWithoutGil<dds::Participant>;
+using Writer = ClosedWithoutGil<dds::Writer>;
+using Reader = ClosedWithoutGil<dds::Reader>;
+using Graph = ClosedWithoutGil<dds::Graph>;
+
 // The fields of tfloom.rmw.qos.QoS.
 using QosFields =
     std::tuple<int, int, int, std::int32_t, std::int64_t, std::int64_t, int, std::int64_t>;
@@ -46,7 +52,7 @@ nb::bytes to_bytes(std::span<const std::byte> data) { return nb::bytes(data.data
 
 std::string to_string(const nb::bytes& bytes) { return {bytes.c_str(), bytes.size()}; }
 
-nb::object take(dds::Reader& reader) {
+nb::object take(Reader& reader) {
   nb::object taken = nb::none();
   reader.take([&taken](std::span<const std::byte> data, const SampleInfo& info) {
     taken = nb::make_tuple(to_bytes(data), info.source_stamp_ns, info.received_stamp_ns,
@@ -55,7 +61,7 @@ nb::object take(dds::Reader& reader) {
   return taken;
 }
 
-void write(dds::Writer& writer, const nb::bytes& data) {
+void write(Writer& writer, const nb::bytes& data) {
   const std::span view(static_cast<const std::byte*>(data.data()), data.size());
   const ReleasedGil released;
   writer.write(view);
@@ -97,7 +103,7 @@ void bind_endpoint(nb::class_<Endpoint>& endpoint) {
            "Return the fields of the event's status, padded with zeros, or None if nothing has changed.");
 }
 
-nb::tuple snapshot(dds::Graph& graph) {
+nb::tuple snapshot(Graph& graph) {
   dds::Graph::Snapshot state;
   {
     const ReleasedGil released;
@@ -119,76 +125,76 @@ nb::tuple snapshot(dds::Graph& graph) {
 using ReleaseGil = nb::call_guard<ReleasedGil>;
 
 void bind_participant(nb::module_& m) {
-  nb::class_<dds::Participant>(m, "DdsParticipant", "This process on one DDS domain.")
+  nb::class_<Participant>(m, "DdsParticipant", "This process on one DDS domain.")
       .def(
           "__init__",
-          [](dds::Participant* self, const std::string& library_path, std::uint32_t domain_id,
+          [](Participant* self, const std::string& library_path, std::uint32_t domain_id,
              const std::string& config, const nb::bytes& user_data) {
             const std::string user_text = to_string(user_data);
             const ReleasedGil released;
-            new (self) dds::Participant(dds::Library::open(library_path), domain_id, config, user_text);
+            new (self) Participant(dds::Library::open(library_path), domain_id, config, user_text);
           },
           "library_path"_a, "domain_id"_a, "config"_a, "user_data"_a,
           "Join a domain with the libddsc at `library_path`, Cyclone's XML `config` and the published `user_data`.")
-      .def_prop_ro("gid", [](const dds::Participant& self) { return to_bytes(self.gid()); }, "16 octets.")
-      .def("close", &dds::Participant::close, ReleaseGil(),
+      .def_prop_ro("gid", [](const Participant& self) { return to_bytes(self.gid()); }, "16 octets.")
+      .def("close", &Participant::close, ReleaseGil(),
            "Leave the domain, after endpoints and graph are closed. Closing again does nothing.");
 }
 
 void bind_writer(nb::module_& m) {
-  nb::class_<dds::Writer> writer(m, "DdsWriter", "A writer of a DDS topic.");
+  nb::class_<Writer> writer(m, "DdsWriter", "A writer of a DDS topic.");
   bind_endpoint(writer);
   writer
       .def(
           "__init__",
-          [](dds::Writer* self, dds::Participant& participant, const std::string& topic_name,
+          [](Writer* self, Participant& participant, const std::string& topic_name,
              const std::string& type_name, const QosFields& qos, const nb::bytes& user_data) {
             const std::string user_text = to_string(user_data);
             const ReleasedGil released;
-            new (self) dds::Writer(participant, {topic_name, type_name}, to_qos(qos), user_text);
+            new (self) Writer(participant, {topic_name, type_name}, to_qos(qos), user_text);
           },
           "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a, "user_data"_a, nb::keep_alive<1, 2>(),
           "Create a writer of a topic, given by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS.")
       .def("write", &write, "data"_a, "Send a sample: encapsulation header 00 01 xx xx and little-endian CDR.")
-      .def("assert_liveliness", &dds::Writer::assert_liveliness, ReleaseGil(), "Signal that this writer is alive.")
-      .def("wait_for_acks", &dds::Writer::wait_for_acks, "timeout_ns"_a, ReleaseGil(),
+      .def("assert_liveliness", &Writer::assert_liveliness, ReleaseGil(), "Signal that this writer is alive.")
+      .def("wait_for_acks", &Writer::wait_for_acks, "timeout_ns"_a, ReleaseGil(),
            "Wait until all reliable readers have acknowledged all samples. Return False on a timeout.")
-      .def("close", &dds::Writer::close, ReleaseGil(), "Leave the topic. Closing again does nothing.");
+      .def("close", &Writer::close, ReleaseGil(), "Leave the topic. Closing again does nothing.");
 }
 
 void bind_reader(nb::module_& m) {
-  nb::class_<dds::Reader> reader(m, "DdsReader", "A reader of a DDS topic.");
+  nb::class_<Reader> reader(m, "DdsReader", "A reader of a DDS topic.");
   bind_endpoint(reader);
   reader
       .def(
           "__init__",
-          [](dds::Reader* self, dds::Participant& participant, const std::string& topic_name,
+          [](Reader* self, Participant& participant, const std::string& topic_name,
              const std::string& type_name, const QosFields& qos, const nb::bytes& user_data) {
             const std::string user_text = to_string(user_data);
             const ReleasedGil released;
-            new (self) dds::Reader(participant, {topic_name, type_name}, to_qos(qos), user_text);
+            new (self) Reader(participant, {topic_name, type_name}, to_qos(qos), user_text);
           },
           "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a, "user_data"_a, nb::keep_alive<1, 2>(),
           "Create a reader of a topic, given by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS.")
-      .def("notify", &dds::Reader::notify, "queue"_a.none(), "token"_a, nb::keep_alive<1, 2>(),
+      .def("notify", &Reader::notify, "queue"_a.none(), "token"_a, nb::keep_alive<1, 2>(),
            "Post `token` to `queue` when there are samples to take; None ends it.")
       .def("take", &take, nb::sig("def take(self) -> tuple[bytes, int, int, bytes] | None"),
            "Remove the oldest sample: (data, source stamp, received stamp, gid), or None.")
-      .def("feed", &dds::Reader::feed, "sink"_a, nb::keep_alive<1, 2>(), ReleaseGil(),
+      .def("feed", &Reader::feed, "sink"_a, nb::keep_alive<1, 2>(), ReleaseGil(),
            "Push every further sample into `sink`, on a thread without Python.")
-      .def("close", &dds::Reader::close, ReleaseGil(),
+      .def("close", &Reader::close, ReleaseGil(),
            "Leave the topic. Afterwards neither queue nor sink is used. Closing again does nothing.");
 }
 
 void bind_graph(nb::module_& m) {
-  nb::class_<dds::Graph>(m, "DdsGraph", "The participants and endpoints discovered on a DDS domain.")
+  nb::class_<Graph>(m, "DdsGraph", "The participants and endpoints discovered on a DDS domain.")
       .def(
           "__init__",
-          [](dds::Graph* self, dds::Participant& participant, const std::string& topic_name,
+          [](Graph* self, Participant& participant, const std::string& topic_name,
              const std::string& type_name, const QosFields& qos, const nb::bytes& user_data) {
             const std::string user_text = to_string(user_data);
             const ReleasedGil released;
-            new (self) dds::Graph(participant, {topic_name, type_name}, to_qos(qos), user_text);
+            new (self) Graph(participant, {topic_name, type_name}, to_qos(qos), user_text);
           },
           "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a, "user_data"_a, nb::keep_alive<1, 2>(),
           "Start to listen. The names are those of the topic in which participants list their nodes.")
@@ -197,10 +203,10 @@ void bind_graph(nb::module_& m) {
                    "bytes, bytes, bytes, tuple[int, int, int, int, int, int, int, int]]]]"),
            "Return participants (gid, user data, node list) and endpoints (gid, participant's gid, whether a writer, "
            "topic, type, user data, qos), texts as the received bytes.")
-      .def("changes", &dds::Graph::changes, ReleaseGil(), "Return a number that grows with each change.")
-      .def("notify", &dds::Graph::notify, "queue"_a.none(), "token"_a, nb::keep_alive<1, 2>(),
+      .def("changes", &Graph::changes, ReleaseGil(), "Return a number that grows with each change.")
+      .def("notify", &Graph::notify, "queue"_a.none(), "token"_a, nb::keep_alive<1, 2>(),
            "Post `token` to `queue` whenever the graph has changed; None ends it.")
-      .def("close", &dds::Graph::close, ReleaseGil(), "Stop listening. Closing again does nothing.");
+      .def("close", &Graph::close, ReleaseGil(), "Stop listening. Closing again does nothing.");
 }
 
 }  // namespace

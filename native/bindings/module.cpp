@@ -1,8 +1,11 @@
+#include <cstdlib>
+
 #include "bindings/bindings.hpp"
 
 NB_MODULE(_native, m) {
   m.doc() = "The compiled core of tfloom: numbers, ids and bytes.";
-  nanobind::set_leak_warnings(false);  // message classes and their plans live as long as the interpreter
+  // Off by default, because a program may end while its daemon threads use objects. Tests of leaks switch them on.
+  nanobind::set_leak_warnings(std::getenv("TFLOOM_LEAK_WARNINGS") != nullptr);
   tfloom::bindings::bind_core(m);
   tfloom::bindings::bind_dds(m);
   tfloom::bindings::bind_cdr(m);

@@ -38,7 +38,8 @@ struct ObjectPlan : cdr::Plan {
   std::vector<nb::object> nested;  // keeps the plans of nested messages, and their classes, alive
 };
 
-// Functions and classes of tfloom.rosidl that the native base class uses. Set once, and never released.
+// Functions and classes of tfloom.rosidl that the native base class uses. The module owns them, and the garbage
+// collector frees both at the interpreter's end.
 struct MessageHooks {
   nb::object compile;       // (class) -> Plan
   nb::object convert;       // (class, name, value) -> numeric array
@@ -46,8 +47,13 @@ struct MessageHooks {
   nb::object check_names;   // (class, kwargs) -> None, or raises AssertionError
   nb::object encode_error;  // exception classes
   nb::object decode_error;
+
+  ~MessageHooks();  // if they are the hooks that `message_hooks` returns, there are none afterwards
 };
-MessageHooks& message_hooks();
+// Set the hooks that `message_hooks` returns; null: none.
+void set_message_hooks(const MessageHooks* hooks) noexcept;
+// Return the hooks. Raise RuntimeError if there are none, because the interpreter is ending.
+const MessageHooks& message_hooks();
 
 // Return the plan of a message class, compiled at first use. Raise TypeError for a class that is no message class.
 ObjectPlan& plan_of(PyTypeObject* type);

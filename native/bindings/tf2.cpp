@@ -8,6 +8,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -52,7 +53,8 @@ namespace {
 
 using tf2::Query;
 
-// The result of a lookup. The names are the str objects passed by the caller.
+// The result of a lookup. The names are the str objects passed by the caller. They are exactly str, so that no cycle of
+// references can pass through them, and the garbage collector need not know of each answer.
 struct Answer {
   nb::object frame_id, child_frame_id;
   tf2::StampedTransform transform;
@@ -68,10 +70,17 @@ nb::tuple rotation_of(const Answer& answer) {
   return nb::make_tuple(q.x, q.y, q.z, q.w);
 }
 
+nb::object exact_str(const NameArgument& name) {
+  if (PyUnicode_CheckExact(name.object.ptr())) return nb::borrow(name.object);
+  auto text = nb::steal(PyUnicode_FromObject(name.object.ptr()));  // of a subclass: a copy
+  if (!text.is_valid()) throw nb::python_error();
+  return text;
+}
+
 Answer answer_or_raise(const tf2::Result<tf2::StampedTransform>& result, const NameArgument& target,
                        const NameArgument& source) {
   if (!result) raise(result.error());
-  return {nb::borrow(target.object), nb::borrow(source.object), *result};
+  return {exact_str(target), exact_str(source), *result};
 }
 
 Query full_query(const NameArgument& target, StampArgument target_stamp, const NameArgument& source,
@@ -113,11 +122,62 @@ bool wait(const tf2::Buffer& buffer, const Query& query, double timeout_s) {
 using RequestCallable = nb::typed<nb::callable, void(std::uint64_t, bool)>;
 using LogCallable = nb::typed<nb::callable, void(int, std::string)>;
 
-tf2::Requests::Callback request_callback(nb::callable callable) {
-  return [callback = Callback(std::move(callable))](tf2::Requests::Handle handle, tf2::Requests::Outcome outcome) {
+// The functions that a buffer calls back; classes, so that `traverse` finds their callables.
+struct RequestFunction {
+  Callback callback;
+  void operator()(tf2::Requests::Handle handle, tf2::Requests::Outcome outcome) const {
     callback(handle, outcome == tf2::Requests::Outcome::available);
-  };
+  }
+};
+
+struct LogFunction {
+  Callback callback;
+  void operator()(tf2::Severity severity, const std::string& text) const {
+    callback(static_cast<int>(severity), text);
+  }
+};
+
+template <class Function, class Signature>
+int traverse(const std::function<Signature>& function, visitproc visit, void* argument) {
+  const auto* found = function.template target<Function>();
+  return found == nullptr ? 0 : found->callback.traverse(visit, argument);
 }
+
+// The buffer's slots of the garbage collector. A callback often refers to its buffer, a future's always does, so the
+// collector has to find the callables of a buffer to free both.
+int traverse_buffer(PyObject* self, visitproc visit, void* arg) {
+  Py_VISIT(Py_TYPE(self));
+  if (!nb::inst_ready(self)) return 0;  // the collector may run before the end of __init__
+  const tf2::Buffer& buffer = *nb::inst_ptr<BufferHandle>(self)->buffer;
+  int result = 0;
+  buffer.log().visit_callback([&](const tf2::LogCallback& log) { result = traverse<LogFunction>(log, visit, arg); });
+  buffer.requests().for_each_callback([&](const tf2::Requests::Callback& request) {
+    if (result == 0) result = traverse<RequestFunction>(request, visit, arg);
+  });
+  return result;
+}
+
+int clear_buffer(PyObject* self) {
+  if (nb::inst_ready(self)) nb::inst_ptr<BufferHandle>(self)->buffer->drop_callbacks();
+  return 0;
+}
+
+// Runs on a buffer that the collector found unreachable, before anything is cleared. A sink that still fills the buffer
+// may have begun a call since then: with the buffer's own reference gone, the collector finds the callable reachable by
+// that call, and frees it later.
+void finalize_buffer(PyObject* self) {
+  PyObject *type, *value, *traceback;
+  PyErr_Fetch(&type, &value, &traceback);
+  clear_buffer(self);
+  PyErr_Restore(type, value, traceback);
+}
+
+PyType_Slot buffer_slots[] = {
+    {Py_tp_traverse, reinterpret_cast<void*>(&traverse_buffer)},
+    {Py_tp_clear, reinterpret_cast<void*>(&clear_buffer)},
+    {Py_tp_finalize, reinterpret_cast<void*>(&finalize_buffer)},
+    {0, nullptr},
+};
 
 std::optional<tf2::Requests::Handle> handle_or_none(tf2::Requests::Handle handle) {
   if (handle == tf2::Requests::never) return std::nullopt;
@@ -242,7 +302,7 @@ void bind_waiting(nb::class_<BufferHandle>& type) {
           [](BufferHandle& self, const NameArgument& target, const NameArgument& source, StampArgument stamp,
              const RequestCallable& callback) {
             const Query query = simple_query(target, source, stamp);
-            return handle_or_none(self.buffer->add_request(query, request_callback(callback)));
+            return handle_or_none(self.buffer->add_request(query, RequestFunction{Callback(callback)}));
           },
           "target_frame"_a, "source_frame"_a, "stamp_ns"_a, "callback"_a,
           nb::sig("def add_request(self, target_frame: str, source_frame: str, stamp_ns: int, callback: "
@@ -256,7 +316,7 @@ void bind_waiting(nb::class_<BufferHandle>& type) {
           [](BufferHandle& self, const NameArgument& target, StampArgument target_stamp, const NameArgument& source,
              StampArgument source_stamp, const NameArgument& fixed, const RequestCallable& callback) {
             const Query query = full_query(target, target_stamp, source, source_stamp, fixed);
-            return handle_or_none(self.buffer->add_request(query, request_callback(callback)));
+            return handle_or_none(self.buffer->add_request(query, RequestFunction{Callback(callback)}));
           },
           "target_frame"_a, "target_stamp_ns"_a, "source_frame"_a, "source_stamp_ns"_a, "fixed_frame"_a,
           "callback"_a,
@@ -318,9 +378,7 @@ void bind_contents(nb::class_<BufferHandle>& type) {
           "set_log_callback",
           [](BufferHandle& self, std::optional<LogCallable> callback) {
             if (!callback) return self.buffer->set_log_callback({});
-            self.buffer->set_log_callback([log = Callback(*callback)](tf2::Severity severity, const std::string& text) {
-              log(static_cast<int>(severity), text);
-            });
+            self.buffer->set_log_callback(LogFunction{Callback(*callback)});
           },
           "callback"_a.none(),
           nb::sig("def set_log_callback(self, callback: collections.abc.Callable[[int, str], object] | None) -> None"),
@@ -378,7 +436,8 @@ void bind_listings(nb::class_<BufferHandle>& type) {
 void bind_tf2(nb::module_& m) {
   bind_tf2_transform(m);
   bind_answer(m);
-  nb::class_<BufferHandle> type(m, "Buffer", "A tree of frames over time; see `tfloom.tf2.buffer.Buffer`.");
+  nb::class_<BufferHandle> type(m, "Buffer", nb::type_slots(buffer_slots),
+                                "A tree of frames over time; see `tfloom.tf2.buffer.Buffer`.");
   type.def(
       "__init__",
       [](BufferHandle* self, const AgeArgument& cache_time) {

@@ -9,7 +9,7 @@
 //  3. dds: Reader::feed_mutex_. A listener acquires it by try_lock only.
 //  4. dds: Graph::mutex_, Peers::mutex_, Events::reported_mutex_, Writer::in_use_: held during calls of libddsc
 //  5. libddsc's own locks, which it holds during calls of a listener
-//  6. dds, acquired in listeners: Reader::listener_mutex_, Events::mutex_, Feeder::mutex_
+//  6. dds, acquired in listeners: Reader::listener_mutex_, Events::mutex_, the feeder's
 //  7. core: Sink::mutex_; tf2: Requests::mutex_, then Buffer::frames_mutex_
 //  8. no other lock is acquired below these: ReadyQueue::mutex_, SampleQueue::mutex_, Waker::mutex_ (Windows),
 //     Buffer::waiting_mutex_, Log::mutex_

@@ -46,10 +46,11 @@ bool ReadyQueue::take(std::vector<Token>& tokens, bool quiet) {
   return !tokens.empty();
 }
 
-ReadyQueue::Outcome ReadyQueue::wait(std::int64_t timeout_ns, std::vector<Token>& tokens, bool quiet) {
+ReadyQueue::Outcome ReadyQueue::wait(std::int64_t timeout_ns, std::vector<Token>& tokens, bool quiet,
+                                     int interrupt_fd) {
   const Waker::Deadline deadline(timeout_ns);
   while (!take(tokens, quiet)) {
-    switch (waker_.wait(deadline)) {
+    switch (waker_.wait(deadline, interrupt_fd)) {
       case Waker::Outcome::woken: break;
       case Waker::Outcome::timeout: return take(tokens, quiet) ? Outcome::ready : Outcome::timeout;
       case Waker::Outcome::interrupted: return Outcome::interrupted;

@@ -25,14 +25,15 @@ class ReadyQueue {
   // Remove a token that was posted quietly, unless it was taken.
   void withdraw(Token token);
 
-  // Move all posted tokens, in order of first posting, into `tokens`, and with `quiet` also those posted quietly. If
-  // there are none, wait for the first one: up to `timeout_ns`, or without limit if that is negative. `interrupted`: a
-  // signal handler ran on this thread.
-  Outcome wait(std::int64_t timeout_ns, std::vector<Token>& tokens, bool quiet = false);
+  // Move all posted tokens, in order of first posting, into `tokens`, and with `quiet` also those posted quietly. Return
+  // false if there are none.
+  bool take(std::vector<Token>& tokens, bool quiet = false);
+
+  // Do as `take`; if there are none, wait for the first one: up to `timeout_ns`, or without limit if that is negative.
+  // `interrupted`, `interrupt_fd`: see Waker::wait.
+  Outcome wait(std::int64_t timeout_ns, std::vector<Token>& tokens, bool quiet = false, int interrupt_fd = -1);
 
  private:
-  bool take(std::vector<Token>& tokens, bool quiet);
-
   std::mutex mutex_;
   std::vector<Token> order_;  // guarded by mutex_, like the next four
   std::unordered_set<Token> pending_;

@@ -1,6 +1,7 @@
 #include "core/waker.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <system_error>
 
 #ifndef _WIN32
@@ -46,7 +47,7 @@ void Waker::wake() {
   condition_.notify_one();
 }
 
-Waker::Outcome Waker::wait(const Deadline& deadline) {
+Waker::Outcome Waker::wait(const Deadline& deadline, int) {
   std::unique_lock lock(mutex_);
   const auto left = deadline.left();
   const nanoseconds slice = left ? std::min<nanoseconds>(*left, signal_check_period) : signal_check_period;
@@ -87,8 +88,9 @@ void Waker::wake() {
   }
 }
 
-Waker::Outcome Waker::wait(const Deadline& deadline) {
-  pollfd watched{.fd = read_fd_, .events = POLLIN, .revents = 0};
+Waker::Outcome Waker::wait(const Deadline& deadline, int interrupt_fd) {
+  pollfd watched[] = {{.fd = read_fd_, .events = POLLIN, .revents = 0},
+                      {.fd = interrupt_fd, .events = POLLIN, .revents = 0}};
   const auto left = deadline.left();
 #ifdef __linux__
   timespec limit{};
@@ -96,18 +98,19 @@ Waker::Outcome Waker::wait(const Deadline& deadline) {
     limit.tv_sec = static_cast<time_t>(left->count() / 1'000'000'000);
     limit.tv_nsec = static_cast<long>(left->count() % 1'000'000'000);
   }
-  const int ready = ppoll(&watched, 1, left ? &limit : nullptr, nullptr);
+  const int ready = ppoll(watched, std::size(watched), left ? &limit : nullptr, nullptr);
 #else
   constexpr std::int64_t longest_ms = 1'000'000'000;
   const int limit_ms =
       left ? static_cast<int>(std::min<std::int64_t>((left->count() + 999'999) / 1'000'000, longest_ms)) : -1;
-  const int ready = poll(&watched, 1, limit_ms);
+  const int ready = poll(watched, std::size(watched), limit_ms);
 #endif
   if (ready < 0) {
     if (errno == EINTR) return Outcome::interrupted;
     throw std::system_error(errno, std::generic_category(), "poll");
   }
   if (ready == 0) return Outcome::timeout;
+  if (watched[1].revents != 0) return Outcome::interrupted;  // a wake-up, too, stays for the next wait
   std::uint64_t drained[32];
   while (read(read_fd_, drained, sizeof drained) == sizeof drained) {
   }

@@ -31,7 +31,10 @@ class Waker {
   Waker& operator=(const Waker&) = delete;
 
   void wake();  // from any thread; calls before the wait count as one wake-up, which ends it at once
-  Outcome wait(const Deadline& deadline);
+
+  // Wait for a wake-up. `interrupted`: a signal handler ran on this thread, or there is something to read from
+  // `interrupt_fd`, which is left to the caller; a negative one is ignored. On Windows it is returned periodically.
+  Outcome wait(const Deadline& deadline, int interrupt_fd = -1);
 
  private:
 #ifdef _WIN32

@@ -10,7 +10,7 @@ constexpr std::uint32_t only_xcdr1 = 1;
 
 }  // namespace
 
-Entity create_topic(Participant& participant, const TopicName& topic) {
+OwnedEntity create_topic(Participant& participant, const TopicName& topic) {
   TopicDescriptor descriptor{};
   descriptor.size = 1;
   descriptor.alignment = 1;
@@ -21,9 +21,8 @@ Entity create_topic(Participant& participant, const TopicName& topic) {
   descriptor.metadata = "";
   descriptor.allowed_representations = only_xcdr1;
   const Library& library = participant.library();
-  const Entity entity =
-      library.create_topic(participant.entity(), &descriptor, topic.name.c_str(), nullptr, nullptr);
-  return library.check(entity, "cannot open topic " + topic.name);
+  return {library, library.create_topic(participant.entity(), &descriptor, topic.name.c_str(), nullptr, nullptr),
+          "cannot open topic " + topic.name};
 }
 
 }  // namespace tfloom::dds

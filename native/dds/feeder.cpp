@@ -5,68 +5,73 @@
 
 namespace tfloom::dds {
 
-Feeder::Feeder() : thread_(&Feeder::run, this) {}
+Feeder::Feeder() : state_(std::make_shared<State>()), thread_([state = state_] { state->run(); }) {}
 
 Feeder::~Feeder() { stop(); }
 
 void Feeder::stop() {
   {
-    const std::lock_guard lock(mutex_);
-    stopping_ = true;
+    const std::lock_guard lock(state_->mutex);
+    state_->stopping = true;
   }
-  scheduled_.notify_one();
-  if (thread_.joinable()) thread_.join();
+  state_->scheduled.notify_one();
+  if (!thread_.joinable()) return;
+  if (thread_.get_id() == std::this_thread::get_id()) {
+    thread_.detach();
+  } else {
+    thread_.join();
+  }
 }
 
 void Feeder::schedule(Source& source) {
   {
-    const std::lock_guard lock(mutex_);
-    enqueue(source);
+    const std::lock_guard lock(state_->mutex);
+    state_->enqueue(source);
   }
-  scheduled_.notify_one();  // after the lock is released, because the woken thread would wait for it
+  state_->scheduled.notify_one();  // after the lock is released, because the woken thread would wait for it
 }
 
 void Feeder::defer(Work work) {
   {
-    const std::lock_guard lock(mutex_);
-    deferred_.push_back(std::move(work));
+    const std::lock_guard lock(state_->mutex);
+    state_->deferred.push_back(std::move(work));
   }
-  scheduled_.notify_one();
+  state_->scheduled.notify_one();
 }
 
 void Feeder::cancel(Source& source) {
-  std::unique_lock lock(mutex_);
-  drained_.wait(lock, [&] { return draining_ != &source; });
-  std::erase(waiting_, &source);
+  std::unique_lock lock(state_->mutex);
+  state_->drained.wait(lock, [&] { return state_->draining != &source; });
+  std::erase(state_->waiting, &source);
 }
 
-void Feeder::enqueue(Source& source) {
-  if (std::ranges::find(waiting_, &source) != waiting_.end()) return;
-  waiting_.push_back(&source);
+void Feeder::State::enqueue(Source& source) {
+  if (std::ranges::find(waiting, &source) != waiting.end()) return;
+  waiting.push_back(&source);
 }
 
-void Feeder::run() {
-  std::unique_lock lock(mutex_);
+void Feeder::State::run() {
+  std::unique_lock lock(mutex);
   for (;;) {
-    scheduled_.wait(lock, [&] { return stopping_ || !waiting_.empty() || !deferred_.empty(); });
-    if (!deferred_.empty()) {
-      Work work = std::move(deferred_.front());
-      deferred_.pop_front();
+    scheduled.wait(lock, [&] { return stopping || !waiting.empty() || !deferred.empty(); });
+    if (!deferred.empty()) {
+      Work work = std::move(deferred.front());
+      deferred.pop_front();
       lock.unlock();
       work();
       work = nullptr;  // destroys what it captured, without the lock
       lock.lock();
       continue;
     }
-    if (stopping_) return;
-    Source* source = draining_ = waiting_.front();
-    waiting_.pop_front();
+    if (stopping) return;
+    Source* source = draining = waiting.front();
+    waiting.pop_front();
     lock.unlock();
-    const bool more = source->drain();
+    const bool more = source->drain_();
     lock.lock();
-    draining_ = nullptr;
+    draining = nullptr;
     if (more) enqueue(*source);
-    drained_.notify_all();
+    drained.notify_all();
   }
 }
 

@@ -3,8 +3,11 @@
 
 #include <condition_variable>
 #include <deque>
+#include <functional>
+#include <memory>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "core/deferred_queue.hpp"
 
@@ -12,15 +15,17 @@ namespace tfloom::dds {
 
 class Feeder : public DeferredQueue {
  public:
+  // A member of what is drained. It must be cancelled before it is destroyed.
   class Source {
    public:
-    Source() = default;
+    // `drain` processes some of the pending data, on the feeder's thread, and returns true if there may be more.
+    explicit Source(std::function<bool()> drain) : drain_(std::move(drain)) {}
     Source(const Source&) = delete;
     Source& operator=(const Source&) = delete;
-    virtual ~Source() = default;
 
-    // Process some of the pending data, on the feeder's thread. Return true if there may be more.
-    virtual bool drain() = 0;
+   private:
+    friend class Feeder;
+    const std::function<bool()> drain_;
   };
 
   Feeder();
@@ -36,22 +41,28 @@ class Feeder : public DeferredQueue {
   // Queue `work`. May be called in a listener, and with a lock held.
   void defer(Work work) override;
 
-  // Run the deferred work and end the thread; sources that are still queued are not drained. Must not be called on the
-  // feeder's own thread.
+  // Run the deferred work and end the thread; sources that are still queued are not drained. Return when the thread has
+  // ended; on the feeder's own thread, where deferred work may release what owns the feeder, return at once: the thread
+  // then ends after the rest of the work.
   void stop();
 
  private:
-  void run();
-  void enqueue(Source& source);
+  // Shared with the thread, which may outlive the feeder.
+  struct State {
+    std::mutex mutex;
+    std::condition_variable scheduled;  // waits with mutex, like the next
+    std::condition_variable drained;
+    std::deque<Source*> waiting;  // sources to drain; guarded by mutex, like the next three
+    std::deque<Work> deferred;
+    Source* draining = nullptr;  // the source that is being drained
+    bool stopping = false;
 
-  std::mutex mutex_;
-  std::condition_variable scheduled_;  // waits with mutex_, like the next
-  std::condition_variable drained_;
-  std::deque<Source*> waiting_;  // sources to drain; guarded by mutex_, like the next three
-  std::deque<Work> deferred_;
-  Source* draining_ = nullptr;  // the source that is being drained
-  bool stopping_ = false;
-  std::thread thread_;  // started by the constructor, joined by `stop`
+    void run();
+    void enqueue(Source& source);  // requires mutex to be held
+  };
+
+  const std::shared_ptr<State> state_;
+  std::thread thread_;  // started by the constructor; joined or detached by `stop`, which one thread calls
 };
 
 }  // namespace tfloom::dds

@@ -19,6 +19,16 @@ Gid to_gid(const void* octets) {
 
 std::string to_string(const char* text) { return text == nullptr ? std::string() : std::string(text); }
 
+// Samples that the library lends, until they are returned by the destructor.
+struct Loan {
+  const Library& library;
+  Entity reader;
+  void** samples;
+  Result count;
+
+  ~Loan() { library.return_loan(reader, samples, count); }
+};
+
 // Take all samples of a reader of a built-in topic, and call `receive(sample, is_alive)` for each.
 template <typename Sample, typename Receive>
 void take_all(const Library& library, Entity reader, const Receive& receive) {
@@ -27,40 +37,52 @@ void take_all(const Library& library, Entity reader, const Receive& receive) {
     SampleState states[samples_per_take];
     const Result count = library.take(reader, samples, states, samples_per_take, samples_per_take);
     if (count <= 0) return;
+    const Loan loan{library, reader, samples, count};
     for (Result i = 0; i < count; ++i) {
       const bool is_alive = states[i].valid_data && states[i].instance_state == alive_instance;
       receive(*static_cast<const Sample*>(samples[i]), is_alive);
     }
-    library.return_loan(reader, samples, count);
   }
 }
 
 }  // namespace
 
 Graph::Graph(Participant& participant, const TopicName& node_lists, const Qos& qos, const std::string& user_data)
-    : participant_(participant), library_(participant.library()) {
-  const QosHandle handle = make_reader_qos(library_, qos, user_data);
-  node_list_topic_ = create_topic(participant, node_lists);
-  participant_reader_ = listen(discovered_participants, nullptr);
-  writer_reader_ = listen(discovered_publications, nullptr);
-  reader_reader_ = listen(discovered_subscriptions, nullptr);
-  node_list_reader_ = listen(node_list_topic_, handle.get());
+    : participant_(participant),
+      library_(participant.library()),
+      source_([this] { return drain(); }),
+      node_list_topic_(create_topic(participant, node_lists)),
+      participant_reader_(create_reader(discovered_participants, nullptr)),
+      writer_reader_(create_reader(discovered_publications, nullptr)),
+      reader_reader_(create_reader(discovered_subscriptions, nullptr)),
+      node_list_reader_(create_reader(node_list_topic_.get(), make_reader_qos(library_, qos, user_data).get())) {
+  try {
+    listen();
+  } catch (...) {
+    close();  // some of the readers listen already, and may have scheduled a drain
+    throw;
+  }
 }
 
 Graph::~Graph() { close(); }
 
-Entity Graph::listen(Entity topic, const Qos_* qos) {
-  Listener_* listener = library_.create_listener(nullptr);
-  library_.lset_data_available_arg(listener, &Graph::on_data_available, this, true);
+OwnedEntity Graph::create_reader(Entity topic, const Qos_* qos) const {
   // Created on the participant, because the library reads its built-in topics through a subscriber of its own.
-  const Entity reader = library_.create_reader(participant_.entity(), topic, qos, listener);
-  library_.delete_listener(listener);
-  return library_.check(reader, "cannot listen to the graph");
+  return {library_, library_.create_reader(participant_.entity(), topic, qos, nullptr), "cannot listen to the graph"};
+}
+
+void Graph::listen() {
+  const ListenerHandle listener = make_listener(library_);
+  library_.lset_data_available_arg(listener.get(), &Graph::on_data_available, this, true);
+  for (OwnedEntity* reader : {&participant_reader_, &writer_reader_, &reader_reader_, &node_list_reader_}) {
+    reader->listen(listener);
+  }
+  participant_.feeder().schedule(source_);  // for what was received before
 }
 
 void Graph::on_data_available(Entity, void* self) {
   auto* graph = static_cast<Graph*>(self);
-  graph->participant_.feeder().schedule(*graph);
+  graph->participant_.feeder().schedule(graph->source_);
 }
 
 bool Graph::drain() {
@@ -94,14 +116,14 @@ void Graph::update() {
   if (closed_) return;
   const std::uint64_t before = changes_;
   update_participants();
-  update_endpoints(writer_reader_, true);
-  update_endpoints(reader_reader_, false);
+  update_endpoints(writer_reader_.get(), true);
+  update_endpoints(reader_reader_.get(), false);
   update_node_lists();
   if (changes_ != before && queue_ != nullptr) queue_->post(token_);
 }
 
 void Graph::update_participants() {
-  take_all<DiscoveredParticipant>(library_, participant_reader_, [this](const auto& sample, bool is_alive) {
+  take_all<DiscoveredParticipant>(library_, participant_reader_.get(), [this](const auto& sample, bool is_alive) {
     ++changes_;
     const Gid gid = to_gid(sample.key.octets);
     if (!is_alive) {
@@ -135,7 +157,7 @@ void Graph::update_endpoints(Entity reader, bool is_writer) {
 void Graph::update_node_lists() {
   Serdata_* serdata = nullptr;
   SampleState state{};
-  while (library_.takecdr(node_list_reader_, &serdata, 1, &state, 0) > 0) {
+  while (library_.takecdr(node_list_reader_.get(), &serdata, 1, &state, 0) > 0) {
     const TakenSample sample(library_, serdata);
     if (state.valid_data) put_node_list(sample.data());
     serdata = nullptr;
@@ -164,11 +186,11 @@ void Graph::close() {
     closed_ = true;
     queue_ = nullptr;
   }
-  const Entity readers[] = {participant_reader_, writer_reader_, reader_reader_, node_list_reader_};
-  for (const Entity reader : readers) library_.set_listener(reader, nullptr);
-  participant_.feeder().cancel(*this);
-  for (const Entity reader : readers) library_.delete_entity(reader);
-  library_.delete_entity(node_list_topic_);
+  OwnedEntity* const readers[] = {&participant_reader_, &writer_reader_, &reader_reader_, &node_list_reader_};
+  for (OwnedEntity* reader : readers) reader->stop_listening();
+  participant_.feeder().cancel(source_);
+  for (OwnedEntity* reader : readers) reader->close();
+  node_list_topic_.close();
 }
 
 }  // namespace tfloom::dds

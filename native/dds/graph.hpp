@@ -32,7 +32,7 @@ struct ParticipantInfo {
   std::vector<std::byte> node_list;  // its latest sample of ros_discovery_info, not decoded; empty: none received
 };
 
-class Graph : private Feeder::Source {
+class Graph {
  public:
   struct Snapshot {
     std::vector<std::pair<Gid, ParticipantInfo>> participants;
@@ -41,7 +41,9 @@ class Graph : private Feeder::Source {
 
   // Start to listen. `node_lists` names the topic in which participants list their nodes.
   Graph(Participant& participant, const TopicName& node_lists, const Qos& qos, const std::string& user_data);
-  ~Graph() override;
+  ~Graph();
+  Graph(const Graph&) = delete;
+  Graph& operator=(const Graph&) = delete;
 
   [[nodiscard]] Snapshot snapshot();
 
@@ -55,8 +57,9 @@ class Graph : private Feeder::Source {
 
  private:
   static void on_data_available(Entity, void* self);
-  Entity listen(Entity topic, const Qos_* qos);
-  bool drain() override;
+  OwnedEntity create_reader(Entity topic, const Qos_* qos) const;
+  void listen();
+  bool drain();
   void update();  // requires mutex_ to be held, like the next four
   void update_participants();
   void update_endpoints(Entity reader, bool is_writer);
@@ -73,11 +76,12 @@ class Graph : private Feeder::Source {
   ReadyQueue* queue_ = nullptr;
   ReadyQueue::Token token_ = 0;
   bool closed_ = false;
-  Entity node_list_topic_ = 0;  // constant after construction, like the next four
-  Entity participant_reader_ = 0;
-  Entity writer_reader_ = 0;
-  Entity reader_reader_ = 0;
-  Entity node_list_reader_ = 0;
+  Feeder::Source source_;
+  OwnedEntity node_list_topic_;  // constant after construction, like the next four
+  OwnedEntity participant_reader_;
+  OwnedEntity writer_reader_;
+  OwnedEntity reader_reader_;
+  OwnedEntity node_list_reader_;
 };
 
 }  // namespace tfloom::dds

@@ -78,6 +78,7 @@ void resolve_entities(Library& l, const Resolver& resolve) {
 
 void resolve_data(Library& l, const Resolver& resolve) {
   resolve(l.writecdr, "dds_writecdr");
+  resolve(l.readcdr, "dds_readcdr");
   resolve(l.takecdr, "dds_takecdr");
   resolve(l.take, "dds_take");
   resolve(l.return_loan, "dds_return_loan");

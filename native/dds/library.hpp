@@ -31,6 +31,7 @@ struct Library {
   void (*free)(void*);
 
   Result (*writecdr)(Entity writer, Serdata_*);
+  Result (*readcdr)(Entity reader, Serdata_**, std::uint32_t count, SampleState*, std::uint32_t mask);
   Result (*takecdr)(Entity reader, Serdata_**, std::uint32_t count, SampleState*, std::uint32_t mask);
   Result (*take)(Entity reader, void** samples, SampleState*, std::size_t size, std::uint32_t count);
   Result (*return_loan)(Entity reader, void** samples, Result count);

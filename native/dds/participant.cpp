@@ -4,12 +4,6 @@
 #include <map>
 #include <mutex>
 
-#ifdef _WIN32
-#include <process.h>
-#else
-#include <unistd.h>
-#endif
-
 #include "dds/qos.hpp"
 
 namespace tfloom::dds {
@@ -22,14 +16,6 @@ struct OpenDomain {
 
 std::mutex domains_mutex;  // held during calls of the library
 std::map<std::uint32_t, OpenDomain> domains;  // guarded by domains_mutex
-
-std::int64_t process_id() {
-#ifdef _WIN32
-  return _getpid();
-#else
-  return getpid();
-#endif
-}
 
 }  // namespace
 
@@ -56,14 +42,15 @@ Domain::~Domain() {
 
 Participant::Participant(const Library& library, std::uint32_t domain_id, const std::string& config,
                          const std::string& user_data)
-    : library_(library), process_(process_id()), domain_(std::make_unique<Domain>(library, domain_id, config)) {
-  const QosHandle qos = make_user_data(library, user_data);
-  entity_ = library.check(library.create_participant(domain_id, qos.get(), nullptr),
-                          "cannot join DDS domain " + std::to_string(domain_id));
-  publisher_ = library.check(library.create_publisher(entity_, nullptr, nullptr), "cannot make a publisher");
-  subscriber_ = library.check(library.create_subscriber(entity_, nullptr, nullptr), "cannot make a subscriber");
-  gid_ = gid_of(library, entity_);
-}
+    : library_(library),
+      process_(process_id()),
+      domain_(std::make_unique<Domain>(library, domain_id, config)),
+      entity_(library, library.create_participant(domain_id, make_user_data(library, user_data).get(), nullptr),
+              "cannot join DDS domain " + std::to_string(domain_id)),
+      publisher_(library, library.create_publisher(entity_.get(), nullptr, nullptr), "cannot make a publisher"),
+      subscriber_(library, library.create_subscriber(entity_.get(), nullptr, nullptr), "cannot make a subscriber"),
+      gid_(gid_of(library, entity_.get())),
+      feeder_(std::make_unique<Feeder>()) {}
 
 Participant::~Participant() { close(); }
 
@@ -79,7 +66,9 @@ void Participant::close() {
   }
   if (!domain_) return;
   feeder_->stop();
-  library_.delete_entity(entity_);
+  subscriber_.close();
+  publisher_.close();
+  entity_.close();
   domain_.reset();
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/sink.hpp"
+#include "dds/entity.hpp"
 #include "dds/feeder.hpp"
 #include "dds/library.hpp"
 
@@ -35,15 +36,16 @@ class Participant {
   Participant(const Participant&) = delete;
   Participant& operator=(const Participant&) = delete;
 
-  // Leave the domain, after all endpoints are closed. Closing again does nothing.
+  // Leave the domain, after all endpoints are closed: wait for the feeder's work, unless this is the feeder's own
+  // thread. Closing again does nothing.
   void close();
 
   [[nodiscard]] const Library& library() const { return library_; }
   [[nodiscard]] Feeder& feeder() { return *feeder_; }
   [[nodiscard]] const Gid& gid() const { return gid_; }
-  [[nodiscard]] Entity entity() const { return entity_; }
-  [[nodiscard]] Entity publisher() const { return publisher_; }
-  [[nodiscard]] Entity subscriber() const { return subscriber_; }
+  [[nodiscard]] Entity entity() const { return entity_.get(); }
+  [[nodiscard]] Entity publisher() const { return publisher_.get(); }
+  [[nodiscard]] Entity subscriber() const { return subscriber_.get(); }
 
   // Return whether this is a fork of the process that joined. libddsc's threads do not exist in a fork, so its
   // functions must not be called.
@@ -54,11 +56,11 @@ class Participant {
   const Library& library_;
   std::int64_t process_;
   std::unique_ptr<Domain> domain_;
-  Entity entity_ = 0;
-  Entity publisher_ = 0;
-  Entity subscriber_ = 0;
-  Gid gid_{};
-  std::unique_ptr<Feeder> feeder_ = std::make_unique<Feeder>();
+  OwnedEntity entity_;
+  OwnedEntity publisher_;
+  OwnedEntity subscriber_;
+  Gid gid_;
+  std::unique_ptr<Feeder> feeder_;
 };
 
 Gid gid_of(const Library& library, Entity entity);

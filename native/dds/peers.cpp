@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
 #include <utility>
 
 #include "dds/qos.hpp"
@@ -40,13 +41,13 @@ Gid Peers::gid(Entity entity, InstanceHandle handle) {
 
 const Peer* Peers::find(Entity entity, InstanceHandle handle) {
   if (const auto known = known_.find(handle); known != known_.end()) return &known->second;
-  DiscoveredEndpoint* endpoint = (of_writer_ ? library_.get_matched_subscription_data
-                                             : library_.get_matched_publication_data)(entity, handle);
+  const std::unique_ptr<DiscoveredEndpoint, void (*)(DiscoveredEndpoint*)> endpoint(
+      (of_writer_ ? library_.get_matched_subscription_data : library_.get_matched_publication_data)(entity, handle),
+      library_.builtintopic_free_endpoint);
   if (endpoint == nullptr) return nullptr;
   Peer peer;
   std::memcpy(peer.gid.data(), endpoint->key.octets, peer.gid.size());
   peer.user_data = read_user_data(library_, endpoint->qos);
-  library_.builtintopic_free_endpoint(endpoint);
   if (known_.size() >= most_known) known_.clear();
   return &known_.emplace(handle, std::move(peer)).first->second;
 }

@@ -79,9 +79,8 @@ std::string read_user_data(const Library& l, const Qos_* q) {
   void* data = nullptr;
   std::size_t size = 0;
   if (!l.qget_userdata(q, &data, &size) || data == nullptr) return {};
-  std::string user_data(static_cast<const char*>(data), size);
-  l.free(data);
-  return user_data;
+  const std::unique_ptr<void, void (*)(void*)> owner(data, l.free);
+  return {static_cast<const char*>(data), size};
 }
 
 }  // namespace tfloom::dds

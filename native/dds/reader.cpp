@@ -20,20 +20,32 @@ Reader::Reader(Participant& participant, const TopicName& topic, const Qos& qos,
     : participant_(participant),
       library_(participant.library()),
       topic_(create_topic(participant, topic)),
+      entity_(library_,
+              library_.create_reader(participant.subscriber(), topic_.get(),
+                                     make_reader_qos(library_, qos, user_data).get(), nullptr),
+              "cannot read " + topic.name),
+      gid_(gid_of(library_, entity_.get())),
       events_(library_, false, [this] { matches_changed(); }),
-      peers_(library_, false) {
-  const QosHandle handle = make_reader_qos(library_, qos, user_data);
-  Listener_* listener = library_.create_listener(nullptr);
-  library_.lset_data_available_arg(listener, &Reader::on_data_available, this, true);
-  events_.listen(listener);
-  entity_ = library_.create_reader(participant.subscriber(), topic_, handle.get(), listener);
-  library_.delete_listener(listener);
-  if (entity_ < 0) library_.delete_entity(topic_);
-  library_.check(entity_, "cannot read " + topic.name);
-  gid_ = gid_of(library_, entity_);
+      peers_(library_, false),
+      source_([this] { return drain(); }) {
+  const ListenerHandle listener = make_listener(library_);
+  library_.lset_data_available_arg(listener.get(), &Reader::on_data_available, this, true);
+  events_.listen(listener.get());
+  entity_.listen(listener);
+  // The listener was not called for what came before.
+  matches_changed();
+  if (has_data()) may_have_data_ = true;
 }
 
 Reader::~Reader() { close(); }
+
+bool Reader::has_data() const {
+  Serdata_* sample = nullptr;
+  SampleState state{};
+  if (library_.readcdr(entity_.get(), &sample, 1, &state, 0) <= 0) return false;
+  library_.serdata_unref(sample);
+  return true;
+}
 
 void Reader::on_data_available(Entity, void* self) { static_cast<Reader*>(self)->data_available(); }
 
@@ -50,7 +62,7 @@ void Reader::data_available() {
 // The feeder looks up a new writer's gid at once, because samples are often taken after their writer has left.
 void Reader::matches_changed() {
   has_new_match_ = true;
-  participant_.feeder().schedule(*this);
+  participant_.feeder().schedule(source_);
 }
 
 void Reader::notify(ReadyQueue* queue, ReadyQueue::Token token) {
@@ -68,12 +80,12 @@ void Reader::feed(Sink* sink) {
     if (closed_) return;
     queue_ = nullptr;
   }
-  participant_.feeder().cancel(*this);
+  participant_.feeder().cancel(source_);
   {
     const std::lock_guard lock(feed_mutex_);  // afterwards, no thread pushes into the former sink
     sink_ = sink;
   }
-  participant_.feeder().schedule(*this);
+  participant_.feeder().schedule(source_);
 }
 
 bool Reader::take(const Receive& receive) {
@@ -81,11 +93,11 @@ bool Reader::take(const Receive& receive) {
     Serdata_* serdata = nullptr;
     SampleState state{};
     may_have_data_ = false;  // before the take, because a sample that arrives during it sets it again
-    if (library_.takecdr(entity_, &serdata, 1, &state, 0) <= 0) return false;
+    if (library_.takecdr(entity_.get(), &serdata, 1, &state, 0) <= 0) return false;
     may_have_data_ = true;
     const TakenSample sample(library_, serdata);
     if (!state.valid_data) continue;
-    receive(sample.data(), {state.source_stamp_ns, now_ns(), peers_.gid(entity_, state.publication)});
+    receive(sample.data(), {state.source_stamp_ns, now_ns(), peers_.gid(entity_.get(), state.publication)});
     return true;
   }
   return false;
@@ -95,11 +107,11 @@ bool Reader::take(const Receive& receive) {
 // than most sinks do.
 void Reader::feed_from_listener() {
   const std::unique_lock lock(feed_mutex_, std::try_to_lock);
-  if (!lock || push_batch()) participant_.feeder().schedule(*this);
+  if (!lock || push_batch()) participant_.feeder().schedule(source_);
 }
 
 bool Reader::drain() {
-  if (has_new_match_.exchange(false)) static_cast<void>(peers_.matched(entity_));
+  if (has_new_match_.exchange(false)) static_cast<void>(peers_.matched(entity_.get()));
   const std::lock_guard lock(feed_mutex_);
   return push_batch();
 }
@@ -110,41 +122,41 @@ bool Reader::push_batch() {
   if (sink == nullptr) return false;
   Serdata_* serdata[samples_per_batch]{};
   SampleState states[samples_per_batch];
-  const Result count = library_.takecdr(entity_, serdata, samples_per_batch, states, 0);
+  const Result count = library_.takecdr(entity_.get(), serdata, samples_per_batch, states, 0);
   const std::int64_t received_ns = now_ns();
   for (Result i = 0; i < count; ++i) {
     const TakenSample sample(library_, serdata[i]);
     const SampleState& state = states[i];
     if (!state.valid_data) continue;
-    sink->push(sample.data(), {state.source_stamp_ns, received_ns, peers_.gid(entity_, state.publication)});
+    sink->push(sample.data(), {state.source_stamp_ns, received_ns, peers_.gid(entity_.get(), state.publication)});
   }
   return count == samples_per_batch;
 }
 
-std::size_t Reader::matched_count() const { return closed_ ? 0 : peers_.matched_count(entity_); }
+std::size_t Reader::matched_count() const { return closed_ ? 0 : peers_.matched_count(entity_.get()); }
 
-std::vector<Peer> Reader::matched() { return closed_ ? std::vector<Peer>() : peers_.matched(entity_); }
+std::vector<Peer> Reader::matched() { return closed_ ? std::vector<Peer>() : peers_.matched(entity_.get()); }
 
 void Reader::notify_event(Event event, ReadyQueue* queue, ReadyQueue::Token token) {
   if (!closed_) events_.notify(event, queue, token);
 }
 
 std::optional<Events::Status> Reader::take_event(Event event) {
-  return closed_ ? std::nullopt : events_.take(event, entity_);
+  return closed_ ? std::nullopt : events_.take(event, entity_.get());
 }
 
 void Reader::close() {
   const std::lock_guard lifecycle(lifecycle_mutex_);
   if (closed_.exchange(true) || participant_.is_forked()) return;
-  library_.set_listener(entity_, nullptr);  // returns after a running listener has ended
-  participant_.feeder().cancel(*this);
+  entity_.stop_listening();
+  participant_.feeder().cancel(source_);
   {
     const std::lock_guard lock(listener_mutex_);
     queue_ = nullptr;
   }
   events_.close();
-  library_.delete_entity(entity_);
-  library_.delete_entity(topic_);
+  entity_.close();
+  topic_.close();
 }
 
 }  // namespace tfloom::dds

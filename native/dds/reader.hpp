@@ -19,12 +19,14 @@
 
 namespace tfloom::dds {
 
-class Reader : private Feeder::Source {
+class Reader {
  public:
   using Receive = std::function<void(std::span<const std::byte> data, const SampleInfo& info)>;
 
   Reader(Participant& participant, const TopicName& topic, const Qos& qos, const std::string& user_data);
-  ~Reader() override;
+  ~Reader();
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
 
   // Post `token` when there are samples to take, at once if there may be some now; nullptr ends this.
   void notify(ReadyQueue* queue, ReadyQueue::Token token);
@@ -49,17 +51,19 @@ class Reader : private Feeder::Source {
   static void on_data_available(Entity, void* self);
   void data_available();
   void matches_changed();
-  bool drain() override;
+  [[nodiscard]] bool has_data() const;
+  bool drain();
   void feed_from_listener();
   bool push_batch();  // requires feed_mutex_ to be held; true: there may be more samples
 
   Participant& participant_;
   const Library& library_;
-  Entity topic_;  // constant after construction, like the next two
-  Entity entity_ = 0;
-  Gid gid_{};
+  OwnedEntity topic_;  // constant after construction, like the next two
+  OwnedEntity entity_;
+  Gid gid_;
   Events events_;  // thread-safe by itself, like the next
   Peers peers_;
+  Feeder::Source source_;
   std::atomic<bool> closed_ = false;
   std::atomic<bool> has_new_match_ = false;
   std::atomic<bool> may_have_data_ = false;  // false: there are no samples to take

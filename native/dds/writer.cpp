@@ -19,23 +19,29 @@ void check_encapsulation(std::span<const std::byte> data) {
   }
 }
 
+const Sertype_* type_of(const Library& library, Entity writer, const std::string& topic_name) {
+  const Sertype_* type = nullptr;
+  library.check(library.get_entity_sertype(writer, &type), "cannot get the type of " + topic_name);
+  return type;
+}
+
 }  // namespace
 
 Writer::Writer(Participant& participant, const TopicName& topic, const Qos& qos, const std::string& user_data)
     : participant_(participant),
       library_(participant.library()),
       topic_(create_topic(participant, topic)),
+      entity_(library_,
+              library_.create_writer(participant.publisher(), topic_.get(),
+                                     make_writer_qos(library_, qos, user_data).get(), nullptr),
+              "cannot write " + topic.name),
+      type_(type_of(library_, entity_.get(), topic.name)),
+      gid_(gid_of(library_, entity_.get())),
       events_(library_, true),
       peers_(library_, true) {
-  const QosHandle handle = make_writer_qos(library_, qos, user_data);
-  Listener_* listener = library_.create_listener(nullptr);
-  events_.listen(listener);
-  entity_ = library_.create_writer(participant.publisher(), topic_, handle.get(), listener);
-  library_.delete_listener(listener);
-  if (entity_ < 0) library_.delete_entity(topic_);
-  library_.check(entity_, "cannot write " + topic.name);
-  library_.check(library_.get_entity_sertype(entity_, &type_), "cannot get the type of " + topic.name);
-  gid_ = gid_of(library_, entity_);
+  const ListenerHandle listener = make_listener(library_);
+  events_.listen(listener.get());
+  entity_.listen(listener);
 }
 
 Writer::~Writer() { close(); }
@@ -56,30 +62,30 @@ void Writer::write(std::span<const std::byte> data) {
   Serdata_* sample =
       library_.serdata_from_ser_iov(type_, data_kind, padding == 0 ? 1 : 2, parts, data.size() + padding);
   if (sample == nullptr) throw std::invalid_argument("the DDS library refused the sample");
-  library_.check(library_.writecdr(entity_, sample), "cannot write");
+  library_.check(library_.writecdr(entity_.get(), sample), "cannot write");
 }
 
-std::size_t Writer::matched_count() const { return closed_ ? 0 : peers_.matched_count(entity_); }
+std::size_t Writer::matched_count() const { return closed_ ? 0 : peers_.matched_count(entity_.get()); }
 
-std::vector<Peer> Writer::matched() { return closed_ ? std::vector<Peer>() : peers_.matched(entity_); }
+std::vector<Peer> Writer::matched() { return closed_ ? std::vector<Peer>() : peers_.matched(entity_.get()); }
 
 void Writer::notify_event(Event event, ReadyQueue* queue, ReadyQueue::Token token) {
   if (!closed_) events_.notify(event, queue, token);
 }
 
 std::optional<Events::Status> Writer::take_event(Event event) {
-  return closed_ ? std::nullopt : events_.take(event, entity_);
+  return closed_ ? std::nullopt : events_.take(event, entity_.get());
 }
 
 void Writer::assert_liveliness() {
   const std::shared_lock lock(in_use_);
   if (closed_) throw Error("the writer is closed");
-  library_.check(library_.assert_liveliness(entity_), "cannot assert liveliness");
+  library_.check(library_.assert_liveliness(entity_.get()), "cannot assert liveliness");
 }
 
 bool Writer::wait_for_acks(std::int64_t timeout_ns) {
   if (closed_) throw Error("the writer is closed");
-  const Result result = library_.wait_for_acks(entity_, timeout_ns);
+  const Result result = library_.wait_for_acks(entity_.get(), timeout_ns);
   if (result == timeout) return false;
   library_.check(result, "cannot wait for readers");
   return true;
@@ -87,11 +93,11 @@ bool Writer::wait_for_acks(std::int64_t timeout_ns) {
 
 void Writer::close() {
   if (closed_.exchange(true) || participant_.is_forked()) return;
-  library_.set_listener(entity_, nullptr);  // returns after a running listener has ended
+  entity_.stop_listening();
   events_.close();
-  library_.delete_entity(entity_);
+  entity_.close();
   const std::unique_lock lock(in_use_);
-  library_.delete_entity(topic_);
+  topic_.close();
 }
 
 }  // namespace tfloom::dds

@@ -46,10 +46,10 @@ class Writer {
  private:
   Participant& participant_;
   const Library& library_;
-  Entity topic_;  // constant after construction, like the next three
-  Entity entity_ = 0;
-  const Sertype_* type_ = nullptr;  // valid until topic_ is deleted, which requires in_use_ exclusively
-  Gid gid_{};
+  OwnedEntity topic_;  // constant after construction, like the next three
+  OwnedEntity entity_;
+  const Sertype_* type_;  // valid until topic_ is deleted, which requires in_use_ exclusively
+  Gid gid_;
   Events events_;  // thread-safe by itself, like the next
   Peers peers_;
   std::atomic<bool> closed_ = false;

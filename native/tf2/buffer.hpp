@@ -84,6 +84,9 @@ class Buffer {
   [[nodiscard]] Stamp cache_time() const { return cache_time_.load(std::memory_order_relaxed); }
   void set_log_callback(LogCallback callback) { log_.set_callback(std::move(callback)); }
   [[nodiscard]] Log& log() { return log_; }
+  [[nodiscard]] const Log& log() const { return log_; }
+  [[nodiscard]] const Requests& requests() const { return requests_; }
+  void drop_callbacks();  // of the log and of all requests, without calling them
 
   // Store the valid entries under one lock, and return their number; each rejection is logged.
   std::size_t set(std::span<const Entry> entries, std::string_view authority, bool is_static);

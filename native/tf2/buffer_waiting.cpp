@@ -80,6 +80,11 @@ Requests::State Buffer::state_of(const Requests::Request& request) const {
   return can_answer(query) ? Requests::State::available : Requests::State::pending;
 }
 
+void Buffer::drop_callbacks() {
+  log_.set_callback({});
+  requests_.clear();
+}
+
 Requests::Handle Buffer::add_request(const Query& query, Requests::Callback callback) {
   // Added before the check, so that an insert between the two completes it; it can then no longer be cancelled.
   const Requests::Handle handle = requests_.add({.handle = 0,

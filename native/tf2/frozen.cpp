@@ -141,7 +141,7 @@ void read_samples(Reader& in, std::uint64_t count, Stamp max_age, std::size_t fr
   const auto values = in.view<Transform>(count, "the values of a frame");
   const auto parents = in.view<FrameId>(count, "the parents of a frame");
   if (!std::ranges::is_sorted(stamps)) in.fail(join("the stamps of the frame '", frame.name, "' don't ascend"));
-  const auto is_unknown = [&](FrameId id) { return id == no_parent || id >= frame_count; };
+  const auto is_unknown = [&](FrameId id) { return id >= frame_count; };  // a parent may be named NO_PARENT: id 0
   if (std::ranges::any_of(parents, is_unknown)) in.fail(join("a parent of the frame '", frame.name, "' is unknown"));
   frame.history->view(stamps, parents, values);
   in.skip_padding();
@@ -154,7 +154,7 @@ void read_contents(Reader& in, const FrozenFrame& record, Stamp max_age, std::si
     in.fail(join("the frame '", frame.name, "' has samples, though it doesn't move"));
   }
   if (record.kind == Kind::fixed) {
-    if (record.fixed_parent == no_parent || record.fixed_parent >= frame_count) {
+    if (record.fixed_parent >= frame_count) {
       in.fail(join("the parent of the frame '", frame.name, "' is unknown"));
     }
     frame.kind = Frame::Kind::fixed;

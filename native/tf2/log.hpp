@@ -23,6 +23,13 @@ class Log {
  public:
   void set_callback(LogCallback callback);
 
+  // Call `visit(callback)` with the lock held, if there is a callback and no thread is calling it.
+  template <class Visit>
+  void visit_callback(Visit&& visit) const {
+    const std::lock_guard lock(mutex_);
+    if (callback_.use_count() == 1) visit(*callback_);
+  }
+
   // Pass on one text a second for each (topic, frame); the next one passed on states how many were held back.
   void report(Severity severity, std::string_view topic, std::string_view frame, std::string text);
 
@@ -37,7 +44,7 @@ class Log {
 
   Recent& recent(std::string_view topic, std::string_view frame, Clock::time_point now);
 
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::shared_ptr<const LogCallback> callback_;  // guarded by mutex_, like the next
   std::map<std::pair<std::string, std::string>, Recent> recent_;
 };

@@ -24,4 +24,11 @@ bool Requests::cancel(Handle handle) {
   return true;
 }
 
+void Requests::clear() {
+  std::vector<std::shared_ptr<const Request>> cancelled;  // destroyed after the lock, as in `cancel`
+  const std::lock_guard lock(mutex_);
+  cancelled.swap(requests_);
+  count_.store(0);
+}
+
 }  // namespace tfloom::tf2

@@ -34,6 +34,14 @@ class Requests {
 
   Handle add(Request request);
   bool cancel(Handle handle);
+  void clear();  // cancel all
+
+  // Call `visit(callback)` for each pending request, with the lock held.
+  template <class Visit>
+  void for_each_callback(Visit&& visit) const {
+    const std::lock_guard lock(mutex_);
+    for (const auto& request : requests_) visit(request->callback);
+  }
 
   // Remove each request whose `state_of(request)` is not pending, and call it back in order of arrival.
   template <class StateOf>
@@ -54,7 +62,7 @@ class Requests {
   }
 
  private:
-  std::mutex mutex_;  // acquired before Buffer::frames_mutex_, which `state_of` acquires
+  mutable std::mutex mutex_;  // acquired before Buffer::frames_mutex_, which `state_of` acquires
   std::atomic<std::size_t> count_{0};  // of requests_; written with mutex_ held
   Handle last_ = 0;                    // guarded by mutex_, like the next
   std::vector<std::shared_ptr<const Request>> requests_;

@@ -40,6 +40,7 @@ Failure walk(const FrameTable& frames, FrameId target, FrameId source, Stamp sta
       gap = {Kind::extrapolation, bracket.found, top, stamp};
       break;
     }
+    if (bracket.parent == no_parent) break;  // the transform's parent has the reserved name
     if (depth >= longest_chain) return {Kind::cycle, {}, top, stamp};
     visitor.source(top, bracket);
     top = bracket.parent;
@@ -54,6 +55,7 @@ Failure walk(const FrameTable& frames, FrameId target, FrameId source, Stamp sta
       visitor.clear_source();
       return {};
     }
+    if (bracket.parent == no_parent) break;
     if (depth >= longest_chain) return {Kind::cycle, {}, reached, stamp};
     visitor.target(reached, bracket);
     reached = bracket.parent;

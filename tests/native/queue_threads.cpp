@@ -31,21 +31,21 @@ void check(bool holds, const char* what) {
 }
 
 // As a reader does: what comes is counted, and drained a few at a time into a sink that posts.
-class Reader : public Feeder::Source {
+class Reader {
  public:
   Reader(Feeder& feeder, SampleQueue& sink, ReadyQueue& queue) : feeder_(feeder), sink_(sink), queue_(queue) {}
-  ~Reader() override {
-    feeder_.cancel(*this);
+  ~Reader() {
+    feeder_.cancel(source_);
     is_gone_ = true;
   }
 
   void receive() {
     ++waiting_;
-    feeder_.schedule(*this);
+    feeder_.schedule(source_);
   }
 
  private:
-  bool drain() override {
+  bool drain() {
     check(!is_gone_, "a source was drained after it had been cancelled");
     for (int i = 0; i < 3; ++i) {
       if (waiting_ == 0) return false;
@@ -62,6 +62,7 @@ class Reader : public Feeder::Source {
   ReadyQueue& queue_;
   std::atomic<int> waiting_{0};
   std::atomic<bool> is_gone_{false};
+  Feeder::Source source_{[this] { return drain(); }};
 };
 
 // One thread pushes into a sink; another waits for the sink's tokens, and detaches and attaches as executors do.

@@ -14,23 +14,27 @@ ROOT = Path(__file__).parents[2]
 BUILD_TIMEOUT_S = 900
 RUN_TIMEOUT_S = 120
 pytestmark = pytest.mark.slow
-PROGRAMS = ["buffer_threads", "hostile_tf", "queue_threads"]
+PROGRAMS = ["buffer_threads", "dds_ownership", "hostile_tf", "queue_threads"]
+CMAKE_OPTIONS = [
+    "-DTFLOOM_WARNINGS_AS_ERRORS=ON",
+    # The optimiser of GCC 12 warns of code that only instrumentation makes.
+    "-DCMAKE_CXX_FLAGS=-O1 -Wno-error=maybe-uninitialized -Wno-error=restrict -Wno-error=tsan",
+    "-DCMAKE_BUILD_TYPE=None",
+]
+
+
+def cmake() -> str:
+    """Return the path of cmake."""
+    found = shutil.which("cmake", path=f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}")
+    assert found, "cmake is not installed: install the dependency group 'build'"
+    return found
 
 
 def build(folder: Path, sanitize: str, programs: list[str]) -> None:
-    cmake = shutil.which("cmake", path=f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}")
-    assert cmake, "cmake is not installed: install the dependency group 'build'"
-    options = [
-        "-DTFLOOM_NATIVE_TESTS=ON",
-        f"-DTFLOOM_SANITIZE={sanitize}",
-        "-DTFLOOM_WARNINGS_AS_ERRORS=ON",
-        # The optimiser of GCC 12 warns of code that only instrumentation makes.
-        "-DCMAKE_CXX_FLAGS=-O1 -Wno-error=maybe-uninitialized -Wno-error=restrict -Wno-error=tsan",
-        "-DCMAKE_BUILD_TYPE=None",
-    ]
+    options = ["-DTFLOOM_NATIVE_TESTS=ON", f"-DTFLOOM_SANITIZE={sanitize}", *CMAKE_OPTIONS]
     for command in (
-        [cmake, "-S", ROOT, "-B", folder, *options],
-        [cmake, "--build", folder, "--target", *programs],
+        [cmake(), "-S", ROOT, "-B", folder, *options],
+        [cmake(), "--build", folder, "--target", *programs],
     ):
         done = subprocess.run(command, capture_output=True, text=True, timeout=BUILD_TIMEOUT_S, check=False)
         assert done.returncode == 0, done.stdout + done.stderr

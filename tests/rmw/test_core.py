@@ -80,6 +80,46 @@ def test_signal_handler_runs_at_once_and_its_exception_is_raised() -> None:
     assert handled.is_set()
 
 
+@pytest.mark.skipif(not hasattr(signal, "pthread_kill"), reason="needs a signal sent to a thread")
+def test_a_signal_that_interrupts_no_system_call_ends_the_wait() -> None:
+    """A signal between the check for signals and the wait is one; so is one delivered on another thread, as here."""
+
+    class StopError(Exception):
+        pass
+
+    def handle(number: int, frame: object) -> None:
+        raise StopError
+
+    def interrupt() -> None:
+        time.sleep(0.05)  # so that the main thread waits
+        signal.pthread_kill(threading.get_ident(), signal.SIGUSR1)
+
+    queue = ReadyQueue()
+    rescue = threading.Timer(10, queue.post, [1])
+    other = threading.Thread(target=interrupt)
+    before = signal.signal(signal.SIGUSR1, handle)
+    read_end, write_end = os.pipe()
+    os.set_blocking(write_end, False)
+    former = signal.set_wakeup_fd(write_end)
+    try:
+        other.start()
+        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGUSR1})
+        rescue.start()
+        with pytest.raises(StopError):
+            queue.wait(-1)
+        assert signal.set_wakeup_fd(write_end) == write_end, "a program's own descriptor is restored"
+        assert os.read(read_end, 10) == bytes([signal.SIGUSR1]), "it receives the signals of the wait"
+    finally:
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGUSR1})
+        signal.set_wakeup_fd(former)
+        signal.signal(signal.SIGUSR1, before)
+        rescue.cancel()
+        other.join()
+        os.close(read_end)
+        os.close(write_end)
+    assert queue.wait(0) == []
+
+
 def test_sample_queue_keeps_the_newest() -> None:
     queue = SampleQueue(2)
     for i in range(5):

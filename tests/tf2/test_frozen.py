@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tfloom.tf2.buffer import Buffer
-from tfloom.tf2.errors import TransformException
+from tfloom.tf2.errors import ConnectivityException, TransformException
 from tfloom.tf2_ros.buffer import Buffer as RosBuffer
 
 SECOND = 1_000_000_000
@@ -120,6 +120,28 @@ def test_missing_folder_raises_and_leaves_no_file(tmp_path: Path) -> None:
     with pytest.raises(OSError):
         Buffer().freeze(tmp_path)
     assert not list(tmp_path.iterdir())
+
+
+def test_a_parent_with_the_reserved_name_is_kept(tmp_path: Path) -> None:
+    """A name from /tf may be the reserved one. As in tf2, such a frame then has data, and no parent."""
+    live = Buffer()
+    for child in ("moving", "a"):
+        live.set("NO_PARENT", child, 1, (1, 2, 3), (0, 0, 0, 1), "me")
+    live.set("NO_PARENT", "fixed", 0, (1, 2, 3), (0, 0, 0, 1), "me", static=True)
+    live.set("a", "b", 1, (1, 2, 3), (0, 0, 0, 1), "me")
+    live.set("map", "NO_PARENT", 1, (1, 2, 3), (0, 0, 0, 1), "me")
+    live.freeze(tmp_path / "tree")
+    mapped = Buffer.map(tmp_path / "tree")
+    names = ["moving", "fixed", "a", "b", "map", "NO_PARENT"]
+    for target in names:
+        for source in names:
+            for stamp in (0, 1, 2):
+                assert answer(live, target, source, stamp) == answer(mapped, target, source, stamp)
+    with pytest.raises(ConnectivityException):
+        live.lookup("moving", "fixed", 1)
+    assert mapped.all_frames_as_yaml(2.0) == live.all_frames_as_yaml(2.0)
+    assert mapped.frame_names() == live.frame_names()
+    assert mapped.frozen() == live.frozen()
 
 
 @pytest.fixture(scope="module")

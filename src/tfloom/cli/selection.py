@@ -20,8 +20,9 @@ def message_filter(expression: str | None) -> Callable[[Message], bool]:
         return lambda _: True
     try:
         code = compile(expression, "--filter", "eval")
-    except SyntaxError as error:
-        raise CommandError(f"--filter isn't a Python expression: {error.msg}\n  {expression}") from None
+    except (SyntaxError, ValueError) as error:  # ValueError: a null byte, before Python 3.12
+        reason = error.msg if isinstance(error, SyntaxError) else error
+        raise CommandError(f"--filter isn't a Python expression: {reason}\n  {expression}") from None
 
     def accepts(message: Message) -> bool:
         try:

@@ -49,13 +49,13 @@ class Future(Generic[T]):
         if self._exception is not None and not self._exception_fetched:
             print(f"The following exception was never retrieved: {self._exception}", file=sys.stderr)
 
+    # Typed as the result, because only a cancelled future gives None, and that in an executor alone.
     def __await__(self) -> Generator[Any, None, T]:
         if not self._done:
             if is_driven_by_asyncio():
                 yield from wait_in_asyncio(self)
             else:
                 yield from self._wait_in_executor()
-        # Typed without the None of a cancelled future, because few programs cancel one that they await.
         return cast("T", self.result())
 
     def _wait_in_executor(self) -> Generator[Future[T], None, None]:

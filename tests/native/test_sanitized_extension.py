@@ -1,0 +1,96 @@
+"""The whole extension under sanitizers: tests of the wire, the buffer and the codec, in this Python with libddsc.
+
+Neither Python nor libddsc is instrumented, so a finding is in the extension's own code.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from tests.native.test_sanitizers import BUILD_TIMEOUT_S, CMAKE_OPTIONS, cmake
+
+HERE = Path(__file__).parent
+ROOT = HERE.parents[1]
+RUN_TIMEOUT_S = 300
+EVERYWHERE = ["tests/rmw", "tests/tf2_ros/test_lifetime.py", "tests/tf2_ros/test_wire.py"]
+TESTS = {
+    "thread": [*EVERYWHERE, "tests/tf2/test_threads.py", "tests/node/wire/test_services.py"],
+    "address,undefined": [
+        *EVERYWHERE,
+        "tests/tf2",
+        "tests/rosidl/test_cdr.py",
+        "tests/rosidl/test_message.py",
+    ],
+}
+RUNTIMES = {"thread": "libtsan.so", "address,undefined": "libasan.so"}
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(sys.platform != "linux", reason="the sanitizer's runtime is preloaded as on Linux"),
+]
+
+
+def build_extension(folder: Path, sanitize: str) -> Path:
+    find_nanobind = [sys.executable, "-m", "nanobind", "--cmake_dir"]
+    nanobind = subprocess.run(find_nanobind, capture_output=True, text=True, check=True).stdout.strip()
+    options = [
+        *CMAKE_OPTIONS,
+        f"-DTFLOOM_SANITIZE={sanitize}",
+        "-DSKBUILD=2",
+        f"-DPython_EXECUTABLE={sys.executable}",
+        f"-Dnanobind_DIR={nanobind}",
+    ]
+    for command in (
+        [cmake(), "-S", ROOT, "-B", folder, *options],
+        [cmake(), "--build", folder, "--target", "_native", "--parallel", str(os.cpu_count() or 1)],
+    ):
+        done = subprocess.run(command, capture_output=True, text=True, timeout=BUILD_TIMEOUT_S, check=False)
+        assert done.returncode == 0, done.stdout + done.stderr
+    (extension,) = folder.glob("_native*.so")
+    return extension
+
+
+def environment(extension: Path, runtime: str, reports: Path) -> dict[str, str]:
+    """Return the environment of a Python that loads this extension, and writes its findings to `reports`."""
+    # The runtime of C++ too, because the sanitizer intercepts its throw where it is loaded.
+    libraries = [
+        subprocess.run(["gcc", f"-print-file-name={name}"], capture_output=True, text=True, check=True).stdout
+        for name in (runtime, "libstdc++.so")
+    ]
+    return {
+        **os.environ,
+        "LD_PRELOAD": " ".join(path.strip() for path in libraries),
+        "PYTHONPATH": str(HERE / "sanitized"),
+        "TFLOOM_SANITIZED_NATIVE": str(extension),
+        "ASAN_OPTIONS": f"detect_leaks=0:log_path={reports}",  # Python never frees all its memory
+        "UBSAN_OPTIONS": f"halt_on_error=1:print_stacktrace=1:log_path={reports}",
+        "TSAN_OPTIONS": f"ignore_noninstrumented_modules=1:report_signal_unsafe=0:exitcode=0:log_path={reports}",
+    }
+
+
+@pytest.mark.parametrize("sanitize", TESTS)
+def test_the_extension_under_sanitizers(sanitize: str, tmp_path: Path) -> None:
+    extension = build_extension(tmp_path / "build", sanitize)
+    variables = environment(extension, RUNTIMES[sanitize], tmp_path / "report")
+
+    def run(*words: str) -> str:
+        done = subprocess.run(
+            [sys.executable, *words],
+            cwd=ROOT,
+            env=variables,
+            capture_output=True,
+            text=True,
+            timeout=RUN_TIMEOUT_S,
+            check=False,
+        )
+        assert done.returncode == 0, done.stdout + done.stderr
+        return done.stdout
+
+    assert run("-c", "import tfloom._native as n; print(n.__spec__.origin)").strip() == str(extension)
+    options = ["-q", "-p", "no:cacheprovider", "-m", "not slow and not timing", "--numprocesses=2"]
+    run("-m", "pytest", *options, *TESTS[sanitize])
+    findings = "\n".join(path.read_text("utf-8") for path in tmp_path.glob("report.*"))
+    assert not findings
