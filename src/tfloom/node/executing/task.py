@@ -49,14 +49,13 @@ class Future(Generic[T]):
         if self._exception is not None and not self._exception_fetched:
             print(f"The following exception was never retrieved: {self._exception}", file=sys.stderr)
 
-    # Typed as the result, because only a cancelled future gives None, and that in an executor alone.
     def __await__(self) -> Generator[Any, None, T]:
         if not self._done:
             if is_driven_by_asyncio():
                 yield from wait_in_asyncio(self)
             else:
                 yield from self._wait_in_executor()
-        return cast("T", self.result())
+        return self.result()
 
     def _wait_in_executor(self) -> Generator[Future[T], None, None]:
         # The task that runs the coroutine is resumed by a callback of the future that is yielded here.
@@ -79,8 +78,10 @@ class Future(Generic[T]):
         """Return whether there is a result or an exception."""
         return self._done
 
-    def result(self) -> T | None:
-        """Return the result; None while there is none.
+    def result(self) -> T:
+        """Return the result; None while there is none, and after cancellation.
+
+        Its type is that of the result, because programs read it once the future is done.
 
         Raises:
             BaseException: the exception the future was completed with.
@@ -88,7 +89,7 @@ class Future(Generic[T]):
         if self._exception is not None:
             self._exception_fetched = True
             raise self._exception
-        return self._result
+        return cast("T", self._result)
 
     def exception(self) -> BaseException | None:
         """Return the exception the future was completed with, or None."""
