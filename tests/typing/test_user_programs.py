@@ -139,8 +139,8 @@ def test_wrong_program_is_rejected_by_mypy(tmp_path: Path) -> None:
 
 
 def test_a_wheel_puts_the_ros_names_last_on_the_path(wheel_python: Path) -> None:
-    code = "import sys; print(sys.path[-1].replace('\\\\', '/').endswith('site-packages/tfloom/ros_names'))"
+    code = "import sys; print(*(each.replace('\\\\', '/').rpartition('site-packages/')[2] for each in sys.path[-2:]))"
     result = subprocess.run(
         [wheel_python, "-c", code], capture_output=True, text=True, check=True, timeout=60
     )
-    assert result.stdout == "True\n"
+    assert result.stdout == "tfloom/ros_names tfloom_interfaces/ros_names\n"
