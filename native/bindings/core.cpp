@@ -28,6 +28,10 @@ Gid to_gid(const nb::bytes& bytes) {
 std::vector<ReadyQueue::Token> wait_for_tokens(ReadyQueue& queue, std::int64_t timeout_ns, bool quiet) {
   std::vector<ReadyQueue::Token> tokens;
   if (queue.take(tokens, quiet)) return tokens;
+  if (timeout_ns == 0) {
+    if (PyErr_CheckSignals() != 0) throw nb::python_error();
+    return tokens;
+  }
   const Waker::Deadline deadline(timeout_ns);
   for (;;) {
     const SignalWakeup signals;  // before the check, so that a signal after it ends the wait

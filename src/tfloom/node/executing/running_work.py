@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import threading
-import weakref
 
 __all__ = ["RunningWork"]
 
 
-_all_running_work: weakref.WeakSet[RunningWork] = weakref.WeakSet()
+_threads_of_all: list[int] = []
+"""The threads that run callbacks of any executor, once for each callback. Changed as `RunningWork._threads`."""
 
 
 class RunningWork:
@@ -19,13 +19,16 @@ class RunningWork:
         self._waiters = 0
         # Changed without the lock, by single operations of a list, because a lock would cost time in each callback.
         self._threads: list[int] = []
-        _all_running_work.add(self)
 
     def __enter__(self) -> None:
-        self._threads.append(threading.get_ident())
+        thread = threading.get_ident()
+        self._threads.append(thread)
+        _threads_of_all.append(thread)
 
     def __exit__(self, *_: object) -> None:
-        self._threads.remove(threading.get_ident())
+        thread = threading.get_ident()
+        _threads_of_all.remove(thread)
+        self._threads.remove(thread)
         if self._waiters:  # a waiter that isn't counted yet checks the list before it waits
             with self._changed:
                 self._changed.notify_all()
@@ -37,7 +40,7 @@ class RunningWork:
     @staticmethod
     def is_any_on_this_thread() -> bool:
         """Return whether a callback of any executor runs on the calling thread."""
-        return any(work.is_this_thread() for work in list(_all_running_work))
+        return threading.get_ident() in _threads_of_all
 
     def wait(self, timeout_s: float | None) -> bool:
         """Wait until no callback runs on another thread; False after `timeout_s` [s] (None: no limit)."""
