@@ -17,6 +17,8 @@ from pathlib import Path
 
 import pytest
 
+from tfloom.node.context.context import Context
+from tfloom.node.node import Node
 from tfloom.rmw.cyclone_library import find_library
 from tfloom.rmw.errors import NoBackendError
 
@@ -75,6 +77,36 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
                 or CLOCK_FIXTURES & set(getattr(item, "fixturenames", ()))
             ):
                 item.add_marker(pytest.mark.flaky(reruns=1))
+
+
+@pytest.fixture
+def local_context(monkeypatch: pytest.MonkeyPatch) -> Iterator[Context]:
+    """Return a context on the wire inside the process."""
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+    context = Context()
+    context.init(args=[], domain_id=random.randrange(200))
+    yield context
+    context.try_shutdown()
+
+
+@pytest.fixture
+def make_node(local_context: Context) -> Iterator[Callable[..., Node]]:
+    """Return a function that creates a node from its name and options; the nodes are destroyed at the end."""
+    nodes: list[Node] = []
+
+    def make(name: str, **options: object) -> Node:
+        nodes.append(Node(name, context=local_context, **options))
+        return nodes[-1]
+
+    yield make
+    for node in nodes:
+        node.destroy_node()
+
+
+@pytest.fixture
+def node(make_node: Callable[..., Node]) -> Node:
+    """Return a node on the wire inside the process."""
+    return make_node("under_test")
 
 
 def wait_until(condition: Callable[[], object], timeout_s: float = TIMEOUT_S, what: str = "") -> None:

@@ -12,6 +12,22 @@ from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.log import log_output
 from tfloom.node.node import Node
 
+WIRES = ["tfloom_local", pytest.param("rmw_cyclonedds_cpp", marks=pytest.mark.wire)]
+
+
+@pytest.fixture(params=WIRES)
+def context_on_each_wire(
+    request: pytest.FixtureRequest, local_wire: None, monkeypatch: pytest.MonkeyPatch
+) -> Iterator[Context]:
+    """Return a context on the wire inside the process, and another one on DDS in a domain of the test's own."""
+    if request.param != "tfloom_local":
+        request.getfixturevalue("domain_id")
+    monkeypatch.setenv("RMW_IMPLEMENTATION", request.param)
+    context = Context()
+    context.init(["program"])
+    yield context
+    context.destroy()
+
 
 @pytest.fixture(autouse=True)
 def local_wire(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[None]:

@@ -21,20 +21,10 @@ from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreade
 from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 
-WIRES = ["tfloom_local", pytest.param("rmw_cyclonedds_cpp", marks=pytest.mark.wire)]
 
-
-@pytest.fixture(params=WIRES)
-def context(
-    request: pytest.FixtureRequest, local_wire: None, monkeypatch: pytest.MonkeyPatch
-) -> Iterator[Context]:
-    if request.param != "tfloom_local":
-        request.getfixturevalue("domain_id")
-    monkeypatch.setenv("RMW_IMPLEMENTATION", request.param)
-    context = Context()
-    context.init(["program"])
-    yield context
-    context.destroy()
+@pytest.fixture
+def context(context_on_each_wire: Context) -> Context:
+    return context_on_each_wire
 
 
 @pytest.fixture(params=[SingleThreadedExecutor, EventsExecutor])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 
 import pytest
 from tests.conftest import wait_until
@@ -19,20 +19,11 @@ from tfloom.node.values.exceptions import NodeNameNonExistentError
 
 MakeNode = Callable[..., Node]
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-WIRES = ["tfloom_local", pytest.param("rmw_cyclonedds_cpp", marks=pytest.mark.wire)]
 
 
-@pytest.fixture(params=WIRES)
-def context(
-    request: pytest.FixtureRequest, local_wire: None, monkeypatch: pytest.MonkeyPatch
-) -> Iterator[Context]:
-    if request.param != "tfloom_local":
-        request.getfixturevalue("domain_id")
-    monkeypatch.setenv("RMW_IMPLEMENTATION", request.param)
-    context = Context()
-    context.init(["program"])
-    yield context
-    context.destroy()
+@pytest.fixture
+def context(context_on_each_wire: Context) -> Context:
+    return context_on_each_wire
 
 
 def test_no_demangle_returns_dds_names(make_node: MakeNode) -> None:

@@ -22,20 +22,10 @@ from tfloom.node.values.duration import Duration
 from tfloom.node.values.exceptions import ExternalShutdownException
 from tfloom.node.values.time import Time
 
-WIRES = ["tfloom_local", pytest.param("rmw_cyclonedds_cpp", marks=pytest.mark.wire)]
 
-
-@pytest.fixture(params=WIRES)
-def context(
-    request: pytest.FixtureRequest, local_wire: None, monkeypatch: pytest.MonkeyPatch
-) -> Iterator[Context]:
-    if request.param != "tfloom_local":
-        request.getfixturevalue("domain_id")
-    monkeypatch.setenv("RMW_IMPLEMENTATION", request.param)
-    context = Context()
-    context.init(["program"])
-    yield context
-    context.destroy()
+@pytest.fixture
+def context(context_on_each_wire: Context) -> Context:
+    return context_on_each_wire
 
 
 class Simulation:

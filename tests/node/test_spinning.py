@@ -30,22 +30,13 @@ from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 from tfloom.node.values.exceptions import ExternalShutdownException, ROSInterruptException
 
 EXECUTORS = [SingleThreadedExecutor, MultiThreadedExecutor, EventsExecutor]
-WIRES = ["tfloom_local", pytest.param("rmw_cyclonedds_cpp", marks=pytest.mark.wire)]
 LATCHED = QoSProfile(depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 """What is sent before the other end is heard of comes all the same."""
 
 
-@pytest.fixture(params=WIRES)
-def context(
-    request: pytest.FixtureRequest, local_wire: None, monkeypatch: pytest.MonkeyPatch
-) -> Iterator[Context]:
-    if request.param != "tfloom_local":
-        request.getfixturevalue("domain_id")
-    monkeypatch.setenv("RMW_IMPLEMENTATION", request.param)
-    context = Context()
-    context.init(["program"])
-    yield context
-    context.destroy()
+@pytest.fixture
+def context(context_on_each_wire: Context) -> Context:
+    return context_on_each_wire
 
 
 @pytest.fixture(params=EXECUTORS)

@@ -2,44 +2,14 @@
 
 from __future__ import annotations
 
-import random
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
 import pytest
 from tests.sensing import opencv_golden
 
-from tfloom.node.context.context import Context
-from tfloom.node.node import Node
 from tfloom.sensing import cv_types, opencv
-
-
-@pytest.fixture
-def local_context(monkeypatch: pytest.MonkeyPatch) -> Iterator[Context]:
-    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
-    context = Context()
-    context.init(args=[], domain_id=random.randrange(200))
-    yield context
-    context.try_shutdown()
-
-
-@pytest.fixture
-def make_node(local_context: Context) -> Iterator[Callable[..., Node]]:
-    nodes: list[Node] = []
-
-    def make(name: str, **options: object) -> Node:
-        nodes.append(Node(name, context=local_context, **options))
-        return nodes[-1]
-
-    yield make
-    for node in nodes:
-        node.destroy_node()
-
-
-@pytest.fixture
-def node(make_node: Callable[..., Node]) -> Node:
-    return make_node("under_test")
 
 
 @pytest.fixture

@@ -2,45 +2,11 @@
 
 from __future__ import annotations
 
-import random
-from collections.abc import Callable, Iterator
-
-import pytest
-
 from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMessage
 from tfloom.interfaces.geometry_msgs.msg import Quaternion, Transform, TransformStamped, Vector3
 from tfloom.interfaces.std_msgs.msg import Header
-from tfloom.node.context.context import Context
-from tfloom.node.node import Node
 
 SECOND = 1_000_000_000
-
-
-@pytest.fixture
-def local_context(monkeypatch: pytest.MonkeyPatch) -> Iterator[Context]:
-    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
-    context = Context()
-    context.init(args=[], domain_id=random.randrange(200))
-    yield context
-    context.try_shutdown()
-
-
-@pytest.fixture
-def make_node(local_context: Context) -> Iterator[Callable[..., Node]]:
-    nodes: list[Node] = []
-
-    def make(name: str, **options: object) -> Node:
-        nodes.append(Node(name, context=local_context, **options))
-        return nodes[-1]
-
-    yield make
-    for node in nodes:
-        node.destroy_node()
-
-
-@pytest.fixture
-def node(make_node: Callable[..., Node]) -> Node:
-    return make_node("under_test")
 
 
 def transform_stamped(

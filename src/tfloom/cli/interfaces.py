@@ -88,7 +88,7 @@ def _search_graph(participant: Participant | None, name: str, kind: str) -> tupl
     from tfloom.cli import peer_types
     from tfloom.rmw.errors import WireError
 
-    full = name.replace("/", f"/{kind}/") if name.count("/") == 1 else name
+    full = registry.full_name(name, kind)
     try:
         with peer_types.searched_participant(participant) as searched:
             return peer_types.types_on_graph(searched.graph, kind), peer_types.learn(searched, full, kind)

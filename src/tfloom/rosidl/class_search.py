@@ -32,6 +32,11 @@ def find_class(name: str) -> Any:
     return found
 
 
+def full_name(name: str, kind: str) -> str:
+    """Return `package/kind/Name` for `package/Name`; return any other name unchanged."""
+    return name.replace("/", f"/{kind}/") if name.count("/") == 1 else name
+
+
 def find_class_of_kind(name: str, kind: str, base: type[T]) -> type[T]:
     """Return the class of `package/kind/Name`, or of `package/Name` for short.
 
@@ -44,7 +49,7 @@ def find_class_of_kind(name: str, kind: str, base: type[T]) -> type[T]:
         LookupError: there is none, or it is of another kind.
         ParseError: its definition can't be parsed.
     """
-    found: type[T] = find_class(name.replace("/", f"/{kind}/") if name.count("/") == 1 else name)
+    found: type[T] = find_class(full_name(name, kind))
     if issubclass(found, base):
         return found
     other = next(each for each in (class_table.message_base(), Service, Action) if issubclass(found, each))

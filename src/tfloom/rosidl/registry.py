@@ -7,6 +7,7 @@ from tfloom.rosidl.class_search import (
     find_by_definition,
     find_class,
     find_class_of_kind,
+    full_name,
 )
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.service import Action, Service
@@ -15,6 +16,7 @@ __all__ = [
     "UnknownTypeError",
     "find_by_definition",
     "find_class",
+    "full_name",
     "get_action_class",
     "get_message_class",
     "get_service_class",
