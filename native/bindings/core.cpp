@@ -74,6 +74,9 @@ void bind_core(nb::module_& m) {
           },
           "data"_a, "source_stamp_ns"_a, "received_stamp_ns"_a, "publisher_gid"_a,
           "Push one sample: encapsulation header and CDR, stamps [ns since epoch], 16 octets of gid.")
+      .def(
+          "forget", [](Sink& sink, const nb::bytes& publisher_gid) { sink.forget(to_gid(publisher_gid)); },
+          "publisher_gid"_a, "Forget what is stored for a publisher that has left.")
       .def("notify", &Sink::notify, "queue"_a.none(), "token"_a, nb::keep_alive<1, 2>(),
            "Post `token` to `queue` after a push, for waits with `quiet` only; None ends it.\n\n"
            "Post at once if there was a push since `take_pushed`.")

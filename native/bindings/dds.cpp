@@ -1,15 +1,19 @@
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
+#include <cstring>
 #include <tuple>
 
 #include "bindings/bindings.hpp"
 #include "bindings/gil.hpp"
 #include "dds/graph.hpp"
+#include "dds/packets.hpp"
 #include "dds/participant.hpp"
 #include "dds/reader.hpp"
+#include "dds/self_test.hpp"
 #include "dds/writer.hpp"
 
 namespace nb = nanobind;
@@ -49,6 +53,18 @@ QosFields from_qos(const dds::Qos& qos) {
 nb::bytes to_bytes(const Gid& gid) { return nb::bytes(gid.data(), gid.size()); }
 nb::bytes to_bytes(const std::string& text) { return nb::bytes(text.data(), text.size()); }
 nb::bytes to_bytes(std::span<const std::byte> data) { return nb::bytes(data.data(), data.size()); }
+
+// Return the octets of `bytes`; throw ValueError with `rule` if they are not as many.
+template <std::size_t size>
+std::array<std::uint8_t, size> octets_of(const nb::bytes& bytes, const char* rule) {
+  std::array<std::uint8_t, size> octets{};
+  if (bytes.size() != size) throw nb::value_error(rule);
+  std::memcpy(octets.data(), bytes.data(), size);
+  return octets;
+}
+
+auto key_of(const nb::bytes& bytes) { return octets_of<8>(bytes, "a client's key has 8 octets"); }
+Gid to_gid(const nb::bytes& bytes) { return octets_of<16>(bytes, "a gid has 16 octets"); }
 
 std::string to_string(const nb::bytes& bytes) { return {bytes.c_str(), bytes.size()}; }
 
@@ -129,14 +145,18 @@ void bind_participant(nb::module_& m) {
       .def(
           "__init__",
           [](Participant* self, const std::string& library_path, std::uint32_t domain_id,
-             const std::string& config, const nb::bytes& user_data) {
+             const std::string& config, const nb::bytes& user_data, bool is_local) {
             const std::string user_text = to_string(user_data);
             const ReleasedGil released;
-            new (self) Participant(dds::Library::open(library_path), domain_id, config, user_text);
+            new (self) Participant(dds::Library::open(library_path), domain_id, config, user_text, is_local);
           },
-          "library_path"_a, "domain_id"_a, "config"_a, "user_data"_a,
-          "Join a domain with the libddsc at `library_path`, Cyclone's XML `config` and the published `user_data`.")
+          "library_path"_a, "domain_id"_a, "config"_a, "user_data"_a, "is_local"_a = false,
+          "Join a domain with the libddsc at `library_path`, Cyclone's XML `config` and the published `user_data`. With "
+          "`is_local`, bind the domain's sockets to the loopback interface where the system allows it.")
       .def_prop_ro("gid", [](const Participant& self) { return to_bytes(self.gid()); }, "16 octets.")
+      .def_prop_ro(
+          "loopback_failure", [](const Participant& self) { return self.loopback_failure(); },
+          "Why the domain's sockets are not bound as `is_local` requests; empty if they are, or without `is_local`.")
       .def("close", &Participant::close, ReleaseGil(),
            "Leave the domain, after endpoints and graph are closed. Closing again does nothing.");
 }
@@ -156,7 +176,21 @@ void bind_writer(nb::module_& m) {
           "participant"_a, "topic_name"_a, "type_name"_a, "qos"_a, "user_data"_a, nb::keep_alive<1, 2>(),
           "Create a writer of a topic, given by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS.")
       .def("write", &write, "data"_a, "Send a sample: encapsulation header 00 01 xx xx and little-endian CDR.")
+      .def(
+          "join_service",
+          [](Writer& self, Reader& reader, const std::string& service, const std::optional<nb::bytes>& client) {
+            auto& forms = rtps::ServiceForms::of_process();
+            auto end = client ? forms.add_client(service, self.gid(), reader.gid(), key_of(*client))
+                              : forms.add_server(service, self.gid(), reader.gid());
+            self.join(end);
+            reader.join(std::move(end));
+          },
+          "reader"_a, "service"_a, "client"_a.none(),
+          "Become an end of a service, with the reader of the other topic: a client whose headers have the 8 octets "
+          "`client`, or a server. To be called before the first sample is written or taken.")
       .def("assert_liveliness", &Writer::assert_liveliness, ReleaseGil(), "Signal that this writer is alive.")
+      .def("probe", &Writer::probe, ReleaseGil(),
+           "Send a message that readers acknowledge and drop: the end of an instance that does not exist.")
       .def("wait_for_acks", &Writer::wait_for_acks, "timeout_ns"_a, ReleaseGil(),
            "Wait until all reliable readers have acknowledged all samples. Return False on a timeout.")
       .def("close", &Writer::close, ReleaseGil(), "Leave the topic. Closing again does nothing.");
@@ -211,7 +245,50 @@ void bind_graph(nb::module_& m) {
 
 }  // namespace
 
+void bind_library(nb::module_& m) {
+  m.def(
+      "open_dds_library", [](const std::string& path) { return dds::Library::open(path).version; }, "path"_a,
+      ReleaseGil(),
+      "Open the libddsc at `path`, once, and return its version, empty if it records none. A version that was not tried "
+      "passes a self-test first. Raise RuntimeError if it can't be used.");
+  m.def(
+      "see_dds_packets", [](const std::string& path) { return dds::see_packets(dds::Library::open(path).handle); },
+      "path"_a, ReleaseGil(),
+      "Translate services for peers on Fast DDS in the packets of the libddsc at `path`. Return the reason why this can't "
+      "be done here; empty if it is done.");
+  m.def(
+      "dds_knows_address",
+      [](const nb::bytes& gid) {
+        return rtps::ServiceForms::of_process().knows(rtps::prefix_of(to_gid(gid)));
+      },
+      "gid"_a, "Return whether an address of the participant of this endpoint is known.");
+  m.def(
+      "dds_read_versions", [] { rtps::ServiceForms::of_process().read_versions(); },
+      "From here on, note the versions of DDS that participants announce, where `see_dds_packets` is done.");
+  m.def(
+      "dds_version",
+      [](const nb::bytes& gid) {
+        return rtps::ServiceForms::of_process().version_of(rtps::prefix_of(to_gid(gid)));
+      },
+      "gid"_a, "Return the version of DDS that this participant has announced, as 11.0.1; empty if it has not.");
+  m.def(
+      "dds_inline_client",
+      [](const nb::bytes& key) -> std::optional<nb::bytes> {
+        const auto gid = rtps::ServiceForms::of_process().inline_client(key_of(key));
+        if (!gid) return std::nullopt;
+        return to_bytes(*gid);
+      },
+      "key"_a,
+      "Return the gid that awaits the responses for a client on Fast DDS, by the 8 octets in its headers; None for "
+      "others.");
+  m.def(
+      "test_dds_library", [](const std::string& path) { dds::run_self_test(dds::Library::open(path)); }, "path"_a,
+      ReleaseGil(),
+      "Run the self-test of the libddsc at `path`, whichever version it is. Raise RuntimeError with what differs.");
+}
+
 void bind_dds(nb::module_& m) {
+  bind_library(m);
   bind_participant(m);
   bind_writer(m);
   bind_reader(m);

@@ -1,10 +1,12 @@
 // Arrays in and out of a buffer. Python code converts and checks the arrays; these functions accept one kind only.
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
+#include <nanobind/stl/array.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -12,6 +14,7 @@
 #include "bindings/gil.hpp"
 #include "bindings/tf2_arguments.hpp"
 #include "bindings/tf2_buffer.hpp"
+#include "core/vector_width.hpp"
 #include "tf2/batch.hpp"
 
 namespace nb = nanobind;
@@ -27,6 +30,7 @@ template <class T, class... Shape>
 using Array = nb::ndarray<T, nb::c_contig, nb::device::cpu, Shape...>;
 using Stamps = Array<const std::int64_t, nb::ndim<1>>;
 using Rows = Array<const double, nb::shape<-1, 7>>;
+using Rotations = Array<const double, nb::shape<-1, 4>>;
 using OutRows = Array<double, nb::shape<-1, 7>>;
 using Mask = Array<std::uint8_t, nb::ndim<1>>;
 template <class T>
@@ -67,20 +71,13 @@ void lookup_many(const BufferHandle& self, const NameArgument& target, const Nam
 }
 
 std::size_t set_many(BufferHandle& self, const NameArgument& frame_id, const NameArgument& child_frame_id,
-                     const Stamps& stamps, const Rows& rows, const NameArgument& authority) {
-  require_equal(stamps.size(), rows.shape(0));
+                     const Stamps& stamps, const Points<double>& positions, const Rotations& rotations,
+                     const NameArgument& authority) {
+  require_equal(stamps.size(), positions.shape(0), rotations.shape(0));
   const ReleasedGil release;
-  constexpr std::size_t chunk_size = 1024;  // entries inserted under one lock
-  std::vector<tf2::Entry> entries;
-  std::size_t stored = 0;
-  for (std::size_t start = 0; start < stamps.size(); start += chunk_size) {
-    entries.clear();
-    for (std::size_t i = start; i < std::min(start + chunk_size, stamps.size()); ++i) {
-      entries.push_back({frame_id.text, child_frame_id.text, stamps.data()[i], transform_at(rows.data() + 7 * i)});
-    }
-    stored += self.buffer->set(entries, authority.text, false);
-  }
-  return stored;
+  return self.buffer->set_many(
+      {frame_id.text, child_frame_id.text, {stamps.data(), stamps.size()}, positions.data(), rotations.data()},
+      authority.text);
 }
 
 nb::tuple samples(const BufferHandle& self, const NameArgument& frame_id, const NameArgument& child_frame_id) {
@@ -117,6 +114,17 @@ void move_points(const Array<const double, nb::shape<7>>& transform, const Point
 }
 
 template <class T>
+void move_cloud(const Array<const double, nb::shape<7>>& transform, const Array<std::uint8_t, nb::ndim<1>>& octets,
+                std::array<std::size_t, 2> shape, std::array<std::size_t, 2> steps,
+                std::array<std::size_t, 3> offsets) {
+  const tf2::CloudLayout layout{shape[0], shape[1], steps[0], steps[1], offsets};
+  if (!layout.fits(octets.size(), sizeof(T))) throw nb::value_error("the points must lie within the octets");
+  const Transform value = transform_at(transform.data());
+  const ReleasedGil release;
+  tf2::move_cloud<T>(value, layout, reinterpret_cast<std::byte*>(octets.data()));
+}
+
+template <class T>
 void deskew(const BufferHandle& self, const NameArgument& fixed, const NameArgument& source,
             const Array<const double, nb::shape<7>>& first, const Stamps& stamps, const Points<T>& points,
             const OutPoints<T>& out, unsigned workers) {
@@ -135,6 +143,10 @@ template <class T>
 void bind_points(nb::module_& m, nb::class_<BufferHandle>& buffer, const std::string& type) {
   m.def(("move_points_" + type).c_str(), &move_points<T>, "transform"_a, "points"_a, "out"_a,
         "Apply `transform` (7,) to `points` (N, 3) and write them into `out`, which may be `points`.");
+  m.def(("move_cloud_" + type).c_str(), &move_cloud<T>, "transform"_a, "octets"_a, "shape"_a, "steps"_a, "offsets"_a,
+        "Apply `transform` (7,) to the points of a cloud, in place. Point (row, column) of `shape` begins at row * "
+        "steps[0] + column * steps[1], and has x, y and z at `offsets` from there, in this machine's byte order.\n\n"
+        "Raises ValueError if they are not all within `octets` (N,).");
   buffer.def(("deskew_" + type).c_str(), &deskew<T>, "fixed_frame"_a, "source_frame"_a, "target_from_fixed"_a,
              "stamps_ns"_a, "points"_a, "out"_a, "workers"_a,
              "Transform `points` (N, 3) from `source_frame` at `stamps_ns` (N,) into `fixed_frame`, then by "
@@ -170,8 +182,9 @@ void bind_tf2_batch(nb::module_& m, nb::class_<BufferHandle>& type) {
            "strict"_a, "workers"_a,
            "Fill `out` (N, 7) with the transforms at `stamps_ns` (N,), `known` (N,) with whether there is one.\n\n"
            "With `strict`, raises as `lookup` does for the first stamp that fails, with its `index`.")
-      .def("store_many", &set_many, "frame_id"_a, "child_frame_id"_a, "stamps_ns"_a, "rows"_a, "authority"_a,
-           "Store `rows` (N, 7) at `stamps_ns` (N,). Return how many were stored.")
+      .def("store_many", &set_many, "frame_id"_a, "child_frame_id"_a, "stamps_ns"_a, "positions"_a,
+           "rotations_xyzw"_a, "authority"_a,
+           "Store `positions` (N, 3) and `rotations_xyzw` (N, 4) at `stamps_ns` (N,). Return how many were stored.")
       .def("samples", &samples, "frame_id"_a, "child_frame_id"_a,
            nb::sig("def samples(self, frame_id: str, child_frame_id: str) -> tuple[bytearray, bytearray]"),
            "Return the stamps (int64) and rows (7 float64 each) stored for an edge, as bytes.")
@@ -190,6 +203,9 @@ void bind_tf2_batch(nb::module_& m, nb::class_<BufferHandle>& type) {
                    "Memory of all histories [octets].");
   bind_points<float>(m, type, "float32");
   bind_points<double>(m, type, "float64");
+  m.def("use_wide_vectors", &use_wide_vectors, "are_wide"_a,
+        "Compute lookups at many stamps, and clouds, in vectors of four numbers, if this processor has them, or in those that every "
+        "processor has. Return whether they are the wide ones. For tests: the wide ones are the default.");
   m.def("matrices", &matrices, "rows"_a, "out"_a, "Write the matrices of `rows` (N, 7) into `out` (N, 4, 4).");
 }
 

@@ -54,16 +54,16 @@ void read_tf_message(std::span<const std::byte> data, std::vector<tf2::Entry>& e
   if (in.left() > most_padding) in.fail(std::to_string(in.left()) + " bytes are left over");
 }
 
-void TfSink::push(std::span<const std::byte> data, const SampleInfo&) noexcept {
+void TfSink::push(std::span<const std::byte> data, const SampleInfo& info) noexcept {
   messages_.fetch_add(1);
   try {
-    insert(data);
+    insert(data, info);
   } catch (...) {  // out of memory: counted, because a log text would need memory too
     dropped_.fetch_add(1);
   }
 }
 
-void TfSink::insert(std::span<const std::byte> data) {
+void TfSink::insert(std::span<const std::byte> data, const SampleInfo& info) {
   std::vector<tf2::Entry> entries;
   try {
     read_tf_message(data, entries);
@@ -76,8 +76,55 @@ void TfSink::insert(std::span<const std::byte> data) {
                   " (at byte ", std::to_string(error.offset), ")"));
     return;
   }
+  const AheadFilter::Message message = is_static_ || !on_held_ ? AheadFilter::Message{} : filter(entries, info);
+  if (!message.released.empty()) {
+    std::vector<tf2::Entry> released;
+    for (const auto& held : message.released) {
+      released.push_back({held.frame_id, held.child_frame_id, held.stamp, held.value});
+    }
+    buffer_->set(released, authority_, is_static_);
+  }
   buffer_->set(entries, authority_, is_static_);
   signal_push();
+}
+
+AheadFilter::Message TfSink::filter(std::vector<tf2::Entry>& entries, const SampleInfo& info) {
+  AheadFilter::Message message;
+  tf2::Stamp now = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    now = simulated_time_.value_or(info.received_stamp_ns);
+    if (now != 0) message = ahead_.filter(entries, info.publisher_gid, now, buffer_->cache_time());
+  }
+  if (const auto& held = message.first_held; held) {
+    on_held_(info.publisher_gid, held->child_frame_id, held->stamp, now);
+  }
+  return message;
+}
+
+void TfSink::forget(const Gid& publisher) {
+  const std::lock_guard lock(mutex_);
+  ahead_.forget(publisher);
+}
+
+void TfSink::forget_all() {
+  const std::lock_guard lock(mutex_);
+  ahead_.clear();
+}
+
+void TfSink::set_simulated_time(std::optional<tf2::Stamp> now) {
+  const std::lock_guard lock(mutex_);
+  simulated_time_ = now;
+}
+
+std::size_t TfSink::held_count() const {
+  const std::lock_guard lock(mutex_);
+  return ahead_.held_count();
+}
+
+std::size_t TfSink::publisher_count() const {
+  const std::lock_guard lock(mutex_);
+  return ahead_.publisher_count();
 }
 
 }  // namespace tfloom::cdr

@@ -1,12 +1,14 @@
 // The queue on which an executor waits: tokens of entities that are ready.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <mutex>
 #include <unordered_set>
 #include <vector>
 
+#include "core/busy_wait.hpp"
 #include "core/waker.hpp"
 
 namespace tfloom {
@@ -34,13 +36,19 @@ class ReadyQueue {
   Outcome wait(std::int64_t timeout_ns, std::vector<Token>& tokens, bool quiet = false, int interrupt_fd = -1);
 
  private:
+  Outcome sleep(const Waker::Deadline& deadline, std::vector<Token>& tokens, bool quiet, int interrupt_fd);
+  // Do as `take`. `will_sleep`: whether the next post has to wake this thread, if there are no tokens.
+  bool take(std::vector<Token>& tokens, bool quiet, bool will_sleep);
+
   std::mutex mutex_;
   std::vector<Token> order_;  // guarded by mutex_, like the next four
   std::unordered_set<Token> pending_;
   std::vector<Token> quiet_;      // posted quietly: few, one for each sink
   bool is_waiting_ = false;       // the waiting thread found no token, and has not been woken since
   bool is_quiet_wanted_ = false;  // whether that wait, or the last one, takes quiet tokens
-  Waker waker_;                   // thread-safe by itself
+  std::atomic<bool> has_tokens_ = false;  // whether a wait would end; written under mutex_, read in a busy wait
+  Waker waker_;                           // thread-safe by itself
+  BusyWait busy_wait_;                    // of the waiting thread alone
 };
 
 }  // namespace tfloom

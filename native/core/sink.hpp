@@ -33,6 +33,9 @@ class Sink {
   // (core/deferred_queue.hpp).
   virtual void push(std::span<const std::byte> data, const SampleInfo& info) noexcept = 0;
 
+  // Forget what is stored for a publisher that has left.
+  virtual void forget(const Gid& /*publisher*/) {}
+
   // Post `token` quietly after a push, at once if there was one since `take_pushed`; nullptr ends it.
   void notify(ReadyQueue* queue, ReadyQueue::Token token);
 

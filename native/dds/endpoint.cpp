@@ -10,7 +10,7 @@ constexpr std::uint32_t only_xcdr1 = 1;
 
 }  // namespace
 
-OwnedEntity create_topic(Participant& participant, const TopicName& topic) {
+OwnedEntity create_topic(const Library& library, Entity participant, const TopicName& topic) {
   TopicDescriptor descriptor{};
   descriptor.size = 1;
   descriptor.alignment = 1;
@@ -20,8 +20,7 @@ OwnedEntity create_topic(Participant& participant, const TopicName& topic) {
   descriptor.ops = one_octet_ops;
   descriptor.metadata = "";
   descriptor.allowed_representations = only_xcdr1;
-  const Library& library = participant.library();
-  return {library, library.create_topic(participant.entity(), &descriptor, topic.name.c_str(), nullptr, nullptr),
+  return {library, library.create_topic(participant, &descriptor, topic.name.c_str(), nullptr, nullptr),
           "cannot open topic " + topic.name};
 }
 

@@ -16,6 +16,6 @@ struct TopicName {
 
 // Create a topic whose samples pass unchanged. Its type descriptor declares one octet, so the library checks only that
 // a sample has at least one. It carries no type information, so other vendors compare type names alone.
-OwnedEntity create_topic(Participant& participant, const TopicName& topic);
+OwnedEntity create_topic(const Library& library, Entity participant, const TopicName& topic);
 
 }  // namespace tfloom::dds

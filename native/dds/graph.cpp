@@ -3,6 +3,8 @@
 #include <cstring>
 
 #include "dds/serdata.hpp"
+#include "rtps/announcements.hpp"
+#include "rtps/message.hpp"
 
 namespace tfloom::dds {
 namespace {
@@ -51,7 +53,7 @@ Graph::Graph(Participant& participant, const TopicName& node_lists, const Qos& q
     : participant_(participant),
       library_(participant.library()),
       source_([this] { return drain(); }),
-      node_list_topic_(create_topic(participant, node_lists)),
+      node_list_topic_(create_topic(library_, participant.entity(), node_lists)),
       participant_reader_(create_reader(discovered_participants, nullptr)),
       writer_reader_(create_reader(discovered_publications, nullptr)),
       reader_reader_(create_reader(discovered_subscriptions, nullptr)),
@@ -116,9 +118,10 @@ void Graph::update() {
   if (closed_) return;
   const std::uint64_t before = changes_;
   update_participants();
-  update_endpoints(writer_reader_.get(), true);
   update_endpoints(reader_reader_.get(), false);
+  update_endpoints(writer_reader_.get(), true);
   update_node_lists();
+  prompt_heartbeats();
   if (changes_ != before && queue_ != nullptr) queue_->post(token_);
 }
 
@@ -144,14 +147,51 @@ void Graph::update_endpoints(Entity reader, bool is_writer) {
       endpoints_.erase(gid);
       return;
     }
-    endpoints_[gid] = {gid,
-                       to_gid(sample.participant_key.octets),
-                       is_writer,
-                       to_string(sample.topic_name),
-                       to_string(sample.type_name),
-                       read_user_data(library_, sample.qos),
-                       read_qos(library_, sample.qos)};
+    const auto [place, is_new] = endpoints_.try_emplace(gid);
+    EndpointInfo& info = place->second;
+    info = {gid,
+            to_gid(sample.participant_key.octets),
+            is_writer,
+            to_string(sample.topic_name),
+            to_string(sample.type_name),
+            read_user_data(library_, sample.qos),
+            read_qos(library_, sample.qos)};
+    if (is_new && is_writer && rtps::is_of_fast_dds(rtps::prefix_of(gid)) && !rtps::is_of_service(info.topic_name) &&
+        info.qos.reliability == Reliability::reliable) {
+      new_writers_.push_back({info.topic_name, info.type_name});
+    }
   });
+}
+
+// A writer of Fast DDS sends a heartbeat to a reader when it discovers it. If that is before the library has discovered
+// the writer, the heartbeat is dropped, and the next follows a message by up to 3 s. Until then the library can't request
+// what it lacks: a transient-local reader gets no messages, and a message of several packets is lost, because the first
+// heartbeat counts as the beginning of what volatile readers receive. So a reader is created on the topic, for which the
+// writer sends another heartbeat, and deleted. Readers that are created after the discovery of the writer need none.
+//
+// Not for services: the writer sends that reader a gap for the messages before it, which the library takes for all readers,
+// so a request that precedes its discovery would be lost. `rtps::ServiceForms::receive` inserts heartbeats for them.
+void Graph::prompt_heartbeats() {
+  if (new_writers_.empty()) return;
+  for (const auto& [gid, info] : endpoints_) {
+    if (info.is_writer || info.participant != participant_.gid() || info.qos.reliability != Reliability::reliable) continue;
+    const auto is_topic = [&info](const TopicName& topic) {
+      return topic.name == info.topic_name && topic.type_name == info.type_name;
+    };
+    if (std::erase_if(new_writers_, is_topic) != 0) prompt_heartbeat({info.topic_name, info.type_name});
+    if (new_writers_.empty()) return;
+  }
+  new_writers_.clear();
+}
+
+void Graph::prompt_heartbeat(const TopicName& topic) const {
+  try {
+    const OwnedEntity topic_entity = create_topic(library_, participant_.entity(), topic);
+    const QosHandle qos = make_reader_qos(library_, Qos(), std::string());
+    const OwnedEntity reader = create_reader(topic_entity.get(), qos.get());
+  } catch (const Error&) {
+    // The writer's next heartbeat comes later.
+  }
 }
 
 void Graph::update_node_lists() {

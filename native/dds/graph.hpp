@@ -60,18 +60,21 @@ class Graph {
   OwnedEntity create_reader(Entity topic, const Qos_* qos) const;
   void listen();
   bool drain();
-  void update();  // requires mutex_ to be held, like the next four
+  void update();  // requires mutex_ to be held, like the next six
   void update_participants();
   void update_endpoints(Entity reader, bool is_writer);
+  void prompt_heartbeats();
+  void prompt_heartbeat(const TopicName& topic) const;
   void update_node_lists();
   void put_node_list(std::span<const std::byte> data);
 
   Participant& participant_;
   const Library& library_;
   std::mutex mutex_;  // held during calls of the library; the listener does not acquire it
-  std::map<Gid, ParticipantInfo> participants_;             // guarded by mutex_, like the next six
+  std::map<Gid, ParticipantInfo> participants_;             // guarded by mutex_, like the next seven
   std::map<Gid, std::vector<std::byte>> early_node_lists_;  // of participants that are not discovered yet
   std::map<Gid, EndpointInfo> endpoints_;
+  std::vector<TopicName> new_writers_;  // topics of reliable writers of Fast DDS that were just discovered
   std::uint64_t changes_ = 0;
   ReadyQueue* queue_ = nullptr;
   ReadyQueue::Token token_ = 0;

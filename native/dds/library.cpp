@@ -1,8 +1,13 @@
 #include "dds/library.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <mutex>
+
+#include "dds/self_test.hpp"
+#include "dds/version.hpp"
 
 #ifdef _WIN32
 #define WIN32_LEAN_AND_MEAN
@@ -13,6 +18,9 @@
 
 namespace tfloom::dds {
 namespace {
+
+// The versions whose types were compared with abi.hpp, and that all tests ran with. The last one is recommended.
+constexpr const char* tried_versions[] = {"11.0.1"};
 
 #ifdef _WIN32
 void* open_shared_library(const std::string& path) {
@@ -47,6 +55,12 @@ class Resolver {
     function = reinterpret_cast<Function*>(symbol);
   }
 
+  [[nodiscard]] void* handle() const { return handle_; }
+
+  [[nodiscard]] std::string version() const {
+    return version_of_library(handle_, find_symbol(handle_, "dds_create_domain"));
+  }
+
  private:
   std::string path_;
   void* handle_;  // never closed, because the library's threads may outlive all objects of this process
@@ -78,6 +92,7 @@ void resolve_entities(Library& l, const Resolver& resolve) {
 
 void resolve_data(Library& l, const Resolver& resolve) {
   resolve(l.writecdr, "dds_writecdr");
+  resolve(l.unregister_instance, "dds_unregister_instance");
   resolve(l.readcdr, "dds_readcdr");
   resolve(l.takecdr, "dds_takecdr");
   resolve(l.take, "dds_take");
@@ -134,6 +149,25 @@ void resolve_qos(Library& l, const Resolver& resolve) {
   resolve(l.qget_liveliness, "dds_qget_liveliness");
 }
 
+void check_major_version(const std::string& path, const std::string& version) {
+  if (version.empty() || version == "11" || version.starts_with("11.")) return;
+  throw Error(path + " is Cyclone DDS " + version + ", which can't be used; install 'cyclonedds>=11,<12'");
+}
+
+bool was_tried(const std::string& version) {
+  return std::ranges::find(tried_versions, version) != std::end(tried_versions);
+}
+
+void check_untried(const Library& library, const std::string& path) {
+  try {
+    run_self_test(library);
+  } catch (const Error& error) {
+    const std::string version = library.version.empty() ? "of unknown version" : library.version;
+    throw Error("libddsc " + version + " was not tried, and " + error.what() + "; install 'cyclonedds==" +
+                *std::prev(std::end(tried_versions)) + "' in place of " + path);
+  }
+}
+
 }  // namespace
 
 const Library& Library::open(const std::string& path) {
@@ -148,6 +182,10 @@ const Library& Library::open(const std::string& path) {
     resolve_data(*opened, resolve);
     resolve_events(*opened, resolve);
     resolve_qos(*opened, resolve);
+    opened->handle = resolve.handle();
+    opened->version = resolve.version();
+    check_major_version(path, opened->version);
+    if (!was_tried(opened->version)) check_untried(*opened, path);
     library = std::move(opened);
   }
   return *library;

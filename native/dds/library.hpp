@@ -16,6 +16,9 @@ class Error : public std::runtime_error {
 
 // The functions of libddsc that tfloom calls, each under its own name without `dds_` or `ddsi_`.
 struct Library {
+  std::string version;  // the library's own, `11.0.1`; empty if it records none
+  void* handle = nullptr;  // of dlopen, for the import table
+
   Entity (*create_domain)(std::uint32_t domain_id, const char* config);
   Entity (*create_participant)(std::uint32_t domain_id, const Qos_*, const Listener_*);
   Entity (*create_publisher)(Entity participant, const Qos_*, const Listener_*);
@@ -31,6 +34,7 @@ struct Library {
   void (*free)(void*);
 
   Result (*writecdr)(Entity writer, Serdata_*);
+  Result (*unregister_instance)(Entity writer, const void* sample);
   Result (*readcdr)(Entity reader, Serdata_**, std::uint32_t count, SampleState*, std::uint32_t mask);
   Result (*takecdr)(Entity reader, Serdata_**, std::uint32_t count, SampleState*, std::uint32_t mask);
   Result (*take)(Entity reader, void** samples, SampleState*, std::size_t size, std::uint32_t count);
@@ -94,8 +98,9 @@ struct Library {
   bool (*qget_lifespan)(const Qos_*, std::int64_t*);
   bool (*qget_liveliness)(const Qos_*, int*, std::int64_t*);
 
-  // Open the library at `path`, once for each path; it stays open until the process ends.
-  // Throw Error if it cannot be opened or is not version 11.
+  // Open the library at `path`, once for each path; it stays open until the process ends. A version that was not tried
+  // passes a self-test first.
+  // Throw Error if it cannot be opened, is not version 11, or fails the self-test.
   static const Library& open(const std::string& path);
 
   // Return `result`, or throw Error "<what>: <the library's text>" if it is an error.

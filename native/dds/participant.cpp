@@ -3,7 +3,9 @@
 #include <cstring>
 #include <map>
 #include <mutex>
+#include <utility>
 
+#include "dds/loopback.hpp"
 #include "dds/qos.hpp"
 
 namespace tfloom::dds {
@@ -12,39 +14,51 @@ namespace {
 struct OpenDomain {
   Entity entity = 0;  // 0: opened by other code in the process
   int users = 0;      // number of Domain objects
+  bool is_bound = false;  // to the loopback interface
+  std::string loopback_failure = "other code in this process has opened the domain before";
 };
 
 std::mutex domains_mutex;  // held during calls of the library
-std::map<std::uint32_t, OpenDomain> domains;  // guarded by domains_mutex
+
+// The domains by library and id, because a forked process loads a library of its own. Guarded by domains_mutex.
+std::map<std::pair<const Library*, std::uint32_t>, OpenDomain> domains;
 
 }  // namespace
 
-Domain::Domain(const Library& library, std::uint32_t domain_id, const std::string& config)
+Domain::Domain(const Library& library, std::uint32_t domain_id, const std::string& config, bool is_local)
     : library_(library), domain_id_(domain_id) {
   const std::lock_guard lock(domains_mutex);
-  const auto found = domains.find(domain_id);
-  if (found != domains.end()) {
-    ++found->second.users;
-    return;
+  auto found = domains.find({&library, domain_id});
+  if (found == domains.end()) {
+    const Entity entity = library.create_domain(domain_id, config.c_str());
+    if (entity != precondition_not_met) library.check(entity, "cannot open DDS domain " + std::to_string(domain_id));
+    found = domains.emplace(std::pair{&library, domain_id}, OpenDomain{}).first;
+    found->second.entity = entity > 0 ? entity : 0;
   }
-  const Entity entity = library.create_domain(domain_id, config.c_str());
-  if (entity != precondition_not_met) library.check(entity, "cannot open DDS domain " + std::to_string(domain_id));
-  domains[domain_id] = {entity > 0 ? entity : 0, 1};
+  OpenDomain& domain = found->second;
+  ++domain.users;
+  if (!is_local) return;
+  if (domain.entity > 0 && !domain.is_bound) {
+    domain.loopback_failure = bind_to_loopback(domain_id);
+    domain.is_bound = domain.loopback_failure.empty();
+  }
+  loopback_failure_ = domain.loopback_failure;
 }
 
 Domain::~Domain() {
   const std::lock_guard lock(domains_mutex);
-  const auto found = domains.find(domain_id_);
+  const auto found = domains.find({&library_, domain_id_});
   if (--found->second.users > 0) return;
   if (found->second.entity > 0) library_.delete_entity(found->second.entity);
   domains.erase(found);
 }
 
 Participant::Participant(const Library& library, std::uint32_t domain_id, const std::string& config,
-                         const std::string& user_data)
+                         const std::string& user_data, bool is_local)
     : library_(library),
       process_(process_id()),
-      domain_(std::make_unique<Domain>(library, domain_id, config)),
+      domain_(std::make_unique<Domain>(library, domain_id, config, is_local)),
+      loopback_failure_(domain_->loopback_failure()),
       entity_(library, library.create_participant(domain_id, make_user_data(library, user_data).get(), nullptr),
               "cannot join DDS domain " + std::to_string(domain_id)),
       publisher_(library, library.create_publisher(entity_.get(), nullptr, nullptr), "cannot make a publisher"),

@@ -16,22 +16,28 @@ namespace tfloom::dds {
 // opened the domain before, that one is used.
 class Domain {
  public:
-  Domain(const Library& library, std::uint32_t domain_id, const std::string& config);
+  // If `is_local`, the domain's sockets are bound to the loopback interface where the system allows it.
+  Domain(const Library& library, std::uint32_t domain_id, const std::string& config, bool is_local);
   ~Domain();
   Domain(const Domain&) = delete;
   Domain& operator=(const Domain&) = delete;
 
+  // The reason why the sockets are not bound as requested; empty if they are, or if this was not requested.
+  [[nodiscard]] const std::string& loopback_failure() const { return loopback_failure_; }
+
  private:
   const Library& library_;
-  std::uint32_t domain_id_;
+  const std::uint32_t domain_id_;
+  std::string loopback_failure_;  // constant after construction
 };
 
 class Participant {
  public:
-  // Join a domain. `config` is Cyclone's XML; `user_data` is published to all participants (`enclave=/;`).
+  // Join a domain. `config` is Cyclone's XML; `user_data` is published to all participants (`enclave=/;`). If `is_local`,
+  // the domain's sockets are bound to the loopback interface where the system allows it.
   // Throw Error with the library's reason.
   Participant(const Library& library, std::uint32_t domain_id, const std::string& config,
-              const std::string& user_data);
+              const std::string& user_data, bool is_local);
   ~Participant();
   Participant(const Participant&) = delete;
   Participant& operator=(const Participant&) = delete;
@@ -43,6 +49,7 @@ class Participant {
   [[nodiscard]] const Library& library() const { return library_; }
   [[nodiscard]] Feeder& feeder() { return *feeder_; }
   [[nodiscard]] const Gid& gid() const { return gid_; }
+  [[nodiscard]] const std::string& loopback_failure() const { return loopback_failure_; }
   [[nodiscard]] Entity entity() const { return entity_.get(); }
   [[nodiscard]] Entity publisher() const { return publisher_.get(); }
   [[nodiscard]] Entity subscriber() const { return subscriber_.get(); }
@@ -56,6 +63,7 @@ class Participant {
   const Library& library_;
   std::int64_t process_;
   std::unique_ptr<Domain> domain_;
+  const std::string loopback_failure_;  // of the domain, which is left before this object ends
   OwnedEntity entity_;
   OwnedEntity publisher_;
   OwnedEntity subscriber_;

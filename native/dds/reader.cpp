@@ -1,6 +1,8 @@
 #include "dds/reader.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "dds/serdata.hpp"
 
@@ -19,7 +21,7 @@ std::int64_t now_ns() {
 Reader::Reader(Participant& participant, const TopicName& topic, const Qos& qos, const std::string& user_data)
     : participant_(participant),
       library_(participant.library()),
-      topic_(create_topic(participant, topic)),
+      topic_(create_topic(library_, participant.entity(), topic)),
       entity_(library_,
               library_.create_reader(participant.subscriber(), topic_.get(),
                                      make_reader_qos(library_, qos, user_data).get(), nullptr),
@@ -97,10 +99,28 @@ bool Reader::take(const Receive& receive) {
     may_have_data_ = true;
     const TakenSample sample(library_, serdata);
     if (!state.valid_data) continue;
-    receive(sample.data(), {state.source_stamp_ns, now_ns(), peers_.gid(entity_.get(), state.publication)});
+    const SampleInfo info{state.source_stamp_ns, now_ns(), peers_.gid(entity_.get(), state.publication)};
+    if (service_end_ && rtps::uses_inline_form(info.publisher_gid)) {
+      if (!receive_inline(sample.data(), info, receive)) continue;
+    } else {
+      receive(sample.data(), info);
+    }
     return true;
   }
   return false;
+}
+
+bool Reader::receive_inline(std::span<const std::byte> data, const SampleInfo& info, const Receive& receive) {
+  if (data.size() < rtps::encapsulation_size) return false;
+  const auto header = service_end_->take_header(info.publisher_gid, info.source_stamp_ns);
+  if (!header) return false;
+  std::vector<std::byte> sample;
+  sample.reserve(data.size() + rtps::ServiceHeader::size);
+  sample.assign(data.begin(), data.begin() + rtps::encapsulation_size);
+  rtps::append(sample, *header);
+  sample.insert(sample.end(), data.begin() + rtps::encapsulation_size, data.end());
+  receive(sample, info);
+  return true;
 }
 
 // Push on the library's thread, while the data is in the processor's cache. Waking another thread would take longer
@@ -111,9 +131,20 @@ void Reader::feed_from_listener() {
 }
 
 bool Reader::drain() {
-  if (has_new_match_.exchange(false)) static_cast<void>(peers_.matched(entity_.get()));
   const std::lock_guard lock(feed_mutex_);
+  if (has_new_match_.exchange(false)) update_publishers();
   return push_batch();
+}
+
+void Reader::update_publishers() {
+  std::vector<Gid> matched;
+  for (const Peer& peer : peers_.matched(entity_.get())) matched.push_back(peer.gid);
+  const std::vector<Gid> former = std::exchange(publishers_, std::move(matched));
+  Sink* sink = sink_;
+  if (sink == nullptr) return;
+  for (const Gid& gid : former) {
+    if (std::ranges::find(publishers_, gid) == publishers_.end()) sink->forget(gid);
+  }
 }
 
 bool Reader::push_batch() {

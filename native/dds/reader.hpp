@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -16,6 +17,7 @@
 #include "dds/feeder.hpp"
 #include "dds/peers.hpp"
 #include "dds/qos.hpp"
+#include "rtps/service_forms.hpp"
 
 namespace tfloom::dds {
 
@@ -34,6 +36,10 @@ class Reader {
   // Remove the oldest sample and pass it to `receive`. Return false if there is none, or if a sink is fed.
   bool take(const Receive& receive);
 
+  // Take as an end of a service from now on: samples in the inline form of services get a header, and those for other
+  // ends are dropped. To be called before the first take.
+  void join(std::shared_ptr<rtps::ServiceEnd> end) { service_end_ = std::move(end); }
+
   // Push every further sample into `sink`, on the library's threads or the feeder's.
   void feed(Sink* sink);
 
@@ -48,9 +54,12 @@ class Reader {
   void close();
 
  private:
+  // Pass a sample of the inline form of services to `receive`, with a header. Return false if it is for another end.
+  bool receive_inline(std::span<const std::byte> data, const SampleInfo& info, const Receive& receive);
   static void on_data_available(Entity, void* self);
   void data_available();
   void matches_changed();
+  void update_publishers();  // requires feed_mutex_ to be held
   [[nodiscard]] bool has_data() const;
   bool drain();
   void feed_from_listener();
@@ -63,12 +72,14 @@ class Reader {
   Gid gid_;
   Events events_;  // thread-safe by itself, like the next
   Peers peers_;
+  std::shared_ptr<rtps::ServiceEnd> service_end_;  // constant after the first take; thread-safe by itself
   Feeder::Source source_;
   std::atomic<bool> closed_ = false;
   std::atomic<bool> has_new_match_ = false;
   std::atomic<bool> may_have_data_ = false;  // false: there are no samples to take
   std::atomic<Sink*> sink_ = nullptr;        // written with feed_mutex_ held
   std::mutex feed_mutex_;                    // held by the thread that feeds; a listener acquires it by try_lock only
+  std::vector<Gid> publishers_;              // guarded by feed_mutex_: those at the last change of the matches
   std::mutex lifecycle_mutex_;               // held during `feed` and `close`
   std::mutex listener_mutex_;                // acquired in the listener, so it is held for short sections only
   ReadyQueue* queue_ = nullptr;              // guarded by listener_mutex_, like the next

@@ -1,6 +1,9 @@
 #include "dds/writer.hpp"
 
+#include <algorithm>
 #include <stdexcept>
+
+#include "core/busy_wait.hpp"
 
 namespace tfloom::dds {
 namespace {
@@ -8,6 +11,11 @@ namespace {
 constexpr std::size_t header_size = 4;
 constexpr std::size_t alignment = 4;
 constexpr int data_kind = 2;
+
+constexpr std::size_t least_kept_size = 256;  // below any size of fragments
+constexpr std::size_t most_kept_size = 64 << 20;
+constexpr std::int64_t kept_wait_ns = 100'000'000;
+constexpr int most_kept_waits = 100;
 
 void check_encapsulation(std::span<const std::byte> data) {
   if (data.size() <= header_size) {
@@ -30,7 +38,7 @@ const Sertype_* type_of(const Library& library, Entity writer, const std::string
 Writer::Writer(Participant& participant, const TopicName& topic, const Qos& qos, const std::string& user_data)
     : participant_(participant),
       library_(participant.library()),
-      topic_(create_topic(participant, topic)),
+      topic_(create_topic(library_, participant.entity(), topic)),
       entity_(library_,
               library_.create_writer(participant.publisher(), topic_.get(),
                                      make_writer_qos(library_, qos, user_data).get(), nullptr),
@@ -59,10 +67,34 @@ void Writer::write(std::span<const std::byte> data) {
 
   const std::shared_lock lock(in_use_);
   if (closed_) throw Error("the writer is closed");
+  if (service_end_ && data.size() > least_kept_size) keep(data, padding);
   Serdata_* sample =
       library_.serdata_from_ser_iov(type_, data_kind, padding == 0 ? 1 : 2, parts, data.size() + padding);
   if (sample == nullptr) throw std::invalid_argument("the DDS library refused the sample");
   library_.check(library_.writecdr(entity_.get(), sample), "cannot write");
+  note_message_sent();
+}
+
+void Writer::keep(std::span<const std::byte> data, std::size_t padding) {
+  const auto is_inline = [](const Peer& peer) { return rtps::uses_inline_form(peer.gid); };
+  if (std::ranges::none_of(peers_.matched(entity_.get()), is_inline)) return;
+  for (int waits = 0; service_end_->kept_size() > 0; ++waits) {
+    const bool is_full = service_end_->kept_size() > most_kept_size;
+    if (library_.wait_for_acks(entity_.get(), is_full ? kept_wait_ns : 0) != timeout || waits == most_kept_waits) {
+      service_end_->release();
+    }
+    if (!is_full || closed_) break;
+  }
+  std::vector<std::byte> sample(data.size() + padding);
+  std::ranges::copy(data, sample.begin());
+  service_end_->keep(std::move(sample));
+}
+
+void Writer::probe() {
+  const std::shared_lock lock(in_use_);
+  if (closed_) throw Error("the writer is closed");
+  constexpr std::byte sample{};  // the one octet that the topic's descriptor declares
+  library_.check(library_.unregister_instance(entity_.get(), &sample), "cannot probe the readers");
 }
 
 std::size_t Writer::matched_count() const { return closed_ ? 0 : peers_.matched_count(entity_.get()); }

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <shared_mutex>
 #include <span>
@@ -12,6 +13,7 @@
 #include "dds/events.hpp"
 #include "dds/peers.hpp"
 #include "dds/qos.hpp"
+#include "rtps/service_forms.hpp"
 
 namespace tfloom::dds {
 
@@ -34,6 +36,12 @@ class Writer {
   void notify_event(Event event, ReadyQueue* queue, ReadyQueue::Token token);
   [[nodiscard]] std::optional<Events::Status> take_event(Event event);
 
+  // Send a message that readers acknowledge and drop: the end of an instance that does not exist.
+  void probe();
+
+  // Write as an end of a service from now on. To be called before the first write.
+  void join(std::shared_ptr<rtps::ServiceEnd> end) { service_end_ = std::move(end); }
+
   // Signal to readers that this writer is alive, as a write does.
   void assert_liveliness();
 
@@ -44,6 +52,9 @@ class Writer {
   void close();
 
  private:
+  // Keep a large sample until it is acknowledged, if a peer may receive it in fragments in the other form of services.
+  void keep(std::span<const std::byte> data, std::size_t padding);
+
   Participant& participant_;
   const Library& library_;
   OwnedEntity topic_;  // constant after construction, like the next three
@@ -52,6 +63,7 @@ class Writer {
   Gid gid_;
   Events events_;  // thread-safe by itself, like the next
   Peers peers_;
+  std::shared_ptr<rtps::ServiceEnd> service_end_;  // constant after the first write; thread-safe by itself
   std::atomic<bool> closed_ = false;
   std::shared_mutex in_use_;  // shared by writes, which use type_; exclusive for the deletion of topic_
 };

@@ -1,6 +1,7 @@
 // Lookups at many stamps at once: the transforms of one chain at each stamp, and points moved by them.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -27,6 +28,19 @@ std::optional<FailedStamp> lookup_many(const Buffer& buffer, std::string_view ta
 // Points are rows of x, y, z. `in` and `out` may be the same memory.
 template <class T>
 void move_points(const Transform& transform, const T* in, T* out, std::size_t count);
+
+// Where the coordinates of a cloud's points are: point (row, column) begins at row * row_step + column * point_step.
+struct CloudLayout {
+  std::size_t height = 0, width = 0, row_step = 0, point_step = 0;  // the steps in octets
+  std::array<std::size_t, 3> offsets{};  // of x, y and z in a point [octets]; they may be unaligned
+
+  // Return whether all coordinates of `coordinate_size` octets lie within `size` octets.
+  [[nodiscard]] bool fits(std::size_t size, std::size_t coordinate_size) const;
+};
+
+// Move the points of a cloud in place, as `move_points` does. The layout must fit the octets.
+template <class T>
+void move_cloud(const Transform& transform, const CloudLayout& layout, std::byte* octets);
 
 // Move point i from `source` at stamps[i] to `fixed`, then by target_from_fixed. Return the first failure; the contents
 // of `out` are then undefined. `workers` threads share the points.

@@ -33,6 +33,20 @@ struct Entry {
   Transform value;
 };
 
+// parent_from_child at many times. Row i has a position x, y, z and a rotation x, y, z, w.
+struct Series {
+  std::string_view frame_id;
+  std::string_view child_frame_id;
+  std::span<const Stamp> stamps;
+  const double* positions = nullptr;
+  const double* rotations = nullptr;
+
+  [[nodiscard]] Entry operator[](std::size_t i) const {
+    const double *p = positions + 3 * i, *q = rotations + 4 * i;
+    return {frame_id, child_frame_id, stamps[i], {{p[0], p[1], p[2]}, {q[0], q[1], q[2], q[3]}}};
+  }
+};
+
 struct StampedTransform {
   Stamp stamp = 0;
   Transform value;  // target_from_source
@@ -90,6 +104,9 @@ class Buffer {
 
   // Store the valid entries under one lock, and return their number; each rejection is logged.
   std::size_t set(std::span<const Entry> entries, std::string_view authority, bool is_static);
+  // The same for the transforms of one frame. The lock is acquired again for each thousand, so other inserts and queries
+  // may happen in between.
+  std::size_t set_many(const Series& series, std::string_view authority);
   // For `duration`, reject moving transforms from this stamp on, without logging them: those sent before a jump back in
   // time and received after it.
   void ignore_from(Stamp stamp, std::chrono::nanoseconds duration);
@@ -172,6 +189,8 @@ class Buffer {
   void prefetch_frames(std::span<const Entry> entries) const;
   bool insert(Entry entry, std::string_view authority, bool is_static, ResolvedNames& last,
               std::vector<Rejection>& rejections);
+  std::size_t append(const Series& series, std::size_t begin, std::size_t end, std::string_view authority,
+                     const ResolvedNames& names);
 
   void report(const Rejection& rejection, std::string_view authority);
   void notify_waiters();

@@ -31,6 +31,18 @@ class Column {
     refresh();
   }
 
+  void append(std::span<const T> values) {
+    make_owned();
+    owned_.insert(owned_.end(), values.begin(), values.end());
+    refresh();
+  }
+
+  void append(std::size_t count, const T& value) {
+    make_owned();
+    owned_.insert(owned_.end(), count, value);
+    refresh();
+  }
+
   void reserve(std::size_t count) {
     make_owned();
     owned_.reserve(count);

@@ -33,7 +33,7 @@ TimeCache::Block TimeCache::Block::split() {
 
 bool TimeCache::insert(const Sample& sample) {
   const Stamp newest = newest_stamp();
-  prune();
+  prune(newest);
   if (!empty() && is_older_than(sample.stamp, max_age_, newest)) return false;
   Position position = first_after(sample.stamp);
   if (contains(sample, position)) return true;
@@ -57,6 +57,26 @@ bool TimeCache::insert(const Sample& sample) {
   ++size_;
   refresh_ends();
   return true;
+}
+
+void TimeCache::append(std::span<const Stamp> stamps, FrameId parent, std::span<const Transform> values) {
+  if (stamps.empty()) return;
+  const Stamp before_last = stamps.size() > 1 ? stamps[stamps.size() - 2] : newest_stamp();
+  for (std::size_t at = 0; at < stamps.size();) {
+    if (blocks_.back().stamps.size() == block_size) {
+      blocks_.emplace_back();
+      blocks_.back().reserve();
+    }
+    Block& last = blocks_.back();
+    const std::size_t count = std::min(block_size - last.stamps.size(), stamps.size() - at);
+    last.stamps.append(stamps.subspan(at, count));
+    last.parents.append(count, parent);
+    last.values.append(values.subspan(at, count));
+    at += count;
+  }
+  size_ += stamps.size();
+  prune(before_last);
+  refresh_ends();
 }
 
 void TimeCache::prefetch_blocks() const {
@@ -97,10 +117,21 @@ Bracket TimeCache::bracket_before(Stamp stamp, Position newer) const {
   return bracket(stamp, earlier, earlier.stamps.size() - 1, later, newer.index);
 }
 
-Bracket TimeCache::search(Stamp stamp, Position& hint) const {
+Bracket TimeCache::search(Stamp stamp, Position& position) const {
   if (size_ < 2 || stamp == latest || stamp <= oldest_stamp() || stamp >= newest_stamp()) return find(stamp);
-  hint = first_after(stamp);
-  return bracket_before(stamp, hint);
+  position = first_after(stamp);
+  return bracket_before(stamp, position);
+}
+
+TimeCache::BlockView TimeCache::block(const Position& position) const {
+  if (position.block >= blocks_.size()) return {};
+  const Block& block = blocks_[position.block];
+  if (position.index <= block.begin || position.index >= block.stamps.size()) return {};
+  const std::uint64_t first = static_cast<std::uint64_t>(block.first_stamp());
+  if (static_cast<std::uint64_t>(block.stamps.back()) - first > INT64_MAX) return {};
+  const std::size_t begin = block.begin;
+  return {{block.stamps.begin() + begin, block.size()}, block.parents.begin() + begin, block.values.begin() + begin,
+          begin, position.index - begin};
 }
 
 void TimeCache::view(std::span<const Stamp> stamps, std::span<const FrameId> parents,
@@ -160,8 +191,7 @@ bool TimeCache::contains(const Sample& sample, Position end) const {
   return false;
 }
 
-void TimeCache::prune() {
-  const Stamp newest = newest_stamp();
+void TimeCache::prune(Stamp newest) {
   while (!empty() && is_older_than(oldest_stamp(), max_age_, newest)) {
     Block& first = blocks_.front();
     ++first.begin;

@@ -58,6 +58,10 @@ class TimeCache {
   // users of sparse transforms rely on that.
   bool insert(const Sample& sample);
 
+  // Store samples of one parent, as `insert` does for each. The cache must not be empty, and each stamp must be greater
+  // than the one before it, the first greater than the newest stored one.
+  void append(std::span<const Stamp> stamps, FrameId parent, std::span<const Transform> values);
+
   // Two steps to prefetch the memory of an insert after the newest sample: first the blocks' pointers, then the ends of
   // their columns.
   void prefetch_blocks() const;
@@ -66,25 +70,23 @@ class TimeCache {
   // The pointers in the result are valid until the next change. A `stamp` of `latest` finds the newest sample.
   [[nodiscard]] Bracket find(Stamp stamp) const;
 
-  // The same for stamps that mostly ascend. `hint` is the position of the previous result, and {} at first. Without it,
-  // lookup_many takes 23 % longer: benchmarks/native, "search hint".
+  // The block and index of a sample. The same, and set `position` to that of the first sample after `stamp`, if there is
+  // one before it too.
   struct Position {
     std::size_t block = 0, index = 0;
   };
-  [[nodiscard]] Bracket find(Stamp stamp, Position& hint) const {
-    if (hint.block < blocks_.size()) {
-      const Block& block = blocks_[hint.block];
-      // The previous sample must be in the same block, and the stamps of both ends are handled by `search`.
-      const std::size_t end = std::min(hint.index + 3, block.stamps.size());
-      for (std::size_t index = std::max(hint.index, block.begin + 1); index < end; ++index) {
-        if (block.stamps[index] <= stamp) continue;
-        if (block.stamps[index - 1] > stamp || stamp == blocks_.front().first_stamp() || stamp == latest) break;
-        hint.index = index;
-        return bracket(stamp, block, index - 1, block, index);
-      }
-    }
-    return search(stamp, hint);
-  }
+  [[nodiscard]] Bracket search(Stamp stamp, Position& position) const;
+
+  // The samples of one block, and the index of one that has another before it; empty if there is none at `position`, or
+  // if the difference of two stamps could overflow. Valid until the next change.
+  struct BlockView {
+    std::span<const Stamp> stamps;
+    const FrameId* parents = nullptr;
+    const Transform* values = nullptr;
+    std::size_t begin = 0;  // the block's samples before it are pruned
+    std::size_t index = 0;  // of the sample at `position`, from `begin` on
+  };
+  [[nodiscard]] BlockView block(const Position& position) const;
 
   // View samples in place. They must ascend and outlive the cache; an insert copies the block that it changes. The
   // cache must be empty.
@@ -129,7 +131,6 @@ class TimeCache {
   [[nodiscard]] Position first_after(Stamp stamp) const;  // of the first sample later than `stamp`
   [[nodiscard]] bool contains(const Sample& sample, Position end) const;
   [[nodiscard]] Bracket bracket_before(Stamp stamp, Position newer) const;
-  [[nodiscard]] Bracket search(Stamp stamp, Position& hint) const;
 
   [[nodiscard]] static Bracket bracket(Stamp stamp, const Block& earlier, std::size_t older, const Block& later,
                                        std::size_t newer) {
@@ -144,7 +145,7 @@ class TimeCache {
     found.ratio = static_cast<double>(static_cast<std::uint64_t>(stamp) - start) / span;
     return found;
   }
-  void prune();
+  void prune(Stamp newest);  // drop the samples that are too old if `newest` is the newest stamp
   void refresh_ends();
 
   Stamp max_age_;

@@ -136,10 +136,12 @@ constexpr SlerpWeights slerp_by_series(double r, double one_minus_cos) {
   return {slerp_series<Terms>(1.0 - r, -one_minus_cos), slerp_series<Terms>(r, -one_minus_cos)};
 }
 
+inline constexpr double slerp_series_farthest = 0.02;  // 1 - cos θ, for θ < 11.5°
+
 inline SlerpWeights slerp_weights(double r, double one_minus_cos) {
   // With these numbers of terms, the remainder is below 1e-16.
   if (one_minus_cos < 1e-4) return slerp_by_series<4>(r, one_minus_cos);  // θ < 0.8°
-  if (one_minus_cos < 0.02) return slerp_by_series<8>(r, one_minus_cos);  // θ < 11.5°
+  if (one_minus_cos < slerp_series_farthest) return slerp_by_series<8>(r, one_minus_cos);
   const double c = 1.0 - one_minus_cos;
   const double sine = std::sqrt(one_minus_cos * (1.0 + c));
   const double angle = std::atan2(sine, c);
@@ -147,21 +149,17 @@ inline SlerpWeights slerp_weights(double r, double one_minus_cos) {
 }
 
 // The rotations at many ratios between the same two rotations. For small angles, the weights are polynomials in r.
-// Without it, lookup_many and deskew take 50 % longer: benchmarks/native, "near slerp". With four terms alone they take
-// 16 % longer: "near slerp, two terms".
-template <std::size_t Terms>
+// Without it, lookup_many and deskew take 20 to 30 % longer: benchmarks/native, "near slerp".
 class NearSlerp {
-  static_assert(Terms == 2 || Terms == 4);
-
  public:
-  static constexpr double farthest = Terms == 2 ? 1e-5 : 1e-4;  // 1 - cos θ, for a remainder below 1e-16
+  static constexpr double farthest = 1e-5;  // 1 - cos θ, for a remainder below 1e-16 with two terms of the series
 
   NearSlerp(const Quaternion& a, const Quaternion& b_any_sign)
       : a_(a), b_(dot(a, b_any_sign) < 0.0 ? -b_any_sign : b_any_sign) {
     const Quaternion d{b_.x - a_.x, b_.y - a_.y, b_.z - a_.z, b_.w - a_.w};
     const double one_minus_cos = 0.5 * dot(d, d);
     is_near_ = one_minus_cos < farthest;
-    for (std::size_t i = 0; i < Terms; ++i) {
+    for (std::size_t i = 0; i < u_.size(); ++i) {
       u_[i] = -slerp_terms.u[i + 1] * one_minus_cos;
       v_[i] = -slerp_terms.v[i + 1] * one_minus_cos;
     }
@@ -177,12 +175,12 @@ class NearSlerp {
   [[nodiscard]] double weight(double r) const {
     const double rr = r * r;
     double sum = 1.0;
-    for (std::size_t i = Terms; i-- > 0;) sum = 1.0 + (u_[i] * rr - v_[i]) * sum;
+    for (std::size_t i = u_.size(); i-- > 0;) sum = 1.0 + (u_[i] * rr - v_[i]) * sum;
     return r * sum;
   }
 
   Quaternion a_, b_;
-  std::array<double, Terms> u_{}, v_{};
+  std::array<double, 2> u_{}, v_{};
   bool is_near_ = false;
 };
 

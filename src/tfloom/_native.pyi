@@ -25,6 +25,9 @@ class Sink:
         Push one sample: encapsulation header and CDR, stamps [ns since epoch], 16 octets of gid.
         """
 
+    def forget(self, publisher_gid: bytes) -> None:
+        """Forget what is stored for a publisher that has left."""
+
     def notify(self, queue: ReadyQueue | None, token: int) -> None:
         """
         Post `token` to `queue` after a push, for waits with `quiet` only; None ends it.
@@ -67,17 +70,58 @@ class ReadyQueue:
         Does not wait if the timeout is 0, and waits without limit if it is negative. Returns an empty list on a timeout. Releases the GIL. A signal's Python handler runs at once, and its exception is raised here.
         """
 
+def open_dds_library(path: str) -> str:
+    """
+    Open the libddsc at `path`, once, and return its version, empty if it records none. A version that was not tried passes a self-test first. Raise RuntimeError if it can't be used.
+    """
+
+def see_dds_packets(path: str) -> str:
+    """
+    Translate services for peers on Fast DDS in the packets of the libddsc at `path`. Return the reason why this can't be done here; empty if it is done.
+    """
+
+def dds_knows_address(gid: bytes) -> bool:
+    """
+    Return whether an address of the participant of this endpoint is known.
+    """
+
+def dds_read_versions() -> None:
+    """
+    From here on, note the versions of DDS that participants announce, where `see_dds_packets` is done.
+    """
+
+def dds_version(gid: bytes) -> str:
+    """
+    Return the version of DDS that this participant has announced, as 11.0.1; empty if it has not.
+    """
+
+def dds_inline_client(key: bytes) -> bytes | None:
+    """
+    Return the gid that awaits the responses for a client on Fast DDS, by the 8 octets in its headers; None for others.
+    """
+
+def test_dds_library(path: str) -> None:
+    """
+    Run the self-test of the libddsc at `path`, whichever version it is. Raise RuntimeError with what differs.
+    """
+
 class DdsParticipant:
     """This process on one DDS domain."""
 
-    def __init__(self, library_path: str, domain_id: int, config: str, user_data: bytes) -> None:
+    def __init__(self, library_path: str, domain_id: int, config: str, user_data: bytes, is_local: bool = False) -> None:
         """
-        Join a domain with the libddsc at `library_path`, Cyclone's XML `config` and the published `user_data`.
+        Join a domain with the libddsc at `library_path`, Cyclone's XML `config` and the published `user_data`. With `is_local`, bind the domain's sockets to the loopback interface where the system allows it.
         """
 
     @property
     def gid(self) -> bytes:
         """16 octets."""
+
+    @property
+    def loopback_failure(self) -> str:
+        """
+        Why the domain's sockets are not bound as `is_local` requests; empty if they are, or without `is_local`.
+        """
 
     def close(self) -> None:
         """
@@ -115,8 +159,18 @@ class DdsWriter:
     def write(self, data: bytes) -> None:
         """Send a sample: encapsulation header 00 01 xx xx and little-endian CDR."""
 
+    def join_service(self, reader: DdsReader, service: str, client: bytes | None) -> None:
+        """
+        Become an end of a service, with the reader of the other topic: a client whose headers have the 8 octets `client`, or a server. To be called before the first sample is written or taken.
+        """
+
     def assert_liveliness(self) -> None:
         """Signal that this writer is alive."""
+
+    def probe(self) -> None:
+        """
+        Send a message that readers acknowledge and drop: the end of an instance that does not exist.
+        """
 
     def wait_for_acks(self, timeout_ns: int) -> bool:
         """
@@ -528,8 +582,10 @@ class Buffer:
         With `strict`, raises as `lookup` does for the first stamp that fails, with its `index`.
         """
 
-    def store_many(self, frame_id: str, child_frame_id: str, stamps_ns: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], rows: Annotated[NDArray[numpy.float64], dict(shape=(None, 7), order='C', device='cpu', writable=False)], authority: str) -> int:
-        """Store `rows` (N, 7) at `stamps_ns` (N,). Return how many were stored."""
+    def store_many(self, frame_id: str, child_frame_id: str, stamps_ns: Annotated[NDArray[numpy.int64], dict(shape=(None,), order='C', device='cpu', writable=False)], positions: Annotated[NDArray[numpy.float64], dict(shape=(None, 3), order='C', device='cpu', writable=False)], rotations_xyzw: Annotated[NDArray[numpy.float64], dict(shape=(None, 4), order='C', device='cpu', writable=False)], authority: str) -> int:
+        """
+        Store `positions` (N, 3) and `rotations_xyzw` (N, 4) at `stamps_ns` (N,). Return how many were stored.
+        """
 
     def samples(self, frame_id: str, child_frame_id: str) -> tuple[bytearray, bytearray]:
         """
@@ -593,11 +649,11 @@ class Buffer:
         Return the result of `lookup_full` as a `geometry_msgs/msg/TransformStamped`; see `lookup_message`.
         """
 
-    def tf_sink(self, authority: str, static: bool) -> TfSink:
+    def tf_sink(self, authority: str, static: bool, on_held: Callable[[list[int], str, int, int], object] | None = None) -> TfSink:
         """
         Return a sink for `Reader.feed` that stores samples of `tf2_msgs/msg/TFMessage` here.
 
-        An unreadable message is dropped whole, and the log callback is called.
+        An unreadable message is dropped whole, and the log callback is called. With `on_held`, a moving transform stamped further ahead of now than the cache is long, and than its publisher's former ones, is held until that publisher confirms it by a later one. `on_held(gid, child_frame_id, stamp_ns, now_ns)` is called for the first one of each publisher, on any thread.
         """
 
     def insert_cdr(self, data: bytes, authority: str = '', static: bool = False) -> int:
@@ -643,9 +699,28 @@ def move_points_float32(transform: Annotated[NDArray[numpy.float64], dict(shape=
     Apply `transform` (7,) to `points` (N, 3) and write them into `out`, which may be `points`.
     """
 
+def move_cloud_float32(transform: Annotated[NDArray[numpy.float64], dict(shape=(7), order='C', device='cpu', writable=False)], octets: Annotated[NDArray[numpy.uint8], dict(shape=(None,), order='C', device='cpu')], shape: Sequence[int], steps: Sequence[int], offsets: Sequence[int]) -> None:
+    """
+    Apply `transform` (7,) to the points of a cloud, in place. Point (row, column) of `shape` begins at row * steps[0] + column * steps[1], and has x, y and z at `offsets` from there, in this machine's byte order.
+
+    Raises ValueError if they are not all within `octets` (N,).
+    """
+
 def move_points_float64(transform: Annotated[NDArray[numpy.float64], dict(shape=(7), order='C', device='cpu', writable=False)], points: Annotated[NDArray[numpy.float64], dict(shape=(None, 3), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float64], dict(shape=(None, 3), order='C', device='cpu')]) -> None:
     """
     Apply `transform` (7,) to `points` (N, 3) and write them into `out`, which may be `points`.
+    """
+
+def move_cloud_float64(transform: Annotated[NDArray[numpy.float64], dict(shape=(7), order='C', device='cpu', writable=False)], octets: Annotated[NDArray[numpy.uint8], dict(shape=(None,), order='C', device='cpu')], shape: Sequence[int], steps: Sequence[int], offsets: Sequence[int]) -> None:
+    """
+    Apply `transform` (7,) to the points of a cloud, in place. Point (row, column) of `shape` begins at row * steps[0] + column * steps[1], and has x, y and z at `offsets` from there, in this machine's byte order.
+
+    Raises ValueError if they are not all within `octets` (N,).
+    """
+
+def use_wide_vectors(are_wide: bool) -> bool:
+    """
+    Compute lookups at many stamps, and clouds, in vectors of four numbers, if this processor has them, or in those that every processor has. Return whether they are the wide ones. For tests: the wide ones are the default.
     """
 
 def matrices(rows: Annotated[NDArray[numpy.float64], dict(shape=(None, 7), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float64], dict(shape=(None, 4, 4), order='C', device='cpu')]) -> None:
@@ -663,3 +738,23 @@ class TfSink(Sink):
     @property
     def dropped_count(self) -> int:
         """Number of unreadable messages, which were dropped."""
+
+    @property
+    def held_count(self) -> int:
+        """Number of transforms that are held now."""
+
+    @property
+    def publisher_count(self) -> int:
+        """
+        Number of publishers whose stamps are remembered, if transforms are held.
+        """
+
+    def set_simulated_time(self, now_ns: int | None) -> None:
+        """
+        Set the time with which stamps are compared [ns since epoch]; 0: unknown, nothing is held; None: the system's.
+        """
+
+    def forget_all(self) -> None:
+        """
+        Drop what is held, and forget all publishers' stamps, after a jump in time.
+        """

@@ -193,7 +193,7 @@ Library make_library() {
 void live(const Library& library) {
   const TopicName topic{"rt/topic", "Type_"};
   tfloom::SampleQueue sink(1);
-  Participant participant(library, 1, "", "");
+  Participant participant(library, 1, "", "", false);
   Graph graph(participant, topic, {}, "");
   Writer writer(participant, topic, {}, "");
   Reader reader(participant, topic, {}, "");

@@ -1,28 +1,21 @@
 // Fuzzes the codec's walk: an input holds a plan and bytes; what can be read must survive writing and reading.
 //
-//   fuzz_cdr SECONDS [CORPUS_FOLDER [SEED]]      mutates the corpus by itself, on any compiler
-//
-// With clang, `-DTFLOOM_LIBFUZZER -fsanitize=fuzzer,address,undefined` makes it a libFuzzer program instead.
+// For the arguments, see fuzzing.hpp. With clang, `-DTFLOOM_LIBFUZZER -fsanitize=fuzzer,address,undefined` makes it a
+// libFuzzer program instead.
 //
 // An input: the number of plans, then for each the number of its fields, then for each of these kind, shape, count,
 // string bound and, for a message, which of the plans before; the last plan is the message's. CDR follows.
-#include <chrono>
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
-#include <random>
 #include <string>
 #include <vector>
 
+#include "fuzzing.hpp"
 #include "value_tree.hpp"
 
 namespace {
 
 using namespace tfloom::cdr;
-using Bytes = std::vector<std::uint8_t>;
+using fuzzing::fail;
 using Plans = std::vector<std::unique_ptr<Plan>>;
 
 class Input {
@@ -69,11 +62,6 @@ Plans read_plans(Input& input) {
   return plans;
 }
 
-[[noreturn]] void fail(const char* what) {
-  std::fprintf(stderr, "fuzz_cdr: %s\n", what);
-  std::abort();
-}
-
 std::vector<std::byte> encode(const Tree& tree, const Plan& plan) {
   TreeStorage storage;
   Writer out(storage, 0);
@@ -99,11 +87,11 @@ bool run(std::span<const std::uint8_t> bytes) {
   try {
     tree = decode(data, plan);
   } catch (const DecodeError& error) {
-    if (error.offset > data.size()) fail("an error lies beyond the end");
+    if (error.offset > data.size()) fail("fuzz_cdr", "an error lies beyond the end");
     return false;
   }
   const auto once = encode(tree, plan);
-  if (once != encode(decode(once, plan), plan)) fail("what was written is read as something else");
+  if (once != encode(decode(once, plan), plan)) fail("fuzz_cdr", "what was written is read as something else");
   return true;
 }
 
@@ -115,77 +103,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 }
 
 #ifndef TFLOOM_LIBFUZZER
-namespace {
-
-class Mutator {
- public:
-  Mutator(std::vector<Bytes> corpus, std::uint32_t seed) : corpus_(std::move(corpus)), random_(seed) {}
-
-  Bytes next() {
-    Bytes bytes = pick();
-    for (std::size_t changes = below(4) + 1; changes > 0; --changes) change(bytes);
-    return bytes;
-  }
-
- private:
-  std::size_t below(std::size_t limit) { return random_() % limit; }
-  const Bytes& pick() { return corpus_[below(corpus_.size())]; }
-
-  void change(Bytes& bytes) {
-    static constexpr std::uint8_t notable[] = {0, 1, 2, 4, 8, 0x7f, 0x80, 0xd8, 0xdc, 0xff};
-    if (bytes.empty()) bytes.push_back(0);
-    const std::size_t at = below(bytes.size());
-    const auto place = bytes.begin() + static_cast<std::ptrdiff_t>(at);
-    switch (below(6)) {
-      case 0: bytes[at] ^= static_cast<std::uint8_t>(1U << below(8)); break;
-      case 1: bytes[at] = notable[below(std::size(notable))]; break;
-      case 2: bytes[at] = static_cast<std::uint8_t>(random_()); break;
-      case 3: bytes.resize(at); break;
-      case 4: bytes.insert(place, below(9), notable[below(std::size(notable))]); break;
-      default: {
-        const Bytes& other = pick();
-        bytes.erase(place, bytes.end());
-        if (other.size() > at) bytes.insert(bytes.end(), other.begin() + static_cast<std::ptrdiff_t>(at), other.end());
-      }
-    }
-  }
-
-  std::vector<Bytes> corpus_;
-  std::mt19937 random_;
-};
-
-std::vector<Bytes> load(const char* folder) {
-  std::vector<Bytes> corpus{Bytes{0, 1, 11, 0, 0, 0, 0, 1, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8}};
-  if (folder == nullptr) return corpus;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    std::ifstream file(entry.path(), std::ios::binary);
-    corpus.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
-  }
-  return corpus;
-}
-
-}  // namespace
-
 int main(int count, char** arguments) {
-  if (count < 2) {
-    std::fputs("usage: fuzz_cdr SECONDS [CORPUS_FOLDER [SEED]]\n", stderr);
-    return 2;
-  }
-  auto corpus = load(count > 2 ? arguments[2] : nullptr);
-  std::size_t sound = 0;
-  for (const Bytes& bytes : corpus) sound += run(bytes) ? 1 : 0;
-  const std::size_t seeds = corpus.size();
-  const auto seed = count > 3 ? static_cast<std::uint32_t>(std::atoll(arguments[3])) : std::random_device{}();
-  std::printf("seed %u: the same seed and corpus give the same inputs\n", seed);
-  std::fflush(stdout);
-  Mutator mutator(std::move(corpus), seed);
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(std::atof(arguments[1]));
-  std::size_t runs = 0;
-  std::size_t accepted = 0;
-  for (; std::chrono::steady_clock::now() < end; ++runs) {
-    accepted += run(mutator.next()) ? 1 : 0;
-  }
-  std::printf("%zu of %zu seeds read; %zu inputs, %zu read, %zu refused\n", sound, seeds, runs, accepted, runs - accepted);
-  return 0;
+  return fuzzing::fuzz("fuzz_cdr", run, {{0, 1, 11, 0, 0, 0, 0, 1, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8}}, count, arguments);
 }
 #endif

@@ -49,7 +49,7 @@ void push(TfSink& sink, const std::byte* data, std::size_t size) {
 
 int main() {
   const auto buffer = std::make_shared<tfloom::tf2::Buffer>();
-  TfSink sink(buffer, "me", false);
+  TfSink sink(buffer, "me", false, [](const auto&...) {});
   const Bytes sound = message(3);
   for (std::size_t size = 0; size <= sound.size(); ++size) push(sink, sound.data(), size);
   if (sink.dropped_count() != sound.size()) return 1;

@@ -15,7 +15,7 @@ from tests.native.test_sanitizers import BUILD_TIMEOUT_S, CMAKE_OPTIONS, cmake
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
-RUN_TIMEOUT_S = 300
+RUN_TIMEOUT_S = 1200
 EVERYWHERE = ["tests/rmw", "tests/tf2_ros/test_lifetime.py", "tests/tf2_ros/test_wire.py"]
 TESTS = {
     "thread": [*EVERYWHERE, "tests/tf2/test_threads.py", "tests/node/wire/test_services.py"],
@@ -90,7 +90,15 @@ def test_the_extension_under_sanitizers(sanitize: str, tmp_path: Path) -> None:
         return done.stdout
 
     assert run("-c", "import tfloom._native as n; print(n.__spec__.origin)").strip() == str(extension)
-    options = ["-q", "-p", "no:cacheprovider", "-m", "not slow and not timing", "--numprocesses=2"]
+    options = [
+        "-q",
+        "-p",
+        "no:cacheprovider",
+        "-m",
+        "not slow and not timing",
+        "--numprocesses=2",
+        "--dist=loadfile",
+    ]
     run("-m", "pytest", *options, *TESTS[sanitize])
     findings = "\n".join(path.read_text("utf-8") for path in tmp_path.glob("report.*"))
     assert not findings

@@ -9,10 +9,11 @@ import sys
 from pathlib import Path
 
 import pytest
+from tests.shared_folders import shared_folder
 
 ROOT = Path(__file__).parents[2]
-BUILD_TIMEOUT_S = 900
-RUN_TIMEOUT_S = 120
+BUILD_TIMEOUT_S = 1800
+RUN_TIMEOUT_S = 600
 pytestmark = pytest.mark.slow
 PROGRAMS = ["buffer_threads", "dds_ownership", "hostile_tf", "queue_threads"]
 CMAKE_OPTIONS = [
@@ -30,29 +31,32 @@ def cmake() -> str:
     return found
 
 
-def build(folder: Path, sanitize: str, programs: list[str]) -> None:
+def build(folder: Path, sanitize: str, programs: list[str]) -> list[Path]:
+    """Build programs with a sanitizer in a folder, where an earlier build is continued; return their paths."""
     options = ["-DTFLOOM_NATIVE_TESTS=ON", f"-DTFLOOM_SANITIZE={sanitize}", *CMAKE_OPTIONS]
+    parallel = str(os.cpu_count() or 1)
     for command in (
         [cmake(), "-S", ROOT, "-B", folder, *options],
-        [cmake(), "--build", folder, "--target", *programs],
+        [cmake(), "--build", folder, "--parallel", parallel, "--target", *programs],
     ):
         done = subprocess.run(command, capture_output=True, text=True, timeout=BUILD_TIMEOUT_S, check=False)
         assert done.returncode == 0, done.stdout + done.stderr
+    return [folder / "tests" / "native" / program for program in programs]
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="MSVC has no ThreadSanitizer")
 @pytest.mark.parametrize("sanitize", ["thread", "address,undefined"])
-def test_core_passes_under_sanitizers(sanitize: str, tmp_path: Path) -> None:
-    build(tmp_path, sanitize, PROGRAMS)
+def test_core_passes_under_sanitizers(sanitize: str, tmp_path_factory: pytest.TempPathFactory) -> None:
+    with shared_folder(tmp_path_factory, sanitize) as folder:
+        programs = build(folder, sanitize, PROGRAMS)
     environment = {
         **os.environ,
         "TSAN_OPTIONS": "halt_on_error=1",
         "UBSAN_OPTIONS": "halt_on_error=1:print_stacktrace=1",
         "ASAN_OPTIONS": "detect_leaks=0",
     }
-    for program in PROGRAMS:
-        found = next(path for path in tmp_path.rglob(program) if path.is_file())
+    for program in programs:
         done = subprocess.run(
-            [found], capture_output=True, text=True, timeout=RUN_TIMEOUT_S, check=False, env=environment
+            [program], capture_output=True, text=True, timeout=RUN_TIMEOUT_S, check=False, env=environment
         )
-        assert done.returncode == 0, f"{program} under {sanitize}:\n{done.stdout}{done.stderr}"
+        assert done.returncode == 0, f"{program.name} under {sanitize}:\n{done.stdout}{done.stderr}"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -59,8 +60,8 @@ def test_lookup_many_equals_single_lookups(
         assert poses.known[index] == buffer.can(*pair, int(stamp))
         if poses.known[index]:
             found = buffer.lookup(*pair, int(stamp))
-            assert poses.positions[index] == pytest.approx(found.translation, rel=1e-9, abs=1e-9)
-            assert poses.rotations_xyzw[index] == pytest.approx(found.rotation_xyzw, rel=1e-9, abs=1e-9)
+            assert poses.positions[index] == pytest.approx(found.translation, rel=1e-12, abs=1e-12)
+            assert poses.rotations_xyzw[index] == pytest.approx(found.rotation_xyzw, rel=1e-12, abs=1e-12)
         else:
             assert np.isnan(poses.positions[index]).all()
             assert np.isnan(poses.rotations_xyzw[index]).all()
@@ -225,6 +226,73 @@ def test_arrays_of_wrong_shape_or_type_raise(
 ) -> None:
     with pytest.raises(kind, match=text):
         call(buffer)
+
+
+def series(random: np.random.Generator, count: int) -> tuple[Any, Any, Any]:
+    """Return stamps, positions and rotations, most of them ascending and valid."""
+    stamps = START + np.cumsum(random.integers(1, SECOND // 50, count))
+    positions, rotations = random.normal(size=(count, 3)), random.normal(size=(count, 4))
+    rotations[::3] /= np.linalg.norm(rotations[::3], axis=1)[:, None]
+    for index in random.integers(1, count, count // 40):
+        match random.integers(0, 7):
+            case 0:
+                positions[index, random.integers(3)] = np.nan
+            case 1:
+                rotations[index, random.integers(4)] = np.nan
+            case 2:
+                rotations[index] = 0
+            case 3:
+                positions[index, :2] = np.inf, -np.inf
+            case 4:
+                stamps[index] = stamps[index - 1]
+            case 5:  # the same sample again
+                stamps[index] = stamps[index - 1]
+                positions[index], rotations[index] = positions[index - 1], rotations[index - 1]
+            case 6:
+                stamps[index] -= random.integers(0, 3 * SECOND)
+    return stamps, positions, rotations
+
+
+@pytest.mark.parametrize("cache_time_ns", [None, 10 * SECOND, SECOND])
+@pytest.mark.parametrize("count", [1, 2, 255, 256, 257, 1023, 3000])
+def test_set_many_equals_single_inserts(
+    cache_time_ns: int | None, count: int, random: np.random.Generator
+) -> None:
+    logs: tuple[dict[str, str], dict[str, str]] = {}, {}  # the first text of each topic
+    both = Buffer(cache_time_ns), Buffer(cache_time_ns)
+    for buffer, log in zip(both, logs, strict=True):
+        buffer.set_log_callback(lambda _, text, log=log: log.setdefault(text[:12], text))
+    for part in range(3):  # the later parts partly precede what is stored
+        columns = series(random, count)
+        columns[0][:] += part * (columns[0][-1] - START) // 2
+        who = f"node {part}"
+        stored = sum(
+            both[0].set("a", "b", int(stamp), tuple(position), tuple(rotation), who)
+            for stamp, position, rotation in zip(*columns, strict=True)
+        )
+        assert both[1].set_many("a", "b", *columns, who) == stored
+        single, many = (buffer.to_arrays("a", "b") for buffer in both)
+        assert all((one == other).all() for one, other in zip(single, many, strict=True))
+        edges = [
+            (edge.authority, edge.oldest_ns, edge.newest_ns, edge.sample_count)
+            for edge in (buffer.edges()[0] for buffer in both)
+        ]
+        assert edges[0] == edges[1]
+    assert logs[0] == logs[1]
+    assert bool(logs[0]) == (count > 100)
+
+
+def test_set_many_after_a_static_transform_and_a_clear(random: np.random.Generator) -> None:
+    buffer = Buffer(None)
+    buffer.set("a", "b", 0, (1.0, 2.0, 3.0), (0.0, 0.0, 0.0, 1.0), static=True)
+    stamps = START + np.arange(600)
+    turns = random.normal(size=(600, 4))
+    assert buffer.set_many("a", "b", stamps, random.normal(size=(600, 3)), turns) == 600
+    buffer.clear()
+    assert buffer.set_many("a", "b", stamps - SECOND, random.normal(size=(600, 3)), turns) == 600
+    assert (buffer.to_arrays("a", "b").stamps_ns == stamps - SECOND).all()
+    assert buffer.set_many("c", "b", stamps, random.normal(size=(600, 3)), turns) == 600
+    assert len(buffer.to_arrays("c", "b").stamps_ns) == len(buffer.to_arrays("a", "b").stamps_ns) == 600
 
 
 def test_set_many_and_to_arrays_are_inverse(random: np.random.Generator) -> None:

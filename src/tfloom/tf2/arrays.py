@@ -194,16 +194,10 @@ class Arrays(Frames):
         Raises:
             TypeError, ValueError: an array has the wrong type or shape.
         """
-        import numpy as np
-
         stamps = _stamps(stamps_ns)
-        rows = np.hstack(
-            (
-                _table(positions, 3, "positions", len(stamps)),
-                _table(rotations_xyzw, 4, "rotations_xyzw", len(stamps)),
-            )
-        )
-        return self.store_many(frame_id, child_frame_id, stamps, np.ascontiguousarray(rows), authority)
+        table = _table(positions, 3, "positions", len(stamps))
+        rotations = _table(rotations_xyzw, 4, "rotations_xyzw", len(stamps))
+        return self.store_many(frame_id, child_frame_id, stamps, table, rotations, authority)
 
     def to_arrays(self, frame_id: str, child_frame_id: str) -> Samples:
         """Return the stored samples of an edge; empty arrays if there is no such edge."""
@@ -282,7 +276,7 @@ def _table(values: ArrayLike, columns: int, name: str, rows: int) -> NDArray[np.
         raise TypeError(f"{name} must be numbers, not {table.dtype}")
     if table.shape != (rows, columns):
         raise ValueError(f"{name} must be of shape ({rows}, {columns}), not {table.shape}")
-    return table.astype(np.float64, copy=False)
+    return np.ascontiguousarray(table, np.float64)
 
 
 def _row(found: _native.StampedTransform) -> NDArray[np.float64]:

@@ -28,21 +28,9 @@ class Files(Arrays):
         Raises:
             OSError: the file can't be written.
         """
-        from pathlib import Path
+        from tfloom.whole_files import write_file
 
-        partial = Path(f"{os.fspath(path)}.{os.getpid()}.{os.urandom(4).hex()}")
-        data = self.frozen()
-        try:
-            with partial.open("xb") as file:
-                file.write(data)
-                file.flush()
-                os.fsync(file.fileno())
-            partial.replace(path)
-        except BaseException as error:
-            partial.unlink(missing_ok=True)
-            if isinstance(error, OSError) and error.filename == os.fspath(partial):
-                error.filename = os.fspath(path)  # the caller's path, not that of the temporary file
-            raise
+        write_file(path, self.frozen())
 
     @classmethod
     def map(cls, path: str | os.PathLike[str]) -> Self:

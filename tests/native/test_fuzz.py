@@ -1,6 +1,11 @@
-"""The fuzzer of the codec, for a short time; its corpus are bytes that a real ROS 2 wrote.
+"""The fuzzers of native code, with some ten thousand inputs each.
 
-By hand and for longer: `python -m tests.native.test_fuzz_cdr SECONDS`.
+`fuzz_cdr` decodes plans of every kind of field; its corpus are bytes that a real ROS 2 wrote. `fuzz_tf` pushes bytes of
+/tf into a buffer, and `fuzz_frozen` maps frozen buffers; their corpora are in `corpus/`. `fuzz_rtps` reads and
+rewrites datagrams of services, after some with known answers; it has its corpus itself.
+
+By hand and for longer: `python -m tests.native.test_fuzz NAME AMOUNT [SEED]`; the amount is in seconds, or a number of
+inputs with an `n`: `python -m tests.native.test_fuzz fuzz_cdr 1000000n`.
 """
 
 from __future__ import annotations
@@ -15,6 +20,7 @@ from pathlib import Path
 
 import pytest
 from tests.native.test_sanitizers import build
+from tests.shared_folders import shared_folder
 
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.registry import get_message_class
@@ -22,6 +28,15 @@ from tfloom.rosidl.type_text import split_type
 
 pytestmark = pytest.mark.slow
 GOLDEN = Path(__file__).parents[1] / "golden" / "jazzy_types.jsonl"
+CORPUS = Path(__file__).parent / "corpus"
+LONGEST_S = 7200.0
+SANITIZE = "address,undefined"
+SEEDS = {"fuzz_cdr": (970, 970), "fuzz_frozen": (3, 4), "fuzz_rtps": (3, 7), "fuzz_tf": (7, 7)}
+"""How many inputs of each corpus are accepted, of how many, with the one in the program."""
+INPUTS = {"fuzz_cdr": 40_000, "fuzz_frozen": 20_000, "fuzz_rtps": 100_000, "fuzz_tf": 50_000}
+"""How many inputs each program tries: some seconds' worth."""
+SEED = "20261122"
+"""The same in each run, so that a run says something of the change that it tests; by hand, take others."""
 KINDS = [
     "bool",
     "byte",
@@ -82,34 +97,47 @@ def write_corpus(folder: Path) -> int:
     return count
 
 
-def fuzz(folder: Path, seconds: float) -> subprocess.CompletedProcess[str]:
-    build(folder / "build", "address,undefined", ["fuzz_cdr"])
-    (folder / "corpus").mkdir()
-    write_corpus(folder / "corpus")
-    program = next(path for path in (folder / "build").rglob("fuzz_cdr") if path.is_file())
+def corpus_of(name: str, folder: Path) -> Path:
+    if name == "fuzz_rtps":
+        (folder / "none").mkdir()
+        return folder / "none"
+    if name != "fuzz_cdr":
+        return CORPUS / name.removeprefix("fuzz_")
+    written = folder / "corpus"
+    written.mkdir()
+    write_corpus(written)
+    return written
+
+
+def run(program: Path, folder: Path, amount: str, *seed: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [program, str(seconds), folder / "corpus"],
+        [program, amount, corpus_of(program.name, folder), *seed],
         capture_output=True,
         text=True,
-        timeout=seconds + 120,
+        timeout=LONGEST_S,
         check=False,
         env={**os.environ, "UBSAN_OPTIONS": "halt_on_error=1:print_stacktrace=1"},
     )
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the sanitizers here are GCC's and Clang's")
-def test_fuzzed_bytes_never_break_the_codec(tmp_path: Path) -> None:
-    done = fuzz(tmp_path, 3.0)
-    assert done.returncode == 0, done.stdout + done.stderr
-    counts = re.search(r"(\d+) of (\d+) seeds read; (\d+) inputs, (\d+) read, (\d+) refused", done.stdout)
-    assert counts is not None
-    read, seeds, _, accepted, refused = map(int, counts.groups())
-    assert read == seeds == 970
-    assert min(accepted, refused) > 1000
+def test_fuzzed_bytes_break_nothing(tmp_path: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
+    with shared_folder(tmp_path_factory, SANITIZE) as folder:
+        programs = build(folder, SANITIZE, list(SEEDS))
+    for program in programs:
+        name, expected = program.name, SEEDS[program.name]
+        done = run(program, tmp_path, f"{INPUTS[name]}n", SEED)
+        assert done.returncode == 0, done.stdout + done.stderr
+        counts = re.search(r"(\d+) of (\d+) seeds read; (\d+) inputs, (\d+) read, (\d+) refused", done.stdout)
+        assert counts is not None
+        read, seeds, _, accepted, refused = map(int, counts.groups())
+        assert (read, seeds) == expected, name
+        assert min(accepted, refused) > 1000, name
 
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as home:
-        outcome = fuzz(Path(home), float(sys.argv[1]))
+        (fuzzer,) = build(Path(home) / "build", SANITIZE, [sys.argv[1]])
+        outcome = run(fuzzer, Path(home), *sys.argv[2:4])
         print(outcome.stdout, outcome.stderr)
         sys.exit(outcome.returncode)

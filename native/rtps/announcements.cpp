@@ -1,0 +1,153 @@
+#include "rtps/announcements.hpp"
+
+#include <algorithm>
+
+namespace tfloom::rtps {
+namespace {
+
+// The writers of discovery (RTPS 2.5, 9.3.1.5).
+constexpr EntityId participants_writer = {0x00, 0x01, 0x00, 0xc2};
+constexpr EntityId publications_writer = {0x00, 0x00, 0x03, 0xc2};
+constexpr EntityId subscriptions_writer = {0x00, 0x00, 0x04, 0xc2};
+
+// Parameters that hold a locator (9.6.3).
+constexpr std::uint16_t unicast_locator_id = 0x002f;
+constexpr std::uint16_t default_unicast_locator_id = 0x0031;
+
+// Parameters of one vendor each: the version of Fast DDS, in four octets, and a text of Cyclone DDS with its version.
+constexpr std::uint16_t fast_dds_version_id = 0x8000;
+constexpr std::uint16_t cyclone_version_id = 0x8007;
+constexpr std::size_t cyclone_text_at = 20;  // after five numbers
+
+constexpr std::uint16_t topic_name_id = 0x0005;
+constexpr std::uint16_t endpoint_guid_id = 0x005a;
+
+constexpr std::uint32_t udp_v4 = 1;
+constexpr std::uint32_t udp_v6 = 2;
+constexpr std::size_t locator_size = 24;
+
+constexpr std::size_t most_addresses = 16384;  // because anybody may announce addresses
+constexpr std::size_t most_versions = 1024;
+constexpr std::size_t longest_version = 32;
+
+// Return the parameters in the payload of a submessage, or nullopt if it has none.
+std::optional<Parameters> parameters_of(const Data& data) {
+  const Octets payload = data.payload;
+  if (!data.is_sample || data.is_fragment || payload.size() < encapsulation_size) return std::nullopt;
+  const bool is_little_endian = payload[1] == std::byte{3};
+  if (payload[0] != std::byte{0} || (!is_little_endian && payload[1] != std::byte{2})) return std::nullopt;
+  return Parameters(payload.subspan(encapsulation_size), is_little_endian);
+}
+
+// Return the text of a string, as a view; empty if it is too short for its length.
+std::string_view text_of(const Fields& string) {
+  const std::size_t size = string.u32(0);  // includes a zero at its end
+  if (size == 0 || !string.has(4 + size)) return {};
+  return {reinterpret_cast<const char*>(string.octets().data()) + 4, size - 1};
+}
+
+std::optional<Address> address_of(const Fields& locator) {
+  if (!locator.has(locator_size)) return std::nullopt;
+  const std::uint32_t kind = locator.u32(0);
+  if (kind != udp_v4 && kind != udp_v6) return std::nullopt;  // shared memory, for instance
+  Address address{octets_at<16>(locator.octets(), 8), locator.u32(4)};
+  if (kind == udp_v4) std::fill_n(address.octets.begin(), 12, std::uint8_t{0});
+  return address;
+}
+
+std::string version_of_fast_dds(const Fields& version) {
+  if (!version.has(4)) return {};
+  std::string text;
+  for (const std::uint8_t number : octets_at<4>(version.octets(), 0)) {
+    if (!text.empty()) text += '.';
+    text += std::to_string(number);
+  }
+  return text;
+}
+
+// Return the version in the text `host/version/system/processor`; empty if it is none that can be printed.
+std::string version_of_cyclone(const Fields& info) {
+  if (!info.has(cyclone_text_at)) return {};
+  const std::string_view text = text_of(Fields(info.octets().subspan(cyclone_text_at), info.is_little_endian()));
+  const std::size_t begin = text.find('/');
+  if (begin == std::string_view::npos) return {};
+  const std::string_view rest = text.substr(begin + 1);
+  const std::size_t size = rest.find('/');
+  if (size == std::string_view::npos || size > longest_version) return {};
+  const std::string_view version = rest.substr(0, size);
+  const auto is_plain = [](char each) {
+    return (each >= '0' && each <= '9') || (each >= 'a' && each <= 'z') || (each >= 'A' && each <= 'Z') ||
+           each == '.' || each == '-' || each == '+';
+  };
+  return std::ranges::all_of(version, is_plain) ? std::string(version) : std::string();
+}
+
+}  // namespace
+
+void Versions::read(const GuidPrefix& source, const Data& data) {
+  if (data.writer != participants_writer) return;
+  auto parameters = parameters_of(data);
+  while (const auto parameter = parameters ? parameters->next() : std::nullopt) {
+    std::string version;
+    if (is_of_fast_dds(source) && parameter->id == fast_dds_version_id) version = version_of_fast_dds(parameter->value);
+    if (is_of_cyclone(source) && parameter->id == cyclone_version_id) version = version_of_cyclone(parameter->value);
+    if (version.empty()) continue;
+    if (versions_.size() >= most_versions && !versions_.contains(source)) versions_.clear();
+    versions_[source] = version;
+  }
+}
+
+std::string Versions::of(const GuidPrefix& participant) const {
+  const auto found = versions_.find(participant);
+  return found == versions_.end() ? std::string() : found->second;
+}
+
+void Addresses::read(const GuidPrefix& source, const Data& data) {
+  if (data.writer != participants_writer && data.writer != publications_writer && data.writer != subscriptions_writer) {
+    return;
+  }
+  auto parameters = parameters_of(data);
+  while (const auto parameter = parameters ? parameters->next() : std::nullopt) {
+    if (parameter->id != unicast_locator_id && parameter->id != default_unicast_locator_id) continue;
+    if (const auto address = address_of(parameter->value)) add(*address, source);
+  }
+}
+
+void Addresses::add(const Address& address, const GuidPrefix& participant) {
+  const auto [entry, is_new] = participants_.try_emplace(address, participant);
+  if (!is_new) {
+    if (entry->second == participant) return;
+    if (const auto former = known_.find(entry->second); --former->second == 0) known_.erase(former);
+    entry->second = participant;
+  } else if (participants_.size() > most_addresses) {
+    participants_.clear();
+    known_.clear();
+    participants_.emplace(address, participant);
+  }
+  ++known_[participant];
+}
+
+std::optional<GuidPrefix> Addresses::participant_at(const Address& address) const {
+  const auto found = participants_.find(address);
+  if (found == participants_.end()) return std::nullopt;
+  return found->second;
+}
+
+bool is_of_service(std::string_view topic) { return topic.starts_with("rq/") || topic.starts_with("rr/"); }
+
+std::optional<Gid> announced_service_writer(const Data& data) {
+  if (data.writer != publications_writer) return std::nullopt;
+  std::optional<Gid> writer;
+  bool has_service_topic = false;
+  auto parameters = parameters_of(data);
+  while (const auto parameter = parameters ? parameters->next() : std::nullopt) {
+    if (parameter->id == topic_name_id) {
+      has_service_topic = is_of_service(text_of(parameter->value));
+    } else if (parameter->id == endpoint_guid_id && parameter->value.has(std::tuple_size_v<Gid>)) {
+      writer = octets_at<std::tuple_size_v<Gid>>(parameter->value.octets(), 0);
+    }
+  }
+  return has_service_topic ? writer : std::nullopt;
+}
+
+}  // namespace tfloom::rtps

@@ -1,0 +1,62 @@
+// What participants announce of themselves: at which addresses they receive, the version of their DDS, and which writers
+// belong to services.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "rtps/message.hpp"
+
+namespace tfloom::rtps {
+
+// An address of UDP: an IPv4 one is in the last four octets, after zeros.
+struct Address {
+  std::array<std::uint8_t, 16> octets{};
+  std::uint32_t port = 0;
+
+  auto operator<=>(const Address&) const = default;
+};
+
+class Addresses {
+ public:
+  // Read what `source` announces of itself in a submessage to the built-in readers; ignore all others.
+  void read(const GuidPrefix& source, const Data& data);
+
+  // Return the participant that receives at an address, or nullopt if none has announced it.
+  [[nodiscard]] std::optional<GuidPrefix> participant_at(const Address& address) const;
+
+  // Return whether an address of the participant is known.
+  [[nodiscard]] bool knows(const GuidPrefix& participant) const { return known_.contains(participant); }
+
+ private:
+  void add(const Address& address, const GuidPrefix& participant);
+
+  std::map<Address, GuidPrefix> participants_;
+  std::map<GuidPrefix, int> known_;  // how many addresses each has
+};
+
+// The versions of DDS that participants announce, each in a parameter of its vendor.
+class Versions {
+ public:
+  // Read what `source` announces in a submessage to the built-in readers; ignore all others.
+  void read(const GuidPrefix& source, const Data& data);
+
+  // Return the version of a participant, as 11.0.1; empty if it has not announced one.
+  [[nodiscard]] std::string of(const GuidPrefix& participant) const;
+
+ private:
+  std::map<GuidPrefix, std::string> versions_;
+};
+
+// Return whether a topic, by its name on the wire, carries the requests or responses of a service.
+bool is_of_service(std::string_view topic);
+
+// Return the writer of a service's requests or responses that a submessage announces, or nullopt if it announces none.
+std::optional<Gid> announced_service_writer(const Data& data);
+
+}  // namespace tfloom::rtps

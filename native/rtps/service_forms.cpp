@@ -1,0 +1,537 @@
+#include "rtps/service_forms.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <random>
+#include <ranges>
+#include <utility>
+
+#ifndef _WIN32
+#include <pthread.h>
+#endif
+
+namespace tfloom::rtps {
+namespace {
+
+// The parameter that holds the identity of a related sample: a GUID and a sequence number (9.6.4), and the id that it
+// had before it was a standard.
+constexpr std::uint16_t related_sample_id = 0x0083;
+constexpr std::uint16_t former_related_sample_id = 0x800f;
+constexpr std::size_t related_sample_size = 24;
+constexpr std::uint64_t unknown_sequence_number = 0xffffffff'00000000;
+
+constexpr std::size_t header_end = encapsulation_size + ServiceHeader::size;
+constexpr std::size_t most_remembered = 200'000;  // requests and responses that nobody has taken yet
+constexpr std::size_t most_sent = 1024;  // requests of a client: far more than the ten that a server on Fast DDS keeps
+constexpr std::size_t most_clients = 65'536;
+constexpr std::int64_t stamp_tolerance_ns = 2;  // a stamp on the wire has the unit 2^-32 s
+constexpr std::int64_t no_stamp = -1;
+constexpr std::size_t most_datagram_octets = 65'507;
+
+std::int64_t stamp_ns(const Submessage& info_ts) {
+  const Fields fields = info_ts.fields();
+  if ((info_ts.flags & invalidate_flag) != 0 || !fields.has(12)) return no_stamp;
+  const std::uint64_t fraction = fields.u32(8);
+  return std::int64_t{fields.u32(4)} * 1'000'000'000 +
+         static_cast<std::int64_t>((fraction * 1'000'000'000 + (std::uint64_t{1} << 31)) >> 32);
+}
+
+bool is_stamp(std::int64_t arrived, std::int64_t taken) {
+  return arrived == no_stamp || std::abs(arrived - taken) <= stamp_tolerance_ns;
+}
+
+// Return the related sample that a submessage's inline QoS names, or nullopt if it names none.
+std::optional<Related> related_sample(const Data& data) {
+  Parameters parameters(data.inline_qos, data.is_little_endian);
+  while (const auto parameter = parameters.next()) {
+    if (parameter->id != related_sample_id && parameter->id != former_related_sample_id) continue;
+    if (!parameter->value.has(related_sample_size)) return std::nullopt;
+    return Related{octets_at<16>(parameter->value.octets(), 0), parameter->value.sequence_number(16)};
+  }
+  return std::nullopt;
+}
+
+// The two high bits of an entity's kind are 0 if a user has created it (9.3.1.2).
+bool is_user_endpoint(const EntityId& entity) { return (entity[3] & 0xc0) == 0; }
+
+template <typename Integer>
+void store(std::byte* at, Integer value) {  // little-endian
+  for (std::size_t i = 0; i < sizeof(Integer); ++i) at[i] = static_cast<std::byte>(value >> (8 * i) & 0xff);
+}
+
+void store_sequence_number(std::byte* at, std::uint64_t number) {
+  store(at, static_cast<std::uint32_t>(number >> 32));
+  store(at + 4, static_cast<std::uint32_t>(number));
+}
+
+void append(std::vector<std::byte>& out, Octets octets) { out.insert(out.end(), octets.begin(), octets.end()); }
+
+ServiceHeader read_header(Octets sample) {
+  ServiceHeader header;
+  header.client = octets_at<8>(sample, encapsulation_size);
+  const Fields fields(sample, true);
+  header.number = static_cast<std::int64_t>(std::uint64_t{fields.u32(encapsulation_size + 12)} << 32 |
+                                            fields.u32(encapsulation_size + 8));
+  return header;
+}
+
+constexpr std::size_t heartbeat_size = 32;
+
+void write_heartbeat(std::byte* at, const EntityId& reader, const EntityId& writer, std::uint64_t first,
+                     std::uint64_t last) {
+  at[0] = static_cast<std::byte>(Kind::heartbeat);
+  // An acknowledgement is requested if it counts samples.
+  at[1] = static_cast<std::byte>(first > last ? little_endian_flag | final_flag : little_endian_flag);
+  store(at + 2, static_cast<std::uint16_t>(heartbeat_size - submessage_header_size));
+  std::memcpy(at + 4, reader.data(), reader.size());
+  std::memcpy(at + 8, writer.data(), writer.size());
+  store_sequence_number(at + 12, first);
+  store_sequence_number(at + 20, last);
+  store(at + 28, static_cast<std::uint32_t>(last + 1));  // counts the heartbeats, and grows with the samples
+}
+
+template <typename Map>
+void erase_oldest(Map& map, std::size_t most) {
+  while (map.size() > most) map.erase(map.begin());
+}
+
+std::atomic<ServiceForms*> forms_of_process = nullptr;
+
+void start_anew_in_child() { forms_of_process.exchange(new ServiceForms)->abandon(); }
+
+}  // namespace
+
+void append(std::vector<std::byte>& out, const ServiceHeader& header) {
+  const std::size_t start = out.size();
+  out.resize(start + ServiceHeader::size);
+  std::memcpy(&out[start], header.client.data(), header.client.size());
+  store(&out[start + 8], static_cast<std::uint64_t>(header.number));
+}
+
+ServiceEnd::ServiceEnd(ServiceForms& forms, bool is_client, std::string service, const Gid& writer, const Gid& reader,
+                       const std::array<std::uint8_t, 8>& client)
+    : forms_(forms),
+      is_client_(is_client),
+      service_(std::move(service)),
+      writer_(writer),
+      reader_(reader),
+      client_(client) {}
+
+ServiceEnd::~ServiceEnd() { forms_.remove(*this); }
+
+std::optional<ServiceHeader> ServiceEnd::take_header(const Gid& writer, std::int64_t source_stamp_ns) {
+  return forms_.take_header(*this, writer, source_stamp_ns);
+}
+
+void ServiceEnd::keep(std::vector<std::byte> sample) {
+  const std::lock_guard lock(forms_.mutex_);
+  kept_size_ += sample.size();
+  kept_.push_back({std::move(sample), 0});
+}
+
+void ServiceEnd::release() {
+  const std::lock_guard lock(forms_.mutex_);
+  kept_.clear();
+  kept_size_ = 0;
+}
+
+std::size_t ServiceEnd::kept_size() const {
+  const std::lock_guard lock(forms_.mutex_);
+  return kept_size_;
+}
+
+ServiceForms::ServiceForms() {
+  std::random_device random;
+  next_key_ = std::uint64_t{random()} << 32 | random();
+}
+
+ServiceForms& ServiceForms::of_process() {
+  // Never destroyed, because the library's threads may send until the process ends.
+  static const bool is_made = [] {
+    forms_of_process = new ServiceForms;
+#ifndef _WIN32
+    pthread_atfork(nullptr, nullptr, start_anew_in_child);
+#endif
+    return true;
+  }();
+  static_cast<void>(is_made);
+  return *forms_of_process;
+}
+
+std::shared_ptr<ServiceEnd> ServiceForms::add_client(const std::string& service, const Gid& writer, const Gid& reader,
+                                                     const std::array<std::uint8_t, 8>& client) {
+  std::shared_ptr<ServiceEnd> end(new ServiceEnd(*this, true, service, writer, reader, client));
+  const std::lock_guard lock(mutex_);
+  ends_by_writer_[writer] = end.get();
+  clients_by_reader_[reader] = end.get();
+  has_ends_ = true;
+  return end;
+}
+
+std::shared_ptr<ServiceEnd> ServiceForms::add_server(const std::string& service, const Gid& writer,
+                                                     const Gid& reader) {
+  std::shared_ptr<ServiceEnd> end(new ServiceEnd(*this, false, service, writer, reader, {}));
+  const std::lock_guard lock(mutex_);
+  ends_by_writer_[writer] = end.get();
+  has_ends_ = true;
+  return end;
+}
+
+void ServiceForms::remove(ServiceEnd& end) {
+  if (is_abandoned_) return;
+  const std::lock_guard lock(mutex_);
+  ends_by_writer_.erase(end.writer_);
+  clients_by_reader_.erase(end.reader_);
+  has_ends_ = !ends_by_writer_.empty();
+  for (auto& [writer, requests] : requests_) {
+    if (requests.service == end.service_) forget_taken(writer, requests);
+  }
+}
+
+std::size_t ServiceForms::receive(std::span<std::byte> buffer, std::size_t size) {
+  const Octets datagram = Octets(buffer).first(size);
+  auto message = Message::of(datagram);
+  if (!message) return size;
+  const GuidPrefix source = message->source();
+  const bool is_inline = uses_inline_form(source);
+  if (!is_inline && !has_inline_peers_ && !reads_versions_) return size;
+  std::int64_t source_stamp_ns = no_stamp;
+  std::vector<Heartbeat> inserted;
+  const std::lock_guard lock(mutex_);
+  while (const auto submessage = message->next()) {
+    if (submessage->kind == Kind::info_src) break;  // a relayed message, which no ROS 2 sends
+    if (submessage->kind == Kind::info_ts) source_stamp_ns = stamp_ns(*submessage);
+    const auto data = Data::of(*submessage);
+    if (data && !is_user_endpoint(data->writer)) {
+      addresses_.read(source, *data);
+      if (reads_versions_) versions_.read(source, *data);
+      has_inline_peers_ = has_inline_peers_ || is_inline;
+      if (const auto writer = is_inline ? announced_service_writer(*data) : std::nullopt) beginnings_[*writer];
+    }
+    if (!is_inline || !has_ends_) continue;
+    const auto at = static_cast<std::size_t>(submessage->octets.data() - datagram.data());
+    if (data && is_user_endpoint(data->writer)) {
+      const Gid writer = gid_of(source, data->writer);
+      if (const auto related = related_sample(*data)) {
+        if (data->is_sample) arrived(writer, data->sequence_number, source_stamp_ns, *related);
+        beginnings_[writer];  // its announcement may arrive later
+      }
+      insert_heartbeats(writer, *submessage, at, inserted);
+    } else if (submessage->kind == Kind::heartbeat && submessage->fields().has(28)) {
+      insert_heartbeats(gid_of(source, octets_at<4>(submessage->octets, 8)), *submessage, at, inserted);
+    }
+  }
+  erase_oldest(beginnings_, most_clients);
+  if (size + inserted.size() * heartbeat_size > buffer.size()) return size;
+  for (const Heartbeat& each : inserted | std::views::reverse) {
+    std::byte* place = buffer.data() + each.at;
+    std::memmove(place + heartbeat_size, place, size - each.at);
+    write_heartbeat(place, each.reader, each.writer, each.first, each.last);
+    size += heartbeat_size;
+  }
+  return size;
+}
+
+// Before a submessage of a writer: a heartbeat that counts no sample, so that all from the first that has arrived are
+// received; then, before a sample, one that counts those before it.
+void ServiceForms::insert_heartbeats(const Gid& writer, const Submessage& submessage, std::size_t at,
+                                     std::vector<Heartbeat>& inserted) {
+  const auto found = beginnings_.find(writer);
+  if (found == beginnings_.end() || found->second.is_taken) return;
+  Beginning& beginning = found->second;
+  const bool is_heartbeat = submessage.kind == Kind::heartbeat;
+  const EntityId reader = octets_at<4>(submessage.octets, is_heartbeat ? 4 : 8);
+  const EntityId entity = octets_at<4>(submessage.octets, is_heartbeat ? 8 : 12);
+  const std::uint64_t number = submessage.fields().sequence_number(is_heartbeat ? 12 : 16);
+  std::uint64_t first = number;
+  if (is_heartbeat) {
+    if (beginning.first != 0) first = std::max(beginning.first, number);  // what precedes it is no longer there
+  } else {
+    if (beginning.first != 0) first = std::min(beginning.first, number);
+    beginning.first = first;
+  }
+  if (first == 0) return;
+  inserted.push_back({at, reader, entity, first, first - 1});
+  if (!is_heartbeat && first < number) inserted.push_back({at, reader, entity, first, number - 1});
+}
+
+void ServiceForms::arrived(const Gid& writer, std::uint64_t sequence_number, std::int64_t source_stamp_ns,
+                           const Related& related) {
+  const auto by_reader = clients_by_reader_.find(related.gid);
+  const auto by_writer = ends_by_writer_.find(related.gid);
+  ServiceEnd* client = by_reader != clients_by_reader_.end() ? by_reader->second
+                       : by_writer != ends_by_writer_.end()  ? by_writer->second
+                                                             : nullptr;
+  if (client == nullptr) {
+    request_arrived(writer, related.gid, sequence_number, source_stamp_ns);
+    return;
+  }
+  const auto sent = client->sent_.find(related.sequence_number);
+  if (sent == client->sent_.end()) return;
+  auto& arrivals = client->responses_[writer];
+  arrivals[sequence_number] = {source_stamp_ns, {client->client_, sent->second}};
+  erase_oldest(arrivals, most_remembered);
+  erase_oldest(client->responses_, most_clients);
+}
+
+void ServiceForms::request_arrived(const Gid& writer, const Gid& client, std::uint64_t sequence_number,
+                                   std::int64_t source_stamp_ns) {
+  Requests& requests = requests_[writer];
+  const ServiceHeader header{key_of(client), static_cast<std::int64_t>(sequence_number)};
+  if (requests.arrivals.insert_or_assign(sequence_number, ServiceEnd::Arrived{source_stamp_ns, header}).second) {
+    ++arrivals_;
+  }
+  while (arrivals_ > most_remembered || requests_.size() > most_clients) {
+    const auto largest = std::ranges::max_element(
+        requests_, {}, [](const auto& entry) { return entry.second.arrivals.size(); });
+    arrivals_ -= largest->second.arrivals.size();
+    requests_.erase(largest);
+  }
+}
+
+std::array<std::uint8_t, 8> ServiceForms::key_of(const Gid& client) {
+  if (const auto known = keys_.find(client); known != keys_.end()) return known->second;
+  if (oldest_clients_.size() >= most_clients) {
+    const auto oldest = keys_.find(oldest_clients_.front());
+    inline_clients_.erase(oldest->second);
+    keys_.erase(oldest);
+    oldest_clients_.pop_front();
+  }
+  std::array<std::uint8_t, 8> key{};
+  std::memcpy(key.data(), &next_key_, key.size());
+  ++next_key_;
+  keys_[client] = key;
+  inline_clients_[key] = client;
+  oldest_clients_.push_back(client);
+  return key;
+}
+
+// The stamp selects the sample among those that arrived, because the reader does not tell its sequence number. Samples of
+// a writer are taken in their order, so all before it are forgotten.
+std::optional<ServiceHeader> ServiceForms::take_header(ServiceEnd& end, const Gid& writer,
+                                                       std::int64_t source_stamp_ns) {
+  const std::lock_guard lock(mutex_);
+  if (end.is_client_) {
+    const auto responses = end.responses_.find(writer);
+    if (responses == end.responses_.end()) return std::nullopt;
+    auto& arrivals = responses->second;
+    const auto found = std::ranges::find_if(
+        arrivals, [&](const auto& entry) { return is_stamp(entry.second.source_stamp_ns, source_stamp_ns); });
+    if (found == arrivals.end()) return std::nullopt;
+    const ServiceHeader header = found->second.header;
+    beginnings_[writer].is_taken = true;
+    arrivals.erase(arrivals.begin(), std::next(found));
+    if (arrivals.empty()) end.responses_.erase(responses);
+    return header;
+  }
+  const auto requests = requests_.find(writer);
+  if (requests == requests_.end()) return std::nullopt;
+  requests->second.service = end.service_;
+  auto& arrivals = requests->second.arrivals;
+  std::uint64_t& last_taken = end.taken_[writer];
+  const auto found = std::find_if(arrivals.upper_bound(last_taken), arrivals.end(), [&](const auto& entry) {
+    return is_stamp(entry.second.source_stamp_ns, source_stamp_ns);
+  });
+  if (found == arrivals.end()) return std::nullopt;
+  const ServiceHeader header = found->second.header;
+  beginnings_[writer].is_taken = true;
+  last_taken = found->first;
+  forget_taken(writer, requests->second);
+  erase_oldest(end.taken_, most_clients);
+  return header;
+}
+
+// A request is forgotten when each server of its service in this process has taken it.
+void ServiceForms::forget_taken(const Gid& writer, Requests& requests) {
+  auto& arrivals = requests.arrivals;
+  std::uint64_t taken_by_all = arrivals.empty() ? 0 : arrivals.rbegin()->first;
+  for (const auto& [gid, end] : ends_by_writer_) {
+    if (end->is_client_ || end->service_ != requests.service) continue;
+    const auto taken = end->taken_.find(writer);
+    taken_by_all = std::min(taken_by_all, taken == end->taken_.end() ? 0 : taken->second);
+  }
+  const auto first_kept = arrivals.upper_bound(taken_by_all);
+  arrivals_ -= static_cast<std::size_t>(std::distance(arrivals.begin(), first_kept));
+  arrivals.erase(arrivals.begin(), first_kept);
+}
+
+bool ServiceForms::is_of_inline_peer(const Address& address) {
+  if (!has_inline_peers_) return false;
+  const std::lock_guard lock(mutex_);
+  const auto participant = addresses_.participant_at(address);
+  return participant && uses_inline_form(*participant);
+}
+
+std::optional<Gid> ServiceForms::inline_client(const std::array<std::uint8_t, 8>& key) {
+  const std::lock_guard lock(mutex_);
+  const auto found = inline_clients_.find(key);
+  if (found == inline_clients_.end()) return std::nullopt;
+  return found->second;
+}
+
+bool ServiceForms::knows(const GuidPrefix& participant) {
+  const std::lock_guard lock(mutex_);
+  return addresses_.knows(participant);
+}
+
+std::string ServiceForms::version_of(const GuidPrefix& participant) {
+  const std::lock_guard lock(mutex_);
+  return versions_.of(participant);
+}
+
+ServiceEnd* ServiceForms::end_of(const EntityId& writer, const GuidPrefix& participant) {
+  const auto found = ends_by_writer_.find(gid_of(participant, writer));
+  return found == ends_by_writer_.end() ? nullptr : found->second;
+}
+
+bool ServiceForms::rewrite(const Address& address, Octets datagram, std::vector<std::vector<std::byte>>& rewritten) {
+  auto message = Message::of(datagram);
+  if (!message) return false;
+  const GuidPrefix source = message->source();
+  const std::lock_guard lock(mutex_);
+  const auto participant = addresses_.participant_at(address);
+  if (!participant || !uses_inline_form(*participant)) return false;
+
+  bool is_changed = false;
+  Octets destination;  // the last info_dst and info_ts, which hold for what follows
+  Octets stamp;
+  std::vector<std::byte> out(message->header().begin(), message->header().end());
+  std::size_t empty_size = out.size();  // without submessages of a writer
+  const auto start_datagram = [&] {
+    rewritten.push_back(std::move(out));
+    out.assign(message->header().begin(), message->header().end());
+    append(out, destination);
+    append(out, stamp);
+    empty_size = out.size();
+  };
+  while (const auto submessage = message->next()) {
+    if (submessage->kind == Kind::info_dst) destination = submessage->octets;
+    if (submessage->kind == Kind::info_ts) stamp = submessage->octets;
+    const auto data = Data::of(*submessage);
+    ServiceEnd* end = data ? end_of(data->writer, source) : nullptr;
+    const std::size_t former_size = out.size();
+    if (end != nullptr) {
+      is_changed = append_rewritten(*end, *submessage, *data, out) || is_changed;
+    } else if (submessage->kind == Kind::acknack && append_request(*participant, *submessage, out)) {
+      is_changed = true;
+    } else {
+      append(out, submessage->octets);
+      if (submessage->kind == Kind::info_dst || submessage->kind == Kind::info_ts) {
+        empty_size += former_size == empty_size ? submessage->octets.size() : 0;
+      }
+    }
+    if (out.size() > most_datagram_octets && former_size > empty_size) {
+      const std::vector<std::byte> last(out.begin() + static_cast<std::ptrdiff_t>(former_size), out.end());
+      out.resize(former_size);
+      start_datagram();
+      append(out, last);
+    }
+  }
+  if (!is_changed) {
+    rewritten.clear();
+    return false;
+  }
+  if (out.size() > empty_size) rewritten.push_back(std::move(out));
+  return true;
+}
+
+// Append an acknowledgement that requests nothing as one that requests the first sample of a service's writer, if it has
+// arrived and nobody has taken it: it was dropped, because the writer was not matched yet. Return false if it is another
+// acknowledgement.
+bool ServiceForms::append_request(const GuidPrefix& participant, const Submessage& acknack,
+                                  std::vector<std::byte>& out) const {
+  constexpr std::size_t bitmap_at = 24;  // after the ids, the base and the number of bits
+  const Fields fields = acknack.fields();
+  if (!fields.is_little_endian() || acknack.octets.size() != bitmap_at + 4 || fields.u32(20) != 0) return false;
+  const auto found = beginnings_.find(gid_of(participant, octets_at<4>(acknack.octets, 8)));
+  if (found == beginnings_.end() || found->second.is_taken) return false;
+  const std::uint64_t first = found->second.first;
+  if (first == 0 || fields.sequence_number(12) > first) return false;
+  const std::size_t start = out.size();
+  append(out, acknack.octets.first(bitmap_at));
+  out.resize(out.size() + 4);
+  append(out, acknack.octets.subspan(bitmap_at));
+  store(&out[start + 2], static_cast<std::uint16_t>(bitmap_at + 4));
+  store_sequence_number(&out[start + 12], first);
+  store(&out[start + 20], std::uint32_t{1});
+  store(&out[start + bitmap_at], std::uint32_t{0x80000000});
+  return true;
+}
+
+// Append a submessage of a service's writer in inline form. Return false if it is appended as it is.
+bool ServiceForms::append_rewritten(ServiceEnd& end, const Submessage& submessage, const Data& data,
+                                    std::vector<std::byte>& out) {
+  if (!data.is_little_endian || !data.is_sample) {
+    append(out, submessage.octets);
+    return false;
+  }
+  ServiceHeader header;
+  std::vector<std::byte> fragment;  // of the sample in inline form
+  Octets payload[2];
+  if (!data.is_fragment) {
+    if (data.payload.size() < header_end) {
+      append(out, submessage.octets);
+      return false;
+    }
+    header = read_header(data.payload);
+    payload[0] = data.payload.first(encapsulation_size);
+    payload[1] = data.payload.subspan(header_end);
+  } else {
+    auto kept = std::ranges::find(end.kept_, data.sequence_number, &ServiceEnd::Kept::sequence_number);
+    if (kept == end.kept_.end() && data.first_fragment == 1 && data.payload.size() >= header_end) {
+      const ServiceHeader wanted = read_header(data.payload);
+      kept = std::ranges::find_if(end.kept_, [&](const ServiceEnd::Kept& each) {
+        return each.sequence_number == 0 && each.sample.size() == data.sample_size && read_header(each.sample) == wanted;
+      });
+      if (kept != end.kept_.end()) kept->sequence_number = data.sequence_number;
+    }
+    // Of a sample that was not kept, because nobody was there to receive it, no fragment is for this peer.
+    if (kept == end.kept_.end() || data.first_fragment == 0) return true;
+    header = read_header(kept->sample);
+    const std::size_t size = kept->sample.size() - ServiceHeader::size;
+    const std::size_t begin = std::size_t{data.first_fragment - 1} * data.fragment_size;
+    const std::size_t end_at = std::min(begin + std::size_t{data.fragment_count} * data.fragment_size, size);
+    if (begin >= end_at) return true;  // the last fragment, which the shorter sample does not have
+    const Octets sample(kept->sample);  // in header form
+    if (begin < encapsulation_size) append(fragment, sample.subspan(begin, std::min(end_at, encapsulation_size) - begin));
+    const std::size_t first = std::max(begin, encapsulation_size);
+    if (first < end_at) append(fragment, sample.subspan(first + ServiceHeader::size, end_at - first));
+    payload[0] = fragment;
+  }
+  if (end.is_client_) {
+    end.sent_[data.sequence_number] = header.number;
+    erase_oldest(end.sent_, most_sent);
+  }
+
+  const std::size_t start = out.size();
+  append(out, submessage.octets.first(data.inline_qos_at));
+  if (!data.inline_qos.empty()) append(out, data.inline_qos.first(data.inline_qos.size() - 4));
+  append(out, related_identity(end, header));
+  append(out, payload[0]);
+  append(out, payload[1]);
+  out[start + 1] |= std::byte{inline_qos_flag};
+  const std::size_t size = out.size() - start - submessage_header_size;
+  store(&out[start + 2], static_cast<std::uint16_t>(size <= 0xffff ? size : 0));  // 0: to the end of the message
+  if (data.is_fragment) store(&out[start + 32], static_cast<std::uint32_t>(data.sample_size - ServiceHeader::size));
+  return true;
+}
+
+// Return the inline QoS that names the related sample, with its sentinel. Of a request: the reader of its response. Of a
+// response: the request, or nothing that a client of this form would wait for.
+std::array<std::byte, 32> ServiceForms::related_identity(const ServiceEnd& end, const ServiceHeader& header) const {
+  std::array<std::byte, 32> list{};
+  store(list.data(), related_sample_id);
+  store(list.data() + 2, static_cast<std::uint16_t>(related_sample_size));
+  Related related;
+  if (end.is_client_) {
+    related = {end.reader_, unknown_sequence_number};
+  } else if (const auto client = inline_clients_.find(header.client); client != inline_clients_.end()) {
+    related = {client->second, static_cast<std::uint64_t>(header.number)};
+  }
+  std::memcpy(list.data() + 4, related.gid.data(), related.gid.size());
+  store_sequence_number(list.data() + 20, related.sequence_number);
+  store(list.data() + 28, sentinel_id);
+  return list;
+}
+
+}  // namespace tfloom::rtps

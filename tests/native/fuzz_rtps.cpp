@@ -1,0 +1,329 @@
+// Fuzzes what is read from the datagrams of DDS for the two forms of services: addresses, requests, responses.
+//
+// An input: what to do with the datagram, which stamp a taken sample has; then the datagram. First, datagrams with known
+// answers. For the arguments, see fuzzing.hpp.
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "fuzzing.hpp"
+#include "rtps/service_forms.hpp"
+
+namespace {
+
+using namespace tfloom;
+using rtps::Octets;
+using rtps::ServiceEnd;
+using rtps::ServiceForms;
+using Datagram = std::vector<std::byte>;
+using Datagrams = std::vector<Datagram>;
+
+constexpr std::size_t head = 2;
+constexpr int inputs_per_target = 256;
+constexpr std::array<std::uint8_t, 8> key = {'c', 'l', 'i', 'e', 'n', 't', ' ', '1'};
+
+// Participants of ours and of Fast DDS, and an endpoint of each.
+constexpr Gid our_writer = {1, 0x10, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 0, 0, 1, 3};
+constexpr Gid our_reader = {1, 0x10, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 0, 0, 2, 4};
+constexpr Gid server_writer = {1, 0x10, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 0, 0, 3, 3};
+constexpr Gid server_reader = {1, 0x10, 7, 7, 7, 7, 7, 7, 7, 7, 7, 7, 0, 0, 4, 4};
+constexpr Gid fast_writer = {1, 0x0f, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 0, 0, 5, 3};
+constexpr Gid fast_reader = {1, 0x0f, 9, 9, 9, 9, 9, 9, 9, 9, 9, 9, 0, 0, 6, 4};
+const rtps::Address fast_address = {{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 127, 0, 0, 1}, 7421};
+const rtps::Address other_address = {{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 127, 0, 0, 1}, 7423};
+
+void check(bool holds, const char* what) {
+  if (!holds) fuzzing::fail("fuzz_rtps", what);
+}
+
+// Little-endian messages.
+class Builder {
+ public:
+  explicit Builder(const Gid& source) {
+    text("RTPS").octets({2, 3, source[0], source[1]});
+    for (std::size_t i = 0; i < 12; ++i) octets({source[i]});
+  }
+
+  Builder& octets(std::initializer_list<int> values) {
+    for (const int value : values) bytes_.push_back(static_cast<std::byte>(value));
+    return *this;
+  }
+  Builder& text(std::string_view value) {
+    for (const char each : value) bytes_.push_back(static_cast<std::byte>(each));
+    return *this;
+  }
+  Builder& u16(unsigned value) { return octets({int(value & 0xff), int(value >> 8 & 0xff)}); }
+  Builder& u32(std::uint32_t value) { return u16(value & 0xffff).u16(value >> 16); }
+  Builder& gid(const Gid& value) {
+    for (const int each : value) octets({each});
+    return *this;
+  }
+  Builder& stamp(std::uint32_t seconds) { return octets({9, 1}).u16(8).u32(seconds).u32(0); }
+
+  Builder& begin(int kind, int flags) {
+    octets({kind, flags}).u16(0);
+    start_ = bytes_.size();
+    return *this;
+  }
+  Builder& end() {
+    const std::size_t size = bytes_.size() - start_;
+    bytes_[start_ - 2] = static_cast<std::byte>(size & 0xff);
+    bytes_[start_ - 1] = static_cast<std::byte>(size >> 8);
+    return *this;
+  }
+  Builder& data(const Gid& writer, std::uint32_t number, bool has_inline_qos) {
+    begin(0x15, has_inline_qos ? 7 : 5).u16(0).u16(16).u32(0);
+    return octets({writer[12], writer[13], writer[14], writer[15]}).u32(0).u32(number);
+  }
+  Builder& related(const Gid& value, std::uint32_t high, std::uint32_t low) {
+    return u16(0x83).u16(24).gid(value).u32(high).u32(low).u16(1).u16(0);
+  }
+  Builder& header(std::uint32_t number) {
+    for (const int each : key) octets({each});
+    return u32(number).u32(0);
+  }
+  Builder& encapsulation() { return octets({0, 1, 0, 0}); }
+
+  operator const Datagram&() const { return bytes_; }
+  operator Octets() const { return bytes_; }
+
+ private:
+  Datagram bytes_;
+  std::size_t start_ = 0;
+};
+
+Builder announcement(const Gid& source, std::uint32_t port) {
+  Builder message(source);
+  message.begin(0x15, 5).u16(0).u16(16).u32(0).octets({0, 1, 0, 0xc2}).u32(0).u32(1);
+  message.octets({0, 3, 0, 0}).u16(0x31).u16(24).u32(1).u32(port).u32(0).u32(0).u32(0).octets({127, 0, 0, 1});
+  return message.u16(1).u16(0).end();
+}
+
+Builder writer_announcement(const Gid& writer) {
+  Builder message(writer);
+  message.begin(0x15, 5).u16(0).u16(16).u32(0).octets({0, 0, 3, 0xc2}).u32(0).u32(1).octets({0, 3, 0, 0});
+  message.u16(5).u16(8).u32(4).text("rq/").octets({0}).u16(0x5a).u16(16).gid(writer);
+  return message.u16(1).u16(0).end();
+}
+
+// A participant's announcement with a parameter of its vendor.
+Builder version_announcement(const Gid& source, unsigned id, const Datagram& value) {
+  Builder message(source);
+  message.begin(0x15, 5).u16(0).u16(16).u32(0).octets({0, 1, 0, 0xc2}).u32(0).u32(1).octets({0, 3, 0, 0});
+  message.u16(id).u16(static_cast<unsigned>(value.size()));
+  for (const std::byte each : value) message.octets({std::to_integer<int>(each)});
+  return message.u16(1).u16(0).end();
+}
+
+// The text of Cyclone DDS, after five numbers, as libddsc 11.0.1 sends it; its length counts a zero.
+Datagram cyclone_info(std::string_view text) {
+  Builder info(our_writer);
+  info.u32(0).u32(0).u32(0).u32(0).u32(0).u32(static_cast<std::uint32_t>(text.size() + 1)).text(text).octets({0});
+  const Datagram& bytes = info;
+  return {bytes.begin() + rtps::message_header_size, bytes.end()};
+}
+
+Builder inline_request(std::uint32_t number, std::uint32_t seconds) {
+  return Builder(fast_writer).stamp(seconds).data(fast_writer, number, true).related(fast_reader, 0xffffffff, 0)
+      .encapsulation().text("ask!").end();
+}
+
+// A datagram in a larger buffer, as a socket fills it.
+Datagram received(ServiceForms& forms, const Datagram& datagram) {
+  Datagram buffer = datagram;
+  buffer.resize(datagram.size() + 4096);
+  buffer.resize(forms.receive(buffer, datagram.size()));
+  return buffer;
+}
+
+struct Target {
+  ServiceForms forms;
+  std::shared_ptr<ServiceEnd> client = forms.add_client("/s", our_writer, our_reader, key);
+  std::shared_ptr<ServiceEnd> server = forms.add_server("/s", server_writer, server_reader);
+  int inputs = 0;
+
+  Target() {
+    forms.read_versions();
+    received(forms, announcement(fast_writer, fast_address.port));
+  }
+};
+
+bool contains(const Datagram& datagram, const Datagram& part) {
+  return !std::ranges::search(datagram, part).empty();
+}
+
+Datagram tail(const Datagram& datagram) { return {datagram.begin() + rtps::message_header_size, datagram.end()}; }
+
+void check_known_answers() {
+  Target target;
+  ServiceForms& forms = target.forms;
+  check(forms.is_of_inline_peer(fast_address) && !forms.is_of_inline_peer(other_address), "which addresses are Fast DDS's");
+  check(forms.knows(rtps::prefix_of(fast_writer)), "a participant's address is known");
+
+  // A request of ours, to Fast DDS and to others; its response.
+  const Datagram request = Builder(our_writer).stamp(5).data(our_writer, 3, false).encapsulation().header(11).text("ask!").end();
+  Datagrams sent;
+  check(!forms.rewrite(other_address, request, sent) && sent.empty(), "others get the header form");
+  check(forms.rewrite(fast_address, request, sent) && sent.size() == 1, "Fast DDS gets one datagram");
+  check(sent[0] == Datagram(Builder(our_writer).stamp(5).data(our_writer, 3, true).related(our_reader, 0xffffffff, 0)
+                                .encapsulation().text("ask!").end()),
+        "a request in inline form");
+  received(forms, Builder(fast_writer).stamp(6).data(fast_writer, 1, true).related(our_reader, 0, 3).encapsulation()
+                    .text("say!").end());
+  check(!target.client->take_header(fast_writer, 7'000'000'000), "a response of another time");
+  check(target.client->take_header(fast_writer, 6'000'000'001) == rtps::ServiceHeader{key, 11}, "a response's header");
+  check(!target.client->take_header(fast_writer, 6'000'000'000), "a header is taken once");
+
+  // A request of Fast DDS; the response to it, and one to a client of the header form.
+  received(forms, inline_request(2, 8));
+  const auto asked = target.server->take_header(fast_writer, 8'000'000'000);
+  check(asked && asked->number == 2 && forms.inline_client(asked->client) == fast_reader, "a request's header");
+  Builder response(server_writer);
+  response.data(server_writer, 1, false).encapsulation();
+  Datagram bytes = response;
+  rtps::append(bytes, *asked);
+  bytes[22] = std::byte{40};  // the length of the submessage
+  sent.clear();
+  check(forms.rewrite(fast_address, bytes, sent) && sent.size() == 1 &&
+            contains(sent[0], tail(Builder(our_writer).related(fast_reader, 0, 2))),
+        "a response names its request");
+  sent.clear();
+  check(forms.rewrite(fast_address, Builder(server_writer).data(server_writer, 2, false).encapsulation().header(9).end(), sent) &&
+            contains(sent[0], tail(Builder(our_writer).related({}, 0, 0))),
+        "a response to others names nobody");
+
+  // A sample in fragments of 32 octets: 20 + 60 in header form, so three; in inline form 64, so two.
+  Datagram sample = Builder(our_writer).encapsulation().header(12);
+  sample.erase(sample.begin(), sample.begin() + rtps::message_header_size);
+  for (int i = 0; i < 60; ++i) sample.push_back(static_cast<std::byte>(i));
+  target.client->keep(sample);
+  Datagram joined;
+  for (std::size_t fragment = 0; fragment * 32 < sample.size(); ++fragment) {
+    Builder message(our_writer);
+    message.begin(0x16, 1).u16(0).u16(28).u32(0).octets({0, 0, 1, 3}).u32(0).u32(4);
+    message.u32(static_cast<std::uint32_t>(fragment + 1)).u16(1).u16(32).u32(static_cast<std::uint32_t>(sample.size()));
+    for (std::size_t at = fragment * 32; at < std::min(sample.size(), fragment * 32 + 32); ++at) {
+      message.octets({std::to_integer<int>(sample[at])});
+    }
+    sent.clear();
+    check(forms.rewrite(fast_address, message.end(), sent), "a fragment is rewritten");
+    check(sent.size() == (fragment < 2 ? 1 : 0), "the shorter sample has one fragment less");
+    if (sent.empty()) continue;
+    const Datagram& whole = sent[0];
+    auto view = rtps::Message::of(whole);
+    const auto data = rtps::Data::of(*view->next());
+    check(data && data->sample_size == 64 && data->first_fragment == fragment + 1, "a fragment's fields");
+    joined.insert(joined.end(), data->payload.begin(), data->payload.end());
+  }
+  sample.erase(sample.begin() + 4, sample.begin() + 20);
+  check(joined == sample, "the fragments in inline form");
+  target.client->release();
+  check(target.client->kept_size() == 0, "kept samples are released");
+
+  // A writer whose samples nobody has taken yet: where they begin, and which are missing.
+  Target fresh;
+  received(fresh.forms, writer_announcement(fast_writer));
+  const auto heartbeat = [](std::uint32_t first, std::uint32_t last, int flags) {
+    return tail(Builder(our_writer).begin(7, flags).u32(0).octets({0, 0, 5, 3}).u32(0).u32(first).u32(0).u32(last)
+                    .u32(last + 1).end());
+  };
+  check(received(fresh.forms, inline_request(4, 8)).size() == Datagram(inline_request(4, 8)).size() + 32 &&
+            contains(received(fresh.forms, inline_request(4, 8)), heartbeat(4, 3, 3)),
+        "a beginning");
+  const auto acknowledgement = [](std::uint32_t base, bool requests) {
+    Builder message(our_reader);
+    message.begin(6, 1).octets({0, 0, 4, 4, 0, 0, 5, 3}).u32(0).u32(base).u32(requests ? 1 : 0);
+    return (requests ? message.u32(0x80000000) : message).u32(77).end();
+  };
+  sent.clear();
+  check(fresh.forms.rewrite(fast_address, acknowledgement(1, false), sent) &&
+            sent == Datagrams{acknowledgement(4, true)},
+        "the first sample is requested");
+  check(!fresh.forms.rewrite(fast_address, acknowledgement(5, false), sent), "an acknowledgement stays");
+  const Datagram later = received(fresh.forms, inline_request(6, 9));
+  check(contains(later, heartbeat(4, 3, 3)) && contains(later, heartbeat(4, 5, 1)), "the missing samples");
+  check(fresh.server->take_header(fast_writer, 8'000'000'000).has_value(), "a first request");
+  check(received(fresh.forms, inline_request(7, 9)) == Datagram(inline_request(7, 9)), "nothing is inserted later");
+
+  // Another program takes the address.
+  received(forms, announcement(our_writer, fast_address.port));
+  check(!forms.is_of_inline_peer(fast_address), "an address follows its owner");
+}
+
+void check_versions() {
+  constexpr unsigned of_fast = 0x8000, of_cyclone = 0x8007;
+  Target target;
+  ServiceForms& forms = target.forms;
+  const auto announced = [&forms](const Gid& source, unsigned id, const Datagram& value) {
+    received(forms, version_announcement(source, id, value));
+    return forms.version_of(rtps::prefix_of(source));
+  };
+  const Datagram four = {std::byte{3}, std::byte{2}, std::byte{10}, std::byte{0}};
+  check(announced(our_writer, of_cyclone, cyclone_info("no version")).empty(), "a text without a version");
+  check(announced(our_writer, of_cyclone, cyclone_info("host/11.0.1")).empty(), "a text that ends early");
+  check(announced(our_writer, of_cyclone, cyclone_info("host/\x1b[2J/Linux/x86")).empty(), "a version with controls");
+  check(announced(our_writer, of_cyclone, cyclone_info("host/" + std::string(99, '1') + "/a/b")).empty(), "a long version");
+  Datagram cut = cyclone_info("host/11.0.1/Linux/x86");
+  cut.resize(24);
+  check(announced(our_writer, of_cyclone, cut).empty(), "a text longer than its parameter");
+  check(announced(our_writer, of_fast, four).empty(), "another vendor's parameter");
+  check(announced(fast_writer, of_fast, {four.begin(), four.begin() + 3}).empty(), "three octets of four");
+  check(announced(our_writer, of_cyclone, cyclone_info("host/11.0.1/Linux/x86")) == "11.0.1", "Cyclone's version");
+  check(announced(fast_writer, of_fast, four) == "3.2.10.0", "the version of Fast DDS");
+  ServiceForms deaf;
+  received(deaf, version_announcement(our_writer, of_cyclone, cyclone_info("host/11.0.1/Linux/x86")));
+  check(deaf.version_of(rtps::prefix_of(our_writer)).empty(), "versions are read on request");
+}
+
+bool run(std::span<const std::uint8_t> bytes) {
+  static std::optional<Target> target;
+  if (!target || target->inputs >= inputs_per_target) target.emplace();
+  ++target->inputs;
+  if (bytes.size() < head) return false;
+  // A copy that ends with its allocation, so that the sanitizer sees one byte too many.
+  Datagram datagram(bytes.size() - head);
+  if (!datagram.empty()) std::memcpy(datagram.data(), bytes.data() + head, datagram.size());
+  Datagrams sent;
+  if (bytes[0] % 2 == 0) {
+    received(target->forms, datagram);
+    const std::int64_t stamp_ns = std::int64_t{bytes[1]} * 1'000'000'000;
+    check(target->forms.version_of(rtps::prefix_of(our_writer)).size() <= 32, "a version is short");
+    const bool was_taken = target->server->take_header(fast_writer, stamp_ns).has_value();
+    return target->client->take_header(fast_writer, stamp_ns).has_value() || was_taken;
+  }
+  if (bytes[1] % 8 == 0) target->client->keep(datagram);
+  const bool is_rewritten = target->forms.rewrite(fast_address, datagram, sent);
+  std::size_t size = 0;
+  for (const Datagram& each : sent) {
+    size += each.size();
+    check(each.size() <= 65'507 || sent.size() == 1, "a datagram is too large");
+  }
+  check(is_rewritten || sent.empty(), "what is sent as it is has no other form");
+  check(size < 4 * datagram.size() + 4096 || bytes[1] % 8 == 0, "the inline form grows");
+  return is_rewritten;
+}
+
+fuzzing::Bytes seed(int action, int stamp_s, const Datagram& datagram) {
+  fuzzing::Bytes bytes = {static_cast<std::uint8_t>(action), static_cast<std::uint8_t>(stamp_s)};
+  for (const std::byte each : datagram) bytes.push_back(std::to_integer<std::uint8_t>(each));
+  return bytes;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  check_known_answers();
+  check_versions();
+  const fuzzing::Bytes request =
+      seed(1, 1, Builder(our_writer).stamp(5).data(our_writer, 3, false).encapsulation().header(11).text("ask!").end());
+  const fuzzing::Bytes response = seed(0, 6, Builder(fast_writer).stamp(6).data(fast_writer, 1, true)
+                                                 .related(our_reader, 0, 3).encapsulation().text("say!").end());
+  return fuzzing::fuzz("fuzz_rtps", run,
+                       {request, response, seed(0, 8, inline_request(2, 8)), seed(0, 0, announcement(fast_writer, 7421)),
+                        seed(0, 0, writer_announcement(fast_writer)),
+                        seed(0, 0, version_announcement(our_writer, 0x8007, cyclone_info("host/11.0.1/Linux/x86"))),
+                        seed(0, 0, version_announcement(fast_writer, 0x8000, Datagram(4)))},
+                       count, arguments);
+}
