@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import subprocess
+import sys
 import time
 from collections.abc import Callable, Iterator
 from itertools import count
@@ -45,12 +46,16 @@ class Peer:
 
 @pytest.fixture
 def start_peer(domain_id: int, start_program: Callable[..., Any]) -> Iterator[Callable[..., Peer]]:
-    """Start a peer on this test's domain, on the wire that the environment selects."""
+    """Start a peer on this test's domain, on the wire that the environment selects, by `start()`.
+
+    Words are a command that starts it in turn, as one that enters a namespace.
+    """
     names = count()
     peers: list[Peer] = []
 
-    def start(**options: object) -> Peer:
-        program = start_program("python", PROGRAMS / "peer.py", stdin=subprocess.PIPE, **options)
+    def start(*words: str, **options: object) -> Peer:
+        command = (*words, sys.executable, PROGRAMS / "peer.py")
+        program = start_program(*command, stdin=subprocess.PIPE, **options)
         peers.append(Peer(program, f"peer_{next(names)}"))
         return peers[-1]
 

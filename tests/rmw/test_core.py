@@ -90,9 +90,16 @@ def test_a_signal_that_interrupts_no_system_call_ends_the_wait() -> None:
     def handle(number: int, frame: object) -> None:
         raise StopError
 
+    about_to_wait = threading.Event()
+
     def interrupt() -> None:
+        about_to_wait.wait()
         time.sleep(0.05)  # so that the main thread waits
         signal.pthread_kill(threading.get_ident(), signal.SIGUSR1)
+
+    def wait() -> None:
+        about_to_wait.set()
+        queue.wait(-1)
 
     queue = ReadyQueue()
     rescue = threading.Timer(10, queue.post, [1])
@@ -106,10 +113,11 @@ def test_a_signal_that_interrupts_no_system_call_ends_the_wait() -> None:
         signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGUSR1})
         rescue.start()
         with pytest.raises(StopError):
-            queue.wait(-1)
+            wait()
         assert signal.set_wakeup_fd(write_end) == write_end, "a program's own descriptor is restored"
         assert os.read(read_end, 10) == bytes([signal.SIGUSR1]), "it receives the signals of the wait"
     finally:
+        about_to_wait.set()
         signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGUSR1})
         signal.set_wakeup_fd(former)
         signal.signal(signal.SIGUSR1, before)

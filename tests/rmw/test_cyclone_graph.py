@@ -230,6 +230,8 @@ PARTICIPANT, WRITER, OTHER = (bytes([number]) * 16 for number in (1, 2, 3))
 QUALITY = (1, 1, 1, 1, 0, 0, 1, 0)
 LIST = node_lists.encode(PARTICIPANT, [node_lists.NodeEnds(NodeName("/", "a"), [], [WRITER])])
 
+NO_NODES = node_lists.encode(PARTICIPANT, [])
+
 
 def writer_on(topic: bytes) -> tuple[object, ...]:
     return (WRITER, PARTICIPANT, True, topic, b"std_msgs::msg::dds_::Empty_", b"", QUALITY)
@@ -242,11 +244,21 @@ def writer_on(topic: bytes) -> tuple[object, ...]:
         (b"enclave=/;", LIST, [], False),
         (b"enclave=/;", b"", [writer_on(b"rt/x")], False),
         (b"enclave=/;", b"", [writer_on(b"rr/xReply")], False),
-        (b"enclave=/;", b"", [writer_on(b"ros_discovery_info")], True),
-        (b"enclave=/;", b"", [], True),
+        (b"enclave=/;", b"", [writer_on(b"ros_discovery_info")], False),
+        (b"enclave=/;", b"", [], False),
+        (b"enclave=/;", NO_NODES, [writer_on(b"ros_discovery_info")], True),
         (b"", b"", [writer_on(b"rt/x")], True),
     ],
-    ids=["all", "an end is to come", "a list", "a list, of a service", "no nodes", "nothing", "no ROS"],
+    ids=[
+        "all",
+        "an end is to come",
+        "a list",
+        "a list, of a service",
+        "no list",
+        "nothing",
+        "no nodes",
+        "no ROS",
+    ],
 )
 def test_announced_but_missing_entities_make_the_graph_incomplete(
     user_data: bytes, node_list: bytes, endpoints: list[tuple[object, ...]], is_whole: bool
@@ -254,3 +266,27 @@ def test_announced_but_missing_entities_make_the_graph_incomplete(
     graph = CycloneGraph.__new__(CycloneGraph)
     graph._native = SimpleNamespace(snapshot=lambda: ([(PARTICIPANT, user_data, node_list)], endpoints))
     assert graph._read(1).is_whole is is_whole
+
+
+FAST, OTHER_FAST, FAST_END = (b"\x01\x0f" + bytes([number]) * 14 for number in (1, 2, 3))
+
+
+@pytest.mark.parametrize(
+    ("participant", "user_data", "ends", "has_list", "late"),
+    [
+        (FAST, b"enclave=/;", [], False, 1),
+        (FAST, b"", [], False, 0),
+        (FAST, b"enclave=/;", [], True, 0),
+        (FAST, b"enclave=/;", [FAST_END], True, 1),
+        (PARTICIPANT, b"enclave=/;", [], False, 0),
+    ],
+    ids=["no list", "no ROS", "a list", "an end is to come", "another vendor"],
+)
+def test_participants_of_fast_dds_are_late_until_their_lists_and_ends_arrive(
+    participant: bytes, user_data: bytes, ends: list[bytes], has_list: bool, late: int
+) -> None:
+    told = node_lists.encode(participant, [node_lists.NodeEnds(NodeName("/", "a"), ends, [])])
+    graph = CycloneGraph.__new__(CycloneGraph)
+    known = [(participant, user_data, told if has_list else b""), (OTHER_FAST, b"enclave=/;", NO_NODES)]
+    graph._native = SimpleNamespace(snapshot=lambda: (known, []))
+    assert len(graph._read(1).late) == late

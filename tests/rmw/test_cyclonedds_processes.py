@@ -5,12 +5,12 @@ from __future__ import annotations
 import os
 import signal
 import threading
+import time
 
 import pytest
 
 from tfloom._native import ReadyQueue, SampleQueue
 from tfloom.rmw.base import NodeName
-from tfloom.rmw.cyclone_config import configuration
 from tfloom.rmw.cyclonedds import open_participant
 from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
 
@@ -42,15 +42,20 @@ def test_killed_writer_can_rejoin(participant, start_peer, node, topic, take_dat
         peer.program.wait()
 
 
-def test_killed_peer_leaves_the_graph_after_its_lease(domain_id, monkeypatch, start_peer, wait_until) -> None:
-    brief = "<Discovery><LeaseDuration>500ms</LeaseDuration>"
-    monkeypatch.setenv("CYCLONEDDS_URI", configuration().replace("<Discovery>", brief))
+@pytest.mark.parametrize("lease_s", [2.0, 4.0])
+def test_killed_peer_leaves_the_graph_after_its_lease(
+    domain_id, monkeypatch, start_peer, wait_until, lease_s: float
+) -> None:
     here = open_participant(domain_id)
+    monkeypatch.setenv("TFLOOM_LEASE_S", str(lease_s))  # that of the peer, which it announces
     peer = start_peer()
     wait_until(lambda: here.graph.nodes() == [NodeName("/peers", "peer_0")])
     os.kill(peer.pid, signal.SIGKILL)
     peer.program.wait()
-    wait_until(lambda: here.graph.nodes() == [])
+    killed = time.monotonic()
+    wait_until(lambda: here.graph.nodes() == [], timeout_s=8)
+    # A lease starts with the last packet, which may have come a fifth of the lease before.
+    assert time.monotonic() - killed > 0.1 * lease_s
     here.close()
 
 

@@ -10,14 +10,14 @@ from typing import Any
 import pytest
 
 from tfloom._native import DdsParticipant, DdsReader, DdsWriter, ReadyQueue
-from tfloom.rmw import cyclonedds, local
+from tfloom.rmw import cyclone_services, cyclonedds, local, services
 from tfloom.rmw.base import NodeName, Participant, Sample, Service
 from tfloom.rmw.cyclone_config import configuration
 from tfloom.rmw.cyclone_library import find_library
-from tfloom.rmw.cyclone_services import CycloneClients, CycloneServers, end_id
+from tfloom.rmw.cyclone_services import CycloneClients, CycloneServers, Vendors, end_id
 from tfloom.rmw.errors import ClosedError, ForeignPeerError
 from tfloom.rmw.qos import QoS
-from tfloom.rmw.services import HeaderRequester, HeaderResponder
+from tfloom.rmw.services import HeaderRequester, HeaderResponder, RequestsInFlight
 
 KILL = Service("/kill", "turtlesim/srv/Kill", "RIHS01_" + "1" * 64, "RIHS01_" + "2" * 64)
 CLIENT = NodeName("/", "client")
@@ -271,6 +271,8 @@ class FakeEnd:
     def __init__(self, *peers: tuple[str, bytes]) -> None:
         self.peers = [(bytes.fromhex(vendor) + bytes(14), user_data) for vendor, user_data in peers]
         self.written: list[bytes] = []
+        self.probes = 0
+        self.acknowledges = True
 
     def matched(self) -> list[tuple[bytes, bytes]]:
         return self.peers
@@ -278,8 +280,17 @@ class FakeEnd:
     def write(self, data: bytes) -> None:
         self.written.append(data)
 
+    def probe(self) -> None:
+        self.probes += 1
 
-FAST, CYCLONE = "010f", "0110"
+    def wait_for_acks(self, timeout_ns: int) -> bool:
+        return self.acknowledges
+
+    def close(self) -> None:
+        pass
+
+
+FAST, CYCLONE, OTHER = "010f", "0110", "0101"
 
 
 @pytest.mark.parametrize(
@@ -290,8 +301,8 @@ FAST, CYCLONE = "010f", "0110"
         ([(CYCLONE, b"serviceid=1;")], [(CYCLONE, b"serviceid=2;")], False),
         ([(CYCLONE, b"serviceid=1;")], [], False),
         ([(CYCLONE, b"")], [(CYCLONE, b"")], True),
-        ([(FAST, b"")], [(FAST, b"")], False),
-        ([(CYCLONE, b"serviceid=1;"), (FAST, b"")], [(CYCLONE, b"serviceid=1;")], False),
+        ([(OTHER, b"")], [(OTHER, b"")], False),
+        ([(CYCLONE, b"serviceid=1;"), (OTHER, b"")], [(CYCLONE, b"serviceid=1;")], False),
     ],
     ids=[
         "nobody",
@@ -304,24 +315,149 @@ FAST, CYCLONE = "010f", "0110"
     ],
 )
 def test_client_is_ready_when_matched_in_both_directions(requests, responses, is_ready: bool) -> None:
-    assert CycloneServers(FakeEnd(*requests), FakeEnd(*responses), "/kill").is_ready() is is_ready
+    assert CycloneServers(FakeEnd(*requests), FakeEnd(*responses), "/kill", Vendors()).is_ready() is is_ready
 
 
-def test_no_request_is_sent_to_another_vendor() -> None:
-    writer = FakeEnd((FAST, b""))
-    client = HeaderRequester(writer, FakeEnd(), CycloneServers(writer, FakeEnd(), "/kill"), b"12345678")
-    assert "/kill runs on another DDS vendor" in client.obstacle()
+def test_client_is_ready_when_its_server_has_acknowledged_a_probe(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cyclone_services, "HANDSHAKE_S", 60.0)
+    requests, responses = (FakeEnd((CYCLONE, b"serviceid=1;")) for _ in range(2))
+    requests.acknowledges = False
+    servers = CycloneServers(requests, responses, "/kill", Vendors())
+    assert not servers.is_ready()
+    assert servers.is_synchronising()
+    assert requests.probes == 1
+    requests.acknowledges = True
+    assert servers.is_ready()
+    assert not servers.is_synchronising()
+    requests.peers = [*requests.peers, (bytes.fromhex(CYCLONE) + bytes(13) + b"2", b"serviceid=2;")]
+    requests.acknowledges = False
+    assert not servers.is_ready()
+    assert requests.probes == 2
+    requests.peers = requests.peers[
+        :1
+    ]  # the second server leaves; the first has not acknowledged the second probe
+    assert not servers.is_ready()
+    assert requests.probes == 2
+
+
+def test_server_that_never_acknowledges_is_ready_after_a_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cyclone_services, "HANDSHAKE_S", 0.0)
+    requests, responses = (FakeEnd((CYCLONE, b"serviceid=1;")) for _ in range(2))
+    requests.acknowledges = False
+    assert CycloneServers(requests, responses, "/kill", Vendors()).is_ready()
+
+
+@pytest.mark.parametrize("count", [1, 50, 300])
+def test_requests_sent_right_after_the_match_arrive(wires: Wires, count: int, wait_until) -> None:
+    """On DDS, a reader drops what precedes the first heartbeat that it receives from a writer."""
+    client = wires[0].create_requester(CLIENT, KILL, QoS())
+    server = wires[1].create_responder(SERVER, KILL, QoS())
+    wait_until(client.is_ready)
+    for _ in range(count):
+        client.send(HEADER + b"ask!")
+    arrived: list[int] = []
+
+    def are_all_there() -> bool:
+        arrived.extend(request.id.sequence_number for request in iter(server.take, None))
+        return len(arrived) >= count
+
+    wait_until(are_all_there)
+    assert arrived == list(range(1, count + 1))
+
+
+@pytest.mark.parametrize(
+    ("vendor", "reason"),
+    [(OTHER, ""), (FAST, ", because TFLOOM_FASTDDS_SERVICES is 0")],
+    ids=["another", "Fast DDS, off"],
+)
+def test_no_request_is_sent_to_another_vendor(vendor: str, reason: str) -> None:
+    writer = FakeEnd((vendor, b""))
+    vendors = Vendors("TFLOOM_FASTDDS_SERVICES is 0", lambda _: "/killer")
+    client = HeaderRequester(
+        writer, FakeEnd(), CycloneServers(writer, FakeEnd(), "/kill", vendors), b"12345678"
+    )
+    assert "/kill, /killer, runs on another DDS vendor" in client.obstacle()
+    assert f"services don't{reason}): " in client.obstacle()
     with pytest.raises(ForeignPeerError, match="start it with RMW_IMPLEMENTATION=rmw_cyclonedds_cpp"):
         client.send(HEADER + b"ask!")
     assert writer.written == []
 
 
-def test_requests_of_another_vendor_are_dropped() -> None:
-    reader = FakeEnd((FAST, b""), (CYCLONE, b"clientid=1;"))
-    ask = HEADER + struct.pack("<Qq", 1, 1) + b"ask!"
-    samples = [Sample(ask, 1, 1, bytes.fromhex(vendor) + bytes(14)) for vendor in (FAST, "0000", CYCLONE)]
+@pytest.mark.parametrize("knows_address", [True, False])
+def test_server_on_fast_dds_is_ready_when_its_address_is_known(
+    monkeypatch: pytest.MonkeyPatch, knows_address: bool
+) -> None:
+    monkeypatch.setattr(cyclone_services, "dds_knows_address", lambda _: knows_address)
+    servers = CycloneServers(FakeEnd((FAST, b"")), FakeEnd((FAST, b"")), "/kill", Vendors())
+    assert servers.is_ready() is knows_address
+    assert not servers.obstacle()
+    assert servers.most_in_flight() == 10
+
+
+def test_requests_beyond_what_servers_keep_are_held_until_responses_are_taken() -> None:
+    writer, reader = FakeEnd((FAST, b"")), FakeEnd((FAST, b""))
+    servers = CycloneServers(writer, reader, "/kill", Vendors())
+    in_flight = RequestsInFlight()
+    first, second = (
+        HeaderRequester(writer, reader, servers, key, in_flight) for key in (b"client 1", b"client 2")
+    )
+    for _ in range(8):
+        first.send(HEADER + b"ask!")
+        second.send(HEADER + b"ask!")
+    assert len(writer.written) == 10
+    responses = [
+        Sample(HEADER + struct.pack("<8sq", b"client 1", number) + b"say!", 1, 1, b"") for number in (1, 2)
+    ]
+    reader.take = lambda: responses.pop(0) if responses else None
+    assert first.take() is not None
+    assert len(writer.written) == 11
+    assert first.take() is not None
+    assert len(writer.written) == 12
+    second.close()  # its requests no longer count, and those that were held are dropped
+    responses = [Sample(HEADER + struct.pack("<8sq", b"client 1", 3) + b"say!", 1, 1, b"")]
+    assert first.take() is not None
+    assert len(writer.written) == 14
+
+
+def test_response_to_a_client_that_is_matched_late_is_sent_then(
+    monkeypatch: pytest.MonkeyPatch, wait_until
+) -> None:
+    monkeypatch.setattr(services, "CLIENT_WAIT_S", 0.01)
+    client = bytes.fromhex(FAST) + bytes(14)
+    awaiting = bytes.fromhex(FAST) + bytes(13) + b"\4"
+    monkeypatch.setattr(cyclone_services, "dds_inline_client", lambda _: awaiting)
+    reader, writer = FakeEnd((FAST, b"")), FakeEnd()
+    reader.peers = [(client, b"")]
+    samples = [Sample(HEADER + struct.pack("<8sq", b"client 1", 1) + b"ask!", 1, 1, client)]
     reader.take = lambda: samples.pop(0) if samples else None
-    server = HeaderResponder(reader, FakeEnd(), CycloneClients(reader, FakeEnd(), "/kill"))
+    server = HeaderResponder(reader, writer, CycloneClients(reader, writer, "/kill", Vendors()))
+    request = server.take()
+    assert request is not None
+    server.send(request.id, HEADER + b"say!")
+    assert writer.written == []
+    writer.peers = [(awaiting, b"")]
+    wait_until(lambda: len(writer.written) == 1)
+
+
+def test_server_forgets_clients_that_have_left() -> None:
+    reader, writer = FakeEnd(), FakeEnd()
+    samples: list[Sample] = []
+    reader.take = lambda: samples.pop(0) if samples else None
+    server = HeaderResponder(reader, writer, CycloneClients(reader, writer, "/kill", Vendors()))
+    for number in range(1000):
+        gid = bytes.fromhex(CYCLONE) + number.to_bytes(14, "big")
+        reader.peers = [(gid, b"")]  # the one before has left
+        samples.append(Sample(HEADER + struct.pack("<Qq", number, 1) + b"ask!", 1, 1, gid))
+        assert server.take() is not None
+    assert len(server._gids) <= 64
+
+
+def test_requests_of_another_vendor_are_dropped() -> None:
+    reader = FakeEnd((OTHER, b""), (CYCLONE, b"clientid=1;"))
+    ask = HEADER + struct.pack("<Qq", 1, 1) + b"ask!"
+    samples = [Sample(ask, 1, 1, bytes.fromhex(vendor) + bytes(14)) for vendor in (OTHER, "0000", CYCLONE)]
+    reader.take = lambda: samples.pop(0) if samples else None
+    server = HeaderResponder(reader, FakeEnd(), CycloneClients(reader, FakeEnd(), "/kill", Vendors()))
     request = server.take()
     assert request is not None
     assert samples == []

@@ -71,7 +71,7 @@ def implementation_identifier() -> str:
 
 
 def is_installed(name: str) -> bool:
-    """Return whether the library of a wire is installed in a supported version, without loading it.
+    """Return whether the library of a wire is installed, in whichever version, without loading it.
 
     Args:
         name: The wire, a key of `BACKENDS`.

@@ -119,6 +119,16 @@ class Response(NamedTuple):
     received_stamp_ns: int
 
 
+class ParticipantInfo(NamedTuple):
+    """A participant on the graph."""
+
+    gid: bytes
+    nodes: list[NodeName]
+    """Its nodes, as far as it has listed them."""
+    is_own: bool
+    """Whether it is the one that asks."""
+
+
 class Graph(Protocol):
     """All that a participant has discovered, its own entities included. Each result is a snapshot."""
 
@@ -137,6 +147,9 @@ class Graph(Protocol):
     def enclaves(self) -> list[tuple[NodeName, str]]:
         """Return the nodes as `nodes` does, each with the enclave it is in; empty if unknown."""
 
+    def participants(self) -> list[ParticipantInfo]:
+        """Return the participants, this one included, in order of their gids."""
+
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` whenever the graph has changed; None ends it."""
 
@@ -144,7 +157,13 @@ class Graph(Protocol):
         """Return a number that grows with each change."""
 
     def is_whole(self) -> bool:
-        """Return whether all announced entities have arrived; unannounced participants are not covered."""
+        """Return whether all announced entities have arrived, of each process that is known on this machine."""
+
+    def late_count(self) -> int:
+        """Return how many known participants are of an implementation that lists its nodes seconds later, and have not.
+
+        That is Fast DDS, whose endpoints may be unknown for as long.
+        """
 
 
 class Endpoint(Protocol):
@@ -237,6 +256,21 @@ class Requester(Protocol):
 
     def is_ready(self) -> bool:
         """Return whether a server is matched in both directions, so that it will receive and reply to a request."""
+
+    def is_synchronising(self) -> bool:
+        """Return whether a server is matched in both directions, and may not take data yet: `is_ready` soon."""
+
+    def watch_servers(self, queue: ReadyQueue | None, token: int = 0) -> None:
+        """Post `token` to `queue` when a server may have come or left, and once at the start; None ends it.
+
+        A wait that uses `notify_ready` suspends it; the token is posted after the wait.
+        """
+
+    def receiving_servers(self) -> frozenset[str]:
+        """Return ids of the servers that receive a request sent now."""
+
+    def connected_servers(self) -> frozenset[str]:
+        """Return ids of the servers that receive requests, or whose responses may still arrive."""
 
     def obstacle(self) -> str:
         """Return a text for the user: why this client cannot become ready with the present servers; empty if it can."""

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any, cast
 
 from tfloom._native import DdsReader, DdsWriter, ReadyQueue, Sink
 from tfloom.rmw.base import Sample
-from tfloom.rmw.errors import ClosedError, UnsupportedEventError, WireError
+from tfloom.rmw.errors import ClosedError, ForkedError, UnsupportedEventError, WireError
 from tfloom.rmw.events import Count, Event, IncompatibleQoS, LivelinessChanged, Matched, Status
+from tfloom.rmw.forks import Inherited
 from tfloom.rmw.qos import QoSPolicyKind
 
 _POLICY_KINDS = {
@@ -24,6 +26,11 @@ _ACKS_SLICE_NS = 100_000_000
 
 class CycloneEndpoint:
     """The common part of writers and readers."""
+
+    kind = ""
+    """For error texts: reader or writer."""
+
+    _native: Any
 
     def __init__(
         self, native: DdsWriter | DdsReader, topic_name: str, forget: Callable[[CycloneEndpoint], None]
@@ -65,6 +72,11 @@ class CycloneEndpoint:
             raise UnsupportedEventError(f"{event.name}: {error}") from None
         return None if fields is None else _status(event, fields)
 
+    def inherit(self) -> None:
+        """Become the copy of the parent's endpoint in a forked child."""
+        what = f"the {self.kind} of {self.topic_name}"
+        self._endpoint = self._native = cast("Any", Inherited(what, self._endpoint))
+
     def close(self) -> None:
         """Leave the topic. Closing again does nothing."""
         if not self._closed:
@@ -86,7 +98,9 @@ def _status(event: Event, fields: tuple[int, int, int, int]) -> Status:
 class CycloneWriter(CycloneEndpoint):
     """A writer; see `base.Writer`."""
 
+    kind = "writer"
     native_type = DdsWriter
+    _native: DdsWriter
 
     def __init__(self, native: DdsWriter, topic_name: str, forget: Callable[[CycloneEndpoint], None]) -> None:
         super().__init__(native, topic_name, forget)
@@ -101,8 +115,25 @@ class CycloneWriter(CycloneEndpoint):
         """
         try:
             self._native.write(data)
+        except ForkedError:
+            raise
         except RuntimeError as error:
             raise self._error("write to", error) from None
+
+    def join_service(self, reader: CycloneReader, service: str, client: bytes | None) -> None:
+        """Become an end of a service, with the reader of the other topic: a client with this key, or a server."""
+        self._native.join_service(reader.native, service, client)
+
+    def probe(self) -> None:
+        """Send a message that readers acknowledge and drop.
+
+        Raises:
+            ClosedError: the writer has left its topic.
+        """
+        try:
+            self._native.probe()
+        except RuntimeError as error:
+            raise self._error("probe the readers of", error) from None
 
     def assert_liveliness(self) -> None:
         """Assert that this writer is alive.
@@ -112,6 +143,8 @@ class CycloneWriter(CycloneEndpoint):
         """
         try:
             self._native.assert_liveliness()
+        except ForkedError:
+            raise
         except RuntimeError as error:
             raise self._error("assert liveliness on", error) from None
 
@@ -130,6 +163,8 @@ class CycloneWriter(CycloneEndpoint):
                     return True
                 left_ns -= _ACKS_SLICE_NS if left_ns > 0 else 0
             return self._native.wait_for_acks(left_ns)
+        except ForkedError:
+            raise
         except RuntimeError as error:
             raise self._error("wait for readers of", error) from None
 
@@ -141,11 +176,18 @@ class CycloneWriter(CycloneEndpoint):
 class CycloneReader(CycloneEndpoint):
     """A reader; see `base.Reader`."""
 
+    kind = "reader"
     native_type = DdsReader
+    _native: DdsReader
 
     def __init__(self, native: DdsReader, topic_name: str, forget: Callable[[CycloneEndpoint], None]) -> None:
         super().__init__(native, topic_name, forget)
         self._native = native
+
+    @property
+    def native(self) -> DdsReader:
+        """The native reader."""
+        return self._native
 
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` when there is something to take, at once if there may be; None ends it."""

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import threading
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 from tfloom._native import DdsGraph, DdsParticipant, ReadyQueue
 from tfloom.rmw import node_lists
-from tfloom.rmw.base import EndpointInfo, NodeName, ServiceEndInfo, Topic
+from tfloom.rmw.base import EndpointInfo, NodeName, ParticipantInfo, ServiceEndInfo, Topic
+from tfloom.rmw.cyclone_ports import bound_indices, process_count
+from tfloom.rmw.forks import Inherited
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoS, ReliabilityPolicy
 from tfloom.rmw.topic_names import (
     key_values,
@@ -16,6 +18,9 @@ from tfloom.rmw.topic_names import (
     type_from_dds,
     type_to_dds,
 )
+
+FAST_DDS = bytes([1, 0x0F])
+"""The vendor of Fast DDS: the first octets of the gids of its participants and endpoints."""
 
 NODE_LIST_USER_DATA = f"typehash={node_lists.TYPE_HASH};".encode()
 
@@ -27,7 +32,10 @@ class _View(NamedTuple):
 
     changes: int
     enclaves: list[tuple[NodeName, str]]
+    process_count: int
     is_whole: bool
+    late: frozenset[bytes]
+    """The participants of Fast DDS of which a node list is to come, or an endpoint on it."""
     raw_endpoints: list[EndpointInfo]
     endpoints: list[EndpointInfo]
     service_ends: list[ServiceEndInfo]
@@ -36,7 +44,9 @@ class _View(NamedTuple):
 class CycloneGraph:
     """All that a participant has discovered; see `base.Graph`."""
 
-    def __init__(self, participant: DdsParticipant) -> None:
+    def __init__(self, participant: DdsParticipant, domain_id: int) -> None:
+        self._domain_id = domain_id
+        self._own_gid = participant.gid
         self._native = DdsGraph(
             participant,
             node_lists.TOPIC_NAME,
@@ -45,7 +55,7 @@ class CycloneGraph:
             NODE_LIST_USER_DATA,
         )
         self._lock = threading.Lock()
-        self._view = _View(-1, [], False, [], [], [])
+        self._view = _View(-1, [], 0, False, frozenset(), [], [], [])
 
     def nodes(self) -> list[NodeName]:
         """Return the nodes, one entry for each, in order of their full names."""
@@ -67,6 +77,14 @@ class CycloneGraph:
         """Return servers and clients, in order of service name."""
         return list(self._current().service_ends)
 
+    def participants(self) -> list[ParticipantInfo]:
+        """Return the participants, this one included, in order of their gids."""
+        participants, _ = self._native.snapshot()
+        return sorted(
+            ParticipantInfo(gid, [ends.name for ends in _decoded(node_list)], gid == self._own_gid)
+            for gid, _, node_list in participants
+        )
+
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` whenever the graph has changed; None ends it."""
         self._native.notify(queue, token)
@@ -76,8 +94,26 @@ class CycloneGraph:
         return self._native.changes()
 
     def is_whole(self) -> bool:
-        """Return whether each listed endpoint has arrived, and the node list of each participant with endpoints."""
-        return self._current().is_whole
+        """Return whether all that is announced has arrived.
+
+        These are the node list of each ROS participant, each endpoint on it, and a participant of each process on this
+        machine that holds ports of the domain: one that is scheduled late answers late.
+        """
+        view = self._current()
+        return view.is_whole and view.process_count >= len(bound_indices(self._domain_id))
+
+    def late_count(self) -> int:
+        """Return how many participants of Fast DDS have not sent their node lists, or not all endpoints on them.
+
+        Fast DDS sends both when it discovers this participant. What arrives before its sender is discovered here is
+        dropped. It is repeated with the next heartbeat: endpoints after 1 s, and then node lists at once, because the
+        discovery of their writer prompts one.
+        """
+        return len(self._current().late)
+
+    def inherit(self) -> None:
+        """Become the copy of the parent's graph in a forked child."""
+        self._native = cast("DdsGraph", Inherited("the graph", self._native))
 
     def close(self) -> None:
         """Stop listening."""
@@ -94,39 +130,47 @@ class CycloneGraph:
         participants, endpoints = self._native.snapshot()
         enclaves: list[tuple[NodeName, str]] = []
         node_of: dict[bytes, NodeName] = {}
-        silent: set[bytes] = set()  # ROS participants without a node list so far
+        is_whole = True
+        silent: set[bytes] = set()
+        listed_by: dict[bytes, bytes] = {}
         for participant, participant_data, node_list in participants:
             values = key_values(participant_data)
             enclave = values.get("enclave", "")
             if "enclave" in values and not node_list:
+                is_whole = False
                 silent.add(participant)
             for ends in _decoded(node_list):
                 enclaves.append((ends.name, enclave))
-                node_of.update(dict.fromkeys((*ends.reader_gids, *ends.writer_gids), ends.name))
+                gids = (*ends.reader_gids, *ends.writer_gids)
+                node_of.update(dict.fromkeys(gids, ends.name))
+                listed_by.update(dict.fromkeys(gids, participant))
         raw: list[EndpointInfo] = []
         infos: list[EndpointInfo] = []
         service_ends: list[ServiceEndInfo] = []
-        is_whole = True
-        for gid, participant, is_writer, dds_topic, dds_type, user_data, qos in endpoints:
+        for gid, _, is_writer, dds_topic, dds_type, user_data, qos in endpoints:
             dds_name = dds_topic.decode("utf-8", "replace")
             dds_topic_type = dds_type.decode("utf-8", "replace")
             type_name = type_from_dds(dds_topic_type)
             topic = Topic(dds_name, dds_topic_type, key_values(user_data).get("typehash", ""))
             info = EndpointInfo(topic, node_of.get(gid), is_writer, gid, _qos(*qos))
             raw.append(info)
-            is_whole = is_whole and not (participant in silent and dds_name.startswith(("rt/", "rq/", "rr/")))
             if name := topic_from_dds(dds_name):
                 infos.append(info._replace(topic=topic._replace(name=name, type_name=type_name)))
             elif service := service_from_request_topic(dds_name, type_name):
                 service_ends.append(
                     ServiceEndInfo(*service, info.node, is_server=not is_writer, gid=gid, qos=info.qos)
                 )
-        is_whole = is_whole and node_of.keys() <= {info.gid for info in raw}
+        to_come = node_of.keys() - {info.gid for info in raw}
+        is_whole = is_whole and not to_come
+        late = frozenset(
+            gid for gid in silent.union(listed_by[end] for end in to_come) if gid.startswith(FAST_DDS)
+        )
         enclaves.sort(key=lambda node: node[0].full)
         raw.sort(key=lambda info: info.topic.name)
         infos.sort(key=lambda info: info.topic.name)
         service_ends.sort(key=lambda end: end.name)
-        return _View(changes, enclaves, is_whole, raw, infos, service_ends)
+        processes = process_count(participant for participant, _, _ in participants)
+        return _View(changes, enclaves, processes, is_whole, late, raw, infos, service_ends)
 
 
 def _decoded(node_list: bytes) -> list[node_lists.NodeEnds]:

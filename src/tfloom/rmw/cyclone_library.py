@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import os
 import re
+from functools import lru_cache
 from importlib.machinery import PathFinder
 
-from tfloom.rmw.errors import NoBackendError
-
-SUPPORTED_MAJOR = 11
+from tfloom.rmw.errors import ForkedError, NoBackendError
 
 _INSTALL = "install it with: pip install 'cyclonedds>=11,<12'"
 _ELSEWHERE = (
@@ -25,10 +24,9 @@ def find_library() -> str:
     """Return the path of libddsc.
 
     Raises:
-        NoBackendError: cyclonedds isn't installed, isn't version 11, or came without its library.
+        NoBackendError: cyclonedds isn't installed, or came without its library.
     """
     package = _find_package()
-    _check_version(package)
     for place, name in _PLACES:
         folder = f"{package}/{place}"
         if found := sorted(filter(name.match, _names_in(folder))):
@@ -38,19 +36,57 @@ def find_library() -> str:
     )
 
 
+@lru_cache(maxsize=1)
+def copy_library() -> str:
+    """Return the path of a copy of libddsc in memory, for a process that was forked while its parent used the library.
+
+    dlopen loads the copy as a library of its own. That one has neither the parent's participants nor locks that wait
+    for the parent's threads.
+
+    Raises:
+        NoBackendError: as `find_library`.
+        ForkedError: the system has no files in memory: it isn't Linux.
+    """
+    if not hasattr(os, "memfd_create"):
+        raise ForkedError(
+            "a process that was forked from one with a node can't use DDS on this system: start it by "
+            "multiprocessing's method 'spawn', or fork before the first node is created"
+        )
+    from pathlib import Path
+
+    # The descriptor stays open, so that a copy for a later fork has another name, by which dlopen distinguishes them.
+    copy = os.memfd_create("libddsc")
+    with Path(find_library()).open("rb") as library:
+        while os.sendfile(copy, library.fileno(), None, 2**30):
+            pass
+    return f"/proc/self/fd/{copy}"
+
+
+def open_library(path: str | None = None) -> tuple[str, str]:
+    """Open libddsc, and return its path and its version; the version is empty if the library records none.
+
+    A version that was not tried passes a self-test of its interface first.
+
+    Args:
+        path: Path of the library; None: that of `find_library`.
+
+    Raises:
+        NoBackendError: there is no libddsc, it isn't version 11, or it fails the self-test.
+    """
+    from tfloom._native import open_dds_library
+
+    path = find_library() if path is None else path
+    try:
+        return path, open_dds_library(path)
+    except RuntimeError as error:
+        raise NoBackendError(f"the DDS library can't be used: {error}") from None
+
+
 def _find_package() -> str:
     spec = PathFinder.find_spec("cyclonedds")
     if spec is None or not spec.submodule_search_locations:
         raise NoBackendError(f"there is no DDS: cyclonedds isn't installed; {_INSTALL} {_ELSEWHERE}")
     return next(iter(spec.submodule_search_locations))
-
-
-def _check_version(package: str) -> None:
-    for metadata in _names_in(f"{package}/.."):
-        if metadata.startswith("cyclonedds-") and metadata.endswith(".dist-info"):
-            version = metadata.removeprefix("cyclonedds-").removesuffix(".dist-info")
-            if version.partition(".")[0] != str(SUPPORTED_MAJOR):
-                raise NoBackendError(f"cyclonedds {version} in {package} can't be used; {_INSTALL}")
 
 
 def _names_in(folder: str) -> list[str]:

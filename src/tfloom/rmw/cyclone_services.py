@@ -1,23 +1,44 @@
 """Matching of servers and clients on DDS, and detection of incompatible vendors.
 
 rmw_cyclonedds writes `serviceid=` into the USER_DATA of both endpoints of a server and `clientid=` into a client's, so
-that a peer can check that both are matched. Other vendors write no header into the CDR and would misread this one.
+that a peer can check that both are matched. Other vendors write no header into the CDR and would misread this one; for
+peers on Fast DDS, `native/rtps/service_forms` translates, where the system allows it.
 """
 
 from __future__ import annotations
 
+import os
+import threading
+import time
+from collections.abc import Callable
+from collections.abc import Set as AbstractSet
 from functools import lru_cache
+from typing import NamedTuple
 
+from tfloom._native import dds_inline_client, dds_knows_address, see_dds_packets
 from tfloom.rmw.cyclone_endpoints import CycloneReader, CycloneWriter
+from tfloom.rmw.cyclone_graph import FAST_DDS
 from tfloom.rmw.topic_names import key_values
 
 CYCLONE_VENDOR = b"\x01\x10"
 """The first octets of Cyclone's GUIDs, its vendor id (RTPS 2.5, 8.3.3.1.3)."""
 
+
+TRANSLATION_VARIABLE = "TFLOOM_FASTDDS_SERVICES"
+"""Set to 0 in the environment, it refuses services with peers on Fast DDS."""
+
 SERVER_KEY = "serviceid"
 CLIENT_KEY = "clientid"
 
 _GUID_PREFIX_SIZE = 12
+
+_KEPT_BY_FAST_DDS = 10
+"""Depth of a stock server: its reader replaces older requests that nobody has taken, without notice."""
+
+HANDSHAKE_S = 0.1
+"""The longest wait for the acknowledgement of a probe [s]."""
+
+_ACKS_SLICE_NS = 5_000_000
 
 
 def end_id(participant_gid: bytes, number: int) -> str:
@@ -40,60 +61,195 @@ def _ids(peers: list[tuple[bytes, bytes]], key: str) -> set[str]:
     return {_id(user_data, key) for _, user_data in peers}
 
 
-@lru_cache(maxsize=1024)
+def _server_ids(peers: list[tuple[bytes, bytes]]) -> frozenset[str]:
+    """Return the ids of these servers; without one in its USER_DATA, a server's participant stands for it."""
+    return frozenset(_id(user_data, SERVER_KEY) or gid[:_GUID_PREFIX_SIZE].hex() for gid, user_data in peers)
+
+
+@lru_cache(maxsize=256)
 def _id(user_data: bytes, key: str) -> str:
     """Return the value of `key` in a peer's USER_DATA; cached, because the same peers are looked up repeatedly."""
     return key_values(user_data).get(key, "")
 
 
+class Handshake:
+    """The start of a writer's session with each of its readers.
+
+    A reader drops all messages that precede the first heartbeat it receives from a writer, though both are matched
+    before. The first of many requests that are sent at once would be lost without notice. So new readers are probed:
+    one that has acknowledged the probe receives all that is written later.
+    """
+
+    def __init__(self, writer: CycloneWriter) -> None:
+        self._writer = writer
+        self._lock = threading.Lock()
+        self._probed: list[tuple[bytes, bytes]] = []
+        """The readers at the last probe, or fewer."""
+        self._end_s: float | None = None
+        """End of the wait for acknowledgements, on the monotonic clock [s]; None: all are there."""
+
+    def is_complete(self, readers: list[tuple[bytes, bytes]]) -> bool:
+        """Return whether these readers receive all that is written now; probe those that are new.
+
+        After `HANDSHAKE_S` this is assumed, because the reader of a process that was killed never acknowledges.
+        """
+        if readers == self._probed and self._end_s is None:
+            return True
+        with self._lock:
+            if not set(readers) <= set(self._probed):
+                self._writer.probe()
+                self._end_s = time.monotonic() + HANDSHAKE_S
+            self._probed = readers
+            if self._end_s is not None and (self._writer.wait_for_acks(0) or time.monotonic() >= self._end_s):
+                self._end_s = None
+            return self._end_s is None
+
+    def wait(self, readers: list[tuple[bytes, bytes]]) -> None:
+        """Wait until `is_complete`."""
+        while not self.is_complete(readers):
+            self._writer.wait_for_acks(_ACKS_SLICE_NS)
+
+
+@lru_cache(maxsize=8)
+def untranslated(library: str) -> str:
+    """Start the translation of services for peers on Fast DDS in a library; return why it is off, or an empty text."""
+    if os.environ.get(TRANSLATION_VARIABLE) == "0":
+        return f"{TRANSLATION_VARIABLE} is 0"
+    return see_dds_packets(library)
+
+
+def _is_on_fast_dds(gid: bytes) -> bool:
+    return gid.startswith(FAST_DDS)
+
+
+def _on_cyclone(peers: list[tuple[bytes, bytes]]) -> list[tuple[bytes, bytes]]:
+    return [peer for peer in peers if peer[0].startswith(CYCLONE_VENDOR)]
+
+
+def _participant(gid: bytes) -> bytes:
+    return gid[:_GUID_PREFIX_SIZE]
+
+
+class Vendors(NamedTuple):
+    """What ends of services need to know of peers on other vendors."""
+
+    untranslated: str = ""
+    """Why services don't pass with peers on Fast DDS; empty if they do."""
+    find_node: Callable[[bytes], str] = lambda _: ""
+    """Returns the name of the node with an endpoint, by its gid; empty if it is unknown."""
+
+
 class _Peers:
     """The common part of clients and servers."""
 
-    def __init__(self, requests: CycloneWriter | CycloneReader, name: str, others: str) -> None:
+    def __init__(
+        self, requests: CycloneWriter | CycloneReader, name: str, others: str, vendors: Vendors
+    ) -> None:
         self._requests_end = requests
         self._name = name
         self._others = others
+        self._vendors = vendors
 
     def accepts(self, publisher_gid: bytes) -> bool:
-        """Return whether this peer runs on Cyclone."""
+        """Return whether requests and responses pass between this peer and this process."""
+        if _is_on_fast_dds(publisher_gid):
+            return not self._vendors.untranslated
         return publisher_gid.startswith(CYCLONE_VENDOR)
 
     def obstacle(self) -> str:
         """Return the remedy for a peer of another vendor, or an empty text."""
-        if all(self.accepts(gid) for gid, _ in self._requests_end.matched()):
+        refused = [gid for gid, _ in self._requests_end.matched() if not self.accepts(gid)]
+        if not refused:
             return ""
+        node = next(filter(None, map(self._vendors.find_node, refused)), "")
+        # What the reason is for peers on Fast DDS says nothing of other vendors.
+        reason = f", because {self._vendors.untranslated}" if any(map(_is_on_fast_dds, refused)) else ""
         return (
-            f"{self._others} of {self._name} runs on another DDS vendor, whose form of services isn't ours "
-            "(topics pass, services don't): start it with RMW_IMPLEMENTATION=rmw_cyclonedds_cpp"
+            f"{self._others} of {self._name}{node and f', {node},'} runs on another DDS vendor, whose form of services "
+            f"isn't ours (topics pass, services don't{reason}): start it with RMW_IMPLEMENTATION=rmw_cyclonedds_cpp"
         )
 
 
 class CycloneServers(_Peers):
     """The servers of a client; see `services.Servers`."""
 
-    def __init__(self, requests: CycloneWriter, responses: CycloneReader, name: str) -> None:
-        super().__init__(requests, name, "a server")
+    def __init__(
+        self, requests: CycloneWriter, responses: CycloneReader, name: str, vendors: Vendors
+    ) -> None:
+        super().__init__(requests, name, "a server", vendors)
         self._requests = requests
         self._responses = responses
+        self._handshake = Handshake(requests)
 
     def is_ready(self) -> bool:
-        """Return whether both endpoints of a server are matched, and none is of another vendor."""
-        receiving = _ids(self._requests.matched(), SERVER_KEY)
-        return bool(receiving & _ids(self._responses.matched(), SERVER_KEY)) and not self.obstacle()
+        """Return whether both endpoints of a server are matched and take data, and none is of another vendor."""
+        return self._is_matched() and self._handshake.is_complete(self._requests.matched())
+
+    def is_synchronising(self) -> bool:
+        """Return whether a server is matched in both directions, and may not take data yet."""
+        return self._is_matched() and not self._handshake.is_complete(self._requests.matched())
+
+    def synchronise(self) -> None:
+        """Wait until all servers that are matched take data, or `HANDSHAKE_S` is over."""
+        self._handshake.wait(self._requests.matched())
+
+    def _is_matched(self) -> bool:
+        receiving, responding = self._requests.matched(), self._responses.matched()
+        if self.obstacle():
+            return False
+        if _ids(_on_cyclone(receiving), SERVER_KEY) & _ids(_on_cyclone(responding), SERVER_KEY):
+            return True
+        receivers = {
+            _participant(gid) for gid, _ in receiving if _is_on_fast_dds(gid) and dds_knows_address(gid)
+        }
+        return any(_participant(gid) in receivers for gid, _ in responding)
+
+    def receiving(self) -> frozenset[str]:
+        """Return ids of the servers that receive a request sent now."""
+        return _server_ids(self._requests.matched())
+
+    def most_in_flight(self) -> int | None:
+        """Return how many requests servers on Fast DDS keep: ROS's default depth; None if there are none."""
+        return _KEPT_BY_FAST_DDS if any(_is_on_fast_dds(gid) for gid, _ in self._requests.matched()) else None
+
+    def connected(self) -> frozenset[str]:
+        """Return ids of the servers that are matched in one direction at least.
+
+        A server that leaves stays matched by its responses until they are acknowledged.
+        """
+        return _server_ids(self._requests.matched()) | _server_ids(self._responses.matched())
 
 
 class CycloneClients(_Peers):
     """The clients of a server; see `services.Clients`."""
 
-    def __init__(self, requests: CycloneReader, responses: CycloneWriter, name: str) -> None:
-        super().__init__(requests, name, "a client")
+    def __init__(
+        self, requests: CycloneReader, responses: CycloneWriter, name: str, vendors: Vendors
+    ) -> None:
+        super().__init__(requests, name, "a client", vendors)
         self._requests = requests
         self._responses = responses
+        self._handshake = Handshake(responses)
 
-    def is_matched(self, publisher_gid: bytes) -> bool | None:
+    def connected(self) -> AbstractSet[bytes]:
+        """Return the gids of the writers that send requests."""
+        return {gid for gid, _ in self._requests.matched()}
+
+    def synchronise(self) -> None:
+        """Wait until all clients that are matched take data, or `HANDSHAKE_S` is over."""
+        self._handshake.wait(self._responses.matched())
+
+    def may_be_late(self, publisher_gid: bytes) -> bool:
+        """Return whether a client is on Fast DDS, which may announce its reader again after a second only."""
+        return _is_on_fast_dds(publisher_gid)
+
+    def is_matched(self, key: bytes, publisher_gid: bytes) -> bool | None:
         """Return whether the client of this writer is matched in both directions; None if it has left."""
         clients = dict(self._requests.matched())
         if publisher_gid not in clients:
             return None
+        if (awaiting := dds_inline_client(key)) is not None:
+            readers = {gid for gid, _ in self._responses.matched()}
+            return awaiting in readers or awaiting == publisher_gid
         identifier = _id(clients[publisher_gid], CLIENT_KEY)
         return identifier in _ids(self._responses.matched(), CLIENT_KEY)

@@ -9,9 +9,10 @@ from __future__ import annotations
 import atexit
 import os
 import threading
+from collections.abc import Callable
 from itertools import count
-from typing import TypeVar
-from weakref import WeakSet
+from typing import TypeVar, cast
+from weakref import WeakSet, WeakValueDictionary
 
 from tfloom._native import DdsParticipant, DdsWriter
 from tfloom.rmw import cyclone_config, node_lists
@@ -19,18 +20,21 @@ from tfloom.rmw.base import NodeName, Participant, Service, Topic
 from tfloom.rmw.compatibility import best_available, is_best_available
 from tfloom.rmw.cyclone_endpoints import CycloneEndpoint, CycloneReader, CycloneWriter
 from tfloom.rmw.cyclone_graph import NODE_LIST_USER_DATA, CycloneGraph
-from tfloom.rmw.cyclone_library import find_library
+from tfloom.rmw.cyclone_library import copy_library, find_library, open_library
 from tfloom.rmw.cyclone_services import (
     CLIENT_KEY,
     SERVER_KEY,
     CycloneClients,
     CycloneServers,
+    Vendors,
     end_id,
     end_user_data,
+    untranslated,
 )
 from tfloom.rmw.errors import ClosedError, WireError
+from tfloom.rmw.forks import Inherited, refuse
 from tfloom.rmw.qos import DurabilityPolicy, QoS
-from tfloom.rmw.services import HeaderRequester, HeaderResponder, waiting_qos
+from tfloom.rmw.services import HeaderRequester, HeaderResponder, RequestsInFlight, waiting_qos
 from tfloom.rmw.topic_names import request_topic, response_topic, topic_to_dds, type_to_dds
 
 _WRITE_LAST = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, depth=1)
@@ -40,19 +44,40 @@ _End2 = TypeVar("_End2", CycloneWriter, CycloneReader)
 
 
 _open_participants: WeakSet[CycloneParticipant] = WeakSet()
+_library: Callable[[], str] = find_library
+"""Returns the path of the library to load; in a child that has inherited one in use, of a copy."""
 
 
-def open_participant(domain_id: int, enclave: str = "/") -> Participant:
+def open_participant(domain_id: int, enclave: str = "/", announce_s: float | None = None) -> Participant:
     """Join a DDS domain.
 
+    Args:
+        domain_id: 0 to 232.
+        enclave: Security enclave to announce.
+        announce_s: See `cyclone_config.configuration`; of the process's first participant on a domain.
+
     Raises:
-        NoBackendError: cyclonedds isn't installed, or isn't version 11.
-        ConfigurationError: ROS_AUTOMATIC_DISCOVERY_RANGE isn't one of the ranges.
+        NoBackendError: cyclonedds isn't installed, isn't version 11, or fails the self-test of an untried version.
+        ConfigurationError: ROS_AUTOMATIC_DISCOVERY_RANGE or TFLOOM_LEASE_S is invalid, or security is enforced.
         WireError: the library can't join the domain; the text has the reason.
     """
-    participant = CycloneParticipant(domain_id, enclave)
+    participant = CycloneParticipant(domain_id, enclave, announce_s)
     _open_participants.add(participant)
     return participant
+
+
+def _inherit_all() -> None:
+    """In a forked child, let the copies of the parent's participants raise errors."""
+    global _library  # noqa: PLW0603  # guarded by there being one thread after a fork
+    in_use = [participant.inherit() for participant in _open_participants]
+    if any(in_use):
+        _library = copy_library
+        copy_library.cache_clear()
+        _open_participants.clear()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_inherit_all)
 
 
 @atexit.register
@@ -62,12 +87,12 @@ def _close_all() -> None:
         participant.close()
 
 
-def _advice() -> str:
+def _advice(domain_id: int) -> str:
     if "CYCLONEDDS_URI" in os.environ:
         return "check CYCLONEDDS_URI"
     return (
-        f"end some program or choose another ROS_DOMAIN_ID if {cyclone_config.LOCAL_PARTICIPANTS} are on this "
-        "domain: one machine has room for no more"
+        "end some program or choose another ROS_DOMAIN_ID if "
+        f"{cyclone_config.local_participants(domain_id)} are on this domain: one machine has room for no more"
     )
 
 
@@ -78,21 +103,33 @@ def _user_data(topic: Topic) -> bytes:
 class CycloneParticipant:
     """This process on one DDS domain; see `base.Participant`."""
 
-    def __init__(self, domain_id: int, enclave: str) -> None:
+    def __init__(self, domain_id: int, enclave: str, announce_s: float | None = None) -> None:
         self.domain_id = domain_id
         self.enclave = enclave
-        self._process = os.getpid()
+        self._is_forked = False
+        """Whether this is the copy in a forked child, without the library's threads."""
         self._lock = threading.Lock()
         self._nodes: list[NodeName] = []
         self._ends: dict[CycloneEndpoint, NodeName] = {}
         self._service_end_numbers = count(1)
+        self._in_flight: WeakValueDictionary[str, RequestsInFlight] = WeakValueDictionary()
+        """What the clients of each service have sent."""
         self._closed = False
         try:
+            cyclone_config.refuse_enforced_security()
             cyclone_config.look_up_peers()
+            library, _ = open_library(_library())
+            self._vendors = Vendors(untranslated(library), self._find_node)
             self._native = DdsParticipant(
-                find_library(), domain_id, cyclone_config.configuration(), f"enclave={enclave};".encode()
+                library,
+                domain_id,
+                cyclone_config.configuration(domain_id, announce_s),
+                f"enclave={enclave};".encode(),
+                is_local=cyclone_config.is_local(),
             )
-            self.graph = CycloneGraph(self._native)
+            self.loopback_failure = self._native.loopback_failure
+            """Why the sockets are open to other machines, contrary to the configuration; empty if they aren't."""
+            self.graph = CycloneGraph(self._native, domain_id)
             self._node_list_writer = DdsWriter(
                 self._native,
                 node_lists.TOPIC_NAME,
@@ -100,10 +137,11 @@ class CycloneParticipant:
                 _WRITE_LAST,
                 NODE_LIST_USER_DATA,
             )
+            self._publish_nodes()  # an empty list, so that others need not wait for one
         except WireError:
             raise
         except RuntimeError as error:
-            raise WireError(f"{error}; see Cyclone's message above, and {_advice()}") from None
+            raise WireError(f"{error}; see Cyclone's message above, and {_advice(domain_id)}") from None
 
     def add_node(self, node: NodeName) -> None:
         """Add a node to the graph."""
@@ -151,8 +189,11 @@ class CycloneParticipant:
             WireError: the library refuses it; the text has the reason.
         """
         requests, responses = self._open_service(CLIENT_KEY, CycloneWriter, CycloneReader, node, service, qos)
-        servers = CycloneServers(requests, responses, service.name)
-        return HeaderRequester(requests, responses, servers, os.urandom(8))
+        servers = CycloneServers(requests, responses, service.name, self._vendors)
+        key = os.urandom(8)
+        requests.join_service(responses, service.name, key)
+        in_flight = self._in_flight.setdefault(service.name, RequestsInFlight())
+        return HeaderRequester(requests, responses, servers, key, in_flight)
 
     def create_responder(self, node: NodeName, service: Service, qos: QoS) -> HeaderResponder:
         """Open a server of a service for `node`.
@@ -161,7 +202,9 @@ class CycloneParticipant:
             WireError: the library refuses it; the text has the reason.
         """
         requests, responses = self._open_service(SERVER_KEY, CycloneReader, CycloneWriter, node, service, qos)
-        return HeaderResponder(requests, responses, CycloneClients(requests, responses, service.name))
+        responses.join_service(requests, service.name, None)
+        clients = CycloneClients(requests, responses, service.name, self._vendors)
+        return HeaderResponder(requests, responses, clients)
 
     def _open_service(
         self, key: str, asking: type[_End], answering: type[_End2], node: NodeName, service: Service, qos: QoS
@@ -186,6 +229,11 @@ class CycloneParticipant:
         self._remember(node, requests, responses)
         return requests, responses
 
+    def _find_node(self, gid: bytes) -> str:
+        """Return the full name of the node with an endpoint; empty if it is unknown."""
+        node = next((end.node for end in self.graph.raw_endpoints() if end.gid == gid), None)
+        return "" if node is None else node.full
+
     def _best_available(self, topic_name: str, qos: QoS, *, is_writer: bool) -> QoS:
         if not is_best_available(qos):
             return qos
@@ -194,6 +242,8 @@ class CycloneParticipant:
         return best_available(qos, theirs, is_writer=is_writer)
 
     def _open(self, kind: type[_End], dds_name: str, topic: Topic, qos: QoS, user_data: bytes) -> _End:
+        if self._is_forked:
+            refuse(f"the participant that {topic.name} would be opened with")
         if self._closed:
             raise ClosedError(f"cannot open {topic.name}: its participant is closed")
         try:
@@ -211,15 +261,23 @@ class CycloneParticipant:
 
     def _forget(self, end: CycloneEndpoint) -> None:
         """Remove a closing endpoint from its node's list."""
-        if self._is_forked():
+        if self._is_forked:
             return
         with self._lock:
             if self._ends.pop(end, None) is not None:
                 self._publish_nodes()
 
-    def _is_forked(self) -> bool:
-        """Return whether this is a forked child of the process that joined, without the library's threads."""
-        return self._process != os.getpid()
+    def inherit(self) -> bool:
+        """Become the copy of the parent's participant in a forked child; return False if it was closed before."""
+        if self._closed:
+            return False
+        self._is_forked = True
+        self._lock = threading.Lock()  # a thread of the parent may have held the former one
+        self.graph.inherit()
+        self._node_list_writer = cast("DdsWriter", Inherited("the list of nodes", self._node_list_writer))
+        for end in self._ends:
+            end.inherit()
+        return True
 
     def _publish_nodes(self) -> None:
         """Publish the node list: this participant's nodes, and the endpoints of each."""
@@ -234,7 +292,7 @@ class CycloneParticipant:
 
     def close(self) -> None:
         """Close all writers and readers and leave the domain. Closing again does nothing."""
-        if self._closed or self._is_forked():
+        if self._closed or self._is_forked:
             return
         self._closed = True
         with self._lock:

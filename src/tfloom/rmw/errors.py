@@ -4,6 +4,7 @@ WireError (RuntimeError)
 ├── NoBackendError         the selected wire is unknown, or not installed
 ├── ConfigurationError     an environment variable or an argument is invalid for the wire
 ├── ClosedError            an endpoint was used after it was closed
+├── ForkedError            it was opened before this process was forked
 ├── ForeignPeerError       a service's peer uses another vendor's format
 └── UnsupportedEventError  this wire, or this kind of endpoint, has no such event
 """
@@ -25,6 +26,10 @@ class ConfigurationError(WireError):
 
 class ClosedError(WireError):
     """An endpoint was used after it was closed."""
+
+
+class ForkedError(WireError):
+    """A forked process used what its parent had opened; the text has what to do instead."""
 
 
 class ForeignPeerError(WireError):

@@ -10,7 +10,15 @@ import threading
 from itertools import count
 
 from tfloom._native import ReadyQueue
-from tfloom.rmw.base import EndpointInfo, NodeName, Participant, Service, ServiceEndInfo, Topic
+from tfloom.rmw.base import (
+    EndpointInfo,
+    NodeName,
+    Participant,
+    ParticipantInfo,
+    Service,
+    ServiceEndInfo,
+    Topic,
+)
 from tfloom.rmw.compatibility import best_available, is_best_available
 from tfloom.rmw.errors import ClosedError
 from tfloom.rmw.local_endpoints import LocalReader, LocalWriter
@@ -123,6 +131,10 @@ class LocalGraph:
         with self._domain.lock:
             return sorted(self._domain.nodes, key=lambda node: node[0].full)
 
+    def participants(self) -> list[ParticipantInfo]:
+        """Return one entry, because all nodes are in this process."""
+        return [ParticipantInfo(b"tfloom::".ljust(16, b"\0"), self.nodes(), is_own=True)]
+
     def endpoints(self) -> list[EndpointInfo]:
         """Return writers and readers of topics, in order of topic name."""
         infos = [info for info in self._infos() if _is_ros(info.topic)]
@@ -156,6 +168,10 @@ class LocalGraph:
     def is_whole(self) -> bool:
         """Return True, because all entities are visible at once."""
         return True
+
+    def late_count(self) -> int:
+        """Return 0, for the same reason."""
+        return 0
 
     def changes(self) -> int:
         """Return a number that grows with each change."""
@@ -225,7 +241,7 @@ class LocalParticipant:
         """Open a server of a service for `node`."""
         responses = self.create_writer(node, response_topic(service), qos)
         requests = self.create_reader(node, request_topic(service), waiting_qos(qos, is_client=False))
-        return HeaderResponder(requests, responses, LocalClients())
+        return HeaderResponder(requests, responses, LocalClients(requests))
 
     def _describe(self, node: NodeName, topic: Topic, qos: QoS, *, is_writer: bool) -> EndpointInfo:
         if self._closed:

@@ -102,7 +102,7 @@ class LocalWriter(LocalEndpoint):
                 return
             self._readers.append(reader)
             self.events.add_match(1)
-            reader.count_writer(1)
+            reader.add_writer(self.gid)
             if theirs.qos.durability == DurabilityPolicy.TRANSIENT_LOCAL:
                 for stored in self._late:
                     reader.deliver(stored)
@@ -119,6 +119,11 @@ class LocalWriter(LocalEndpoint):
         with self._lock:
             return len(self._readers)
 
+    def matched_gids(self) -> list[bytes]:
+        """Return the gids of the readers that are connected now."""
+        with self._lock:
+            return [reader.gid for reader in self._readers]
+
     def assert_liveliness(self) -> None:
         """Do nothing, because leases don't end on this wire."""
 
@@ -134,7 +139,7 @@ class LocalWriter(LocalEndpoint):
             self._closed = True
             readers, self._readers = self._readers, []
         for reader in readers:
-            reader.count_writer(-1)
+            reader.remove_writer(self.gid)
         self._leave(self)
 
 
@@ -147,7 +152,8 @@ class LocalReader(LocalEndpoint):
         self._waiting = _keep(info.qos)
         self._listener: tuple[ReadyQueue, int] | None = None
         self._sink: Sink | None = None
-        self._writers = 0
+        self._writers: frozenset[bytes] = frozenset()
+        """Their gids. Replaced, never changed, under `_lock`."""
 
     def deliver(self, stored: _Stored) -> None:
         """Accept one sample, on the writer's thread."""
@@ -184,14 +190,26 @@ class LocalReader(LocalEndpoint):
             while self._waiting:
                 _push(sink, self._waiting.popleft())
 
-    def count_writer(self, change: int) -> None:
-        """Count a writer that has matched (1) or left (-1)."""
+    def add_writer(self, gid: bytes) -> None:
+        """Add a writer that has matched."""
         with self._lock:
-            self._writers += change
-            self.events.add_match(change)
+            self._writers = self._writers | {gid}
+            self.events.add_match(1)
+
+    def remove_writer(self, gid: bytes) -> None:
+        """Remove a writer that has left, and what the sink stores for it."""
+        with self._lock:
+            self._writers = self._writers - {gid}
+            self.events.add_match(-1)
+            if self._sink is not None:
+                self._sink.forget(gid)
 
     def matched_count(self) -> int:
         """Return how many writers are connected now."""
+        return len(self._writers)
+
+    def matched_gids(self) -> frozenset[bytes]:
+        """Return the gids of the writers that are connected now."""
         return self._writers
 
     def close(self) -> None:
@@ -203,7 +221,7 @@ class LocalReader(LocalEndpoint):
             self._sink = None
             self._listener = None
             self._waiting.clear()
-            self._writers = 0
+            self._writers = frozenset()
         self._leave(self)
 
 

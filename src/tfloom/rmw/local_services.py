@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Set as AbstractSet
+
 from tfloom.rmw.local_endpoints import LocalReader, LocalWriter
 
 
@@ -16,6 +18,25 @@ class LocalServers:
         """Return whether there is a server."""
         return self._requests.matched_count() > 0 and self._responses.matched_count() > 0
 
+    def is_synchronising(self) -> bool:
+        """Return False, because a match is complete at once."""
+        return False
+
+    def synchronise(self) -> None:
+        """Do nothing, because a match is complete at once."""
+
+    def receiving(self) -> frozenset[str]:
+        """Return ids of the servers that receive a request sent now."""
+        return frozenset(gid.hex() for gid in self._requests.matched_gids())
+
+    def most_in_flight(self) -> int | None:
+        """Return None, because a server keeps all requests."""
+        return None
+
+    def connected(self) -> frozenset[str]:
+        """Return the same as `receiving`, because a response arrives before its writer closes."""
+        return self.receiving()
+
     def obstacle(self) -> str:
         """Return an empty text, because all peers use the same format."""
         return ""
@@ -23,6 +44,13 @@ class LocalServers:
 
 class LocalClients:
     """The clients of a server; see `services.Clients`."""
+
+    def __init__(self, requests: LocalReader) -> None:
+        self._requests = requests
+
+    def connected(self) -> AbstractSet[bytes]:
+        """Return the gids of the writers that send requests."""
+        return self._requests.matched_gids()
 
     def obstacle(self) -> str:
         """Return an empty text, because all peers use the same format."""
@@ -32,6 +60,13 @@ class LocalClients:
         """Return True, because all peers use the same format."""
         return True
 
-    def is_matched(self, publisher_gid: bytes) -> bool | None:  # noqa: ARG002 - the same for all clients
+    def synchronise(self) -> None:
+        """Do nothing, because a match is complete at once."""
+
+    def may_be_late(self, publisher_gid: bytes) -> bool:  # noqa: ARG002 - the same for all clients
+        """Return False, because a client opens its reader first."""
+        return False
+
+    def is_matched(self, key: bytes, publisher_gid: bytes) -> bool | None:  # noqa: ARG002 - the same for all clients
         """Return True, because a client opens its reader first."""
         return True

@@ -9,26 +9,36 @@ from __future__ import annotations
 import struct
 import threading
 import time
+from collections import deque
+from collections.abc import Callable
+from collections.abc import Set as AbstractSet
+from contextlib import suppress
 from typing import Protocol
 
 from tfloom._native import ReadyQueue
 from tfloom.rmw.base import Reader, Request, RequestId, Response, Sample, Writer
-from tfloom.rmw.errors import ClosedError, ForeignPeerError
+from tfloom.rmw.errors import ClosedError, ForeignPeerError, WireError
 from tfloom.rmw.events import Event
 from tfloom.rmw.qos import QoS
 
 CLIENT_WAIT_S = 0.1
 """The longest wait of a response until its client's reader is matched [s]."""
 
-LEAST_WAITING = 1000
+LATE_CLIENT_WAIT_S = 5.0
+"""The longest wait, on a thread of its own, where clients are known to be matched seconds late [s]."""
+
+LEAST_WAITING = 100_000
 """The least number of requests, or responses, that a reader keeps until they are taken."""
+
+UNANSWERED_S = 30.0
+"""The time after which a request without a response makes room for another one [s]."""
 
 _HEADER = struct.Struct("<8sq")
 _ENCAPSULATION_SIZE = 4
 _DATA_START = _ENCAPSULATION_SIZE + _HEADER.size
 _KEY_SIZE = 8
 _GID_PADDING = bytes(8)
-_MOST_CLIENTS = 4096
+_LEAST_REMEMBERED = 64
 
 
 class Servers(Protocol):
@@ -37,6 +47,21 @@ class Servers(Protocol):
     def is_ready(self) -> bool:
         """Return whether a server is matched in both directions."""
 
+    def is_synchronising(self) -> bool:
+        """Return whether a server is matched in both directions, and may not take data yet."""
+
+    def synchronise(self) -> None:
+        """Wait, for a short time, until all servers that are matched take data."""
+
+    def receiving(self) -> frozenset[str]:
+        """Return ids of the servers that receive a request sent now."""
+
+    def most_in_flight(self) -> int | None:
+        """Return how many requests these servers keep until they are taken; None: as many as there are."""
+
+    def connected(self) -> frozenset[str]:
+        """Return ids of the servers that are matched in one direction at least."""
+
     def obstacle(self) -> str:
         """Return why a peer is incompatible, or an empty text."""
 
@@ -44,14 +69,26 @@ class Servers(Protocol):
 class Clients(Protocol):
     """The clients of a server, as its wire has discovered them."""
 
+    def connected(self) -> AbstractSet[bytes]:
+        """Return the gids of the writers that send requests."""
+
     def obstacle(self) -> str:
         """Return why a peer is incompatible, or an empty text."""
 
     def accepts(self, publisher_gid: bytes) -> bool:
         """Return whether this client's requests have this format."""
 
-    def is_matched(self, publisher_gid: bytes) -> bool | None:
-        """Return whether the response reader of this writer's client is matched; None if the client has left."""
+    def synchronise(self) -> None:
+        """Wait, for a short time, until all clients that are matched take data."""
+
+    def is_matched(self, key: bytes, publisher_gid: bytes) -> bool | None:
+        """Return whether the response reader of a client is matched; None if the client has left.
+
+        `key` is that of its headers, `publisher_gid` the gid of its writer.
+        """
+
+    def may_be_late(self, publisher_gid: bytes) -> bool:
+        """Return whether the response reader of a client may be matched seconds after its first request."""
 
 
 def waiting_qos(qos: QoS, *, is_client: bool) -> QoS:
@@ -77,10 +114,82 @@ def _split(sample: Sample) -> tuple[bytes, int, bytes] | None:
     return key, sequence_number, sample.data[:_ENCAPSULATION_SIZE] + sample.data[_DATA_START:]
 
 
+class RequestsInFlight:
+    """The requests of this participant's clients of a service: holds some back while servers may have no room for them.
+
+    A request is in flight until its response is taken, for `UNANSWERED_S` at most.
+    """
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._sent_s: dict[tuple[bytes, int], float] = {}
+        """When each request in flight was sent, on the monotonic clock [s], by its client and number; oldest first."""
+        self._held: deque[tuple[HeaderRequester, bytes, int]] = deque()
+        self._timer: threading.Timer | None = None
+        """Sends what is held although responses do not arrive."""
+
+    def send(self, client: HeaderRequester, data: bytes, number: int, most: int | None) -> None:
+        """Let a client write a request, at once if fewer than `most` are in flight, and all if it is None."""
+        if most is None and not self._held:
+            client.write(data, number)
+            return
+        with self._lock:
+            self._held.append((client, data, number))
+        self._send_held(most)
+
+    def answered(self, client: HeaderRequester, number: int, most: Callable[[], int | None]) -> None:
+        """Note that a client has taken a response."""
+        if not self._sent_s:
+            return
+        with self._lock:
+            self._sent_s.pop((client.client_gid, number), None)
+        if self._held:
+            self._send_held(most())
+
+    def _send_held(self, most: int | None) -> None:
+        with self._lock:
+            if self._timer is not None:
+                self._timer.cancel()
+                self._timer = None
+            now_s = time.monotonic()
+            for request, sent_s in list(self._sent_s.items()):
+                if sent_s > now_s - UNANSWERED_S:
+                    break
+                del self._sent_s[request]
+            while self._held and (most is None or len(self._sent_s) < most):
+                client, data, number = self._held.popleft()
+                self._sent_s[client.client_gid, number] = now_s
+                client.write(data, number)
+            if self._held:
+                self._timer = threading.Timer(UNANSWERED_S, self._send_held, [most])
+                self._timer.daemon = True
+                self._timer.start()
+
+    def leave(self, client: HeaderRequester) -> None:
+        """Forget the requests of a client that closes."""
+        if not self._sent_s and not self._held:
+            return
+        with self._lock:
+            self._held = deque(each for each in self._held if each[0] is not client)
+            self._sent_s = {
+                request: sent_s for request, sent_s in self._sent_s.items() if request[0] != client.client_gid
+            }
+            if not self._held and self._timer is not None:
+                self._timer.cancel()
+                self._timer = None
+
+
 class HeaderRequester:
     """A client; see `base.Requester`."""
 
-    def __init__(self, requests: Writer, responses: Reader, servers: Servers, key: bytes) -> None:
+    def __init__(
+        self,
+        requests: Writer,
+        responses: Reader,
+        servers: Servers,
+        key: bytes,
+        in_flight: RequestsInFlight | None = None,
+    ) -> None:
         self.gid = requests.gid
         self._requests = requests
         self._responses = responses
@@ -89,6 +198,9 @@ class HeaderRequester:
         self._key = key
         self._lock = threading.Lock()
         self._sequence_number = 0
+        self._watch: tuple[ReadyQueue, int] | None = None
+        """The queue and token of `watch_servers`."""
+        self._in_flight = in_flight or RequestsInFlight()
 
     def send(self, data: bytes) -> int:
         """Send a request and return its sequence number.
@@ -99,17 +211,23 @@ class HeaderRequester:
         """
         if text := self._servers.obstacle():
             raise ForeignPeerError(text)
+        self._servers.synchronise()
         with self._lock:
             self._sequence_number += 1
             sequence_number = self._sequence_number
-        self._requests.write(_with_header(data, self._key, sequence_number))
+        self._in_flight.send(self, data, sequence_number, self._servers.most_in_flight())
         return sequence_number
+
+    def write(self, data: bytes, sequence_number: int) -> None:
+        """Write a request without regard to others; called by `RequestsInFlight`."""
+        self._requests.write(_with_header(data, self._key, sequence_number))
 
     def take(self) -> Response | None:
         """Remove and return the oldest waiting response to this client, or None."""
         while sample := self._responses.take():
             parts = _split(sample)
             if parts is not None and parts[0] == self._key:
+                self._in_flight.answered(self, parts[1], self._servers.most_in_flight)
                 request_id = RequestId(self.client_gid, parts[1])
                 return Response(parts[2], request_id, sample.source_stamp_ns, sample.received_stamp_ns)
         return None
@@ -120,12 +238,31 @@ class HeaderRequester:
 
     def notify_ready(self, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` when `is_ready` may have changed, and once at the start; None ends it."""
+        if queue is None and self._watch is not None:
+            queue, token = self._watch
         self._requests.notify_event(Event.MATCHED, queue, token)
         self._responses.notify_event(Event.MATCHED, queue, token)
+
+    def watch_servers(self, queue: ReadyQueue | None, token: int = 0) -> None:
+        """Post `token` to `queue` when a server may have come or left, and once at the start; None ends it."""
+        self._watch = None if queue is None else (queue, token)
+        self.notify_ready(queue, token)
 
     def is_ready(self) -> bool:
         """Return whether a server is matched in both directions."""
         return self._servers.is_ready()
+
+    def is_synchronising(self) -> bool:
+        """Return whether a server is matched in both directions, and may not take data yet."""
+        return self._servers.is_synchronising()
+
+    def receiving_servers(self) -> frozenset[str]:
+        """Return ids of the servers that receive a request sent now."""
+        return self._servers.receiving()
+
+    def connected_servers(self) -> frozenset[str]:
+        """Return ids of the servers that receive requests, or whose responses may still arrive."""
+        return self._servers.connected()
 
     def obstacle(self) -> str:
         """Return why this client cannot become ready with the present servers, or an empty text."""
@@ -133,6 +270,7 @@ class HeaderRequester:
 
     def close(self) -> None:
         """Leave the service. Closing again does nothing."""
+        self._in_flight.leave(self)
         self._requests.close()
         self._responses.close()
 
@@ -146,6 +284,9 @@ class HeaderResponder:
         self._responses = responses
         self._clients = clients
         self._gids: dict[bytes, bytes] = {}
+        """The gid of each client's writer, by its key in the header."""
+        self._forget_at = _LEAST_REMEMBERED
+        """Number of them at which the clients that have left are forgotten."""
         self._closed = False
         self._refusal = ""
 
@@ -163,12 +304,16 @@ class HeaderResponder:
         return None
 
     def _remember(self, key: bytes, publisher_gid: bytes) -> None:
-        if len(self._gids) >= _MOST_CLIENTS:
-            self._gids.clear()
+        if key not in self._gids and len(self._gids) >= self._forget_at:
+            present = self._clients.connected()
+            self._gids = {each: gid for each, gid in self._gids.items() if gid in present}
+            self._forget_at = max(_LEAST_REMEMBERED, 2 * len(self._gids))
         self._gids[key] = publisher_gid
 
     def send(self, request_id: RequestId, data: bytes) -> None:
         """Reply to a request; wait for `CLIENT_WAIT_S` at most until the client's reader is matched.
+
+        The response to a client that may be matched later is sent when it is.
 
         Raises:
             ClosedError: the responder is closed.
@@ -177,19 +322,35 @@ class HeaderResponder:
             raise ClosedError("cannot reply to a request: the server is closed")
         key = request_id.client_gid[:_KEY_SIZE]
         publisher_gid = self._gids.get(key)
-        if publisher_gid is None or self._wait_for_client(publisher_gid):
-            self._responses.write(_with_header(data, key, request_id.sequence_number))
-
-    def _wait_for_client(self, publisher_gid: bytes) -> bool:
-        """Wait until a client's reader is matched or the time is over; return False if the client has left."""
-        end = time.monotonic() + CLIENT_WAIT_S
-        while not (is_matched := self._clients.is_matched(publisher_gid)):
+        response = _with_header(data, key, request_id.sequence_number)
+        if publisher_gid is not None:
+            is_matched = self._wait_for_client(key, publisher_gid, CLIENT_WAIT_S)
             if is_matched is None:
-                return False
+                return
+            if not is_matched and self._clients.may_be_late(publisher_gid):
+                threading.Thread(
+                    target=self._send_late, args=(key, publisher_gid, response), daemon=True
+                ).start()
+                return
+        self._responses.write(response)
+
+    def _send_late(self, key: bytes, publisher_gid: bytes, response: bytes) -> None:
+        """Send a response when its client is matched, in some seconds at most."""
+        with suppress(WireError):  # it was closed meanwhile
+            if self._wait_for_client(key, publisher_gid, LATE_CLIENT_WAIT_S) is not None:
+                self._responses.write(response)
+
+    def _wait_for_client(self, key: bytes, publisher_gid: bytes, timeout_s: float) -> bool | None:
+        """Wait until a client's reader is matched; return False when the time is over, None if the client has left."""
+        end = time.monotonic() + timeout_s
+        while not (is_matched := self._clients.is_matched(key, publisher_gid)):
+            if is_matched is None or self._closed:
+                return is_matched
             if time.monotonic() > end:
                 break
             time.sleep(0.001)
-        return True
+        self._clients.synchronise()
+        return is_matched
 
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` when there may be something to take; None ends it."""

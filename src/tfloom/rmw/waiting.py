@@ -9,6 +9,8 @@ from collections.abc import Callable
 from tfloom._native import ReadyQueue
 from tfloom.rmw.base import Requester
 
+SYNCHRONISING_S = 0.001
+"""Period at which a waiting client checks a server that is about to be ready [s]."""
 LOOK_AGAIN_S = 0.1
 """Period at which a waiting client checks its server [s], because a few causes of readiness post no token here."""
 
@@ -52,7 +54,8 @@ def wait_until_ready(
             now_s = time.monotonic()
             if now_s >= end_s:
                 return False
-            wait_for_token(queue, min(end_s, now_s + look_again_s))
+            pause_s = SYNCHRONISING_S if requester.is_synchronising() else look_again_s
+            wait_for_token(queue, min(end_s, now_s + pause_s))
     finally:
         requester.notify_ready(None)
     return False

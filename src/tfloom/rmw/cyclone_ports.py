@@ -1,0 +1,46 @@
+"""The processes on this machine that hold the ports of a domain, whether or not they have been discovered."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from pathlib import Path
+
+from tfloom.rmw.cyclone_config import discovery_port, discovery_range, local_participants
+
+_SOCKETS = Path("/proc/net/udp")
+_CYCLONE = bytes([1, 0x10])
+
+
+def bound_indices(domain_id: int) -> set[int]:
+    """Return the participant indices of a domain whose two UDP ports are bound on this machine.
+
+    Empty where they are not known: on other systems than Linux, and unless programs on this machine discover each other
+    by these ports, that is, in the range LOCALHOST without a CYCLONEDDS_URI.
+    """
+    if os.environ.get("CYCLONEDDS_URI") or discovery_range() != "LOCALHOST":
+        return set()
+    try:
+        table = _SOCKETS.read_text("ascii")
+    except OSError:
+        return set()
+    return _indices(domain_id, _ports(table))
+
+
+def process_count(participants: Iterable[bytes]) -> int:
+    """Return the number of processes to which these participants belong, given by their gids of 16 octets.
+
+    Those of Cyclone in one process share their ports and the first 4 octets; other implementations open ports for each
+    participant. Two processes may share these octets by chance (1 in 65,536), and are then counted as one.
+    """
+    return len({gid[:4] if gid.startswith(_CYCLONE) else gid for gid in participants})
+
+
+def _ports(table: str) -> set[int]:
+    """Return the local ports in the kernel's table of UDP sockets: `sl: address:port …`, in hexadecimal."""
+    return {int(line.split(maxsplit=2)[1].rpartition(":")[2], 16) for line in table.splitlines()[1:]}
+
+
+def _indices(domain_id: int, ports: set[int]) -> set[int]:
+    first = {index: discovery_port(domain_id, index) for index in range(local_participants(domain_id))}
+    return {index for index, port in first.items() if port in ports and port + 1 in ports}

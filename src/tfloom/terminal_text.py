@@ -1,0 +1,89 @@
+r"""Text from messages, names and files on a terminal: control characters are shown, not obeyed.
+
+A string of a message may hold a sequence that clears the screen, moves the cursor, sets the window's title, or
+reverses the direction of a line. On a terminal such characters appear as escape sequences of Python (`\x1b`,
+`\u202e`). A pipe or a file gets the text as it is.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any, TextIO
+
+__all__ = ["TerminalOutput", "is_terminal", "shown", "shown_name", "shown_on_terminals", "unescaped"]
+
+# C0 without tab and line feed, DEL, C1, and the embeddings, overrides and isolates of bidirectional text.
+_OBEYED = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
+
+
+def _escape(match: re.Match[str]) -> str:
+    code = ord(match.group())
+    return f"\\x{code:02x}" if code < 0x100 else f"\\u{code:04x}"
+
+
+def shown(text: str) -> str:
+    """Return a text in which each character that a terminal would obey is an escape sequence; tabs and lines stay."""
+    return _OBEYED.sub(_escape, text)
+
+
+def shown_name(name: str) -> str:
+    """Return a name, which is on one line: as `shown`, but tabs and line feeds are escape sequences, too."""
+    return shown(name).replace("\n", "\\x0a").replace("\t", "\\x09")
+
+
+def is_terminal(stream: object) -> bool:
+    """Return whether an output stream is a terminal."""
+    isatty = getattr(stream, "isatty", None)
+    try:
+        return isatty is not None and bool(isatty())
+    except ValueError:  # it is closed
+        return False
+
+
+class TerminalOutput:
+    """A terminal's stream whose `write` shows what the terminal would obey; all else is the stream's.
+
+    Args:
+        stream: The stream.
+    """
+
+    def __init__(self, stream: TextIO) -> None:
+        self.stream = stream
+
+    def write(self, text: str) -> int:
+        """Write a text, and return its length."""
+        self.stream.write(shown(text))
+        return len(text)
+
+    def writelines(self, lines: Any) -> None:
+        """Write each of the lines."""
+        for line in lines:
+            self.write(line)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.stream, name)
+
+
+def unescaped(stream: Any) -> Any:
+    """Return the stream below a `TerminalOutput`, for text with colours of our own; else the stream itself."""
+    return stream.stream if isinstance(stream, TerminalOutput) else stream
+
+
+@contextmanager
+def shown_on_terminals() -> Iterator[None]:
+    """Within the block, `sys.stdout` and `sys.stderr` show control characters where they are terminals."""
+    names = [name for name in ("stdout", "stderr") if _obeys(getattr(sys, name))]
+    for name in names:
+        setattr(sys, name, TerminalOutput(getattr(sys, name)))
+    try:
+        yield
+    finally:
+        for name in names:
+            setattr(sys, name, unescaped(getattr(sys, name)))
+
+
+def _obeys(stream: object) -> bool:
+    return is_terminal(stream) and not isinstance(stream, TerminalOutput)

@@ -1,0 +1,110 @@
+"""Files that appear complete or not at all: written beside their place, then renamed to it.
+
+A full disk, an error or a signal leaves the previous file as it was. A symbolic link stays, and its target is
+replaced. A new file has the permissions of the previous one, else those of the umask. What isn't a regular file, as
+/dev/stdout or a named pipe, is written directly, and so is a file in a folder that may not be written.
+"""
+
+from __future__ import annotations
+
+import errno
+import os
+import stat
+from contextlib import suppress
+from pathlib import Path
+
+__all__ = ["Replacement", "write_file"]
+
+_DEVICES = ("/dev/", "/proc/")
+
+
+def write_file(path: str | os.PathLike[str], data: bytes | bytearray | memoryview | str) -> None:
+    """Write a file, whole.
+
+    Args:
+        path: The file; its folder must exist.
+        data: Its content; a str is written as UTF-8.
+
+    Raises:
+        OSError: it can't be written; its `filename` is `path`.
+    """
+    octets = data.encode() if isinstance(data, str) else data
+    replacement = Replacement(path)
+    try:
+        with replacement.partial.open("wb") as file:
+            file.write(octets)
+        replacement.commit()
+    except BaseException as error:
+        replacement.discard()
+        if isinstance(error, OSError):
+            _name(error, path)
+        raise
+
+
+class Replacement:
+    """A new file for a path, with a temporary name in the same folder until it is complete.
+
+    Args:
+        path: The file to create or to replace; its folder must exist.
+
+    Raises:
+        OSError: it can't be written; its `filename` is `path`.
+    """
+
+    def __init__(self, path: str | os.PathLike[str]) -> None:
+        self._path = Path(path)
+        self._target = self._path.resolve()
+        self._mode: int | None = None
+        try:
+            self._temporary = self._make()
+        except OSError as error:
+            _name(error, path)
+            raise
+
+    @property
+    def partial(self) -> Path:
+        """The file to write: the temporary one, or the path itself where it is written directly."""
+        return self._temporary or self._path
+
+    def _make(self) -> Path | None:
+        """Create the temporary file and return its name; None if the path is written directly."""
+        with suppress(FileNotFoundError):
+            status = self._path.stat()
+            if not stat.S_ISREG(status.st_mode) or str(self._path.absolute()).startswith(_DEVICES):
+                return None
+            if not os.access(self._path, os.W_OK):
+                raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+            self._mode = stat.S_IMODE(status.st_mode)
+        name = f".{self._target.stem[:32]}.{os.urandom(4).hex()}{self._target.suffix[:32]}"
+        temporary = self._target.with_name(name)
+        try:
+            temporary.touch(exist_ok=False)
+        except PermissionError:
+            if self._mode is None:
+                raise
+            return None
+        return temporary
+
+    def commit(self) -> None:
+        """Put the new file in the place of the path.
+
+        Raises:
+            OSError: that fails; the path is as before.
+        """
+        if self._temporary is None:
+            return
+        with self._temporary.open("r+b") as file:
+            os.fsync(file.fileno())
+        if self._mode is not None:
+            self._temporary.chmod(self._mode)
+        self._temporary.replace(self._target)
+
+    def discard(self) -> None:
+        """Remove the new file, unless it was committed or written directly."""
+        if self._temporary is not None:
+            self._temporary.unlink(missing_ok=True)
+
+
+def _name(error: OSError, path: str | os.PathLike[str]) -> None:
+    """Name the user's path in an error rather than the temporary file."""
+    error.filename, error.filename2 = os.fspath(path), None

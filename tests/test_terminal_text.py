@@ -1,0 +1,180 @@
+"""Control characters on a terminal are shown; a pipe gets them as they are."""
+
+from __future__ import annotations
+
+import io
+import os
+import pty
+import subprocess
+import sys
+
+import pytest
+
+from tfloom.terminal_text import TerminalOutput, shown, shown_on_terminals, unescaped
+
+HOSTILE = "a\x1b[2J\x07\r\x7f\x9b1m\u202eb\u2066c\td\nä\u200f漢"
+SHOWN = "a\\x1b[2J\\x07\\x0d\\x7f\\x9b1m\\u202eb\\u2066c\td\nä\u200f漢"
+
+
+def on_a_terminal(program: str, **environment: str) -> str:
+    """Run a Python program with a terminal for its output and its errors, and return what reaches the terminal."""
+    ours, theirs = pty.openpty()
+    env = (
+        os.environ | {"RMW_IMPLEMENTATION": "tfloom_local", "PYTHONUTF8": "1", "TERM": "xterm"} | environment
+    )
+    process = subprocess.Popen(
+        [sys.executable, "-c", program], stdin=theirs, stdout=theirs, stderr=theirs, env=env
+    )
+    os.close(theirs)
+    read = b""
+    try:
+        while part := os.read(ours, 65536):
+            read += part
+    except OSError:  # the terminal's other end is closed
+        pass
+    finally:
+        os.close(ours)
+        process.wait(timeout=60)
+    return read.decode().replace("\r\n", "\n")
+
+
+def test_what_a_terminal_obeys_is_shown() -> None:
+    assert shown(HOSTILE) == SHOWN
+    assert shown("plain ü 漢 \t\n") == "plain ü 漢 \t\n"
+
+
+def test_every_control_character_is_shown_except_tab_and_line_feed() -> None:
+    obeyed = [*range(0x20), *range(0x7F, 0xA0), *range(0x202A, 0x202F), *range(0x2066, 0x206A)]
+    for code in range(0x3000):
+        expected = code in obeyed and chr(code) not in "\t\n"
+        assert (shown(chr(code)) != chr(code)) is expected, hex(code)
+
+
+def test_a_stream_that_is_no_terminal_is_unchanged(monkeypatch: pytest.MonkeyPatch) -> None:
+    stream = io.StringIO()
+    monkeypatch.setattr(sys, "stdout", stream)
+    with shown_on_terminals():
+        assert sys.stdout is stream
+        print(HOSTILE)
+    assert stream.getvalue() == f"{HOSTILE}\n"
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+def test_a_terminal_is_wrapped_once_and_restored(monkeypatch: pytest.MonkeyPatch) -> None:
+    stream = Terminal()
+    monkeypatch.setattr(sys, "stdout", stream)
+    with shown_on_terminals():
+        wrapped = sys.stdout
+        with shown_on_terminals():
+            assert sys.stdout is wrapped
+        assert isinstance(wrapped, TerminalOutput)
+        assert unescaped(wrapped) is stream
+        print(HOSTILE, end="")
+        wrapped.writelines(["\x1b", "x"])
+    assert sys.stdout is stream
+    assert stream.getvalue() == f"{SHOWN}\\x1bx"
+
+
+LOG = f"""
+from tfloom.node.log.logging import get_logger
+get_logger("na\\x1b\\nme").info({HOSTILE!r})
+"""
+
+
+def test_a_log_on_a_terminal_shows_them() -> None:
+    text = on_a_terminal(LOG, RCUTILS_CONSOLE_OUTPUT_FORMAT="{name}: {message}")
+    assert text == f"\x1b[0mna\\x1b\\x0ame: {SHOWN}\x1b[0m\n"
+    plain = on_a_terminal(
+        LOG, RCUTILS_CONSOLE_OUTPUT_FORMAT="\\x1b[1m{message}", RCUTILS_COLORIZED_OUTPUT="0"
+    )
+    assert plain == f"\x1b[1m{SHOWN}\n"
+
+
+def test_a_log_in_a_pipe_has_them() -> None:
+    env = os.environ | {"RCUTILS_CONSOLE_OUTPUT_FORMAT": "{name}: {message}", "PYTHONUTF8": "1"}
+    done = subprocess.run([sys.executable, "-c", LOG], capture_output=True, env=env, check=True)
+    assert done.stderr.decode() == f"na\x1b\nme: {HOSTILE}\n"
+
+
+# A verb's output, and an error with a name in it.
+VERB = f"""
+import sys
+from types import ModuleType
+from tfloom.cli import main as cli
+from tfloom.cli.errors import CommandError
+import tfloom.cli.topic.list as verb
+def main(args):
+    print({HOSTILE!r})
+    raise CommandError({HOSTILE!r})
+verb.main = main
+sys.argv = ["tfloom", "topic", "list"]
+sys.exit(cli.main())
+"""
+
+
+def test_a_verb_on_a_terminal_shows_them() -> None:
+    assert on_a_terminal(VERB) == f"{SHOWN}\n{SHOWN}\n"
+
+
+def test_a_verb_in_a_pipe_prints_them() -> None:
+    env = os.environ | {"PYTHONUTF8": "1"}
+    done = subprocess.run([sys.executable, "-c", VERB], capture_output=True, env=env, check=False)
+    assert (done.returncode, done.stdout.decode(), done.stderr.decode()) == (
+        1,
+        f"{HOSTILE}\n",
+        f"{HOSTILE}\n",
+    )
+
+
+PROGRAM = f"""
+from tfloom.node.program import run_program
+from tfloom.node.log.logging import get_logger
+def body():
+    print({HOSTILE!r}, flush=True)
+    get_logger("x").info("y")
+run_program([], body)
+"""
+
+
+def test_a_program_on_a_terminal_shows_them_and_keeps_the_colours_of_its_log() -> None:
+    text = on_a_terminal(PROGRAM, RCUTILS_CONSOLE_OUTPUT_FORMAT="{message}")
+    assert text == f"{SHOWN}\n\x1b[0my\x1b[0m\n"
+
+
+def test_doctors_colours_are_obeyed() -> None:
+    text = on_a_terminal(
+        "import sys\nfrom tfloom.cli.main import main\nsys.argv = ['tfloom', 'doctor']\nmain()"
+    )
+    assert "\x1b[32m     ok\x1b[0m  " in text
+    assert "\\x1b" not in text
+
+
+def test_a_list_on_a_terminal_has_a_line_for_each_name() -> None:
+    program = "from tfloom.cli.listing import print_names\nprint_names(['/a\\n/b\\tc', '/d'])"
+    assert on_a_terminal(program) == "/a\\x0a/b\\x09c\n/d\n"
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert done.stdout == "/a\n/b\tc\n/d\n"
+
+
+@pytest.mark.parametrize("flags", [["--field", "data"], ["--csv"], ["--json"], []])
+def test_echo_on_a_terminal_obeys_nothing(flags: list[str]) -> None:
+    program = f"""
+import sys
+from tfloom.cli import message_text
+from tfloom.cli.main import main
+import tfloom.cli.topic.echo as verb
+from tfloom.cli.selection import field_picker
+from tfloom.interfaces.std_msgs.msg import String
+def echo(args):
+    print(message_text.message_text(args)(field_picker(args.field)(String(data={HOSTILE!r}))))
+verb.main = echo
+sys.argv = ["tfloom", "topic", "echo", "/x", *{flags!r}]
+sys.exit(main())
+"""
+    text = on_a_terminal(program)
+    assert shown(text) == text
+    assert "a\\x1b[2J" in text or "a\\e[2J" in text or "a\\u001b[2J" in text
