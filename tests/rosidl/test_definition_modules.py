@@ -8,7 +8,6 @@ import pickle
 import subprocess
 import sys
 import textwrap
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -48,17 +47,11 @@ def workspace(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def sourced(workspace: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+def sourced(workspace: Path, monkeypatch: pytest.MonkeyPatch, forget_interfaces: None) -> Path:
     """Have that prefix on AMENT_PREFIX_PATH; forget afterwards what was imported."""
     monkeypatch.setenv("AMENT_PREFIX_PATH", os.pathsep.join(["/nowhere", str(workspace)]))
     use_ros_names()
-    classes, modules = dict(class_table._classes), set(sys.modules)
-    yield workspace
-    class_table._classes.clear()
-    class_table._classes.update(classes)
-    for name in set(sys.modules) - modules:
-        if name.partition(".")[0] in {"my_interfaces", "other_interfaces"}:
-            del sys.modules[name]
+    return workspace
 
 
 def python(code: str, cwd: Path, **environment: object) -> subprocess.CompletedProcess[str]:

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 import tfloom.rosidl
-from tfloom.rosidl import cdr, generate, spec
+from tfloom.rosidl import cdr, generate, sources, spec
 from tfloom.rosidl.parse import parse_interface
 
 HOME = Path(tfloom.rosidl.__file__).parents[1]
@@ -35,6 +35,15 @@ def test_class_with_the_name_of_a_referenced_one() -> None:
     assert "shape: other_msgs_Shape" in source
     assert "pair: list[Shape]" in source
     compile(source, "my_msgs", "exec")
+
+
+def test_service_with_the_name_of_a_referenced_message() -> None:
+    message = spec.Message("my_msgs/msg/Shape", ())
+    service = parse_interface("Shape shape\n---\n", "my_msgs/srv/Shape")
+    known = {each.name: each for each in (message, *spec.messages_of(service))}
+    source = generate.generate([service], lambda name: known.get(name) or sources.find_message(name))
+    assert "from my_msgs.msg import Shape as my_msgs_Shape" in source
+    assert "shape: my_msgs_Shape" in source
 
 
 def test_text_in_comments_and_constants_is_escaped() -> None:

@@ -96,6 +96,8 @@ def test_parts_of_services_and_actions_are_parsed() -> None:
         ParseError, match=r"^a.srv:1:1: the definition has 1 of its 2 parts, divided by '---'$"
     ):
         parse_interface("int32 a", "my_msgs/srv/A", "a.srv")
+    with pytest.raises(ParseError, match=r":2:1: the definition has 2 of its 3 parts, divided by '---'$"):
+        parse_interface("int32 a\n---", "my_msgs/action/A")
     with pytest.raises(ParseError, match=r":3:1: the definition has 1 lines '---', this is one too many"):
         parse_interface("---\nint32 a\n---", "my_msgs/srv/A")
     action = parse_interface("int32 a\n---\n# Says how.\nint32 b\n---\n", "my_msgs/action/A")

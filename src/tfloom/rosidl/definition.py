@@ -216,6 +216,9 @@ class Annotation:
 class Annotatable:
     """Base of elements that can have annotations."""
 
+    position: tuple[int, int] = (0, 0)
+    """Line and column in the file that was parsed, for errors."""
+
     def __init__(self) -> None:
         self.annotations: list[Annotation] = []
 
@@ -244,10 +247,9 @@ class Annotatable:
 
     def get_comment_lines(self) -> list[str]:
         """Return the lines of all comments."""
-        lines = [
-            each["text"] for each in self.get_annotation_values("verbatim") if each["language"] == "comment"
-        ]
-        return [line for text in lines for line in text.splitlines()]
+        values = [each for each in self.get_annotation_values("verbatim") if isinstance(each, dict)]
+        texts = [str(each["text"]) for each in values if each.get("language") == "comment" and "text" in each]
+        return [line for text in texts for line in text.splitlines()]
 
 
 class Member(Annotatable):
@@ -318,7 +320,6 @@ class Action:
         self.feedback_message = to_definition(whole.feedback_message)
         self.implicit_includes: list[Include] = [
             Include("builtin_interfaces/msg/Time.idl"),
-            Include("service_msgs/msg/ServiceEventInfo.idl"),
             Include("unique_identifier_msgs/msg/UUID.idl"),
         ]
 

@@ -1,6 +1,7 @@
-"""Definition files, `package/kind/Name.kind`, of sourced workspaces, then of tfloom.
+"""Definition files, `package/kind/Name.kind` or `package/kind/Name.idl`, of sourced workspaces, then of tfloom.
 
-The packages of the distribution `tfloom-interfaces`, if it is installed, count as tfloom's.
+Where a package has both of one name, as ROS's own do, the `.idl` is generated from the other, which has precedence. The
+packages of the distribution `tfloom-interfaces`, if it is installed, count as tfloom's.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from importlib.machinery import PathFinder
 from pathlib import Path
 
 KINDS = ("msg", "srv", "action")
+IDL_SUFFIX = ".idl"
 EXTRA_ROOT = "tfloom_interfaces"
 """The import package of the distribution `tfloom-interfaces`."""
 EXTRA_PACKAGES = (
@@ -32,8 +34,13 @@ def find_path(name: str) -> Path | None:
     if len(parts) != 3 or parts[1] not in KINDS or not all(part.isidentifier() for part in parts):
         return None
     package, kind, base = parts
-    for share in share_folders():
-        path = share / package / kind / f"{base}.{kind}"
+    return next(filter(None, (path_in(share / package, kind, base) for share in share_folders())), None)
+
+
+def path_in(package_folder: Path, kind: str, base: str) -> Path | None:
+    """Return the file in a package's folder that defines an interface, or None."""
+    for suffix in (f".{kind}", IDL_SUFFIX):
+        path = package_folder / kind / f"{base}{suffix}"
         if path.is_file():
             return path
     return None
@@ -66,22 +73,36 @@ def interface_names(kind: str = "msg") -> list[str]:
     )
 
 
+_added: list[Path] = []
+"""Folders of built packages that were imported: a program may have them on its Python path alone."""
+
+
+def add_folder(share: Path) -> None:
+    """Search a folder that holds `package/kind/Name.kind`, too, after those of AMENT_PREFIX_PATH."""
+    if share not in _added:
+        _added.append(share)
+
+
 def workspace_folders() -> Iterator[Path]:
-    """Yield the folders on AMENT_PREFIX_PATH that may hold `package/kind/Name.kind`."""
-    for prefix in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep):
-        if prefix:
-            yield Path(prefix) / "share"
+    """Yield the folders that may hold `package/kind/Name.kind`: on AMENT_PREFIX_PATH, then of imported packages."""
+    found = [
+        Path(prefix) / "share"
+        for prefix in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep)
+        if prefix
+    ]
+    yield from dict.fromkeys((*found, *_added))
 
 
 def share_folders() -> Iterator[Path]:
-    """Yield the folders that hold `package/kind/Name.kind`: those of AMENT_PREFIX_PATH, then tfloom's own."""
+    """Yield the folders that hold `package/kind/Name.kind`: a workspace's, then tfloom's own."""
     yield from workspace_folders()
     yield from own_folders()
 
 
 def interfaces_of(package_folder: Path, kind: str) -> list[str]:
     """Return the names of a package's definitions of a kind, without package and kind, sorted."""
-    return sorted(path.stem for path in (package_folder / kind).glob(f"*.{kind}"))
+    suffixes = {f".{kind}", IDL_SUFFIX}
+    return sorted({path.stem for path in (package_folder / kind).glob("*.*") if path.suffix in suffixes})
 
 
 def names_in(package_folder: Path) -> list[str]:

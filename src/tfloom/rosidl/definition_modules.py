@@ -1,11 +1,18 @@
-"""The content of modules that `ros_finder` finds, created from definitions: `my_interfaces`, `my_interfaces.msg`."""
+"""The content of modules, created from definitions: `my_interfaces`, `my_interfaces.msg`.
+
+`ros_finder` finds the modules of packages that hold definitions and no Python. A built package has such modules as
+files, each of which calls `fill_built_module`.
+"""
 
 from __future__ import annotations
 
+import sys
 from importlib import import_module
+from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from tfloom.ros_guard import claim
 from tfloom.rosidl import definition_files
 from tfloom.rosidl.registry import find_by_definition
 
@@ -17,22 +24,41 @@ _PARTS = {
 """The suffixes of the classes of one definition that a module lists; those of an action's services are found, too."""
 
 
-def fill_module(module: ModuleType) -> None:
+def fill_module(module: ModuleType, folder: str) -> None:
     """Give a module the attributes of a generated one, created at first access.
 
     Args:
         module: `my_interfaces`, or one of its kinds, as `my_interfaces.msg`.
+        folder: The package's folder, which holds the definitions, for texts.
     """
     package, _, kind = module.__name__.partition(".")
     if kind:
-        _fill_kind(module, package, kind)
+        _fill_kind(module, package, kind, folder)
     else:
-        _fill_package(module)
+        _fill_package(module, folder)
 
 
-def _fill_package(module: ModuleType) -> None:
+def fill_built_module(name: str, file: str, prefix: str) -> None:
+    """Give a module of a built package its attributes, as `fill_module`.
+
+    Args:
+        name: The module's `__name__`.
+        file: The module's `__file__`.
+        prefix: Path of the package's prefix, relative to the folder of `file`.
+
+    Raises:
+        ImportError: `rclpy` is another ROS's, whose nodes don't accept tfloom's messages.
+    """
+    package = name.partition(".")[0]
+    claim(package)
+    share = (Path(file).parent / prefix).resolve() / "share"
+    definition_files.add_folder(share)
+    fill_module(sys.modules[name], str(share / package))
+
+
+def _fill_package(module: ModuleType, folder: str) -> None:
     package = module.__name__
-    module.__doc__ = f"The interfaces of {package}, from the definitions in {_origin(module)}."
+    module.__doc__ = f"The interfaces of {package}, from the definitions in {folder}."
 
     def find_attribute(name: str) -> Any:
         if name in definition_files.KINDS:
@@ -46,8 +72,8 @@ def _fill_package(module: ModuleType) -> None:
     vars(module)["__getattr__"] = find_attribute
 
 
-def _fill_kind(module: ModuleType, package: str, kind: str) -> None:
-    module.__doc__ = f"The {kind} definitions of {package}, from {_origin(module)}."
+def _fill_kind(module: ModuleType, package: str, kind: str, folder: str) -> None:
+    module.__doc__ = f"The {kind} definitions of {package}, from {folder}."
 
     def names() -> list[str]:
         bases = {
@@ -64,8 +90,7 @@ def _fill_kind(module: ModuleType, package: str, kind: str) -> None:
         found = None if name.startswith("_") else find_by_definition(f"{package}/{kind}/{name}")
         if found is None:
             raise AttributeError(
-                f"module '{module.__name__}' has no attribute '{name}': {_origin(module)} has no "
-                f"{kind}/{name}.{kind}",
+                f"module '{module.__name__}' has no attribute '{name}': {folder} has no {kind}/{name}.{kind}",
                 name=name,
                 obj=module,
             )
@@ -73,8 +98,3 @@ def _fill_kind(module: ModuleType, package: str, kind: str) -> None:
 
     vars(module)["__getattr__"] = find_attribute
     vars(module)["__dir__"] = lambda: sorted({*vars(module), *names()})
-
-
-def _origin(module: ModuleType) -> str:
-    spec = module.__spec__
-    return str(spec.origin if spec is not None else None)

@@ -271,8 +271,10 @@ def _definition(name: str, types: Mapping[str, Mapping[str, spec.Type]]) -> str:
     """Return the text of a described definition.
 
     Raises:
-        DescriptionError: a part is missing, or the text isn't a valid definition.
+        DescriptionError: the name is no type's, a part is missing, or the text isn't a valid definition.
     """
+    if name.count("/") != 2:
+        raise DescriptionError(f"{name!r} is no type's name")
     parts = [name + suffix for suffix in PARTS.get(name.split("/")[1], ())]
     if missing := [part for part in parts if part not in types]:
         raise DescriptionError(f"the description of {missing[0]} is missing")

@@ -14,7 +14,7 @@ from typing import Any
 
 from tfloom.rosidl import definition_files, registry, sources
 from tfloom.rosidl.class_factory import LOCK, load
-from tfloom.rosidl.parse import ParseError, parse_interface
+from tfloom.rosidl.parse import ParseError
 
 
 def define(name: str, text: str, path: str | None = None) -> Any:
@@ -23,7 +23,7 @@ def define(name: str, text: str, path: str | None = None) -> Any:
     Args:
         name: `package/kind/Name`; the kind (msg, srv or action) determines how the text is parsed.
         text: The text of a definition file.
-        path: Path of the text, for errors.
+        path: Path of the text, for errors; the text is IDL if it ends in `.idl`.
 
     Returns:
         A subclass of `Message`, `Service` or `Action`.
@@ -32,13 +32,17 @@ def define(name: str, text: str, path: str | None = None) -> Any:
         ParseError: the text is not a definition, refers to an unknown message, or contains itself.
         ValueError: `name` is not an interface name.
     """
-    parse_interface(text, name, path)
+    sources.parse_source(_source(name, text, path), name)
     with LOCK:
         return _define(name, text, path)
 
 
+def _source(name: str, text: str, path: str | None) -> sources.Source:
+    return sources.Source(text, path or f"{name}.{'/'.join(name.split('/')[1:2])}")
+
+
 def _define(name: str, text: str, path: str | None) -> Any:
-    before = sources.replace(name, sources.Source(text, path or f"{name}.{name.split('/')[1]}"))
+    before = sources.replace(name, _source(name, text, path))
     try:
         return load(name)
     except Exception:
@@ -81,8 +85,9 @@ def _define_all(home: Path, names: list[str]) -> tuple[dict[str, Any], dict[str,
     before: dict[str, sources.Source | None] = {}
     for name in names:  # all of them, before any is loaded: they refer to one another
         _, kind, base = name.split("/")
+        path = definition_files.path_in(home, kind, base) or home / kind / f"{base}.{kind}"
         try:
-            before[name] = sources.replace(name, sources.read_source(home / kind / f"{base}.{kind}"))
+            before[name] = sources.replace(name, sources.read_source(path))
         except (OSError, ParseError) as error:
             failures[name] = error
     for name in before:

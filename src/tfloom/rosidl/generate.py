@@ -73,7 +73,7 @@ class _Module:
 
     def _name_references(self) -> dict[str, str]:
         """Choose the names by which other packages' messages are imported: the class's, or one with the package."""
-        taken = {name.rpartition("/")[2] for name in self.own}
+        taken = self._public()
         names: dict[str, str] = {}
         for name in sorted({each for message in self.messages for each in message.references} - self.own):
             package, _, base = name.split("/")

@@ -9,6 +9,10 @@ from tfloom.rosidl import spec
 from tfloom.rosidl.literal import parse_value
 from tfloom.rosidl.type_text import split_type
 
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from pathlib import Path
+
 _TYPE = re.compile(r"(?P<base>[A-Za-z][\w/]*)(?:<=(?P<bound>\d+))?(?:\[(?:(?:<=)?\d+)?\])?")
 _FIELD_NAME = re.compile(r"(?!.*__)[a-z][a-z0-9_]*(?<!_)")
 _CONSTANT_NAME = re.compile(r"(?!.*__)[A-Z][A-Z0-9_]*(?<!_)")
@@ -23,7 +27,25 @@ class ParseError(ValueError):
 
     def __init__(self, path: str, line: int, column: int, reason: str) -> None:
         super().__init__(f"{path}:{line}:{column}: {reason}")
-        self.path, self.line, self.column = path, line, column
+        self.path, self.line, self.column, self.reason = path, line, column, reason
+
+
+def read_text(path: Path) -> str:
+    """Return the text of a definition's file.
+
+    Raises:
+        ParseError: it is not UTF-8 text.
+        OSError: it can't be read.
+    """
+    data = path.read_bytes()
+    try:
+        return data.decode("utf-8")
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        column = error.start - (data.rfind(b"\n", 0, error.start) + 1) + 1
+        raise ParseError(
+            str(path), line, column, f"octet {data[error.start]:#04x} isn't UTF-8 text"
+        ) from None
 
 
 def parse_interface(text: str, name: str, path: str | None = None) -> spec.Interface:
@@ -161,6 +183,7 @@ class _Parser:
 
     def parts(self, text: str, count: int) -> list[list[_Line]]:
         parts: list[list[_Line]] = [[]]
+        line = _Line(1, "")
         for number, raw in enumerate(text.replace("\r\n", "\n").replace("\t", " ").split("\n"), 1):
             line = _Line(number, raw)
             if line.text.strip() != "---":
@@ -170,9 +193,8 @@ class _Parser:
             else:
                 parts.append([])
         if len(parts) < count:
-            last = parts[-1][-1]
             raise self.fail(
-                last, 0, f"the definition has {len(parts)} of its {count} parts, divided by '---'"
+                line, 0, f"the definition has {len(parts)} of its {count} parts, divided by '---'"
             )
         return parts
 

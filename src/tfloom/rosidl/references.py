@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Protocol
+
 from tfloom.rosidl import definition_files, sources, spec
 from tfloom.rosidl.parse import ParseError
 
@@ -9,12 +11,33 @@ MOST_NESTED = 100
 """How many messages may be nested in one another."""
 
 
-def check_references(interface: spec.Interface) -> None:
+class Definitions(Protocol):
+    """Where definitions are found: the module `sources`, or a package that is being built."""
+
+    def find_source(self, name: str) -> sources.Source | None:
+        """As `sources.find_source`."""
+
+    def find_message(self, name: str) -> spec.Message:
+        """As `sources.find_message`."""
+
+    def is_package(self, package: str) -> bool:
+        """As `sources.is_package`."""
+
+
+class UnknownMessageError(ParseError):
+    """A field's type is a message that there is no definition of."""
+
+    def __init__(self, place: ParseError, name: str) -> None:
+        super().__init__(place.path, place.line, place.column, place.reason)
+        self.name = name
+
+
+def check_references(interface: spec.Interface, definitions: Definitions = sources) -> None:
     """Check that all messages referred to exist, and that none contains itself.
 
     Raises:
-        ParseError: one is unknown, contains itself, is nested more than `MOST_NESTED` deep, or can't be parsed; the
-            text names the file and line of the field.
+        UnknownMessageError: one is unknown; the text names the file and line of the field, as of the next.
+        ParseError: one contains itself, is nested more than `MOST_NESTED` deep, or can't be parsed.
     """
     known = {message.name: message for message in spec.messages_of(interface)}
     sound: set[str] = set()
@@ -27,13 +50,14 @@ def check_references(interface: spec.Interface) -> None:
                 continue
             if name in chain:
                 circle = " -> ".join((*chain[chain.index(name) :], name))
-                raise _at(message, field, f"a message contains itself: {circle}")
+                raise _at(definitions, message, field, f"a message contains itself: {circle}")
             if len(chain) > MOST_NESTED:
-                raise _at(message, field, f"messages are nested more than {MOST_NESTED} deep")
+                raise _at(definitions, message, field, f"messages are nested more than {MOST_NESTED} deep")
             try:
-                nested = known.get(name) or sources.find_message(name)
+                nested = known.get(name) or definitions.find_message(name)
             except LookupError as error:
-                raise _at(message, field, f"{error}{_missing_package(name)}") from None
+                reason = f"{error}{_missing_package(definitions, name)}"
+                raise UnknownMessageError(_at(definitions, message, field, reason), name) from None
             visit(nested, chain)
         sound.add(message.name)
 
@@ -41,15 +65,15 @@ def check_references(interface: spec.Interface) -> None:
         visit(message, ())
 
 
-def _at(message: spec.Message, field: spec.Field, reason: str) -> ParseError:
-    source = sources.find_source(sources.definition_name(message.name))
+def _at(definitions: Definitions, message: spec.Message, field: spec.Field, reason: str) -> ParseError:
+    source = definitions.find_source(sources.definition_name(message.name))
     return ParseError(source.path if source else message.name, *field.position, reason)
 
 
-def _missing_package(name: str) -> str:
+def _missing_package(definitions: Definitions, name: str) -> str:
     """Return an addition to the error about an unknown message if its whole package is missing; else empty text."""
     package = name.partition("/")[0]
-    if sources.is_package(package):
+    if definitions.is_package(package):
         return ""
     if package in definition_files.EXTRA_PACKAGES:
         return f": {package} comes with the distribution tfloom-interfaces, which is not installed"

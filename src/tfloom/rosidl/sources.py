@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from tfloom.rosidl import definition_files, spec
-from tfloom.rosidl.parse import ParseError, parse_interface
+from tfloom.rosidl.parse import parse_interface, read_text
 
 
 class Source(NamedTuple):
@@ -52,15 +52,7 @@ def read_source(path: Path) -> Source:
         ParseError: it is not UTF-8 text.
         OSError: it can't be read.
     """
-    data = path.read_bytes()
-    try:
-        return Source(data.decode("utf-8"), str(path))
-    except UnicodeDecodeError as error:
-        line = data.count(b"\n", 0, error.start) + 1
-        column = error.start - (data.rfind(b"\n", 0, error.start) + 1) + 1
-        raise ParseError(
-            str(path), line, column, f"octet {data[error.start]:#04x} isn't UTF-8 text"
-        ) from None
+    return Source(read_text(path), str(path))
 
 
 def is_package(package: str) -> bool:
@@ -80,6 +72,20 @@ def find_interface(name: str) -> spec.Interface:
     source = find_source(name)
     if source is None:
         raise LookupError(f"there is no definition of '{name}'")
+    return parse_source(source, name)
+
+
+def parse_source(source: Source, name: str) -> spec.Interface:
+    """Return the spec of `package/kind/Name` that a text defines: IDL if its path ends in `.idl`.
+
+    Raises:
+        ParseError: it can't be parsed.
+        ValueError: `name` is not an interface name.
+    """
+    if source.path.endswith(definition_files.IDL_SUFFIX):
+        from tfloom.rosidl.idl_spec import parse_idl
+
+        return parse_idl(source.text, name, source.path)
     return parse_interface(source.text, name, source.path)
 
 
@@ -90,7 +96,15 @@ def find_message(name: str) -> spec.Message:
         LookupError: there is no such message.
         ParseError: its definition can't be parsed.
     """
-    interface = find_interface(definition_name(name))
+    return message_of(find_interface(definition_name(name)), name)
+
+
+def message_of(interface: spec.Interface, name: str) -> spec.Message:
+    """Return the message of a name among those that an interface consists of.
+
+    Raises:
+        LookupError: it has no such message.
+    """
     for message in spec.messages_of(interface):
         if message.name == name:
             return message

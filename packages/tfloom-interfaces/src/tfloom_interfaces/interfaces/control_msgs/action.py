@@ -15,15 +15,15 @@ if TYPE_CHECKING:
     from tfloom.interfaces.sensor_msgs.msg import JointState
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
     from tfloom.interfaces.std_msgs.msg import Header
+    from tfloom.interfaces.trajectory_msgs.msg import JointTrajectory as trajectory_msgs_JointTrajectory
     from tfloom.interfaces.trajectory_msgs.msg import (
-        JointTrajectory,
         JointTrajectoryPoint,
         MultiDOFJointTrajectory,
         MultiDOFJointTrajectoryPoint,
     )
     from tfloom.interfaces.unique_identifier_msgs.msg import UUID
+    from tfloom_interfaces.interfaces.control_msgs.msg import GripperCommand as control_msgs_GripperCommand
     from tfloom_interfaces.interfaces.control_msgs.msg import (
-        GripperCommand,
         JointComponentTolerance,
         JointTolerance,
         MotionPrimitiveSequence,
@@ -232,8 +232,8 @@ class FollowJointTrajectory_Goal(_Message):
     _FIELDS = {"trajectory": "trajectory_msgs/msg/JointTrajectory", "multi_dof_trajectory": "trajectory_msgs/msg/MultiDOFJointTrajectory", "path_tolerance": "control_msgs/msg/JointTolerance[]", "component_path_tolerance": "control_msgs/msg/JointComponentTolerance[]", "goal_tolerance": "control_msgs/msg/JointTolerance[]", "component_goal_tolerance": "control_msgs/msg/JointComponentTolerance[]", "goal_time_tolerance": "builtin_interfaces/msg/Duration"}
 
     if TYPE_CHECKING:
-        def __init__(self, *, trajectory: JointTrajectory = ..., multi_dof_trajectory: MultiDOFJointTrajectory = ..., path_tolerance: list[JointTolerance] = ..., component_path_tolerance: list[JointComponentTolerance] = ..., goal_tolerance: list[JointTolerance] = ..., component_goal_tolerance: list[JointComponentTolerance] = ..., goal_time_tolerance: Duration = ..., check_fields: bool | None = None) -> None: ...
-        trajectory: JointTrajectory
+        def __init__(self, *, trajectory: trajectory_msgs_JointTrajectory = ..., multi_dof_trajectory: MultiDOFJointTrajectory = ..., path_tolerance: list[JointTolerance] = ..., component_path_tolerance: list[JointComponentTolerance] = ..., goal_tolerance: list[JointTolerance] = ..., component_goal_tolerance: list[JointComponentTolerance] = ..., goal_time_tolerance: Duration = ..., check_fields: bool | None = None) -> None: ...
+        trajectory: trajectory_msgs_JointTrajectory
         multi_dof_trajectory: MultiDOFJointTrajectory
         path_tolerance: list[JointTolerance]
         component_path_tolerance: list[JointComponentTolerance]
@@ -440,8 +440,8 @@ class GripperCommand_Goal(_Message):
     _FIELDS = {"command": "control_msgs/msg/GripperCommand"}
 
     if TYPE_CHECKING:
-        def __init__(self, *, command: GripperCommand = ..., check_fields: bool | None = None) -> None: ...
-        command: GripperCommand
+        def __init__(self, *, command: control_msgs_GripperCommand = ..., check_fields: bool | None = None) -> None: ...
+        command: control_msgs_GripperCommand
     else:
         __slots__ = ("_command",)
 
@@ -633,8 +633,8 @@ class JointTrajectory_Goal(_Message):
     _FIELDS = {"trajectory": "trajectory_msgs/msg/JointTrajectory"}
 
     if TYPE_CHECKING:
-        def __init__(self, *, trajectory: JointTrajectory = ..., check_fields: bool | None = None) -> None: ...
-        trajectory: JointTrajectory
+        def __init__(self, *, trajectory: trajectory_msgs_JointTrajectory = ..., check_fields: bool | None = None) -> None: ...
+        trajectory: trajectory_msgs_JointTrajectory
     else:
         __slots__ = ("_trajectory",)
 

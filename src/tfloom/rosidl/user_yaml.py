@@ -1,0 +1,144 @@
+"""The loader of all YAML that a user gives: in a file, in an argument, on standard input.
+
+YAML's aliases may make a text of a hundred bytes stand for more values than fit into memory, and nested collections
+exhaust the stack of a recursive program. So both have limits here. Text without aliases may have any length.
+Import this module where it is used, because yaml takes 15 ms to load.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import yaml
+
+__all__ = ["YamlError", "YamlLimitError", "compose", "load"]
+
+MOST_COPIED = 1_000_000
+"""Values and characters that all aliases of a text may stand for."""
+DEEPEST = 100
+"""Levels of collections in collections, aliases expanded."""
+
+
+class YamlError(ValueError):
+    """A text isn't YAML.
+
+    Attributes:
+        problem: What is wrong.
+        place: " at line 1, column 2", both from 1; "" if it isn't known.
+        snippet: The line, and a mark below the place; "" if it isn't known.
+    """
+
+    def __init__(self, problem: str, mark: Any = None) -> None:
+        self.problem = problem
+        self.place = f" at line {mark.line + 1}, column {mark.column + 1}" if mark else ""
+        self.snippet = (mark.get_snippet(indent=2, max_length=100) or "") if mark else ""
+        super().__init__(f"it is no valid YAML: {problem}{self.place}")
+
+
+class YamlLimitError(YamlError):
+    """A text is YAML, but its value is too large or nested too deep."""
+
+    def __init__(self, problem: str, mark: Any) -> None:
+        super().__init__(problem, mark)
+        self.args = (f"{problem}{self.place}",)
+
+
+class _Loader(yaml.SafeLoader):
+    """Loads plain values, and measures them while they are composed."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(text)
+        self._level = 0
+        self._deepest = 0
+        self._total = 0
+        self._copied = 0
+        self._measured: dict[str, tuple[int, int]] = {}  # of each complete anchor: its size and its levels
+
+    def compose_node(self, parent: Any, index: Any) -> Any:
+        """Return the next node.
+
+        Raises:
+            YamlLimitError: it exceeds a limit.
+        """
+        event: Any = self.peek_event()  # type: ignore[no-untyped-call]
+        mark = event.start_mark
+        if isinstance(event, yaml.AliasEvent):
+            node = super().compose_node(parent, index)
+            self._count_alias(event.anchor, mark)
+            return node
+        before, deepest = self._total, self._deepest
+        self._total += 1 + len(getattr(event, "value", ""))
+        self._enter(1, mark)
+        self._level += 1
+        self._deepest = self._level
+        node = super().compose_node(parent, index)
+        self._level -= 1
+        if event.anchor is not None:
+            self._measured[event.anchor] = self._total - before, self._deepest - self._level
+        self._deepest = max(deepest, self._deepest)
+        return node
+
+    def _enter(self, levels: int, mark: Any) -> None:
+        if self._level + levels > DEEPEST:
+            raise YamlLimitError(f"it is nested deeper than {DEEPEST} levels", mark)
+
+    def _count_alias(self, anchor: Any, mark: Any) -> None:
+        if anchor not in self._measured:
+            raise YamlLimitError(f"the alias *{anchor} contains itself", mark)
+        size, levels = self._measured[anchor]
+        self._enter(levels, mark)
+        self._deepest = max(self._deepest, self._level + levels)
+        self._total += size
+        self._copied += size
+        if self._copied > MOST_COPIED:
+            raise YamlLimitError(f"its aliases stand for more than {MOST_COPIED} values and characters", mark)
+
+    def construct_object(self, node: Any, deep: bool = False) -> Any:
+        """Return the value of a node.
+
+        Raises:
+            ConstructorError: the text isn't of the type of the tag, as in `!!int x` or the date 2026-13-01.
+        """
+        try:
+            return super().construct_object(node, deep=deep)
+        except (ValueError, ArithmeticError, LookupError, AttributeError) as error:
+            if isinstance(error, yaml.YAMLError):
+                raise
+            kind = node.tag.rpartition(":")[2]
+            raise yaml.constructor.ConstructorError(
+                None, None, f"{node.value!r} is no {kind}", node.start_mark
+            ) from None
+
+
+def load(text: str) -> Any:
+    """Return the value of a YAML text, by YAML 1.1's rules for scalars; None for an empty one.
+
+    Raises:
+        YamlError: it isn't YAML, or more than one document, or a value isn't of the type of its tag.
+        YamlLimitError: its aliases stand for too much, an alias contains itself, or it is nested too deep.
+    """
+    return _read(text, "get_single_data")
+
+
+def compose(text: str) -> Any:
+    """Return the root node of a YAML text, with unresolved scalars; None for an empty text.
+
+    Raises:
+        YamlError, YamlLimitError: as `load`, except that tags are not checked.
+    """
+    return _read(text, "get_single_node")
+
+
+def _read(text: str, method: str) -> Any:
+    try:
+        loader = _Loader(text)
+        try:
+            return getattr(loader, method)()
+        finally:
+            loader.dispose()
+    except yaml.MarkedYAMLError as error:
+        raise YamlError(
+            str(error.problem or error.context), error.problem_mark or error.context_mark
+        ) from None
+    except yaml.YAMLError as error:
+        raise YamlError(" ".join(str(error).split())) from None
