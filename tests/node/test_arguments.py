@@ -240,6 +240,21 @@ def test_pattern_of_a_parameter_file_matches_some_nodes(tmp_path: Path, pattern:
     assert bool(parsed.parameter_overrides("/ns/remote")) == is_meant
 
 
+LAUGHS = "\n".join(
+    [
+        "a0: &a0 [lol, lol]",
+        *(f"a{n}: &a{n} [*a{n - 1}, *a{n - 1}, *a{n - 1}, *a{n - 1}]" for n in range(1, 40)),
+    ]
+)
+
+
+@pytest.mark.parametrize("flag", ["-p", "--param"])
+def test_an_argument_beyond_yamls_limits_is_refused(flag: str) -> None:
+    bombs = ", ".join(["&a0 [lol]", *(f"&a{n} [{f'*a{n - 1}, ' * 9}]" for n in range(1, 20))])
+    with pytest.raises(RCLInvalidROSArgsError, match="its aliases stand for more than 1000000 values"):
+        parse_arguments(["--ros-args", flag, f"x:=[{bombs}]"])
+
+
 @pytest.mark.parametrize(
     ("content", "text"),
     [
@@ -249,7 +264,12 @@ def test_pattern_of_a_parameter_file_matches_some_nodes(tmp_path: Path, pattern:
         ("a: {ros__parameters: {x: [1, a]}}", "list of 'x' must be of one scalar type"),
         ("a: {ros__parameters: {x: [[1]]}}", "list of 'x' must be of one scalar type"),
         ("a: [", r"p\.yaml: it is no valid YAML: expected the node content, .* at line 1, column 5"),
-        ("a: &x {ros__parameters: {x: *x}}", "an alias in it contains itself"),
+        ("a: &x {ros__parameters: {x: *x}}", r"p\.yaml: the alias \*x contains itself at line 1, column 29"),
+        (
+            LAUGHS,
+            r"p\.yaml: its aliases stand for more than 1000000 values and characters at line 10, column ",
+        ),
+        ("[" * 5000, r"p\.yaml: it is nested deeper than 100 levels at line 1, column 101"),
     ],
 )
 def test_malformed_parameter_file_raises_with_the_place(content: str, text: str, tmp_path: Path) -> None:

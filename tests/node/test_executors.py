@@ -5,11 +5,13 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable
+from typing import Any
 
 import pytest
 
 from tfloom.interfaces.std_msgs.msg import Int32
 from tfloom.node.context.context import Context
+from tfloom.node.executing import executors
 from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from tfloom.node.executing.executor_exceptions import ShutdownException
 from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
@@ -359,6 +361,163 @@ def test_error_on_a_pool_thread_is_raised_by_spin(context: Context, node: Node) 
         executor.add_node(node)
         with pytest.raises(KeyError, match="mine"):
             executor.spin()
+
+
+@pytest.fixture
+def long_batches(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let no time end what a thread of a pool runs without returning to the thread that spins."""
+    monkeypatch.setattr(executors, "BATCH_NS", 30_000_000_000)
+
+
+class Numbers:
+    """Ten messages that wait for a subscription, whose callback does something at the third."""
+
+    def __init__(self, node: Node, at_the_third: Callable[[], object]) -> None:
+        self.heard: list[int] = []
+        self._at_the_third = at_the_third
+        node.create_subscription(Int32, "numbers", self._hear, 10)
+        publisher = node.create_publisher(Int32, "numbers", 10)
+        for number in range(10):
+            publisher.publish(Int32(data=number))
+
+    def _hear(self, msg: Int32) -> None:
+        self.heard.append(msg.data)
+        if msg.data == 2:
+            self._at_the_third()
+
+    def hear_the_rest(self, executor: MultiThreadedExecutor) -> None:
+        end = time.monotonic() + 30
+        while len(self.heard) < 10 and time.monotonic() < end:
+            executor.spin_once(timeout_sec=0.02)
+        assert self.heard == list(range(10))
+
+
+def test_no_thread_continues_after_the_awaited_future_is_complete(
+    long_batches: None, context: Context, node: Node
+) -> None:
+    future: Future[None] = Future()
+    numbers = Numbers(node, lambda: future.set_result(None))
+    with MultiThreadedExecutor(2, context=context) as executor:
+        executor.add_node(node)
+        executor.spin_until_future_complete(future, timeout_sec=30)
+        assert executor._running.wait(30)
+        assert numbers.heard == [0, 1, 2]
+        numbers.hear_the_rest(executor)
+
+
+def test_no_thread_continues_after_an_error(long_batches: None, context: Context, node: Node) -> None:
+    def fail() -> None:
+        raise KeyError("third")
+
+    numbers = Numbers(node, fail)
+    with MultiThreadedExecutor(2, context=context) as executor:
+        executor.add_node(node)
+        with pytest.raises(KeyError, match="third"):
+            executor.spin()
+        assert executor._running.wait(30)
+        assert numbers.heard == [0, 1, 2]
+        numbers.hear_the_rest(executor)
+
+
+def test_no_thread_continues_after_a_shutdown(long_batches: None, context: Context, node: Node) -> None:
+    executor = MultiThreadedExecutor(2, context=context)
+    is_third = threading.Event()
+
+    def wait_for_shutdown() -> None:
+        is_third.set()
+        while not executor._is_shutdown:
+            time.sleep(0.001)
+
+    numbers = Numbers(node, wait_for_shutdown)
+    executor.add_node(node)
+    thread = threading.Thread(target=executor.spin)
+    thread.start()
+    assert is_third.wait(30)
+    assert executor.shutdown(30)
+    thread.join(30)
+    assert numbers.heard == [0, 1, 2]
+
+
+def test_no_thread_continues_with_a_removed_node(long_batches: None, context: Context, node: Node) -> None:
+    removed: Future[None] = Future()
+    with MultiThreadedExecutor(2, context=context) as executor:
+
+        def remove() -> None:
+            executor.remove_node(node)
+            executor.create_task(removed.set_result, None)
+
+        numbers = Numbers(node, remove)
+        executor.add_node(node)
+        executor.spin_until_future_complete(removed, timeout_sec=30)
+        assert numbers.heard == [0, 1, 2]
+        executor.add_node(node)
+        numbers.hear_the_rest(executor)
+
+
+def test_spin_once_on_a_pool_runs_one_callback(long_batches: None, context: Context, node: Node) -> None:
+    numbers = Numbers(node, lambda: None)
+    with MultiThreadedExecutor(2, context=context) as executor:
+        executor.add_node(node)
+        end = time.monotonic() + 30
+        while not numbers.heard and time.monotonic() < end:
+            executor.spin_once(timeout_sec=0.02)
+        executor.spin_once(timeout_sec=0.02)
+        assert executor._running.wait(30)
+        assert len(numbers.heard) <= 2
+
+
+def test_a_busy_topic_on_a_pool_lets_its_group_run_the_others(
+    long_batches: None, context: Context, node: Node
+) -> None:
+    order: list[str] = []
+    finished: Future[None] = Future()
+
+    def hear_busy(_: Int32) -> None:
+        while not order and not node.default_callback_group.has_parked(quiet):
+            time.sleep(0.001)
+        order.append("busy")
+        if order.count("busy") == 10:
+            finished.set_result(None)
+
+    node.create_subscription(Int32, "busy", hear_busy, 10)
+    quiet = node.create_subscription(Int32, "quiet", lambda _: order.append("quiet"), 1)
+    publishers = [node.create_publisher(Int32, topic, 10) for topic in ("busy", "quiet")]
+    for publisher, count in zip(publishers, (10, 1), strict=True):
+        for number in range(count):
+            publisher.publish(Int32(data=number))
+    with MultiThreadedExecutor(2, context=context) as executor:
+        executor.add_node(node)
+        executor.spin_until_future_complete(finished, timeout_sec=30)
+    assert order == ["busy", "quiet", *["busy"] * 9]
+
+
+def test_a_group_of_the_program_admits_each_callback_on_a_pool(
+    long_batches: None, context: Context, node: Node
+) -> None:
+    class Counting(MutuallyExclusiveCallbackGroup):
+        begun = 0
+
+        def beginning_execution(self, entity: Any) -> bool:
+            begins = super().beginning_execution(entity)
+            self.begun += begins
+            return begins
+
+    group = Counting()
+    finished: Future[None] = Future()
+
+    def hear(msg: Int32) -> None:
+        if msg.data == 9:
+            finished.set_result(None)
+
+    node.create_subscription(Int32, "numbers", hear, 10, callback_group=group)
+    publisher = node.create_publisher(Int32, "numbers", 10)
+    for number in range(10):
+        publisher.publish(Int32(data=number))
+    with MultiThreadedExecutor(2, context=context) as executor:
+        executor.add_node(node)
+        executor.spin_until_future_complete(finished, timeout_sec=30)
+    assert finished.done()
+    assert group.begun == 10
 
 
 def test_five_hundred_topics_in_one_node(

@@ -12,14 +12,14 @@ from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
 from tfloom.interfaces.std_srvs.srv import SetBool
 from tfloom.node.context.context import Context
-from tfloom.node.endpoints.client import Client
+from tfloom.node.endpoints.client import Client, NoResponseError
 from tfloom.node.endpoints.service_introspection import ServiceIntrospectionState
 from tfloom.node.executing.callback_groups import ReentrantCallbackGroup
 from tfloom.node.executing.executor import Executor
 from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
-from tfloom.node.qos.qos import QoSProfile
+from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 from tfloom.node.values.exceptions import InvalidHandle
 from tfloom.node.values.names import InvalidServiceNameException
 
@@ -157,8 +157,52 @@ def test_call_without_response_times_out(node: Node) -> None:
     assert not client._pending
 
 
-def test_call_during_shutdown_returns_none(node: Node, context: Context) -> None:
+def test_request_without_a_server_fails_by_name(node: Node) -> None:
     client = node.create_client(AddTwoInts, "nobody")
+    future = client.call_async(AddTwoInts.Request())
+    assert future.done()
+    with pytest.raises(
+        NoResponseError, match=r"^no response from /nobody: no server was there .* wait_for_service"
+    ):
+        future.result()
+    with pytest.raises(NoResponseError):
+        client.call(AddTwoInts.Request())
+    assert not client._pending
+
+
+def test_request_to_later_servers_waits_for_them(
+    make_node: MakeNode, executor: SingleThreadedExecutor
+) -> None:
+    latched = QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    caller, server = make_node("caller"), make_node("server")
+    client = caller.create_client(AddTwoInts, "late", qos_profile=latched)
+    future = client.call_async(AddTwoInts.Request(a=1, b=2))
+    assert not future.done()
+
+    def add(request: AddTwoInts.Request, response: AddTwoInts.Response) -> AddTwoInts.Response:
+        response.sum = request.a + request.b
+        return response
+
+    server.create_service(AddTwoInts, "late", add, qos_profile=latched)
+    executor.add_node(caller)
+    executor.add_node(server)
+    executor.spin_until_future_complete(future, timeout_sec=10)
+    assert future.result().sum == 3
+
+
+def test_destroyed_client_cancels_its_requests(make_node: MakeNode) -> None:
+    caller, server = make_node("caller"), make_node("server")
+    server.create_service(SetBool, "s", lambda request, response: response)
+    client = caller.create_client(SetBool, "s")
+    future = client.call_async(SetBool.Request())
+    caller.destroy_client(client)
+    assert future.cancelled()
+    assert not future.done()
+
+
+def test_call_during_shutdown_returns_none(node: Node, make_node: MakeNode, context: Context) -> None:
+    make_node("server").create_service(AddTwoInts, "unspun", lambda request, response: response)
+    client = node.create_client(AddTwoInts, "unspun")
     context.shutdown()
     answers: list[object] = ["none yet"]
     thread = threading.Thread(target=lambda: answers.append(client.call(AddTwoInts.Request())), daemon=True)
@@ -298,6 +342,7 @@ def test_server_destroyed_during_a_call_leaves_the_client_usable(
     assert client.wait_for_service(timeout_sec=5)
     future = client.call_async(SetBool.Request())
     executor.spin_until_future_complete(future, timeout_sec=5)
-    assert future.done()
-    assert not lost.done()
+    assert future.result() is not None
+    assert isinstance(lost.exception(), NoResponseError)
+    assert str(lost.exception()) == "no response from /s: its server left the graph without one"
     client.remove_pending_request(lost)

@@ -9,6 +9,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from contextlib import suppress
+from pathlib import Path
 
 import pytest
 from tests.conftest import Program
@@ -142,7 +143,7 @@ print(sorted(endings))
     ("number", "expected"),
     [
         (signal.SIGTERM, {"ExternalShutdownException"}),
-        (signal.SIGINT, {"KeyboardInterrupt", "ExternalShutdownException"}),  # the other during a deletion
+        (signal.SIGINT, {"KeyboardInterrupt"}),
     ],
 )
 def test_signal_during_publishing_is_reported_as_a_signal(
@@ -155,11 +156,12 @@ def test_signal_during_publishing_is_reported_as_a_signal(
 
 
 @pytest.mark.parametrize("how", ["method", "weakref"])
+@pytest.mark.parametrize("then", ["create_node", "spin", "sleep"])
 def test_ctrl_c_during_a_destructor_ends_the_program_without_error_text(
-    how: str, start_program: StartProgram
+    how: str, then: str, start_program: StartProgram
 ) -> None:
     code = f"""
-import os, signal, weakref, time
+import os, signal, sys, weakref, time
 import rclpy
 
 def strike():
@@ -176,18 +178,169 @@ class Plain:
     pass
 
 rclpy.init()
+node = rclpy.create_node("early")
+executor = rclpy.get_global_executor()
+executor.add_node(node)
 thing = Method() if "{how}" == "method" else Plain()
 if "{how}" == "weakref":
     weakref.finalize(thing, strike)
-del thing
 try:
-    rclpy.spin_once(rclpy.create_node("late"))
-except rclpy.exceptions.NotInitializedException:
-    print("ended")
+    del thing
+    {THEN_RUN[then]}
+except (KeyboardInterrupt, rclpy.exceptions.NotInitializedException) as error:
+    print(type(error).__name__)
 """
     program = start_program("python", "-c", code)
-    assert program.wait() == 0
-    assert program.lines == ["struck", "ended"]
+    assert program.wait() == 0, program.output
+    ends = {"create_node": ["StoppedException", "KeyboardInterrupt"], "spin": ["KeyboardInterrupt"]}
+    assert program.lines[0] == "struck"
+    assert program.lines[1] in ends.get(then, ["KeyboardInterrupt"])
+    assert len(program.lines) == 2
+
+
+THEN_RUN = {
+    "create_node": "rclpy.create_node('late')",
+    "spin": "executor.spin()",
+    "sleep": "time.sleep(60)",
+}
+
+
+def test_ctrl_c_during_an_import_is_raised_after_it(start_program: StartProgram, tmp_path: Path) -> None:
+    """A module in C may replace the exception by an ImportError, as numpy's do."""
+    (tmp_path / "slow_module.py").write_text(
+        "import os, signal\nos.kill(os.getpid(), signal.SIGINT)\nfor _ in range(1000): pass\nwhole = True\n"
+    )
+    code = f"""
+import sys, time
+import rclpy
+sys.path.insert(0, {str(tmp_path)!r})
+rclpy.init()
+try:
+    import slow_module
+    time.sleep(60)
+except KeyboardInterrupt:
+    print(sys.modules["slow_module"].whole)
+"""
+    program = start_program("python", "-c", code)
+    assert program.wait() == 0, program.output
+    assert program.lines == ["True"]
+
+
+def test_ctrl_c_is_raised_in_an_import_that_takes_long(start_program: StartProgram, tmp_path: Path) -> None:
+    (tmp_path / "endless_module.py").write_text(
+        "import os, signal, time\nos.kill(os.getpid(), signal.SIGINT)\ntime.sleep(60)\n"
+    )
+    code = f"""
+import sys
+import rclpy
+sys.path.insert(0, {str(tmp_path)!r})
+rclpy.init()
+try:
+    import endless_module
+except KeyboardInterrupt:
+    print("interrupted")
+"""
+    program = start_program("python", "-c", code)
+    assert program.wait() == 0, program.output
+    assert program.lines == ["interrupted"]
+
+
+def test_ctrl_c_while_asyncio_builds_its_loop_prints_nothing(start_program: StartProgram) -> None:
+    code = """
+import asyncio, os, signal
+import rclpy
+
+class Loop(asyncio.SelectorEventLoop):
+    def __init__(self):
+        os.kill(os.getpid(), signal.SIGINT)
+        for _ in range(1000):
+            pass
+        super().__init__()
+
+class Policy(asyncio.DefaultEventLoopPolicy):
+    _loop_factory = Loop
+
+asyncio.set_event_loop_policy(Policy())
+rclpy.init()
+try:
+    asyncio.run(asyncio.sleep(60))
+except KeyboardInterrupt:
+    print("interrupted")
+"""
+    program = start_program("python", "-W", "ignore", "-c", code)
+    assert program.wait() == 0, program.output
+    assert program.lines == ["interrupted"]
+
+
+@pytest.mark.parametrize(
+    "numbers",
+    [(signal.SIGINT, signal.SIGTERM), (signal.SIGTERM, signal.SIGINT)],
+    ids=["SIGINT first", "SIGTERM first"],
+)
+@pytest.mark.parametrize("when", ["after shutdown", "at exit", "after the interpreter's exit hooks"])
+def test_second_signal_right_after_the_first_keeps_the_exit_code(
+    numbers: tuple[int, int], when: str, start_program: StartProgram
+) -> None:
+    first, second = map(int, numbers)
+    strike = f"(os.kill(os.getpid(), {second}), [None for _ in range(1000)])"
+    code = f"""
+import atexit, os, signal
+import rclpy
+from rclpy.executors import ExternalShutdownException
+
+class Late:
+    def __del__(self):
+        {strike if when.startswith("after the") else "pass"}
+
+late = Late()
+if {when!r} == "at exit":
+    atexit.register(lambda: {strike})
+rclpy.init()
+node = rclpy.create_node("ending")
+node.create_timer(0.01, lambda: os.kill(os.getpid(), {first}))
+try:
+    rclpy.spin(node)
+except (KeyboardInterrupt, ExternalShutdownException):
+    pass
+rclpy.shutdown() if rclpy.ok() else rclpy.try_shutdown()
+try:
+    rclpy.shutdown()
+except Exception:
+    pass  # it was shut down by the signal; the handlers are restored nevertheless
+if {when!r} == "after shutdown":
+    {strike}
+print("ended")
+raise SystemExit(3)
+"""
+    program = start_program("python", "-c", code)
+    assert program.wait() == 3, program.output
+    assert program.lines == ["ended"]
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_signal_long_after_the_one_that_shut_down_ends_the_program(
+    number: int, start_program: StartProgram
+) -> None:
+    code = f"""
+import os, signal, time
+import rclpy
+from tfloom.node.executing import signals
+signals.ECHO_S = 0.0
+rclpy.init()
+os.kill(os.getpid(), signal.SIGTERM)
+while rclpy.ok():
+    pass
+try:
+    rclpy.shutdown()
+except Exception:
+    pass
+print("shut down", flush=True)
+os.kill(os.getpid(), {int(number)})
+time.sleep(60)
+"""
+    program = start_program("python", "-c", code)
+    assert program.wait() == -number, program.output
+    assert program.lines[0] == "shut down"
 
 
 def test_former_handlers_are_restored() -> None:
@@ -262,13 +415,15 @@ def test_idle_node_uses_no_cpu_time(start_program: StartProgram) -> None:
 import time, rclpy
 rclpy.init()
 node = rclpy.create_node("idle")
-begin = time.process_time()
-rclpy.spin_until_future_complete(node, rclpy.Future(), timeout_sec=1.0)
-print("used", time.process_time() - begin)
+for _ in range(6):
+    begin = time.process_time()
+    rclpy.spin_until_future_complete(node, rclpy.Future(), timeout_sec=0.5)
+    print("used", time.process_time() - begin)
 """
     program = start_program("python", "-c", code)
     assert program.wait() == 0
-    assert float(program.lines[-1].split()[1]) < 0.02
+    # The first turns discover; the least is not slowed down by what else the machine does.
+    assert min(float(line.split()[1]) for line in program.lines) < 0.01
 
 
 def test_second_ctrl_c_does_not_interrupt_the_shutdown(start_program: StartProgram) -> None:
@@ -319,3 +474,4 @@ def test_no_interrupt_is_raised_during_submission_to_a_pool() -> None:
             signal.raise_signal(signal.SIGINT)
     finally:
         rclpy.try_shutdown()
+        rclpy.uninstall_signal_handlers()

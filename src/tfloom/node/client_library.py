@@ -18,6 +18,7 @@ from tfloom.node.executing.executor_exceptions import ShutdownException
 from tfloom.node.executing.signals import (
     SignalHandlerOptions,
     install_signal_handlers,
+    leave_signal_handlers,
     uninstall_signal_handlers,
 )
 from tfloom.node.executing.task import Future
@@ -70,7 +71,7 @@ class InitContextManager:
         is_default = self.context is get_default_context()
         try_shutdown(context=None if is_default else self.context)
         if self._uninstall_handlers:
-            uninstall_signal_handlers()
+            leave_signal_handlers()
 
 
 def init(
@@ -121,7 +122,7 @@ def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None 
         _shutdown(context=context)
     finally:
         if uninstall_handlers or (uninstall_handlers is None and context is None):
-            uninstall_signal_handlers()
+            leave_signal_handlers()
 
 
 def create_node(

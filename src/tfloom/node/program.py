@@ -8,6 +8,7 @@ from collections.abc import Callable
 from tfloom.node.client_library import init
 from tfloom.node.context.utilities import get_default_context, remove_ros_args, try_shutdown
 from tfloom.node.values.exceptions import ExternalShutdownException
+from tfloom.terminal_text import shown_on_terminals
 
 __all__ = ["expect_no_arguments", "run_program"]
 
@@ -30,8 +31,9 @@ def run_program(args: list[str] | None, body: Callable[[], int | None], *, if_st
     """
     context = get_default_context()
     try:
-        init(args=args)
-        return body() or 0
+        with shown_on_terminals():
+            init(args=args)
+            return body() or 0
     except (KeyboardInterrupt, ExternalShutdownException):
         return if_stopped
     except Exception as error:

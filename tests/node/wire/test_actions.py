@@ -14,6 +14,7 @@ from tfloom.interfaces.action_msgs.srv import CancelGoal
 from tfloom.interfaces.example_interfaces.action import Fibonacci
 from tfloom.node.action.client import ActionClient
 from tfloom.node.action.names import new_goal_id
+from tfloom.node.endpoints.client import NoResponseError
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
@@ -172,7 +173,12 @@ def test_server_continues_after_a_client_is_killed_during_a_goal(
 
 
 def test_restarted_server_accepts_goals_after_a_kill(
-    short_lease: float, client: ActionClient, server: Program, start: Start, finish: Finish
+    short_lease: float,
+    client: ActionClient,
+    server: Program,
+    start: Start,
+    finish: Finish,
+    executor: SingleThreadedExecutor,
 ) -> None:
     handle = finish(send(client, WAITS))
     result = handle.get_result_async()
@@ -181,11 +187,11 @@ def test_restarted_server_accepts_goals_after_a_kill(
     server.wait()
     wait_until(lambda: not client.server_is_ready())
     assert not client.wait_for_server(timeout_sec=0.0)
-    assert not result.done()
+    executor.spin_until_future_complete(result, timeout_sec=20)
+    assert isinstance(result.exception(), NoResponseError)
     start("action_server", 900)
     assert client.wait_for_server(timeout_sec=20)
     assert finish(finish(send(client, 4)).get_result_async()).status == GoalStatus.STATUS_SUCCEEDED
-    assert not result.done()
     assert (
         finish(handle.get_result_async()).status == GoalStatus.STATUS_UNKNOWN
     )  # the new server doesn't have that goal
@@ -202,7 +208,7 @@ def test_server_can_be_destroyed_during_a_goal_and_recreated(
         assert client.wait_for_server(timeout_sec=20)
         sent.append(send(client, 4))
         executor.spin_until_future_complete(sent[-1], timeout_sec=1.0)
-        return sent[-1].done()
+        return sent[-1].done() and sent[-1].exception() is None
 
     sent: list[Future[Any]] = []
     wait_until(is_answered)

@@ -66,6 +66,7 @@ def test_matched_events_count_peers(node: Node, start_talker: StartTalker, spin_
     tell(talkers[0], "leave")
     spin_until(lambda: seen[-1].current_count == 1)
     assert (seen[-1].total_count, seen[-1].total_count_change, seen[-1].current_count_change) == (2, 0, -1)
+    spin_until(lambda: told(talkers[1], "matched"))
     node.destroy_subscription(subscription)
     spin_until(lambda: [event["current_count"] for event in told(talkers[1], "matched")][-1:] == [0])
     first, *_, last = told(talkers[1], "matched")

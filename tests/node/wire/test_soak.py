@@ -19,8 +19,10 @@ def test_no_message_is_lost_while_processes_join_and_leave(
     program = start_program("python", "-m", "benchmarks.node.soak", "--seconds", "8", cwd=ROOT)
     assert program.wait(120) == 0, program.output
     messages, lives = map(
-        int, re.search(r"(\d+) messages and \d+ calls of (\d+) guests", program.output).groups()
+        int, re.search(r"(\d+) messages and \d+ calls; (\d+) guests", program.output).groups()
     )
     assert messages >= 200 * lives
     assert lives >= 3
     assert "0 faults" in program.output
+    for name in ("stayer", "broadcaster", "listener"):
+        assert re.search(rf"^{name}: (RSS|not measured)", program.output, re.MULTILINE)

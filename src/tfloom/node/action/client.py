@@ -309,7 +309,14 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
         """When `first` completes with `result`, call `before`, and complete `then` with `convert(result)`."""
 
         def complete() -> None:
-            if first.cancelled() or then.cancelled():
+            if then.cancelled():
+                return
+            if first.cancelled():
+                then.cancel()
+                return
+            if (error := first.exception()) is not None:
+                then.set_executor(self._node.executor)
+                then.set_exception(error)
                 return
             try:
                 if before is not None:

@@ -105,7 +105,7 @@ class NodeBase(NodeEntities, NodeParameters):
             publish_event=self.__publish_parameter_event,
         )
         participant = context.join(names.node)
-        self.__owned = OwnedEntities(participant, names.node)
+        self.__owned = OwnedEntities(participant, names.node, context)
         NodeEntities.__init__(
             self,
             names,
@@ -382,7 +382,9 @@ class NodeBase(NodeEntities, NodeParameters):
             introspection=self.__introspection(srv_type, name),
             logger=self.get_logger(),
         )
-        return self.__owned.add(client, self)
+        self.__owned.add(client, self)
+        self.__owned.add(client.server_watch, self)
+        return client
 
     def __introspection(self, srv_type: type[ServiceType], name: str) -> Introspection:
         return Introspection(srv_type, name, self.create_publisher, self.destroy_publisher)

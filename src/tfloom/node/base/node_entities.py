@@ -192,7 +192,8 @@ class NodeEntities(NodeGraph):
         return self.__owned.destroy(service)
 
     def destroy_client(self, client: Client) -> bool:
-        """Destroy a client; False if it isn't this node's. Responses to its pending requests are dropped."""
+        """Destroy a client; False if it isn't this node's. Its pending requests are cancelled."""
+        self.__owned.destroy(client.server_watch)
         return self.__owned.destroy(client)
 
     def destroy_timer(self, timer: Timer) -> bool:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 from tfloom.node.values.exceptions import InvalidHandle
 
 if TYPE_CHECKING:
+    from tfloom.node.context.context import Context
     from tfloom.node.endpoints.publisher import Publisher
     from tfloom.node.executing.entity import Entity
     from tfloom.node.executing.executor import SpunNode
@@ -36,11 +37,13 @@ class OwnedEntities:
     Args:
         participant: Creates the node's endpoints.
         node_name: The node's name.
+        context: The node's context.
     """
 
-    def __init__(self, participant: Participant, node_name: NodeName) -> None:
+    def __init__(self, participant: Participant, node_name: NodeName, context: Context) -> None:
         self._participant = participant
         self._node_name = node_name
+        self._context = context
         self._entities: list[Entity] = []
         self._publishers: list[Publisher[Any]] = []
         self._rates: list[Rate] = []
@@ -57,9 +60,11 @@ class OwnedEntities:
 
         Raises:
             InvalidHandle: the node was destroyed.
+            ForkedProcessError: this process is a fork of the one that created the node.
         """
         if self._destroyed:
             raise InvalidHandle(f"cannot create anything for {self._node_name.full}: the node was destroyed")
+        self._context.check_not_inherited(f"cannot create anything for {self._node_name.full}")
         return self._participant
 
     def entities(self) -> list[Entity]:

@@ -118,7 +118,8 @@ def _source(name: str) -> TypeSource:
     source = find_source(name) if name == definition_name(name) else None
     if source is None:
         return TypeSource(type_name=name, encoding="implicit")
-    return TypeSource(type_name=name, encoding=name.split("/")[1], raw_file_contents=source.text)
+    encoding = "idl" if source.path.endswith(".idl") else name.split("/")[1]
+    return TypeSource(type_name=name, encoding=encoding, raw_file_contents=source.text)
 
 
 def _individual(described: dict[str, Any]) -> IndividualTypeDescription:

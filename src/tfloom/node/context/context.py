@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import _thread
+import os
 import sys
 import threading
 import weakref
@@ -13,11 +14,13 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 from tfloom._native import block_gil_reacquire_at_exit
 from tfloom.node.context.arguments import Arguments, parse_arguments
+from tfloom.node.context.postponed_interrupt import postponed
 from tfloom.node.context.topic_types import TopicTypes
 from tfloom.node.log import log_output
 from tfloom.node.log.log_file import LogFile
 from tfloom.node.values.exceptions import (
     ExternalShutdownException,
+    ForkedProcessError,
     NotInitializedException,
     RCLError,
     ROSInterruptException,
@@ -83,6 +86,8 @@ class Context:
         """Number of nodes on the participant."""
         self._abandoned: deque[DestroyableNode] = deque()
         """Nodes that the garbage collector has finalized. Appended and popped without the lock."""
+        self._is_inherited = False
+        """Whether the parent process, from which this one was forked, used it. Set before the child's first thread."""
         self._domain_id: int | None = None
         self._arguments = Arguments()
         self.topic_types = TopicTypes()
@@ -149,6 +154,32 @@ class Context:
         """Return whether it was initialised, and has been shut down."""
         return self._initialized and not self._valid
 
+    def is_inherited(self) -> bool:
+        """Return whether the parent process, from which this one was forked, used it, so that it can't be used."""
+        return self._is_inherited
+
+    def check_not_inherited(self, what: str) -> None:
+        """Check that it can be used in this process.
+
+        Args:
+            what: What can't be done otherwise, for the error.
+
+        Raises:
+            ForkedProcessError: the parent process used it before the fork.
+        """
+        if self._is_inherited:
+            raise ForkedProcessError(what)
+
+    def inherit(self) -> None:
+        """Become the parent's context in a forked child: invalid, if the parent had nodes or executors on it."""
+        self._lock = threading.RLock()  # a thread of the parent may have held the former one
+        if self._participant is None and not self._queues:
+            return
+        self._is_inherited = True
+        self._valid = False
+        self._hooks, self._queues, self._participant, self._nodes = [], [], None, 0
+        self._abandoned.clear()
+
     def is_interrupted(self) -> bool:
         """Return whether a signal has shut it down."""
         return self._interrupted
@@ -162,17 +193,20 @@ class Context:
     def shutdown(self) -> None:
         """Shut down: spinning ends, and the callbacks of `on_shutdown` are called on this thread.
 
+        Nothing is done in a forked child for a context that the parent process used.
+
         Raises:
             RuntimeError: before `init`.
             RCLError: it was shut down before.
         """
         if not self._initialized:
             raise RuntimeError("Context must be initialized before it can be shutdown")
-        if not self.try_shutdown():
+        if not self.try_shutdown() and not self._is_inherited:
             raise RCLError("failed to shutdown: rcl_shutdown already called on the given context")
 
     def try_shutdown(self) -> bool:
         """Shut down unless that has been done; return whether this call did it."""
+        postponed.take()  # the program ends by itself
         with self._lock:
             if not self._valid:
                 return False
@@ -255,6 +289,7 @@ class Context:
 
         Raises:
             NotInitializedException: the context isn't initialised, or shut down.
+            ForkedProcessError: the parent process used it before this process was forked.
             StoppedException: a signal has shut it down.
             ConfigurationError, NoBackendError: the wire can't be opened.
         """
@@ -262,8 +297,12 @@ class Context:
 
         self._destroy_abandoned()
         with self._lock:
+            self.check_not_inherited("cannot create node")
             if not self._valid:
-                raise StoppedException if self._interrupted else NotInitializedException("cannot create node")
+                if not self._interrupted:
+                    raise NotInitializedException("cannot create node")
+                postponed.take()  # this exception takes its place
+                raise StoppedException
             if self._participant is None:
                 self._participant = open_participant(self._domain_id, self._arguments.enclave or "/")
                 _close_at_exit()
@@ -347,6 +386,14 @@ def live_contexts() -> list[Context]:
     """Return the contexts that are initialised and not shut down."""
     return [context for context in _contexts if context.ok()]
 
+
+def _inherit_all() -> None:
+    for context in list(_contexts):
+        context.inherit()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_inherit_all)
 
 _will_close_at_exit = False
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 import threading
 from collections.abc import Sequence
@@ -27,12 +28,22 @@ _lock = threading.RLock()
 """Guards the default contexts."""
 
 
+def _renew_lock() -> None:
+    """In a forked child, make a new lock, because a thread of the parent may have held it."""
+    global _lock  # noqa: PLW0603
+    _lock = threading.RLock()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_renew_lock)
+
+
 def get_default_context(*, shutting_down: bool = False) -> Context:
     """Return the context used where none is given; with `shutting_down`, the next call creates a new one."""
     with _lock:
         defaults = current_defaults()
         context = defaults.context
-        if context is None:
+        if context is None or (context.is_inherited() and not shutting_down):
             context = defaults.context = Context()
         if shutting_down:
             defaults.context = None

@@ -6,15 +6,17 @@ import math
 import threading
 import time
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tfloom._native import ReadyQueue
 from tfloom.node.endpoints.endpoint import UNREADABLE
 from tfloom.node.endpoints.service import ServiceEndpoint
 from tfloom.node.endpoints.service_introspection import Introspection
 from tfloom.node.endpoints.type_variables import SrvType, SrvTypeRequest, SrvTypeResponse
+from tfloom.node.executing.entity import Entity
 from tfloom.node.executing.task import Future
-from tfloom.node.qos.qos import QoSProfile
+from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
+from tfloom.node.values.exceptions import RCLError
 from tfloom.rmw.base import RequestId
 from tfloom.rmw.waiting import wait_until_ready
 from tfloom.rosidl import cdr
@@ -27,7 +29,19 @@ if TYPE_CHECKING:
     from tfloom.node.log.rcutils_logger import RcutilsLogger
     from tfloom.rmw.base import Requester, Response
 
-__all__ = ["Client", "SrvType", "SrvTypeRequest", "SrvTypeResponse"]
+__all__ = ["Client", "NoResponseError", "SrvType", "SrvTypeRequest", "SrvTypeResponse"]
+
+
+class NoResponseError(RCLError):
+    """A request gets no response: no server received it, or all that did have left the graph."""
+
+
+class _Pending(NamedTuple):
+    """A request without a response."""
+
+    future: Future[Any]
+    servers: frozenset[str]
+    """Ids of the servers that received it."""
 
 
 class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
@@ -71,7 +85,10 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         self._reported_obstacle = ""
         self._lock = threading.Lock()
         """Guards `_pending`."""
-        self._pending: dict[int, Future[SrvTypeResponse]] = {}
+        self._pending: dict[int, _Pending] = {}
+        self._reaches_later_servers = qos_profile.durability == DurabilityPolicy.TRANSIENT_LOCAL
+        self.server_watch = ServerWatch(self)
+        """Fails requests whose servers have left; run by the same executor."""
 
     def call(self, request: SrvTypeRequest, timeout_sec: float | None = None) -> SrvTypeResponse | None:
         """Send a request and wait for the response. Another thread must spin the node.
@@ -84,6 +101,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
             The response; None if it was not received in time, or before the context was shut down.
 
         Raises:
+            NoResponseError: without a limit, no response can arrive any more, as for `call_async`.
             TypeError: `request` isn't of the service's request type.
             RuntimeError: called from a callback of a single-threaded executor, which would block its own thread.
         """
@@ -95,32 +113,50 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
             )
         ended = threading.Event()
         future = self.call_async(request)
-        future.when_complete(ended.set)
+
+        def end() -> None:
+            # With a limit, the wait for a response that can't arrive takes as long as for one that may.
+            if timeout_sec is None or future.exception() is None:
+                ended.set()
+
+        future.when_complete(end)
         self._context.add_shutdown_hook(ended.set)
         try:
             if not ended.wait(timeout_sec):
                 self.remove_pending_request(future)
+                return None
         finally:
             self._context.remove_shutdown_hook(ended.set)
-        return future.result()
+        if not self._context.ok() and future.exception() is not None:
+            return None
+        return future.result() if future.done() else None
 
     def call_async(self, request: SrvTypeRequest) -> Future[SrvTypeResponse]:
         """Send a request and return the future of its response.
+
+        The future's exception is a NoResponseError if no server is there, or all that were there leave without a
+        response. It is cancelled when the client is destroyed.
 
         Raises:
             TypeError: `request` isn't of the service's request type.
             EncodeError: the value of a field doesn't fit its type.
             ForeignPeerError: a server uses another vendor's format and would misread the request.
             InvalidHandle: the client was destroyed.
+            ForkedProcessError: this process is a fork of the one that created the client.
         """
         if not isinstance(request, self.srv_type.Request):
             raise TypeError(f"Expected {self.srv_type.Request}, got {type(request)}")
+        self._context.check_not_inherited(f"cannot call {self.srv_name}")
         data = cdr.encode(request)
         future: Future[SrvTypeResponse] = Future()
         with self._alive()._lock:  # a response may arrive before `send` has returned  # noqa: SLF001
+            # A server that leaves from here on is noticed by the watch, which waits for the lock.
+            servers = self._endpoint.receiving_servers()
             number = self._endpoint.send(data)
-            self._pending[number] = future
-        future.when_complete(lambda: self.remove_pending_request(future))
+            self._pending[number] = _Pending(future, servers)
+        future.when_complete(lambda: self._remove(number))
+        if not servers and not self._reaches_later_servers:
+            self._fail(future, "no server was there when the request was sent. Call wait_for_service first")
         self._introspection.request_sent(request, RequestId(self._endpoint.client_gid, number))
         return future
 
@@ -130,19 +166,61 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         Raises:
             KeyError: no pending request has that number.
         """
-        return self._pending[sequence_number]
+        return self._pending[sequence_number].future
 
     def remove_pending_request(self, future: Future[SrvTypeResponse]) -> None:
         """Remove a pending request; its response will be dropped."""
         with self._lock:
             for number, pending in list(self._pending.items()):
-                if pending is future:
+                if pending.future is future:
                     del self._pending[number]
+
+    def _remove(self, number: int) -> None:
+        with self._lock:
+            self._pending.pop(number, None)
+
+    def _fail(self, future: Future[Any], why: str) -> None:
+        future.set_executor(self._executor())
+        future.set_exception(NoResponseError(f"no response from {self.srv_name}: {why}"))
+
+    def take_orphans(self) -> list[Future[Any]]:
+        """Remove the requests whose servers have all left, and return their futures.
+
+        The responses that have arrived are taken first, so this is called on the thread that spins.
+        """
+        while (taken := self.take()) is not None:
+            self.run(taken)
+        if self._destroyed:
+            return []
+        with self._lock:
+            connected = self._endpoint.connected_servers() if self._pending else frozenset()
+            orphans = [
+                (number, pending.future)
+                for number, pending in self._pending.items()
+                if pending.servers and pending.servers.isdisjoint(connected)
+            ]
+            for number, _ in orphans:
+                del self._pending[number]
+        return [future for _, future in orphans if not future.cancelled()]
+
+    def fail_orphans(self, orphans: list[Future[Any]]) -> None:
+        """Complete the futures of requests whose servers have left."""
+        for future in orphans:
+            self._fail(future, "its server left the graph without one")
+
+    def destroy(self) -> None:
+        """Leave the service, and cancel the futures of all pending requests."""
+        super().destroy()
+        with self._lock:
+            pending, self._pending = self._pending, {}
+        for each in pending.values():
+            each.future.cancel()
 
     def service_is_ready(self) -> bool:
         """Return whether a server is matched in both directions, so that it receives a request sent now."""
         if self._destroyed:
             return False
+        self._context.check_not_inherited(f"cannot find a server of {self.srv_name}")
         if self._endpoint.is_ready():
             return True
         obstacle = self._endpoint.obstacle()
@@ -182,7 +260,39 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
             return
         message, number = taken
         with self._lock:
-            future = self._pending.pop(number, None)
-        if future is not None and not future.cancelled():
-            future.set_executor(self._executor())
-            future.set_result(message)
+            pending = self._pending.pop(number, None)
+        if pending is not None and not pending.future.cancelled():
+            pending.future.set_executor(self._executor())
+            pending.future.set_result(message)
+
+
+class ServerWatch(Entity):
+    """Fails the requests of a client whose servers have all left the graph."""
+
+    goes_by_group = False
+    callback_group = None
+
+    def __init__(self, client: Client[Any, Any]) -> None:
+        self._client = client
+
+    def attach(self, queue: ReadyQueue, token: int) -> None:
+        """Post `token` when a server may have left."""
+        if not self._client.is_destroyed:
+            self._client.wire_endpoint.watch_servers(queue, token)
+
+    def detach(self) -> None:
+        """Stop posting."""
+        if not self._client.is_destroyed:
+            self._client.wire_endpoint.watch_servers(None)
+
+    def take(self) -> Any:
+        """Return the requests without a server, after the responses that have arrived; None if there are none."""
+        orphans = self._client.take_orphans()
+        return orphans or None
+
+    def run(self, taken: Any) -> None:
+        """Fail these requests."""
+        self._client.fail_orphans(taken)
+
+    def destroy(self) -> None:
+        """Do nothing, because the client leaves the service."""

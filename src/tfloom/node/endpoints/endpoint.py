@@ -143,6 +143,8 @@ class Receiver(ReceivingEndpoint[TakingEndpoint], Entity):
     _incoming = ("a message", "on")
     """The kind of incoming data, and its preposition, for warnings."""
 
+    takes_on_any_thread = True
+
     def __init__(
         self, endpoint: TakingEndpoint, name: str, incoming_type: type[Message], logger: RcutilsLogger
     ) -> None:

@@ -51,6 +51,7 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
             TypeError: `msg` is of another type.
             EncodeError: a field's value doesn't fit its type; the text names the field.
             RCLError: the context is shut down.
+            ForkedProcessError: this process is a fork of the one that created the publisher.
             InvalidHandle: the publisher was destroyed.
         """
         if isinstance(msg, self.msg_type):
@@ -62,6 +63,7 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
         if self._destroyed:
             raise InvalidHandle(f"cannot publish on {self.topic}: the publisher was destroyed")
         if not self._context.ok():
+            self._context.check_not_inherited(f"cannot publish on {self.topic}")
             raise RCLError("Failed to publish: publisher's context is invalid")
         self._endpoint.write(data)
 

@@ -55,6 +55,11 @@ class CallbackGroup:
         with self._parked_lock:
             return any(parked is entity for parked, _ in self._parked)
 
+    def has_parked_another(self, entity: Any) -> bool:
+        """Return whether an entity other than `entity` waits for a callback of the group to complete."""
+        with self._parked_lock:
+            return any(parked is not entity for parked, _ in self._parked)
+
     def release_parked(self) -> None:
         """Post the parked entities again."""
         if self._parked:

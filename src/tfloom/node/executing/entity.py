@@ -28,6 +28,9 @@ class Entity:
     goes_by_group = True
     """Whether `run` belongs to the callback group; otherwise it is called at once, on the thread that spins."""
 
+    takes_on_any_thread = False
+    """Whether `take` may be called on any thread, one at a time."""
+
     callback_group: CallbackGroup | None
 
     _part_of: Any = None  # the node: a reference to the entity keeps it alive

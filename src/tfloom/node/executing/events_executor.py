@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tfloom.node.executing.executor import Executor
-from tfloom.node.values.exceptions import ExternalShutdownException
+from tfloom.node.executing.signals import shutdown_exception
 
 __all__ = ["EventsExecutor"]
 
@@ -31,12 +31,12 @@ class EventsExecutor(Executor):
                 self._run_until_shutdown()
         except Exception as error:
             if self._context.explains(error):  # as in the other executors
-                raise ExternalShutdownException from error
+                raise shutdown_exception() from error
             raise
         finally:
             self._spinning.release()
         if self._context.is_interrupted():  # by a signal that arrived while a callback ran
-            raise ExternalShutdownException
+            raise shutdown_exception()
 
     def _run_until_shutdown(self) -> None:
         while self._context.ok() and not self._is_shutdown:
@@ -44,7 +44,7 @@ class EventsExecutor(Executor):
             if self._is_shutdown:
                 return
             if not self._context.ok():
-                raise ExternalShutdownException
+                raise shutdown_exception()
             self._run_pass()
 
     def _run_pass(self) -> None:

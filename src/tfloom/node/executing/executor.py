@@ -19,9 +19,9 @@ from tfloom.node.executing.executor_exceptions import (
     TimeoutObject,
 )
 from tfloom.node.executing.running_work import RunningWork
+from tfloom.node.executing.signals import shutdown_exception
 from tfloom.node.executing.task import Future, Task
 from tfloom.node.executing.work_queue import MOST_AT_ONCE, Work, WorkQueue
-from tfloom.node.values.exceptions import ExternalShutdownException
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -93,7 +93,7 @@ class Executor(WorkQueue):
         self._spinning = threading.RLock()
         """Lock held by the thread that spins."""
         self._is_in_long_spin = False
-        """Whether the spin continues after one callback. Used only by the thread that spins."""
+        """Whether the spin continues after one callback. Written by the thread that spins, without a lock."""
         self._nodes: list[SpunNode] = []
         """The nodes that were added. Guarded by `_lock`."""
         self._is_shutdown = False
@@ -121,8 +121,7 @@ class Executor(WorkQueue):
                 return False
             self._nodes.append(node)
         node.executor = self
-        for entity in node.entities():
-            self.add_entity(entity)
+        self.add_entities(node.entities())
         return True
 
     def remove_node(self, node: SpunNode) -> None:
@@ -131,8 +130,7 @@ class Executor(WorkQueue):
             if node not in self._nodes:
                 return
             self._nodes.remove(node)
-        for entity in node.entities():
-            self.remove_entity(entity)
+        self.remove_entities(node.entities())
         if node.executor is self:
             node.executor = None
 
@@ -167,7 +165,7 @@ class Executor(WorkQueue):
             ShutdownException: the executor was shut down.
             ExternalShutdownException: its context was shut down.
         """
-        entity, taken = self._wait_for_work(timeout_sec, condition)
+        entity, taken = self._wait_for_work(_end_ns(timeout_sec), condition)
         if entity is None:
             return taken, None, None
 
@@ -183,12 +181,12 @@ class Executor(WorkQueue):
 
     def _next(
         self,
-        timeout_sec: float | None,
+        end_ns: int | None,
         condition: Callable[[], bool] | None = None,
         *,
         until_response: bool = False,
     ) -> Work:
-        """Wait for a callback that may begin.
+        """Wait for a callback that may begin, until `end_ns` by the steady clock; None: without limit.
 
         Raises:
             TimeoutException: none was ready in time.
@@ -196,14 +194,12 @@ class Executor(WorkQueue):
             ShutdownException: the executor was shut down.
             ExternalShutdownException: its context was shut down.
         """
-        timeout_ns = timeout_sec_to_nsec(timeout_sec)
-        end_ns = None if timeout_ns < 0 else time.monotonic_ns() + timeout_ns
         waited = self._has_response = False
         while True:
             if self._is_shutdown:
                 raise ShutdownException
             if not self._context.ok():
-                raise ExternalShutdownException
+                raise shutdown_exception()
             if condition is not None and condition():
                 raise ConditionReachedException
             if self._has_room():
@@ -274,7 +270,7 @@ class Executor(WorkQueue):
         except Exception as error:
             # A signal arrived during the callback, which then used the context, by publishing for example.
             if self._context.explains(error):
-                raise ExternalShutdownException from error
+                raise shutdown_exception() from error
             raise
 
     def _run_entity(self, entity: Entity, taken: Any) -> None:
@@ -317,14 +313,14 @@ class Executor(WorkQueue):
             while self._context.ok() and not self._is_shutdown:
                 self.spin_once()
         if self._context.is_interrupted():  # by a signal that arrived while a callback ran
-            raise ExternalShutdownException
+            raise shutdown_exception()
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
         """Wait for one callback and run it, for a response to a client, or for a transform of a TransformListener.
 
         Return without either after `timeout_sec` [s] (None, negative: no limit).
         """
-        self._spin_once(timeout_sec)
+        self._spin_once(_end_ns(timeout_sec))
 
     def spin_until_future_complete(self, future: Future[Any], timeout_sec: float | None = None) -> None:
         """Run callbacks until a future is done, or for `timeout_sec` [s] (None, negative: no limit)."""
@@ -336,11 +332,10 @@ class Executor(WorkQueue):
             return future.done() or future.cancelled()
 
         future.when_complete(self.wake)
-        end_s = None if timeout_sec is None or timeout_sec < 0 else time.monotonic() + timeout_sec
+        end_ns = _end_ns(timeout_sec)
         while self._context.ok() and not self._is_shutdown and not is_over():
-            left_s = None if end_s is None else max(0.0, end_s - time.monotonic())
-            self._spin_once(left_s, is_over)
-            if end_s is not None and time.monotonic() >= end_s:
+            self._spin_once(end_ns, is_over)
+            if end_ns is not None and time.monotonic_ns() >= end_ns:
                 return
 
     def spin_once_until_future_complete(
@@ -350,25 +345,25 @@ class Executor(WorkQueue):
         future.when_complete(self.wake)
         if isinstance(timeout_sec, TimeoutObject):
             timeout_sec = timeout_sec.timeout
-        self._spin_once(timeout_sec, lambda: future.done() or future.cancelled())
+        self._spin_once(_end_ns(timeout_sec), lambda: future.done() or future.cancelled())
 
-    def _spin_once(self, timeout_sec: float | None, condition: Callable[[], bool] | None = None) -> None:
+    def _spin_once(self, end_ns: int | None, condition: Callable[[], bool] | None = None) -> None:
         try:
-            work = self._wait_for_work(timeout_sec, condition, until_response=True)
+            work = self._wait_for_work(end_ns, condition, until_response=True)
         except (TimeoutException, ShutdownException, ConditionReachedException):
             return
         self._run(work)
 
     def _wait_for_work(
         self,
-        timeout_sec: float | None,
+        end_ns: int | None,
         condition: Callable[[], bool] | None,
         *,
         until_response: bool = False,
     ) -> Work:
         self._begin_spin()
         try:
-            return self._next(timeout_sec, condition, until_response=until_response)
+            return self._next(end_ns, condition, until_response=until_response)
         finally:
             self._spinning.release()
 
@@ -388,7 +383,9 @@ class Executor(WorkQueue):
 
         Raises:
             RuntimeError: another thread is spinning; inside a callback, the text has what to do instead.
+            ForkedProcessError: this process is a fork of the one that created the executor.
         """
+        self._context.check_not_inherited("cannot spin")
         if not self._spinning.acquire(blocking=False):
             advice = ""
             if self._running.is_this_thread():
@@ -407,6 +404,8 @@ class Executor(WorkQueue):
             False if a callback still runs after `timeout_sec` [s] (None: no limit).
         """
         self._is_shutdown = True
+        if self._context.is_inherited():
+            return True  # its threads, which may hold its locks, are the parent's
         self._context.remove_queue(self._queue)
         self.wake()
         if not self._running.wait(timeout_sec):
@@ -427,6 +426,12 @@ class Executor(WorkQueue):
         self, t: type[BaseException] | None, v: BaseException | None, tb: TracebackType | None
     ) -> None:
         self.shutdown()
+
+
+def _end_ns(timeout_sec: float | None) -> int | None:
+    """Return when a timeout [s] that begins now is over, by the steady clock; None: never."""
+    timeout_ns = timeout_sec_to_nsec(timeout_sec)
+    return None if timeout_ns < 0 else time.monotonic_ns() + timeout_ns
 
 
 def _is_held(entity: Entity) -> bool:

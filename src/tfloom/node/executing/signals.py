@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import _thread
 import _weakrefset
 import atexit
+import math
+import os
 import signal
 import threading
 import time
@@ -13,7 +16,9 @@ from types import FrameType
 from typing import Any
 
 from tfloom.node.context.context import Context, live_contexts
+from tfloom.node.context.postponed_interrupt import postponed
 from tfloom.node.executing.guard_condition import GuardCondition
+from tfloom.node.values.exceptions import ExternalShutdownException
 from tfloom.node.values.handle import unwrap_handle
 
 __all__ = [
@@ -35,43 +40,99 @@ class SignalHandlerOptions(IntFlag):
 
 
 ECHO_S = 0.5
-"""Time in which a second SIGINT is ignored [s], because launchers send it to a process and to its group."""
+"""Time in which a second signal is ignored [s], because launchers send it to a process and to its group."""
+POSTPONED_S = 1.0
+"""Longest time by which a KeyboardInterrupt is postponed [s]."""
+RETRY_S = 0.005
 
 _uninterruptible_files = {
     weakref.WeakMethod.__new__.__code__.co_filename,
     _weakrefset.WeakSet.add.__code__.co_filename,
+    "<frozen importlib._bootstrap>",  # modules in C replace the exception by an ImportError, as numpy's do
+    "<frozen importlib._bootstrap_external>",
 }
 """Files whose code an exception between two lines would break, or would lose the exception.
 
 Named as in their code objects, because in a frozen program `__file__` is another path.
 """
+_uninterruptible_functions = {"__del__", "new_event_loop"}  # the destructor of half a loop prints an error
 
-_interrupted_at = -ECHO_S
+_interrupted_at = -math.inf
+"""When a signal shut a context down [s], until the next `init`."""
 _previous: dict[signal.Signals, Any] = {}
+_left: set[signal.Signals] = set()
+"""Those of `_previous` that are still handled because the program is ending by a signal."""
 _handled_now: set[int] = set()
 _SIGNALS = {SignalHandlerOptions.SIGINT: signal.SIGINT, SignalHandlerOptions.SIGTERM: signal.SIGTERM}
 
 
 def _on_signal(number: int, frame: FrameType | None) -> None:
-    global _interrupted_at  # noqa: PLW0603  # written here alone
+    global _interrupted_at  # noqa: PLW0603  # written on the main thread alone
     contexts = live_contexts()
     if contexts:
         _interrupted_at = time.monotonic()
-    elif number == signal.SIGINT and time.monotonic() < _interrupted_at + ECHO_S:
-        return  # a KeyboardInterrupt now would interrupt the clean-up after the first
+    elif number == signal.SIGINT and postponed.is_set():
+        _interrupt_main_thread(frame)
+        return
+    elif _is_repetition(number):
+        return  # an exception now would interrupt the clean-up after the first
     for context in contexts:
         context.interrupt()
     for guard in _guards:
         guard.trigger()
+    if contexts and number == signal.SIGINT:
+        postponed.set(time.monotonic() + POSTPONED_S)
+        _interrupt_main_thread(frame)
+    elif number in _left:
+        _end_as_before_init(signal.Signals(number))
+    else:
+        _call_previous(number, frame)
+
+
+def _is_repetition(number: int) -> bool:
+    """Return whether a signal that arrives when no context is alive follows the one that ended the last."""
+    return time.monotonic() < _interrupted_at + ECHO_S and (number == signal.SIGINT or number in _left)
+
+
+def _interrupt_main_thread(frame: FrameType | None) -> None:
+    """Call the previous handler of SIGINT; Python's raises KeyboardInterrupt. Where it would be lost, do it later."""
+    if _may_interrupt(frame) or postponed.is_overdue(time.monotonic()):
+        postponed.take()
+        _call_previous(signal.SIGINT, frame)
+    else:
+        _thread.start_new_thread(_retry, ())  # not a Thread: its start may be what was interrupted
+
+
+def _retry() -> None:
+    time.sleep(RETRY_S)
+    if not postponed.is_set():
+        return
+    main_thread = threading.main_thread().ident
+    if hasattr(signal, "pthread_kill") and main_thread is not None:
+        signal.pthread_kill(main_thread, signal.SIGINT)  # `interrupt_main` doesn't end a sleep
+    else:
+        _thread.interrupt_main(signal.SIGINT)
+
+
+def _call_previous(number: int, frame: FrameType | None) -> None:
     previous = _previous.get(signal.Signals(number))
-    if contexts and number == signal.SIGINT and not _may_interrupt(frame):
-        return  # spinning ends in any case
     if callable(previous) and number not in _handled_now:
         _handled_now.add(number)  # a handler that was installed after ours may call ours
         try:
-            previous(number, frame)  # Python's handler for SIGINT raises KeyboardInterrupt
+            previous(number, frame)
         finally:
             _handled_now.discard(number)
+
+
+def _end_as_before_init(number: signal.Signals) -> None:
+    """Restore a signal's former handler, and send the signal again."""
+    _uninstall(number)
+    signal.raise_signal(number)
+
+
+def shutdown_exception() -> BaseException:
+    """Return what a spin raises after its context was shut down: KeyboardInterrupt if that is still to be raised."""
+    return KeyboardInterrupt() if postponed.take() else ExternalShutdownException()
 
 
 class SignalHandlerGuardCondition(GuardCondition):
@@ -98,14 +159,15 @@ def _may_interrupt(frame: FrameType | None) -> bool:
     Python prints and drops an exception in a destructor, and the code of `_uninterruptible_files` would keep a lock.
     """
     while frame is not None:
-        if frame.f_code.co_name == "__del__" or frame.f_code.co_filename in _uninterruptible_files:
+        code = frame.f_code
+        if code.co_name in _uninterruptible_functions or code.co_filename in _uninterruptible_files:
             return False
         frame = frame.f_back
     return True
 
 
 def defer_keyboard_interrupt_in(file: str) -> None:
-    """Raise no KeyboardInterrupt inside the functions of a file, while there is a context to shut down instead.
+    """Postpone a KeyboardInterrupt until the functions of a file have returned, if a signal shut a context down.
 
     Args:
         file: `co_filename` of their code objects.
@@ -118,13 +180,15 @@ def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions
 
     A handler shuts all contexts down and then calls the previous handler: for SIGINT, Python's raises
     KeyboardInterrupt in the main thread. SIGTERM, which by default would end the process, makes spins raise
-    ExternalShutdownException. A second SIGINT right after the first is ignored; a later one raises
+    ExternalShutdownException. A second signal right after the first is ignored; a later SIGINT raises
     KeyboardInterrupt at any point of the program.
 
     On other threads than the main one this does nothing, because Python allows it on that one alone.
     """
+    global _interrupted_at  # noqa: PLW0603
     if threading.current_thread() is not threading.main_thread():
         return
+    _interrupted_at = -math.inf
     for option, number in _SIGNALS.items():
         if options & option:
             _install(number)
@@ -139,11 +203,28 @@ def uninstall_signal_handlers() -> None:
             _uninstall(number)
 
 
+def leave_signal_handlers() -> None:
+    """Restore the former handlers after a shutdown; on other threads than the main one, do nothing.
+
+    If a signal shut the context down, the default actions are not restored, because a second signal right after the
+    first would break off the clean-up and change the exit code.
+    """
+    postponed.take()
+    if threading.current_thread() is not threading.main_thread():
+        return
+    for number, previous in list(_previous.items()):
+        is_default = previous in {signal.SIG_DFL, signal.default_int_handler}
+        if is_default and _interrupted_at > -math.inf and signal.getsignal(number) is _on_signal:
+            _left.add(number)
+        else:
+            _uninstall(number)
+
+
 def get_current_signal_handlers_options() -> SignalHandlerOptions:
     """Return the signals that are handled."""
     options = SignalHandlerOptions.NO
     for option, number in _SIGNALS.items():
-        if number in _previous:
+        if number in _previous and number not in _left:
             options |= option
     return options
 
@@ -160,7 +241,39 @@ def _ignore_handled_signals() -> None:
             signal.signal(number, signal.SIG_IGN)
 
 
+_before_fork = threading.local()
+"""`mask`: the signals that were blocked before this thread began to fork; absent while it does not."""
+
+
+def _block_signals() -> None:
+    """Before a fork, block the handled signals, because Python drops those that a child receives too early."""
+    if _previous:
+        _before_fork.mask = signal.pthread_sigmask(signal.SIG_BLOCK, list(_previous))
+
+
+def _unblock_signals() -> None:
+    """After a fork, undo `_block_signals`."""
+    mask = _before_fork.__dict__.pop("mask", None)
+    if mask is not None:
+        signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+
+
+def _inherit() -> None:
+    """In a forked child, restore the former handlers if the parent's contexts, which they shut down, are not usable.
+
+    So Ctrl-C and the SIGTERM of `multiprocessing.Process.terminate` end a child that creates no context.
+    """
+    if _previous and not live_contexts():
+        uninstall_signal_handlers()
+    _unblock_signals()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(before=_block_signals, after_in_parent=_unblock_signals, after_in_child=_inherit)
+
+
 def _install(number: signal.Signals) -> None:
+    _left.discard(number)
     current = signal.getsignal(number)
     if current is not _on_signal:
         _previous[number] = current
@@ -168,6 +281,7 @@ def _install(number: signal.Signals) -> None:
 
 
 def _uninstall(number: signal.Signals) -> None:
+    _left.discard(number)
     if number in _previous:
         previous = _previous.pop(number)
         # A handler that was installed after ours stays.

@@ -27,6 +27,9 @@ class Timer(Entity):
     Missed calls are skipped: the next call is at the next whole period. The period is measured in simulated time if
     the clock shows it, else by the steady clock, because that isn't affected by setting the system's clock.
 
+    Where an executor has four or more timers due within the same half of a millisecond, one wake serves them all, after
+    the last of their deadlines.
+
     Args:
         callback: Called without arguments.
         callback_group: Its group.
@@ -56,6 +59,7 @@ class Timer(Entity):
         self.callback = callback
         self.callback_group = callback_group
         self._clock = clock
+        self._ros_clock = clock if isinstance(clock, ROSClock) else None
         self._period_ns = int(timer_period_ns)
         self._canceled = not autostart
         self._destroyed = False
@@ -66,14 +70,14 @@ class Timer(Entity):
         self._last_ns = self._now_ns()
         self._next_ns = self._last_ns + self._period_ns
         self._jump_handle: JumpHandle | None = None
-        if isinstance(clock, ROSClock):
-            self._jump_handle = clock.create_jump_callback(
+        if self._ros_clock is not None:
+            self._jump_handle = self._ros_clock.create_jump_callback(
                 ANY_JUMP, pre_callback=self._before_jump, post_callback=self._after_jump
             )
         self._before_jump_ns = self._last_ns
 
     def _is_simulated(self) -> bool:
-        return isinstance(self._clock, ROSClock) and self._clock.ros_time_is_active
+        return self._ros_clock is not None and self._ros_clock.ros_time_is_active
 
     def _now_ns(self) -> int:
         return self._clock.now_ns() if self._is_simulated() else time.monotonic_ns()
@@ -234,11 +238,13 @@ class Rate:
 
         Raises:
             ROSInterruptException: the context is shut down, before or during the wait.
+            ForkedProcessError: this process is a fork of the one that created the rate.
             RuntimeError: the rate was destroyed.
         """
         if self._destroyed:
             raise RuntimeError("Rate cannot sleep: it was destroyed")
         if not self._context.ok():
+            self._context.check_not_inherited("cannot sleep")
             raise ROSInterruptException
         self._ticked.wait()
         self._ticked.clear()

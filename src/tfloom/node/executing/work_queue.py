@@ -9,7 +9,7 @@ from __future__ import annotations
 import threading
 import time
 from collections import deque
-from collections.abc import Callable, Coroutine
+from collections.abc import Callable, Coroutine, Iterable
 from itertools import count
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
@@ -62,7 +62,7 @@ class WorkQueue:
         self._entities: dict[int, Entity] = {}
         """The entities by token. Written under `_lock`; the thread that spins reads it without."""
         self._tokens: dict[Entity, int] = {}
-        """The token of each entity. Guarded by `_lock`."""
+        """The token of each entity. Written under `_lock`; threads of a pool read it without."""
         self._polled: list[int] = []
         """Tokens to check whenever the executor wakes. Replaced, never changed, under `_lock`."""
         self._tasks: dict[int, Task[Any]] = {}
@@ -84,27 +84,43 @@ class WorkQueue:
 
     def add_entity(self, entity: Entity) -> None:
         """Add an entity; nodes call this for what they create."""
+        self.add_entities([entity])
+
+    def add_entities(self, entities: Iterable[Entity]) -> None:
+        """Add entities, at once, because `rclpy.spin_once` adds and removes all of a node's each time."""
+        queue, tokens, by_token, numbers = self._queue, self._tokens, self._entities, self._numbers
+        added: list[tuple[Entity, int]] = []
         with self._lock:
-            if entity in self._tokens:
-                return
-            token = next(self._numbers)
-            self._tokens[entity] = token
-            self._entities[token] = entity
-            if entity.is_polled:
-                self._polled = [*self._polled, token]
-        entity.attach(self._queue, token)
+            for entity in entities:
+                if entity in tokens:
+                    continue
+                token = next(numbers)
+                tokens[entity] = token
+                by_token[token] = entity
+                added.append((entity, token))
+                if entity.is_polled:
+                    self._polled = [*self._polled, token]
+        for entity, token in added:
+            entity.attach(queue, token)
 
     def remove_entity(self, entity: Entity) -> None:
         """Remove an entity; its posted tokens are ignored."""
+        self.remove_entities([entity])
+
+    def remove_entities(self, entities: Iterable[Entity]) -> None:
+        """Remove entities; their posted tokens are ignored."""
+        tokens, by_token, held = self._tokens, self._entities, self._held
         with self._lock:
-            token = self._tokens.pop(entity, None)
-            if token is None:
-                return
-            del self._entities[token]
-            self._held.pop(token, None)
-            if entity.is_polled:
-                self._polled = [each for each in self._polled if each != token]
-            entity.detach()
+            for entity in entities:
+                token = tokens.pop(entity, None)
+                if token is None:
+                    continue
+                del by_token[token]
+                if held:
+                    held.pop(token, None)
+                if entity.is_polled:
+                    self._polled = [each for each in self._polled if each != token]
+                entity.detach()
 
     def create_task(
         self, callback: Callable[..., T] | Coroutine[Any, Any, T], *args: Any, **kwargs: Any
@@ -210,7 +226,7 @@ class WorkQueue:
     def _wait_ns(self, end_ns: int | None) -> int:
         if self._ready and self._has_room():
             return 0
-        ends = [end for end in (end_ns, self._timers.next_ns()) if end is not None]
+        ends = [end for end in (end_ns, self._timers.wake_ns()) if end is not None]
         return max(0, min(ends) - time.monotonic_ns()) if ends else -1
 
     def _begin(self, token: int) -> Work | None:

@@ -56,6 +56,10 @@ class LogFile:
         name = f"{self._name or _program()}_{os.getpid()}_{time.time_ns() // 1_000_000}.log"
         return open(os.path.join(directory, name), "w", encoding="utf-8", errors="backslashreplace")
 
+    def inherit(self) -> None:
+        """In a forked child, make a new lock, because a thread of the parent may have held it."""
+        self._lock = threading.RLock()
+
     def close(self) -> None:
         """Close the file, if there is one, permanently."""
         with self._lock:

@@ -11,6 +11,7 @@ from collections.abc import Callable
 from tfloom.node.log.log_file import LogFile
 from tfloom.node.log.logging_severity import LoggingSeverity
 from tfloom.node.values.constants import S_TO_NS
+from tfloom.terminal_text import is_terminal, shown, shown_name, unescaped
 
 __all__ = [
     "Record",
@@ -80,6 +81,15 @@ class Record:
             rest = rest if value is None else after
         return "".join(parts)
 
+    def shown(self) -> Record:
+        """Return this record with the control characters of its message and name shown; itself if it has none."""
+        message, name = shown(self.message), shown_name(self.name)
+        if message == self.message and name == self.name:
+            return self
+        safe = Record(self.severity, name, message, self.file, self.function, self.line)
+        safe.stamp_ns = self.stamp_ns
+        return safe
+
     def _seconds(self) -> str:
         seconds, rest = divmod(self.stamp_ns, S_TO_NS)
         return f"{seconds}.{rest:09d}"
@@ -146,6 +156,18 @@ def reset_levels() -> None:
         _levels[""] = LoggingSeverity.INFO
 
 
+def _inherit() -> None:
+    """In a forked child, drop the parent's listeners, and locks that a thread of the parent may have held."""
+    global _lock, _listeners
+    _lock, _listeners = threading.RLock(), {}
+    if _file is not None:
+        _file.inherit()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_inherit)
+
+
 def configure(*, file: LogFile | None, console: bool) -> None:
     """Set the log file (None: no file) and whether records are written to the console."""
     global _file, _to_console  # the process has one of each
@@ -171,19 +193,17 @@ def remove_listener(name: str, listener: Callable[[Record], None]) -> None:
             _listeners.pop(name, None)
 
 
-def _use_color(stream: object) -> bool:
+def _use_color(on_terminal: bool) -> bool:
     wish = os.environ.get("RCUTILS_COLORIZED_OUTPUT", "")
-    if wish in ("0", "1"):
-        return wish == "1"
-    isatty = getattr(stream, "isatty", None)
-    return bool(isatty is not None and isatty())
+    return wish == "1" if wish in ("0", "1") else on_terminal
 
 
 def write(record: Record) -> None:
     """Write a record to the console and the log file, and call the listeners of its name."""
-    text = record.format(os.environ.get("RCUTILS_CONSOLE_OUTPUT_FORMAT") or DEFAULT_FORMAT)
+    template = os.environ.get("RCUTILS_CONSOLE_OUTPUT_FORMAT") or DEFAULT_FORMAT
+    text = record.format(template)
     if _to_console:
-        _print(text, record.severity)
+        _print(record, template, text)
     file = _file
     if file is not None:
         file.write(text)
@@ -194,13 +214,22 @@ def write(record: Record) -> None:
         name = name.rpartition(".")[0]
 
 
-def _print(text: str, severity: LoggingSeverity) -> None:
+def _print(record: Record, template: str, text: str) -> None:
+    """Write `text`, the formatted record, to the console.
+
+    On a terminal, control characters in the message and the name are shown; those of the template are obeyed.
+    """
     stream = sys.stdout if os.environ.get("RCUTILS_LOGGING_USE_STDOUT") == "1" else sys.stderr
     if stream is None:
         return
     try:
-        if _use_color(stream):
-            text = f"{_COLORS.get(severity, '')}{text}{_NO_COLOR}"
+        on_terminal = is_terminal(stream)
+        if on_terminal:
+            stream = unescaped(stream)
+            if (safe := record.shown()) is not record:
+                text = safe.format(template)
+        if _use_color(on_terminal):
+            text = f"{_COLORS.get(record.severity, '')}{text}{_NO_COLOR}"
         stream.write(f"{text}\n")
         stream.flush()
     except (OSError, ValueError):

@@ -178,11 +178,19 @@ def parameter_value_to_python(parameter_value: rcl_msg.ParameterValue) -> Any:
 
 
 def get_parameter_value(string_value: str) -> rcl_msg.ParameterValue:
-    """Return the message for a value written as YAML; text that is not a value of another type is a string."""
+    """Return the message for a value written as YAML; text that is not a value of another type is a string.
+
+    Raises:
+        YamlLimitError: the value is too large, or nested too deep.
+    """
     try:
         value = parse_value(string_value, nothing=string_value)
         return Parameter("", value=value).get_parameter_value()
-    except (TypeError, ValueError):
+    except (TypeError, ValueError) as error:
+        from tfloom.rosidl.user_yaml import YamlLimitError
+
+        if isinstance(error, YamlLimitError):
+            raise
         return Parameter("", value=string_value).get_parameter_value()
 
 

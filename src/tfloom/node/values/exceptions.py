@@ -16,6 +16,7 @@ from __future__ import annotations
 
 __all__ = [
     "ExternalShutdownException",
+    "ForkedProcessError",
     "InvalidHandle",
     "NoTypeSupportImportedException",
     "NodeNameNonExistentError",
@@ -71,6 +72,22 @@ class NoTypeSupportImportedException(Exception):
 
 class RCLError(RuntimeError):
     """An operation failed in the layer below, for example because the context is shut down."""
+
+
+class ForkedProcessError(NotInitializedException, RCLError):
+    """A forked process used a context, or something of a context, that its parent had initialised.
+
+    Args:
+        what: What can't be done.
+    """
+
+    def __init__(self, what: str) -> None:
+        Exception.__init__(
+            self,
+            f"{what}: its context was initialised by the parent process, and a fork has none of the threads that send "
+            "and receive. In the child, call rclpy.init() and create the node anew, or start the child by "
+            "multiprocessing's method 'spawn'",
+        )
 
 
 class NodeNameNonExistentError(RCLError):

@@ -56,28 +56,16 @@ def parse_value(text: str, *, nothing: str = "") -> Any:
         nothing: Returned for text without a value: blanks, or a comment.
 
     Raises:
-        ValueError: it is not valid YAML, or more than one document.
+        YamlError: it is not valid YAML, or more than one document.
+        YamlLimitError: it is too large, or nested too deep.
+        ValueError: a byte array in it isn't base64.
     """
     if text and not re.search(_NEEDS_YAML, text):
         return parse_scalar(text)
-    import yaml
+    from tfloom.rosidl.user_yaml import compose
 
-    try:
-        node = yaml.compose(text, Loader=yaml.SafeLoader)
-    except yaml.MarkedYAMLError as error:
-        mark = error.problem_mark or error.context_mark
-        place = f" at line {mark.line + 1}, column {mark.column + 1}" if mark else ""
-        raise ValueError(f"it is no valid YAML: {error.problem or error.context}{place}") from None
-    except yaml.YAMLError as error:
-        raise ValueError(f"it is no valid YAML: {' '.join(str(error).split())}") from None
-    if node is None:
-        return nothing
-    try:
-        return _construct(node)
-    except RecursionError:
-        raise ValueError(
-            "it is not a value: an alias in it contains itself, or it is nested too deep"
-        ) from None
+    node = compose(text)
+    return nothing if node is None else _construct(node)
 
 
 def _construct(node: Any) -> Any:

@@ -1,0 +1,210 @@
+"""Forked processes: what a child inherited raises errors, it ends quietly, and it may start anew."""
+
+from __future__ import annotations
+
+import os
+import signal
+from collections.abc import Callable
+
+import pytest
+
+pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
+
+PARENT = """
+import os, signal, sys, time
+import rclpy
+from example_interfaces.srv import AddTwoInts
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.node import Node
+from std_msgs.msg import String
+rclpy.init(args=[])
+node = Node("parent")
+publisher = node.create_publisher(String, "chatter", 10)
+heard = []
+node.create_subscription(String, "chatter", lambda message: heard.append(message.data), 10)
+client = node.create_client(AddTwoInts, "add")
+rate = node.create_rate(10.0)
+executor = SingleThreadedExecutor()
+executor.add_node(node)
+
+def hear(text):
+    end_s = time.monotonic() + 20
+    while text not in heard and time.monotonic() < end_s:
+        publisher.publish(String(data="parent"))
+        executor.spin_once(timeout_sec=0.05)
+    return text in heard
+
+hear("parent")
+
+def join(child):
+    _, status = os.waitpid(child, 0)
+    print("child", os.waitstatus_to_exitcode(status), flush=True)
+    heard.clear()
+    print("parent", hear("parent"), flush=True)
+"""
+
+OPERATIONS = """
+operations = {
+    "publish": lambda: publisher.publish(String(data="child")),
+    "count subscriptions": publisher.get_subscription_count,
+    "wait for acknowledgements": publisher.wait_for_all_acked,
+    "assert liveliness": publisher.assert_liveliness,
+    "call": lambda: client.call_async(AddTwoInts.Request()),
+    "call and wait": lambda: client.call(AddTwoInts.Request()),
+    "find a server": client.service_is_ready,
+    "wait for a server": client.wait_for_service,
+    "create a publisher": lambda: node.create_publisher(String, "other", 1),
+    "create a subscription": lambda: node.create_subscription(String, "other", print, 1),
+    "create a timer": lambda: node.create_timer(1.0, print),
+    "sleep": rate.sleep,
+    "look at the graph": node.get_topic_names_and_types,
+    "count publishers": lambda: node.count_publishers("chatter"),
+    "spin": executor.spin,
+    "spin once": lambda: executor.spin_once(timeout_sec=0.1),
+    "spin the node": lambda: rclpy.spin_once(node, timeout_sec=0.1),
+    "create a node": lambda: Node("child", context=node.context),
+}
+child = os.fork()
+if child == 0:
+    for name, operate in operations.items():
+        try:
+            print(name, operate(), flush=True)
+        except Exception as error:
+            has_advice = "rclpy.init() and create the node anew" in str(error) and "'spawn'" in str(error)
+            print(name, type(error).__name__ if has_advice else error, flush=True)
+    sys.exit(3)
+join(child)
+"""
+QUIET = ("-W", "ignore::DeprecationWarning")  # From 3.12 on Python warns about a fork with other threads.
+
+
+def test_every_operation_on_what_was_inherited_raises(domain_id: int, start_program: Callable) -> None:
+    program = start_program("python", *QUIET, "-c", PARENT + OPERATIONS)
+    assert program.wait() == 0
+    *children, child, parent = program.lines
+    assert (child, parent) == ("child 3", "parent True")
+    assert len(children) == 18
+    assert {line.split(" ")[-1] for line in children} == {"ForkedProcessError", "ForkedError"}, program.output
+
+
+@pytest.mark.parametrize(
+    ("end", "code"),
+    [
+        ("os._exit(3)", 3),
+        ("sys.exit(3)", 3),
+        ("node.destroy_node(); executor.shutdown(); sys.exit(4)", 4),
+        ("del node, publisher, client, executor; import gc; gc.collect(); sys.exit(5)", 5),
+        ("node.destroy_node(); rclpy.shutdown(); sys.exit(7)", 7),
+        ("node.context.destroy(); rclpy.try_shutdown(); sys.exit(6)", 6),
+        ("os.kill(os.getpid(), signal.SIGTERM); time.sleep(60)", -signal.SIGTERM),
+    ],
+    ids=["_exit", "exit", "destroys", "collects", "shuts down", "destroys the context", "is terminated"],
+)
+def test_a_child_ends_quietly_without_effect_on_its_parent(
+    end: str, code: int, domain_id: int, start_program: Callable
+) -> None:
+    program = start_program(
+        "python", *QUIET, "-c", f"{PARENT}\nchild = os.fork()\nif not child: {end}\njoin(child)"
+    )
+    assert program.wait() == 0
+    assert program.lines == [f"child {code}", "parent True"]
+
+
+MULTIPROCESSING = """
+import multiprocessing
+process = multiprocessing.get_context("fork").Process(target=time.sleep, args=(SECONDS,))
+process.start()
+if SECONDS:
+    process.terminate()
+process.join()
+print("child", process.exitcode)
+print("parent", hear("parent"))
+"""
+
+
+@pytest.mark.parametrize(("seconds", "code"), [(0, 0), (60, -signal.SIGTERM)], ids=["ends", "is terminated"])
+def test_a_forked_process_of_multiprocessing_ends(
+    seconds: int, code: int, domain_id: int, start_program: Callable
+) -> None:
+    program = start_program("python", *QUIET, "-c", PARENT + MULTIPROCESSING.replace("SECONDS", str(seconds)))
+    assert program.wait() == 0
+    assert program.lines == [f"child {code}", "parent True"]
+
+
+CHILD = """
+def run_child():
+    rclpy.init(args=[])
+    other = Node("child")
+    sender = other.create_publisher(String, "chatter", 10)
+    while not sender.get_subscription_count():
+        time.sleep(0.01)
+    sender.publish(String(data="from the child"))
+    sender.wait_for_all_acked()
+    other.destroy_node()
+    rclpy.shutdown()
+    sys.exit(0)
+"""
+
+
+def test_a_child_of_a_process_with_a_node_may_start_anew(domain_id: int, start_program: Callable) -> None:
+    program = """
+child = os.fork()
+if not child:
+    run_child()
+print("heard", hear("from the child"), flush=True)
+join(child)
+"""
+    program = start_program("python", *QUIET, "-c", PARENT + CHILD + program)
+    assert program.wait() == 0
+    assert program.lines == ["heard True", "child 0", "parent True"]
+
+
+def test_a_grandchild_may_start_anew(domain_id: int, start_program: Callable) -> None:
+    program = """
+child = os.fork()
+if not child:
+    rclpy.init(args=[])
+    between = Node("between")
+    grandchild = os.fork()
+    if not grandchild:
+        run_child()
+    _, status = os.waitpid(grandchild, 0)
+    rclpy.shutdown()
+    sys.exit(os.waitstatus_to_exitcode(status))
+print("heard", hear("from the child"), flush=True)
+join(child)
+"""
+    program = start_program("python", *QUIET, "-c", PARENT + CHILD + program)
+    assert program.wait() == 0
+    assert program.lines == ["heard True", "child 0", "parent True"]
+
+
+@pytest.mark.parametrize("first", ["", "rclpy.init(args=[])"], ids=["imported", "initialised"])
+def test_a_child_of_a_process_without_nodes_has_all(
+    first: str, domain_id: int, start_program: Callable
+) -> None:
+    program = f"""
+import os, sys, time
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+{first}
+child = os.fork()
+if not rclpy.ok():
+    rclpy.init(args=[])
+node = Node("child" if child == 0 else "parent")
+heard = []
+node.create_subscription(String, "chatter", lambda message: heard.append(message.data), 10)
+publisher = node.create_publisher(String, "chatter", 10)
+while len(set(heard)) < 2:
+    publisher.publish(String(data=node.get_name()))
+    rclpy.spin_once(node, timeout_sec=0.05)
+publisher.wait_for_all_acked()
+rclpy.shutdown()
+if not child:
+    sys.exit(0)
+print(sorted(set(heard)), os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+"""
+    program = start_program("python", *QUIET, "-c", program)
+    assert program.wait() == 0
+    assert program.lines == ["['child', 'parent'] 0"]

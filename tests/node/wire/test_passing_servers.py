@@ -1,0 +1,129 @@
+"""Calls and goals while their servers come and go: each is answered, or its future fails by name."""
+
+from __future__ import annotations
+
+import os
+import random
+import signal
+from collections import Counter
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import pytest
+from tests.conftest import Program
+
+from tfloom.interfaces.example_interfaces.action import Fibonacci
+from tfloom.interfaces.example_interfaces.srv import AddTwoInts
+from tfloom.node.action.client import ActionClient
+from tfloom.node.endpoints.client import NoResponseError
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.executing.task import Future
+from tfloom.node.node import Node
+
+Start = Callable[..., Program]
+KILLED = 0.05
+"""Probability that the servers' process is killed before a batch."""
+
+
+def follow(goal: Future[Any]) -> Future[Any]:
+    """Return the future of a goal's end, or of its first failure."""
+    end: Future[Any] = Future()
+
+    def finish(result: Future[Any]) -> None:
+        if (error := result.exception()) is not None:
+            end.set_exception(error)
+        else:
+            end.set_result(result.result())
+
+    def on_response(response: Future[Any]) -> None:
+        if response.exception() is not None or not response.result().accepted:
+            finish(response)
+        else:
+            response.result().get_result_async().add_done_callback(finish)
+
+    goal.add_done_callback(on_response)
+    return end
+
+
+@contextmanager
+def busy_machine(start_program: Callable[..., Program]) -> Iterator[None]:
+    """Keep all processors busy."""
+    busy = [start_program("python", "-c", "while True: pass") for _ in range((os.cpu_count() or 1) + 1)]
+    try:
+        yield
+    finally:
+        for program in busy:
+            program.signal(signal.SIGKILL)
+            program.wait()
+
+
+def count_outcomes(
+    number: int, batch: int, start: Start, node: Node, executor: SingleThreadedExecutor
+) -> Counter[str]:
+    """Send `number` calls and goals in batches, and count how they end."""
+    source = random.Random(7)
+    servers = start("passing_servers", 0)
+    adding = node.create_client(AddTwoInts, "add")
+    fibonacci = ActionClient(node, Fibonacci, "fibonacci")
+    outcomes: Counter[str] = Counter()
+    for begun in range(0, number, 2 * batch):
+        if source.random() < KILLED:
+            servers.signal(signal.SIGKILL)
+            servers.wait()
+            servers = start("passing_servers", begun)
+        assert fibonacci.wait_for_server(timeout_sec=30)
+        futures = [adding.call_async(AddTwoInts.Request(a=each, b=1)) for each in range(batch)]
+        futures += [follow(fibonacci.send_goal_async(Fibonacci.Goal(order=each))) for each in range(batch)]
+        for future in futures:
+            executor.spin_until_future_complete(future, timeout_sec=30)
+        outcomes.update(map(outcome, futures))
+    assert not adding._pending
+    return outcomes
+
+
+def outcome(future: Future[Any]) -> str:
+    if not future.done():
+        return "open"
+    error = future.exception()
+    if error is None:
+        return "answered"
+    assert isinstance(error, NoResponseError)
+    assert "no response from /" in str(error)
+    return "failed"
+
+
+def test_calls_and_goals_are_answered_or_fail_while_servers_come_and_go(
+    short_lease: float, start: Start, node: Node, executor: SingleThreadedExecutor
+) -> None:
+    outcomes = count_outcomes(400, 10, start, node, executor)
+    assert outcomes["open"] == 0
+    assert outcomes.total() == 400
+    assert outcomes["answered"] > 0
+
+
+@pytest.mark.slow
+def test_10000_calls_and_goals_on_a_busy_machine(
+    short_lease: float,
+    start: Start,
+    start_program: Callable[..., Program],
+    node: Node,
+    executor: SingleThreadedExecutor,
+) -> None:
+    with busy_machine(start_program):
+        outcomes = count_outcomes(10_000, 50, start, node, executor)
+    assert outcomes["open"] == 0
+    assert outcomes["answered"] > 0
+    assert outcomes["failed"] > 0
+
+
+def test_1500_calls_at_once_are_all_answered(
+    start: Start, node: Node, executor: SingleThreadedExecutor
+) -> None:
+    start("service_server")
+    adding = node.create_client(AddTwoInts, "add")
+    assert adding.wait_for_service(timeout_sec=20)
+    futures = [adding.call_async(AddTwoInts.Request(a=each, b=1)) for each in range(1500)]
+    for future in futures:
+        executor.spin_until_future_complete(future, timeout_sec=30)
+    assert [future.result().sum for future in futures] == list(range(1, 1501))
