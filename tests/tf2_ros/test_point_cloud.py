@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from tests.tf2_ros.conftest import SECOND, transform_stamped
 
+from tfloom import _native
 from tfloom.interfaces.sensor_msgs.msg import PointCloud2, PointField
 from tfloom.interfaces.std_msgs.msg import Header
 from tfloom.node.values.time import Time
@@ -19,6 +20,7 @@ from tfloom.tf2_ros.point_cloud2 import (
     create_cloud,
     create_cloud_xyz32,
     dtype_from_fields,
+    points_view,
     read_points,
     read_points_list,
     read_points_numpy,
@@ -105,6 +107,77 @@ def test_padded_rows() -> None:
     moved = point_cloud.do_transform_cloud(cloud, TRANSFORM)
     assert len(moved.data) == 128
     assert np.allclose(read_points(moved)["x"], np.arange(6) + 10)
+
+
+LAYOUTS = {
+    "packed": ("xyz", "f4", (0, 4, 8), 12),
+    "packed, float64": ("xyz", "f8", (0, 8, 16), 24),
+    "padded": ("xyz", "f4", (0, 4, 8), 32),
+    "padded, float64": ("xyz", "f8", (8, 16, 24), 40),
+    "unaligned": ("xyz", "f4", (1, 5, 9), 15),
+    "apart": ("xyz", "f4", (12, 0, 5), 17),
+    "another byte order": ("xyz", "swapped", (0, 4, 8), 16),
+    "integers": ("xyz", "i4", (0, 4, 8), 12),
+}
+
+
+@pytest.mark.parametrize("size", [(1, 0), (0, 3), (1, 1), (1, 7), (3, 5), (2, 300)])
+@pytest.mark.parametrize("row_padding", [0, 3])
+@pytest.mark.parametrize("layout", LAYOUTS)
+def test_layouts_of_clouds(layout: str, row_padding: int, size: tuple[int, int]) -> None:
+    names, kind, offsets, point_step = LAYOUTS[layout]
+    is_bigendian = (sys.byteorder == "big") != (kind == "swapped")
+    kind = "f4" if kind == "swapped" else kind
+    datatype = {"f4": PointField.FLOAT32, "f8": PointField.FLOAT64, "i4": PointField.INT32}[kind]
+    fields = [
+        PointField(name=name, offset=offset, datatype=datatype, count=1)
+        for name, offset in zip(names, offsets, strict=True)
+    ]
+    height, width = size
+    row_step = width * point_step + row_padding
+    random = np.random.default_rng(5)
+    data = random.integers(0, 256, height * row_step, np.uint8)
+    cloud = PointCloud2(
+        header=HEADER, height=height, width=width, fields=fields, point_step=point_step, row_step=row_step,
+        is_bigendian=is_bigendian, data=array.array("B", data.tobytes()),
+    )  # fmt: skip
+    xyz = (random.normal(size=(height, width, 3)) * 100).astype(kind)
+    points = points_view(cloud)
+    for axis in range(3):
+        points["xyz"[axis]] = xyz[..., axis]
+    before = bytes(cloud.data)
+    transform = transform_stamped("B", "A", 2 * SECOND, (10.0, 20.0, 30.0), (0.1, -0.7, 0.5, 0.5))
+    moved = point_cloud.do_transform_cloud(cloud, transform)
+    assert bytes(cloud.data) == before
+
+    expected = point_cloud.transform_points(xyz.reshape(-1, 3), transform).reshape(xyz.shape)
+    found = points_view(moved)
+    for axis in range(3):
+        difference = np.abs(found["xyz"[axis]] - expected[..., axis])
+        assert difference.max(initial=0) < {"f4": 1e-3, "f8": 1e-12, "i4": 1.0}[kind]
+        found["xyz"[axis]] = xyz[..., axis]
+    assert bytes(moved.data) == before  # nothing but the coordinates has changed
+
+
+@pytest.mark.parametrize(
+    ("shape", "steps", "offsets"),
+    [
+        ((1, 3), (0, 12), (0, 4, 9)),
+        ((1, 4), (0, 12), (0, 4, 8)),
+        ((2, 2), (13, 12), (0, 4, 8)),
+        ((1, 2**63), (0, 2), (0, 4, 8)),
+        ((2**40, 1), (2**40, 12), (0, 4, 8)),
+        ((1, 1), (0, 12), (0, 4, 2**64 - 1)),
+    ],
+)
+def test_points_outside_the_octets_raise(
+    shape: tuple[int, int], steps: tuple[int, int], offsets: tuple[int, int, int]
+) -> None:
+    octets = np.zeros(36, np.uint8)
+    with pytest.raises(ValueError, match="the points must lie within the octets"):
+        _native.move_cloud_float32(np.array([0.0, 0, 0, 0, 0, 0, 1]), octets, shape, steps, offsets)
+    _native.move_cloud_float32(np.array([1.0, 2, 3, 0, 0, 0, 1]), octets, (1, 3), (0, 12), (0, 4, 8))
+    assert octets.view(np.float32).tolist() == [1, 2, 3] * 3
 
 
 def test_points_are_read_as_arrays() -> None:

@@ -3,11 +3,19 @@
 from __future__ import annotations
 
 import signal
+import subprocess
 import sys
+import time
 from collections.abc import Callable
 
 import pytest
 from tests.conftest import Program
+
+from tfloom.node.context.context import Context
+from tfloom.node.node import Node
+from tfloom.node.values.time import Time
+from tfloom.tf2_ros.buffer import Buffer
+from tfloom.tf2_ros.transform_listener import TransformListener
 
 BROADCASTER = """
 import rclpy
@@ -97,6 +105,7 @@ time.sleep(0.5)
 HOLDER = """
 import ctypes
 import sys
+import time
 import threading
 import time
 
@@ -131,7 +140,7 @@ def newest_ns():
     return buffer.get_latest_common_time("map", "base").nanoseconds
 
 
-soon = rclpy.time.Time(nanoseconds=newest_ns() + 100_000_000, clock_type=rclpy.clock.ClockType.ROS_TIME)
+soon = rclpy.time.Time(nanoseconds=newest_ns() + 400_000_000, clock_type=rclpy.clock.ClockType.ROS_TIME)
 future = buffer.wait_for_transform_async("map", "base", soon)
 future.add_done_callback(answered.append)
 threading.Thread(target=canary, daemon=True).start()
@@ -221,3 +230,69 @@ def test_ctrl_c_ends_a_wait(start: Callable[[str], Program]) -> None:
     listener.signal(signal.SIGINT)
     listener.wait(timeout_s=20)
     assert not any("Fatal" in line or "terminate" in line for line in listener.lines)
+
+
+POISONER = """
+import select
+import sys
+
+import rclpy
+from geometry_msgs.msg import TransformStamped
+from rclpy.node import Node
+from tf2_ros import TransformBroadcaster
+
+rclpy.init()
+node = Node("poisoner")
+broadcaster = TransformBroadcaster(node)
+
+
+def send(child_frame_id, poisoned=False):
+    t = TransformStamped(child_frame_id=child_frame_id)
+    t.header.frame_id = "map"
+    t.header.stamp = node.get_clock().now().to_msg()
+    if poisoned:
+        t.header.stamp.sec = 2147483647
+    broadcaster.sendTransform(t)
+
+
+while not select.select([sys.stdin], [], [], 0.02)[0]:
+    send("hello")  # the first ones may be lost, because a subscription is matched before its publisher sends to it
+sys.stdin.readline()
+for poisoned in (True, False, True, False, True):
+    send("base", poisoned)
+send("end")
+sys.stdin.readline()
+rclpy.shutdown()
+"""
+
+
+def test_poisoned_stamp_does_not_hide_later_transforms(
+    domain_id: int, start_program: Callable[..., Program], wait_until, capfd
+) -> None:
+    context = Context()
+    context.init(args=[], domain_id=domain_id)
+    node = Node("listening", context=context)
+    buffer = Buffer()
+    listener = TransformListener(buffer, node)
+    poisoner = start_program("python", "-c", POISONER, stdin=subprocess.PIPE)
+    wait_until(lambda: buffer.can_transform("map", "hello", Time()))
+    poisoner.process.stdin.write("go\n")
+    poisoner.process.stdin.flush()
+    wait_until(lambda: buffer.can_transform("map", "end", Time()))
+    stamp = buffer.lookup_transform("map", "base", Time()).header.stamp
+    assert abs(stamp.sec - time.time()) < 60
+    text = ""
+
+    def warned() -> bool:
+        nonlocal text
+        text += capfd.readouterr().err
+        return "is held" in text or "are held" in text
+
+    wait_until(warned)
+    assert text.count("The transform of 'base' from /poisoner, GID 01.10.") == 1
+    assert listener._sink.publisher_count == listener._sink.held_count == 1
+    poisoner.process.stdin.close()
+    assert poisoner.wait() == 0
+    wait_until(lambda: listener._sink.publisher_count == listener._sink.held_count == 0)
+    node.destroy_node()
+    context.destroy()

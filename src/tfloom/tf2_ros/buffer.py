@@ -54,7 +54,7 @@ class Buffer(BufferCore, BufferInterface):
         self.clock = Clock() if node is None else node.get_clock()
         if node is not None:
             self.watch_clock(node)
-            self.srv = node.create_service(FrameGraph, "tf2_frames", _frames_callback(weakref.ref(self)))
+            self.srv = node.create_service(FrameGraph, "tf2_frames", frames_callback(weakref.ref(self)))
 
     def watch_clock(self, node: Node) -> None:
         """Clear the buffer when the clock of `node` jumps backward. Watching the same clock again does nothing."""
@@ -63,7 +63,7 @@ class Buffer(BufferCore, BufferInterface):
         if clock not in self._jump_handles:
             threshold = JumpThreshold(min_forward=None, min_backward=LEAST_JUMP_BACK, on_clock_change=True)
             self._jump_handles[clock] = clock.create_jump_callback(
-                threshold, post_callback=_jump_callback(weakref.ref(self), weakref.ref(clock))
+                threshold, post_callback=jump_callback(weakref.ref(self), weakref.ref(clock))
             )
 
     def time_jump_callback(self, time_jump: TimeJump) -> None:  # noqa: ARG002, tf2's signature
@@ -217,7 +217,7 @@ class Buffer(BufferCore, BufferInterface):
         obstacle: Callable[[], str],
         timeout: Any,
     ) -> Future[TransformStamped]:
-        future: Future[TransformStamped] = Future()
+        future = self._new_future()
 
         def complete(*_: object) -> None:
             if future.cancelled() or future.done():
@@ -234,31 +234,42 @@ class Buffer(BufferCore, BufferInterface):
 
         def expire() -> None:
             if self.cancel_request(handle):  # otherwise it is being completed
-                future.set_exception(LookupException(f"timed out: {obstacle()}"))
+                future.set_exception(self._timed_out(f"timed out: {obstacle()}"))
 
         future.add_done_callback(lambda ended: ended.cancelled() and self.cancel_request(handle))
         if timeout is not None:
             deadline = call_after(duration_ns(timeout) / 1e9, expire)
-            future.when_complete(deadline.cancel)
+            self._on_completion(future, deadline.cancel)
         return future
 
+    def _new_future(self) -> Future[TransformStamped]:
+        return Future()
 
-def _jump_callback(buffer: weakref.ref[Buffer], clock: weakref.ref[Clock]) -> Callable[[TimeJump], None]:
-    """Return a jump callback that keeps neither the buffer nor the clock alive."""
+    def _on_completion(self, future: Future[TransformStamped], function: Callable[[], None]) -> None:
+        future.when_complete(function)
 
-    def jumped(time_jump: TimeJump) -> None:
+    def _timed_out(self, text: str) -> Exception:
+        return LookupException(text)
+
+
+def jump_callback(buffer: weakref.ref[Buffer], clock: weakref.ref[Any]) -> Callable[[Any], None]:
+    """Return a jump callback that keeps neither the buffer nor the clock alive, of tfloom or of a real rclpy."""
+
+    def jumped(time_jump: Any) -> None:
         alive, source = buffer(), clock()
         if alive is None or source is None:
             return
         alive.time_jump_callback(time_jump)
         jump_ns = time_jump.delta.nanoseconds
-        if jump_ns < 0 and time_jump.clock_change == ClockChange.ROS_TIME_NO_CHANGE:
-            alive._ignore_stragglers(jump_ns, source.now_ns())  # noqa: SLF001, part of the class
+        if jump_ns < 0 and int(time_jump.clock_change) == ClockChange.ROS_TIME_NO_CHANGE:
+            alive._ignore_stragglers(jump_ns, source.now().nanoseconds)  # noqa: SLF001, part of the class
 
     return jumped
 
 
-def _frames_callback(buffer: weakref.ref[Buffer]) -> Callable[[Any, Any], Any]:
+def frames_callback(buffer: weakref.ref[Buffer]) -> Callable[[Any, Any], Any]:
+    """Return the callback of the service `tf2_frames`, which does not keep the buffer alive."""
+
     def answer(_request: Any, response: Any) -> Any:
         alive = buffer()
         response.frame_yaml = "[]" if alive is None else alive.all_frames_as_yaml()

@@ -108,7 +108,10 @@ class BufferInterface:
         transform_object = self._registered(type(object_stamped))
         header = object_stamped.header
         result = transform_object(object_stamped, look_up(header.frame_id, header.stamp))
-        return result if new_type is None else convert(result, new_type)
+        return result if new_type is None else self._converted(result, new_type)
+
+    def _converted(self, result: Any, new_type: Any) -> Any:
+        return convert(result, new_type)
 
     def _registered(self, kind: Any) -> Callable[..., Any]:
         return self.registration.get(kind)

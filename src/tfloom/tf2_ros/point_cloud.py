@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import array
-from copy import copy, deepcopy
 from typing import Any
 
 import numpy as np
@@ -17,6 +16,13 @@ from tfloom.tf2_ros.geometry import from_msg_msg, to_msg_msg, value_of
 from tfloom.tf2_ros.point_cloud2 import points_view
 
 __all__ = ["deskew_cloud", "do_transform_cloud", "from_msg_msg", "to_msg_msg", "transform_points"]
+
+_CLOUD_ATTRIBUTES = ("height", "width", "is_bigendian", "point_step", "row_step", "is_dense")
+_FIELD_ATTRIBUTES = ("name", "offset", "datatype", "count")
+_MOVE_CLOUD = {
+    np.dtype(np.float32): _native.move_cloud_float32,
+    np.dtype(np.float64): _native.move_cloud_float64,
+}
 
 
 def transform_points(point_cloud: ArrayLike, transform: Any) -> NDArray[np.float64]:
@@ -37,10 +43,7 @@ def do_transform_cloud(cloud: Any, transform: Any) -> Any:
         AssertionError: the cloud has no fields x, y and z.
     """
     result, points = _copied(cloud)
-    xyz = _gather(points)
-    move = _native.move_points_float32 if xyz.dtype == np.float32 else _native.move_points_float64
-    move(_row(transform), xyz, xyz)
-    _scatter(points, xyz)
+    _move(points, result.data, _row(transform))
     if hasattr(transform, "header"):
         result.header.frame_id = transform.header.frame_id
     return result
@@ -79,14 +82,42 @@ def _copied(cloud: Any) -> tuple[Any, NDArray[Any]]:
     names = [field.name for field in cloud.fields]
     if not {"x", "y", "z"} <= set(names):
         raise AssertionError("Point cloud needs the fields x, y, and z for the transformation")
-    result = type(cloud)()
-    for name in ("height", "width", "is_bigendian", "point_step", "row_step", "is_dense"):
-        setattr(result, name, getattr(cloud, name))
-    result.header = deepcopy(cloud.header)
-    result.fields = [copy(field) for field in cloud.fields]
-    data = array.array("B", bytes(cloud.data))
-    result.data = data
+    result = _with_attributes_of(cloud, _CLOUD_ATTRIBUTES)
+    result.header = _copied_header(cloud.header)
+    result.fields = [_with_attributes_of(field, _FIELD_ATTRIBUTES) for field in cloud.fields]
+    data = cloud.data
+    is_octets = isinstance(data, array.array) and data.typecode == "B"
+    result.data = array.array("B", data if is_octets else bytes(data))
     return result, points_view(result, result.data)
+
+
+def _copied_header(header: Any) -> Any:
+    result = type(header)()
+    result.stamp = _with_attributes_of(header.stamp, ("sec", "nanosec"))
+    result.frame_id = header.frame_id
+    return result
+
+
+def _with_attributes_of(message: Any, names: tuple[str, ...]) -> Any:
+    """Return a new message of the same class. It takes a sixth of the time of `copy.copy`."""
+    result = type(message)()
+    for name in names:
+        setattr(result, name, getattr(message, name))
+    return result
+
+
+def _move(points: NDArray[Any], octets: Any, row: NDArray[np.float64]) -> None:
+    """Transform the points of a cloud, a view of `octets`, in place."""
+    fields: Any = points.dtype.fields
+    types = {fields[axis][0] for axis in "xyz"}
+    for dtype, move_cloud in _MOVE_CLOUD.items():
+        if types == {dtype}:
+            move_cloud(row, octets, points.shape, points.strides, [fields[axis][1] for axis in "xyz"])
+            return
+    xyz = _gather(points)  # of another byte order, or of several types
+    move = _native.move_points_float32 if xyz.dtype == np.float32 else _native.move_points_float64
+    move(row, xyz, xyz)
+    _scatter(points, xyz)
 
 
 def _gather(points: NDArray[Any]) -> NDArray[Any]:

@@ -4,18 +4,25 @@ from __future__ import annotations
 
 import secrets
 import threading
+import weakref
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
+from tfloom.node.clock.clock import ROSClock
+from tfloom.node.clock.time_jump import ANY_JUMP, ClockChange
 from tfloom.node.executing.callback_groups import ReentrantCallbackGroup
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from tfloom.node.values.exceptions import ExternalShutdownException
 from tfloom.tf2_ros.buffer_core import BufferCore
+from tfloom.tf2_ros.far_stamps import held_callback, jump_callback, warn_of_held
 
 if TYPE_CHECKING:
+    from tfloom._native import TfSink
+    from tfloom.node.clock.clock import Clock, JumpHandle
+    from tfloom.node.clock.time_jump import TimeJump
     from tfloom.node.endpoints.subscription import Subscription
 
 __all__ = ["DEFAULT_STATIC_TF_TOPIC", "DEFAULT_TF_TOPIC", "StaticTransformListener", "TransformListener"]
@@ -33,6 +40,11 @@ class TransformListener:
     The wire's thread passes the bytes directly to the native buffer: no message is built, and no executor is needed.
     If `callback`, `static_callback` or the buffer's `set_transform` are overridden, messages are built and passed to
     these, on the executor.
+
+    One transform stamped in the far future would hide all later ones of its frame. So one whose stamp is further ahead
+    of the node's time than the buffer's history is long, and than its publisher's former stamps, is held until that
+    publisher's next one confirms that its clock is ahead. A warning names the publisher. This applies to transforms
+    that are passed directly, and not to static ones.
 
     It is kept alive by its node, even without another reference to it, until `unregister`.
 
@@ -67,6 +79,8 @@ class TransformListener:
         self.tf_sub: Subscription[TFMessage] | None = None
         self.tf_static_sub: Subscription[TFMessage] | None = None
         self._buffer = buffer
+        self._sink: TfSink | None = None
+        self._jump_handle: JumpHandle | None = None
         if not static_only:
             self.tf_sub = self._subscribe(
                 tf_topic, self.callback, QoSProfile(depth=DEPTH) if qos is None else qos
@@ -96,7 +110,38 @@ class TransformListener:
             (self.tf_static_sub, "static_callback", "set_transform_static"),
         ):
             if subscription is not None and self._is_direct(name, setter):
-                subscription.feed(buffer.tf_sink(AUTHORITY, static=name == "static_callback"))
+                if name == "static_callback":
+                    sink = buffer.tf_sink(AUTHORITY, static=True)
+                else:
+                    sink = buffer.tf_sink(
+                        AUTHORITY, static=False, on_held=held_callback(weakref.WeakMethod(self._on_held))
+                    )
+                    self._watch_clock(sink)
+                subscription.feed(sink)
+
+    def _watch_clock(self, sink: TfSink) -> None:
+        """Compare stamps with the node's time, which the sink cannot read itself while it is simulated."""
+        self._sink = sink
+        clock = self.node.get_clock()
+        if self._jump_handle is None:
+            self._jump_handle = clock.create_jump_callback(
+                ANY_JUMP, post_callback=jump_callback(weakref.WeakMethod(self._on_jump))
+            )
+        sink.set_simulated_time(_simulated_ns(clock))
+
+    def _on_jump(self, jump: TimeJump) -> None:
+        sink = self._sink
+        if sink is None:
+            return
+        sink.set_simulated_time(_simulated_ns(self.node.get_clock()))
+        if jump.clock_change != ClockChange.ROS_TIME_NO_CHANGE or jump.delta.nanoseconds < 0:
+            sink.forget_all()
+
+    def _on_held(self, gid: bytes, child_frame_id: str, stamp_ns: int, now_ns: int) -> None:
+        """Warn of a publisher's first transform that is held."""
+        if self.tf_sub is None:
+            return
+        warn_of_held(self.node, self.tf_sub.topic_name, gid, child_frame_id, stamp_ns, now_ns)
 
     def _is_direct(self, callback: str, setter: str) -> bool:
         """Return whether there is no override between the wire and the native buffer."""
@@ -132,6 +177,9 @@ class TransformListener:
 
     def unregister(self) -> None:
         """Destroy the subscriptions. The buffer keeps its content."""
+        if self._jump_handle is not None:
+            self._jump_handle.unregister()
+            self._jump_handle = None
         for subscription in (self.tf_sub, self.tf_static_sub):
             if subscription is not None:
                 self.node.destroy_subscription(subscription)
@@ -169,6 +217,11 @@ class StaticTransformListener(TransformListener):
             tf_static_topic=tf_static_topic,
             static_only=True,
         )
+
+
+def _simulated_ns(clock: Clock) -> int | None:
+    """Return the simulated time [ns]; None where the clock returns the system's."""
+    return clock.now_ns() if isinstance(clock, ROSClock) and clock.ros_time_is_active else None
 
 
 def _static_profile() -> QoSProfile:

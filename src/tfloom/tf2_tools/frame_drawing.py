@@ -5,6 +5,7 @@ Sizes are in points of 1/72 inch; y grows upwards, as in PDF.
 
 from __future__ import annotations
 
+import io
 from collections.abc import Sequence
 from itertools import pairwise
 from pathlib import Path
@@ -15,6 +16,7 @@ from reportlab.pdfgen.canvas import Canvas
 from tfloom.tf2_tools.frame_records import NO_DATA, FrameRecord, parents_of
 from tfloom.tf2_tools.page_fonts import Font, printable
 from tfloom.tf2_tools.tree_layout import Layout, Size, arrange
+from tfloom.whole_files import write_file
 
 PAGE_LIMIT = 14_400.0
 """The longest side that PDF readers support."""
@@ -132,7 +134,8 @@ class _Drawing:
         width = max(self.tree_width, legend.width) + 2 * MARGIN
         height = self.tree_height + HEADER_GAP + legend.height + 2 * MARGIN
         scale = min(1.0, PAGE_LIMIT / max(width, height))
-        canvas = Canvas(str(path), pagesize=(width * scale, height * scale))
+        page = io.BytesIO()
+        canvas = Canvas(page, pagesize=(width * scale, height * scale))
         canvas.setTitle("view_frames Result")
         canvas.setCreator("tfloom")
         canvas.scale(scale, scale)
@@ -143,6 +146,7 @@ class _Drawing:
         for frame in self.boxes:
             self._draw_cell(canvas, frame)
         canvas.save()
+        write_file(path, page.getbuffer())
 
     def _point(self, breadth: float, depth: float) -> tuple[float, float]:
         """Return x and y on the page for a breadth and a depth, from the tree's upper left corner."""

@@ -16,6 +16,7 @@ from tfloom.node.program import run_program
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener
 from tfloom.tf2_tools.frame_records import FrameRecord, parse_frames_yaml, write_gv
+from tfloom.whole_files import write_file
 
 COPY_NAME = "frames.pdf"
 """The name of the file in tutorials."""
@@ -61,11 +62,11 @@ def write_files(frames_yaml: str, name: str, recorded_at: float, folder: Path) -
 
     records = parse_frames_yaml(frames_yaml)
     text, picture, copy = folder / f"{name}.gv", folder / f"{name}.pdf", folder / COPY_NAME
-    text.write_text(write_gv(records, recorded_at), "utf-8")
+    write_file(text, write_gv(records, recorded_at))
     draw_frames(records, recorded_at, picture)
     if picture == copy:
         return [text, picture]
-    copy.write_bytes(picture.read_bytes())
+    write_file(copy, picture.read_bytes())
     return [text, picture, copy]
 
 
@@ -113,7 +114,12 @@ def run(node: Node, options: argparse.Namespace) -> int:
     node.get_logger().info(f"Result:tf2_msgs.srv.FrameGraph_Response(frame_yaml={frames_yaml!r})")
     listener.unregister()
     name = options.output or f"frames_{time.strftime('%Y-%m-%d_%H.%M.%S')}"
-    if not parse_frames_yaml(frames_yaml):
+    try:
+        records = parse_frames_yaml(frames_yaml)
+    except ValueError as error:  # a frame id from the wire may have any character
+        node.get_logger().error(f"can't draw these frames: {error}")
+        return 1
+    if not records:
         node.get_logger().warning(
             "No tf data received: is anything publishing /tf or /tf_static in this ROS_DOMAIN_ID?"
         )
