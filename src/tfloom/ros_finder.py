@@ -60,7 +60,8 @@ class InterfaceFinder(Loader):
         """Give the module functions that find its attributes at first access."""
         from tfloom.rosidl.definition_modules import fill_module
 
-        fill_module(module)
+        spec = module.__spec__
+        fill_module(module, str(spec.origin if spec is not None else None))
 
 
 def _package_folder(package: str, kind: str) -> str | None:
@@ -79,4 +80,4 @@ def _holds_definitions(folder: str, kind: str) -> bool:
         names = os.listdir(os.path.join(folder, kind))  # noqa: PTH118, PTH208  # as above
     except OSError:
         return False
-    return any(name.endswith(f".{kind}") for name in names)
+    return any(name.endswith((f".{kind}", ".idl")) for name in names)

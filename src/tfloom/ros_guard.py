@@ -6,9 +6,14 @@ import os
 import sys
 from importlib.machinery import PathFinder
 
-__all__ = ["claim", "serves_rclpy"]
+__all__ = ["claim", "is_elsewhere", "serves_rclpy"]
 
 _ROS_NAMES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ros_names") + os.sep  # noqa: PTH100, PTH118, PTH120  # pathlib takes longer to import than all the rest here
+
+
+_DROP_IN_LINE = "from tfloom.drop_in import Buffer, TransformListener"
+_BESIDE_DROP_IN = {"tf2_ros", "tf2_py"}
+"""The façades in whose place a program of another `rclpy` imports `tfloom.drop_in`."""
 
 
 def claim(name: str) -> None:
@@ -30,9 +35,19 @@ def claim(name: str) -> None:
         advice = "call `tfloom.use_ros_names()` first"
     else:
         advice = f"install '{name}' for that ROS, or take that ROS out of PYTHONPATH to run on tfloom alone"
+        if name in _BESIDE_DROP_IN:
+            advice = f"to use tfloom's tf2 with the nodes of that rclpy, write `{_DROP_IN_LINE}`; otherwise {advice}"
     raise ImportError(
         f"'{name}' would come from tfloom, but 'rclpy' comes from {where or 'nowhere'}: {advice}.", name=name
     )
+
+
+def is_elsewhere(name: str) -> bool:
+    """Return whether a top-level package is, or would be, imported from a place other than tfloom's façades."""
+    if getattr(sys, "frozen", False) and _is_frozen_rclpy_ours():
+        return False
+    where = _origin(name)
+    return where is not None and not os.path.abspath(where).startswith(_ROS_NAMES)  # noqa: PTH100
 
 
 def serves_rclpy() -> bool:

@@ -7,7 +7,9 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
+from tfloom.workspace.cmake_lists import read_plan
 from tfloom.workspace.create import Package, create_package
+from tfloom.workspace.licenses import LICENSES, License, find_license, find_license_text
 
 
 def test_package_with_a_node_is_written(tmp_path: Path) -> None:
@@ -18,12 +20,17 @@ def test_package_with_a_node_is_written(tmp_path: Path) -> None:
     names = [path.relative_to(tmp_path / "src").as_posix() for path in written]
     assert names == [
         "my_pkg/package.xml",
+        "my_pkg/LICENSE",
         "my_pkg/setup.py",
         "my_pkg/setup.cfg",
         "my_pkg/resource/my_pkg",
         "my_pkg/my_pkg/__init__.py",
         "my_pkg/my_pkg/my_node.py",
+        "my_pkg/test/test_copyright.py",
+        "my_pkg/test/test_flake8.py",
+        "my_pkg/test/test_pep257.py",
     ]
+    assert "Permission is hereby granted" in written[1].read_text("utf-8")
     xml = ET.parse(written[0]).getroot()
     assert xml.findtext("description") == package.description
     assert xml.findtext("maintainer") == package.maintainer
@@ -31,7 +38,7 @@ def test_package_with_a_node_is_written(tmp_path: Path) -> None:
     for path in written:
         if path.suffix == ".py":
             compile(path.read_text("utf-8"), path, "exec")
-    assert '"my_node = my_pkg.my_node:main"' in written[1].read_text("utf-8")
+    assert "'my_node = my_pkg.my_node:main'" in written[2].read_text("utf-8")
 
 
 def test_package_without_a_node_is_written(tmp_path: Path) -> None:
@@ -53,3 +60,32 @@ def test_existing_folder_is_not_changed(tmp_path: Path) -> None:
     with pytest.raises(FileExistsError):
         create_package(Package("my_pkg"), tmp_path)
     assert list((tmp_path / "my_pkg").iterdir()) == []
+
+
+def test_interface_package_is_written(tmp_path: Path) -> None:
+    package = Package(
+        "my_msgs", license="Apache-2.0", dependencies=("geometry_msgs",), build_type="ament_cmake"
+    )
+    written = create_package(package, tmp_path)
+    names = [path.relative_to(tmp_path / "my_msgs").as_posix() for path in written]
+    assert names == ["package.xml", "LICENSE", "CMakeLists.txt", "msg/Num.msg"]
+    xml = ET.parse(written[0]).getroot()
+    assert xml.findtext("member_of_group") == "rosidl_interface_packages"
+    assert xml.findtext("export/build_type") == "ament_cmake"
+    plan = read_plan(tmp_path / "my_msgs", tmp_path)
+    assert (plan.interfaces, plan.dependencies) == (["msg/Num.msg"], ["geometry_msgs"])
+    assert plan.unknown == []
+
+
+def test_library_is_written(tmp_path: Path) -> None:
+    written = create_package(Package("my_pkg", library="my_lib"), tmp_path)
+    assert tmp_path / "my_pkg" / "my_lib" / "__init__.py" in written
+
+
+@pytest.mark.parametrize("each", LICENSES)
+def test_license_has_its_text(each: License) -> None:
+    text = find_license_text(each.spdx)
+    assert text
+    assert find_license_text("Unheard-Of") is None
+    granting = {"apache2": "APPENDIX", "gplv3": "GNU GENERAL", "lgplv3": "GNU LESSER"}
+    assert granting[each.name] in text if each.name in granting else find_license(text) in {each.name, None}

@@ -50,7 +50,7 @@ def test_a_package_without_interfaces_is_known(package: str) -> None:
     ):
         assert function([package]) == {}
     assert package not in get_interface_packages()
-    assert get_interfaces([package, "my_interfaces"]) == {"my_interfaces": ["msg/Point"]}
+    assert get_interfaces([package, "my_interfaces"]) == {"my_interfaces": ["msg/OfIdl", "msg/Point"]}
 
 
 def test_an_unknown_package_is_an_error() -> None:

@@ -92,7 +92,7 @@ def test_recursive_type_ends(workspace: Path) -> None:
 )
 def test_unknown_names_raise_with_the_nearest(workspace: Path, name: str, text: str) -> None:
     with pytest.raises(LookupError) as error:
-        interfaces.read_definition(name)
+        interfaces.definition_path(name)
     assert error.value.args[0] == text
 
 

@@ -1,4 +1,4 @@
-"""A new package for a workspace: Python, built by colcon (build type ament_python)."""
+"""A new package for a workspace, built by colcon: Python (ament_python), or interfaces (ament_cmake)."""
 
 from __future__ import annotations
 
@@ -6,93 +6,16 @@ import keyword
 import re
 from collections.abc import Iterable
 from pathlib import Path
+from shutil import rmtree
 from typing import NamedTuple
 from xml.sax.saxutils import escape
 
-_PACKAGE_XML = """\
-<?xml version="1.0"?>
-<?xml-model href="http://download.ros.org/schema/package_format3.xsd" schematypens="http://www.w3.org/2001/XMLSchema"?>
-<package format="3">
-  <name>{name}</name>
-  <version>0.0.0</version>
-  <description>{description}</description>
-  <maintainer email="{email}">{maintainer}</maintainer>
-  <license>{license}</license>
+from tfloom.whole_files import write_file
+from tfloom.workspace import package_templates as templates
+from tfloom.workspace.licenses import find_license_text
 
-{depends}  <export>
-    <build_type>ament_python</build_type>
-  </export>
-</package>
-"""
-
-_SETUP_PY = """\
-from setuptools import find_packages, setup
-
-package_name = "{name}"
-
-setup(
-    name=package_name,
-    version="0.0.0",
-    packages=find_packages(exclude=["test"]),
-    data_files=[
-        ("share/ament_index/resource_index/packages", [f"resource/{{package_name}}"]),
-        (f"share/{{package_name}}", ["package.xml"]),
-    ],
-    install_requires=["setuptools"],
-    zip_safe=True,
-    maintainer={maintainer!r},
-    maintainer_email={email!r},
-    description={description!r},
-    license={license!r},
-    entry_points={{
-        "console_scripts": [
-{scripts}        ],
-    }},
-)
-"""
-
-_SETUP_CFG = """\
-[develop]
-script_dir=$base/lib/{name}
-[install]
-install_scripts=$base/lib/{name}
-"""
-
-_NODE = '''\
-import rclpy
-from rclpy.executors import ExternalShutdownException
-from rclpy.node import Node
-
-
-class {class_name}(Node):
-    """Counts the seconds."""
-
-    def __init__(self):
-        super().__init__("{node}")
-        self.count = 0
-        self.timer = self.create_timer(1.0, self.on_timer)
-        self.get_logger().info("Hi from {name}.")
-
-    def on_timer(self):
-        self.count += 1
-        self.get_logger().info(f"{{self.count}} s")
-
-
-def main():
-    rclpy.init()
-    node = {class_name}()
-    try:
-        rclpy.spin(node)
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        node.destroy_node()
-        rclpy.try_shutdown()
-
-
-if __name__ == "__main__":
-    main()
-'''
+BUILD_TYPES = ("ament_python", "ament_cmake")
+_TEST_DEPENDS = ("ament_copyright", "ament_flake8", "ament_pep257", "python3-pytest")
 
 
 class Package(NamedTuple):
@@ -106,6 +29,9 @@ class Package(NamedTuple):
     dependencies: tuple[str, ...] = ()
     node: str | None = None
     """Name of a first node; its program has the same name."""
+    library: str | None = None
+    """Name of a first Python package beside the package's own."""
+    build_type: str = "ament_python"
 
 
 def create_package(package: Package, folder: Path) -> list[Path]:
@@ -113,25 +39,48 @@ def create_package(package: Package, folder: Path) -> list[Path]:
 
     Raises:
         FileExistsError: the folder exists.
-        ValueError: a name is not a valid one of a package, a node or a dependency.
+        OSError: a file can't be written; the folder is removed again.
+        ValueError: a name is not a valid one of a package, a node, a library or a dependency; node and library have
+            one name; a package of interfaces has a node or a library; or there is no such build type.
     """
-    check_name(package.name, "package")
-    if package.node is not None:
-        check_name(package.node, "node")
-    if package.name == "test":
-        raise ValueError("'test' can't be a package's name: its code would be where its tests go")
-    for dependency in package.dependencies:
-        if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_-]*", dependency):
-            raise ValueError(f"'{dependency}' can't be a package to depend on")
+    _check(package)
     root = folder / package.name
     root.mkdir(parents=True)
     written = []
-    for path, text in _files(package):
-        target = root / path
-        target.parent.mkdir(exist_ok=True)
-        target.write_text(text, "utf-8")
-        written.append(target)
+    try:
+        for path, text in _files(package):
+            target = root / path
+            target.parent.mkdir(exist_ok=True)
+            write_file(target, text)
+            written.append(target)
+    except BaseException:
+        rmtree(root, ignore_errors=True)
+        raise
     return written
+
+
+def _check(package: Package) -> None:
+    check_name(package.name, "package")
+    for name, what in ((package.node, "node"), (package.library, "library")):
+        if name is not None:
+            check_name(name, what)
+    if package.name == "test":
+        raise ValueError("'test' can't be a package's name: its code would be where its tests go")
+    if package.library in {package.name, "test"}:
+        raise ValueError(f"'{package.library}' can't be the library's name: that folder is the package's own")
+    for dependency in package.dependencies:
+        if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_-]*", dependency):
+            raise ValueError(f"'{dependency}' can't be a package to depend on")
+    if package.build_type not in BUILD_TYPES:
+        raise ValueError(
+            f"a package of build type {package.build_type} needs CMake and C++; "
+            "ament_python doesn't, nor does ament_cmake for messages, services and actions"
+        )
+    if package.build_type == "ament_cmake" and (package.node or package.library):
+        raise ValueError(
+            "nodes and libraries of build type ament_cmake are C++, which needs a ROS install: "
+            "use --build-type ament_python, and ament_cmake for messages, services and actions alone"
+        )
 
 
 def check_name(name: str, what: str) -> None:
@@ -148,16 +97,55 @@ def check_name(name: str, what: str) -> None:
 
 
 def _files(package: Package) -> Iterable[tuple[str, str]]:
-    name = package.name
-    depends = dict.fromkeys([*(["rclpy"] if package.node else []), *package.dependencies])
+    yield "package.xml", _manifest(package)
+    license_text = find_license_text(package.license)
+    if license_text is not None:
+        yield "LICENSE", license_text
+    yield from _interface_files(package) if package.build_type == "ament_cmake" else _python_files(package)
+
+
+def _manifest(package: Package) -> str:
+    if package.build_type == "ament_cmake":
+        groups = [
+            [("buildtool_depend", "ament_cmake"), ("buildtool_depend", "rosidl_default_generators")],
+            [("depend", each) for each in package.dependencies],
+            [("exec_depend", "rosidl_default_runtime")],
+            [("member_of_group", "rosidl_interface_packages")],
+        ]
+    else:
+        depends = dict.fromkeys([*(["rclpy"] if package.node else []), *package.dependencies])
+        groups = [
+            [("depend", each) for each in depends],
+            [("test_depend", each) for each in _TEST_DEPENDS],
+        ]
+    tags = "\n".join(
+        "".join(f"  <{tag}>{escape(text)}</{tag}>\n" for tag, text in group) for group in groups if group
+    )
     texts = {field: escape(getattr(package, field), {'"': "&quot;"}) for field in package._fields[:5]}
-    tags = "".join(f"  <depend>{escape(each)}</depend>\n" for each in depends)
-    yield "package.xml", _PACKAGE_XML.format(**texts, depends=f"{tags}\n" if tags else "")
-    script = f'            "{package.node} = {name}.{package.node}:main",\n' if package.node else ""
-    yield "setup.py", _SETUP_PY.format(**package._asdict(), scripts=script)
-    yield "setup.cfg", _SETUP_CFG.format(name=name)
+    return templates.PACKAGE_XML.format(**texts, tags=tags, build_type=package.build_type)
+
+
+def _python_files(package: Package) -> Iterable[tuple[str, str]]:
+    name = package.name
+    script = f"            '{package.node} = {name}.{package.node}:main',\n" if package.node else ""
+    yield "setup.py", templates.SETUP_PY.format(**package._asdict(), scripts=script)
+    yield "setup.cfg", templates.SETUP_CFG.format(name=name)
     yield f"resource/{name}", ""
     yield f"{name}/__init__.py", ""
     if package.node:
         class_name = "".join(part.capitalize() for part in package.node.split("_"))
-        yield f"{name}/{package.node}.py", _NODE.format(name=name, node=package.node, class_name=class_name)
+        yield (
+            f"{name}/{package.node}.py",
+            templates.NODE.format(name=name, node=package.node, class_name=class_name),
+        )
+    if package.library:
+        yield f"{package.library}/__init__.py", ""
+    yield from templates.TESTS.items()
+
+
+def _interface_files(package: Package) -> Iterable[tuple[str, str]]:
+    found = "".join(f"find_package({each} REQUIRED)\n" for each in package.dependencies)
+    listed = f"  DEPENDENCIES {' '.join(package.dependencies)}\n" if package.dependencies else ""
+    text = templates.CMAKE_LISTS.format(name=package.name, find_packages=found, dependencies=listed)
+    yield "CMakeLists.txt", text
+    yield "msg/Num.msg", templates.MESSAGE

@@ -135,6 +135,13 @@ def package_programs(package: str, prefix: str) -> list[Path]:
     ]
 
 
+def find_unmarked_program(package: str, prefix: str, program: str) -> Path | None:
+    """Return the file of a program among a package's that isn't marked as executable, or None."""
+    return next(
+        (path for path in sorted(Path(prefix, "lib", package).rglob(program)) if not _is_program(path)), None
+    )
+
+
 def program_name(path: Path) -> str:
     """Return the command for a program's file: its name, on Windows without the extension."""
     return path.stem if os.name == "nt" else path.name

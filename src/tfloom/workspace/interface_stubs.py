@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
 from tfloom.rosidl import definition_files, sources, spec
 from tfloom.rosidl.generate import generate
 from tfloom.rosidl.references import check_references
+from tfloom.rosidl.type_hash import FindSpec
+from tfloom.whole_files import write_file
 from tfloom.workspace import index
 
 
@@ -35,16 +37,33 @@ def write_stubs(folder: Path) -> Stubs:
     found = Stubs([], [])
     for package, names in _workspace_interfaces().items():
         interfaces = list(_load(names, found.left_out))
-        for kind in definition_files.KINDS:
-            group = [each for each in interfaces if each.name.split("/")[1] == kind]
-            if group:
-                source = generate(group, sources.find_message, by="tfloom interfaces stubs")
-                _write(folder / package / f"{kind}.pyi", source, found.written)
-        if interfaces:
-            text = f'"""The interfaces of {package}."""\n'
-            _write(folder / package / "__init__.pyi", text, found.written)
+        stubs = typed_modules(package, interfaces, sources.find_message, by="tfloom interfaces stubs")
+        for path, text in stubs:
+            _write(folder / package / path, text, found.written)
     found.written.sort()
     return found
+
+
+def typed_modules(
+    package: str, interfaces: Iterable[spec.Interface], find: FindSpec, *, by: str
+) -> Iterator[tuple[str, str]]:
+    """Yield path and text of each stub of a package: `msg.pyi`, `srv.pyi`, `action.pyi`, `__init__.pyi`.
+
+    Args:
+        package: The package's name.
+        interfaces: Its interfaces; without any, there are no stubs.
+        find: Returns the message of a name, for references.
+        by: The command that writes them, for the note at the top.
+    """
+    groups: dict[str, list[spec.Interface]] = {}
+    for each in interfaces:
+        groups.setdefault(each.name.split("/")[1], []).append(each)
+    kinds = [kind for kind in definition_files.KINDS if kind in groups]
+    for kind in kinds:
+        yield f"{kind}.pyi", generate(groups[kind], find, by=by)
+    if kinds:
+        imports = "".join(f"from {package} import {kind} as {kind}\n" for kind in kinds)
+        yield "__init__.pyi", f'"""The interfaces of {package}."""\n\n{imports}'
 
 
 def _workspace_interfaces() -> dict[str, list[str]]:
@@ -71,5 +90,5 @@ def _load(names: Iterable[str], left_out: list[str]) -> Iterable[spec.Interface]
 
 def _write(path: Path, text: str, written: list[Path]) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(text, encoding="utf-8")
+    write_file(path, text)
     written.append(path)

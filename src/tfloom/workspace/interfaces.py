@@ -7,11 +7,13 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from tfloom.rosidl.definition_files import (
+    IDL_SUFFIX,
     KINDS,
     find_path,
     interfaces_of,
     names_in,
     own_folders,
+    path_in,
     workspace_folders,
 )
 from tfloom.workspace import index
@@ -55,9 +57,7 @@ def split_name(name: str) -> tuple[str, str, str]:
     if len(parts) == 2:
         package, base = parts
         folder = interface_packages().get(package)
-        kind = next(
-            (kind for kind in KINDS if folder and (folder / kind / f"{base}.{kind}").is_file()), "msg"
-        )
+        kind = next((kind for kind in KINDS if folder and path_in(folder, kind, base) is not None), "msg")
         parts = [package, kind, base]
     if len(parts) != 3 or parts[1] not in KINDS or not all(part.isidentifier() for part in parts):
         known = [
@@ -70,8 +70,8 @@ def split_name(name: str) -> tuple[str, str, str]:
     return parts[0], parts[1], parts[2]
 
 
-def read_definition(name: str) -> str:
-    """Return the text of an interface's definition.
+def definition_path(name: str) -> Path:
+    """Return the file of an interface's definition.
 
     Raises:
         LookupError: there is no such package, or no such interface in it; the text has the nearest name.
@@ -88,7 +88,7 @@ def read_definition(name: str) -> str:
         raise LookupError(
             f"Could not find the interface '{name}'{_nearest(f'{package}/{kind}/{base}', known)}"
         )
-    return path.read_text("utf-8")
+    return path
 
 
 def _nearest(name: str, known: list[str]) -> str:
@@ -98,6 +98,8 @@ def _nearest(name: str, known: list[str]) -> str:
 
 def expanded_definition(name: str, comments: str = "own") -> Iterator[str]:
     """Yield the lines of a definition, and below each field of an interface's type that type's, indented by a tab.
+
+    The lines of an .idl file are yielded as they are.
 
     Args:
         name: Full name of the interface.
@@ -112,7 +114,12 @@ def _expand(name: str, comments: str, indent: str, above: tuple[str, ...]) -> It
 
     package = name.split("/", maxsplit=1)[0]
     keep = comments == "all" or (comments == "own" and not indent)
-    for raw in read_definition(name).splitlines():
+    path = definition_path(name)
+    lines = path.read_text("utf-8").splitlines()
+    if path.suffix == IDL_SUFFIX:
+        yield from (indent + line.rstrip() for line in lines)
+        return
+    for raw in lines:
         line = raw.rstrip() if keep else without_comment(raw)
         if line or (keep and not indent):
             yield indent + line

@@ -1,0 +1,3 @@
+"""Check files for copyright and licence."""
+
+from tfloom.workspace.copyright import main as main

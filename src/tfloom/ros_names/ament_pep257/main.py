@@ -1,0 +1,5 @@
+"""Check docstrings with pydocstyle."""
+
+from tfloom.workspace.lint import pep257_main as main
+
+__all__ = ["main"]

@@ -1,0 +1,332 @@
+"""The reader of CMakeLists.txt: follows variables, conditions and loops, and makes a plan. It never runs anything."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from pathlib import Path, PurePosixPath
+
+from tfloom.workspace.cmake_plan import BINARY_FOLDER, PYTHON_FOLDER, Plan, Remark, find_action
+from tfloom.workspace.cmake_syntax import CMakeSyntaxError, Command, read_commands
+from tfloom.workspace.cmake_values import (
+    UnknownConditionError,
+    expand,
+    expand_all,
+    is_true,
+    split_list,
+)
+
+_ENDS = {
+    "if": "endif",
+    "foreach": "endforeach",
+    "while": "endwhile",
+    "function": "endfunction",
+    "macro": "endmacro",
+    "block": "endblock",
+}
+_MOST_STEPS = 20_000
+"""Commands that one file may take, because loops nest."""
+
+
+def read_plan(folder: Path, prefix: Path, *, testing: bool = False) -> Plan:
+    """Return what the CMakeLists.txt of a package asks for.
+
+    Args:
+        folder: The package's.
+        prefix: Where it will be installed, the value of CMAKE_INSTALL_PREFIX.
+        testing: The value of BUILD_TESTING, which decides whether the tests are read.
+
+    Raises:
+        CMakeSyntaxError: it can't be read, or stops itself by `message(FATAL_ERROR …)`.
+        OSError: it can't be read.
+    """
+    path = folder / "CMakeLists.txt"
+    reader = _Reader(path, prefix, testing=testing)
+    reader.run(read_commands(path))
+    return reader.plan
+
+
+class _Stop(Exception):  # noqa: N818  # no error: the end of the file by return()
+    """The file ends here."""
+
+
+class _Reader:
+    """The state of reading one file: its variables, and the plan so far."""
+
+    def __init__(self, path: Path, prefix: Path, *, testing: bool) -> None:
+        self.plan = Plan()
+        self._path = path
+        self._folder = path.parent
+        self._steps = 0
+        source = self._folder.as_posix()
+        self._variables = {
+            "CMAKE_CURRENT_LIST_DIR": source,
+            "CMAKE_CURRENT_SOURCE_DIR": source,
+            "CMAKE_SOURCE_DIR": source,
+            "CMAKE_CURRENT_BINARY_DIR": BINARY_FOLDER,
+            "CMAKE_BINARY_DIR": BINARY_FOLDER,
+            "PROJECT_BINARY_DIR": BINARY_FOLDER,
+            "CMAKE_INSTALL_PREFIX": prefix.as_posix(),
+            "CMAKE_INSTALL_BINDIR": "bin",
+            "CMAKE_INSTALL_LIBDIR": "lib",
+            "CMAKE_INSTALL_DATADIR": "share",
+            "CMAKE_INSTALL_DATAROOTDIR": "share",
+            "CMAKE_INSTALL_INCLUDEDIR": "include",
+            "PYTHON_INSTALL_DIR": PYTHON_FOLDER,
+            "UNIX": "1",
+            "ROS_DISTRO": "jazzy",
+            "BUILD_TESTING": "ON" if testing else "OFF",
+        }
+
+    def run(self, commands: Sequence[Command]) -> None:
+        """Read a whole file."""
+        try:
+            self._run(commands)
+        except _Stop:
+            return
+
+    def _run(self, commands: Sequence[Command]) -> None:
+        at = 0
+        while at < len(commands):
+            command = commands[at]
+            self._steps += 1
+            if self._steps > _MOST_STEPS:
+                raise self._error(command, f"the file takes more than {_MOST_STEPS} commands")
+            if command.name in _ENDS:
+                end = self._end(commands, at)
+                self._run_block(commands[at:end])
+                at = end
+            elif command.name in {"else", "elseif", *_ENDS.values()}:
+                raise self._error(command, f"{command.name}() without what it ends")
+            else:
+                self._run_command(command)
+            at += 1
+
+    def _end(self, commands: Sequence[Command], begin: int) -> int:
+        """Return the position of the command that ends the block at `begin`."""
+        depth = 0
+        opening, closing = commands[begin].name, _ENDS[commands[begin].name]
+        for at in range(begin, len(commands)):
+            depth += (commands[at].name == opening) - (commands[at].name == closing)
+            if not depth:
+                return at
+        raise self._error(commands[begin], f"{opening}() isn't ended by {closing}()")
+
+    def _run_block(self, block: Sequence[Command]) -> None:
+        """Run a block, whose last command is left out."""
+        head = block[0]
+        if head.name == "if":
+            self._run(self._chosen_branch(block))
+        elif head.name == "foreach":
+            self._run_loop(head, block[1:])
+        elif head.name == "block":
+            self._run(block[1:])
+        elif head.name == "while":
+            self._remark(head, "while() isn't understood")
+        # The body of a function or a macro is left out; a call of it is named as not understood.
+
+    def _chosen_branch(self, block: Sequence[Command]) -> Sequence[Command]:
+        """Return the commands of the first branch of an `if` whose condition is true."""
+        heads = [0]
+        depth = 0
+        for at, command in enumerate(block):
+            depth += (command.name == "if") - (command.name == "endif")
+            if depth == 1 and command.name in {"elseif", "else"}:
+                heads.append(at)
+        for head, end in zip(heads, [*heads[1:], len(block)], strict=True):
+            if block[head].name == "else" or self._holds(block[head]):
+                return block[head + 1 : end]
+        return []
+
+    def _holds(self, command: Command) -> bool:
+        try:
+            return is_true(command.arguments, self._variables, self._folder)
+        except UnknownConditionError as error:
+            self._remark(command, f"{error}; {command.name}() is taken as false")
+            return False
+
+    def _run_loop(self, head: Command, body: Sequence[Command]) -> None:
+        values = expand_all(head.arguments, self._variables)
+        if not values:
+            raise self._error(head, "foreach() without a variable")
+        name, *items = values
+        if items[:1] == ["RANGE"]:
+            self._remark(head, "foreach(… RANGE …) isn't understood")
+            return
+        if items[:1] == ["IN"]:
+            items = self._items(items[1:])
+        before = self._variables.get(name)
+        for item in items:
+            self._variables[name] = item
+            self._run(body)
+        self._restore(name, before)
+
+    def _items(self, words: Sequence[str]) -> list[str]:
+        """Return the items of `IN LISTS a b ITEMS c d`."""
+        found: list[str] = []
+        lists = False
+        for word in words:
+            if word in {"LISTS", "ITEMS"}:
+                lists = word == "LISTS"
+            else:
+                found += split_list(self._variables.get(word, "")) if lists else [word]
+        return found
+
+    def _restore(self, name: str, value: str | None) -> None:
+        if value is None:
+            self._variables.pop(name, None)
+        else:
+            self._variables[name] = value
+
+    def _run_command(self, command: Command) -> None:
+        own = _OWN.get(command.name)
+        if own is not None:
+            own(self, command)
+            return
+        action = find_action(command.name)
+        if action is None:
+            self._remark(command, f"{command.name}() isn't understood")
+            return
+        action(self.plan, expand_all(command.arguments, self._variables), command.line)
+        if command.name == "project":
+            source = self._folder.as_posix()
+            self._variables |= {"PROJECT_NAME": self.plan.name, "PROJECT_SOURCE_DIR": source}
+            self._variables |= {"CMAKE_PROJECT_NAME": self.plan.name}
+
+    def set_variable(self, command: Command) -> None:
+        if not command.arguments:
+            raise self._error(command, "set() without a variable")
+        first, *rest = (expand(each, self._variables) for each in command.arguments)
+        if len(first) != 1 or first[0].startswith("ENV{"):
+            self._remark(command, "set() of this isn't understood")
+            return
+        values = [value for each in rest for value in each]
+        if values[-1:] == ["PARENT_SCOPE"]:
+            del values[-1]
+        if "CACHE" in values:
+            del values[values.index("CACHE") :]
+            if first[0] in self._variables:
+                return
+        if rest:
+            self._variables[first[0]] = ";".join(value.replace(";", "\\;") for value in values)
+        else:
+            self._variables.pop(first[0], None)
+
+    def unset_variable(self, command: Command) -> None:
+        for name in expand_all(command.arguments, self._variables)[:1]:
+            self._variables.pop(name, None)
+
+    def set_option(self, command: Command) -> None:
+        words = [expand(each, self._variables) for each in command.arguments]
+        if words and words[0]:
+            value = words[2][0] if len(words) > 2 and words[2] else "OFF"
+            self._variables.setdefault(words[0][0], value)
+
+    def change_list(self, command: Command) -> None:
+        words = expand_all(command.arguments, self._variables)
+        if len(words) < 2:
+            self._remark(command, "list() without a variable")
+            return
+        verb, name, *values = words
+        items = split_list(self._variables.get(name, ""))
+        if verb == "APPEND":
+            items += values
+        elif verb == "PREPEND":
+            items = values + items
+        elif verb == "REMOVE_ITEM":
+            items = [item for item in items if item not in values]
+        elif verb == "REMOVE_DUPLICATES":
+            items = list(dict.fromkeys(items))
+        elif verb == "FILTER" and len(values) == 3 and values[1] == "REGEX":
+            items = self._filter(command, items, values[2], excludes=values[0] == "EXCLUDE")
+        elif verb == "SORT":
+            items.sort()
+        else:
+            self._remark(command, f"list({verb} …) isn't understood")
+            return
+        self._variables[name] = ";".join(items)
+
+    def _filter(self, command: Command, items: list[str], pattern: str, *, excludes: bool) -> list[str]:
+        """Return the items of `list(FILTER variable INCLUDE|EXCLUDE REGEX pattern)`."""
+        try:
+            found = re.compile(pattern)
+        except re.error as error:
+            raise self._error(command, f"'{pattern}' isn't a regular expression: {error}") from None
+        return [item for item in items if (found.search(item) is None) == excludes]
+
+    def find_files(self, command: Command) -> None:
+        """Run `file(GLOB variable [RELATIVE folder] [CONFIGURE_DEPENDS] patterns…)`."""
+        verb, *words = expand_all(command.arguments, self._variables) or [""]
+        if verb not in {"GLOB", "GLOB_RECURSE"} or not words:
+            self._remark(command, f"file({verb} …) isn't understood")
+            return
+        name, *rest = [word for word in words if word not in {"CONFIGURE_DEPENDS", "FOLLOW_SYMLINKS"}]
+        base: Path | None = None
+        if rest[:1] == ["RELATIVE"]:
+            base, rest = self._folder / "".join(rest[1:2]), rest[2:]
+        found = {path for pattern in rest for path in self._glob(pattern, deep=verb == "GLOB_RECURSE")}
+        names = [path.relative_to(base) if base and path.is_relative_to(base) else path for path in found]
+        self._variables[name] = ";".join(sorted(path.as_posix() for path in names))
+
+    def _glob(self, pattern: str, *, deep: bool) -> list[Path]:
+        path = Path(pattern)
+        if path.is_absolute():
+            if not path.is_relative_to(self._folder):
+                return []
+            path = path.relative_to(self._folder)
+        if not path.parts:
+            return []
+        parts = [*path.parts[:-1], "**", path.parts[-1]] if deep else path.parts
+        return [each for each in self._folder.glob("/".join(parts)) if each.is_file()]
+
+    def split_path(self, command: Command) -> None:
+        """Run `get_filename_component(variable path part)` for parts of the name."""
+        words = expand_all(command.arguments, self._variables)
+        part = _PARTS.get(words[2]) if len(words) == 3 else None
+        if part is None:
+            self._remark(command, "this form of get_filename_component() isn't understood")
+            return
+        self._variables[words[0]] = part(PurePosixPath(words[1]))
+
+    def show_message(self, command: Command) -> None:
+        words = [" ".join(expand(each, self._variables)) for each in command.arguments]
+        if words[:1] == ["FATAL_ERROR"]:
+            raise self._error(command, "".join(words[1:]) or "message(FATAL_ERROR)")
+
+    def include_file(self, command: Command) -> None:
+        """Run `include`: of CMake's own modules nothing is needed; a file of the package isn't followed."""
+        name = next(iter(expand_all(command.arguments, self._variables)), "")
+        if "/" in name or name.endswith(".cmake"):
+            self._remark(command, f"include({name}) isn't understood: its commands are left out")
+
+    def stop(self, _command: Command) -> None:
+        raise _Stop
+
+    def _remark(self, command: Command, text: str) -> None:
+        remark = Remark(command.line, text)
+        if remark not in self.plan.unknown:
+            self.plan.unknown.append(remark)
+
+    def _error(self, command: Command, reason: str) -> CMakeSyntaxError:
+        return CMakeSyntaxError(self._path, command.line, reason)
+
+
+_PARTS: dict[str, Callable[[PurePosixPath], str]] = {
+    "NAME": lambda path: path.name,
+    "NAME_WE": lambda path: path.name[:1] + path.name[1:].partition(".")[0],
+    "NAME_WLE": lambda path: path.stem,
+    "DIRECTORY": lambda path: "" if path.parent == PurePosixPath() else path.parent.as_posix(),
+    "PATH": lambda path: "" if path.parent == PurePosixPath() else path.parent.as_posix(),
+}
+
+_OWN: dict[str, Callable[[_Reader, Command], None]] = {
+    "set": _Reader.set_variable,
+    "unset": _Reader.unset_variable,
+    "option": _Reader.set_option,
+    "list": _Reader.change_list,
+    "file": _Reader.find_files,
+    "get_filename_component": _Reader.split_path,
+    "message": _Reader.show_message,
+    "include": _Reader.include_file,
+    "return": _Reader.stop,
+}

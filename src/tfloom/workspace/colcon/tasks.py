@@ -1,0 +1,174 @@
+"""The tasks of colcon's verbs `build` and `test` for packages that are built without CMake."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+from colcon_core.environment import create_environment_hooks, create_environment_scripts
+from colcon_core.event.output import StderrLine
+from colcon_core.shell import create_environment_hook
+from colcon_core.task import TaskExtensionPoint
+
+from tfloom.rosidl.parse import ParseError
+from tfloom.workspace.cmake_lists import read_plan
+from tfloom.workspace.cmake_plan import Plan
+from tfloom.workspace.cmake_syntax import CMakeSyntaxError
+from tfloom.workspace.colcon.identification import FAULT_KEY
+from tfloom.workspace.colcon.pytest_tests import run_pytest_tests
+from tfloom.workspace.installing import Installer, InstallError
+from tfloom.workspace.interface_package import install_interfaces
+from tfloom.workspace.leftovers import remove_former_files
+
+LEFT_OUT_KEY = "tfloom_left_out"
+"""The key, in the metadata of a package's descriptor, of the reason for which it is left out."""
+
+
+def say(context: Any, text: str) -> None:
+    """Print a sentence on stderr.
+
+    It is posted in octets, because colcon-output refuses the text that `TaskExtensionPoint.print` posts.
+
+    Args:
+        context: That of the task.
+        text: The sentence.
+    """
+    context.put_event_into_queue(StderrLine(f"{text}\n".encode()))
+
+
+class Task(TaskExtensionPoint):
+    """A task whose package may be wanting without stopping the build of those that depend on it."""
+
+    def _write_scripts(self, additional_hooks: list[Any] | None = None) -> None:
+        """Write the scripts of the package's environment, without which colcon builds no package that depends on it."""
+        args, package = self.context.args, self.context.pkg
+        prefix = Path(args.install_base)
+        hooks = list(create_environment_hooks(prefix, package.name))
+        hooks += create_environment_hook(
+            "ament_prefix_path", prefix, package.name, "AMENT_PREFIX_PATH", "", mode="prepend"
+        )
+        create_environment_scripts(
+            package, args, default_hooks=hooks, additional_hooks=additional_hooks or []
+        )
+
+    def _say(self, text: str) -> None:
+        say(self.context, text)
+
+
+class BuildTask(Task):
+    """Install what a CMakeLists.txt names, without CMake."""
+
+    async def build(self, *, additional_hooks: list[Any] | None = None) -> int:
+        """Install the package; return 1, after a sentence, if that is impossible."""
+        try:
+            with _prefixes_on_path(self.context.dependencies.values()):
+                self._install()
+        except (CMakeSyntaxError, InstallError, ParseError, LookupError, ValueError) as error:
+            self._say(str(error))
+            return 1
+        except OSError as error:
+            self._say(f"{error.filename}: {error.strerror}")
+            return 1
+        finally:
+            self._write_scripts(additional_hooks)
+        return 0
+
+    def _install(self) -> None:
+        args, package = self.context.args, self.context.pkg
+        source, prefix = Path(args.path), Path(args.install_base)
+        if not (source / "CMakeLists.txt").is_file():
+            raise InstallError(
+                f"{source}: a package of build type ament_cmake needs a CMakeLists.txt; for a package with setup.py, "
+                "write <build_type>ament_python</build_type> into package.xml"
+            )
+        symlink = bool(args.symlink_install)
+        plan = read_plan(source, prefix)
+        self._remark(plan, source)
+        if plan.is_all_compiled:
+            return
+        files: list[Path] = []
+        if plan.interfaces:
+            installed = install_interfaces(source, package.name, plan.interfaces, prefix, symlink=symlink)
+            for warning in installed.warnings:
+                self._say(warning)
+            files += installed.files
+        installer = Installer(source, package.name, prefix, symlink=symlink)
+        installer.install(plan)
+        for warning in installer.warnings:
+            self._say(warning)
+        remove_former_files(Path(args.build_base), prefix, files + installer.files)
+
+    def _remark(self, plan: Plan, source: Path) -> None:
+        """Print what of the CMakeLists.txt is left out."""
+        path = source / "CMakeLists.txt"
+        if plan.compiled:
+            first = plan.compiled[0]
+            part = "left out" if plan.is_all_compiled else "built without its C++"
+            reason = f"{path}:{first.line} has {first.text}, which needs C++ and a ROS install"
+            self.context.pkg.metadata[LEFT_OUT_KEY] = f"is {part}"
+            self._say(f"{self.context.pkg.name} is {part}: {reason}")
+        if not plan.is_all_compiled:
+            for remark in plan.unknown:
+                self._say(f"{path}:{remark.line}: {remark.text}")
+
+
+class BrokenTask(Task):
+    """Print the fault of a package that can't be built."""
+
+    async def build(self, *, additional_hooks: list[Any] | None = None) -> int:
+        """Print the fault, and fail."""
+        self._say(self.context.pkg.metadata[FAULT_KEY])
+        self._write_scripts(additional_hooks)
+        return 1
+
+    async def test(self, *, additional_hooks: list[Any] | None = None) -> int:  # noqa: ARG002
+        """Print the fault, and fail."""
+        self._say(self.context.pkg.metadata[FAULT_KEY])
+        return 1
+
+
+class TestTask(Task):
+    """Run the tests that a CMakeLists.txt names by `ament_add_pytest_test`; the others are CTest's."""
+
+    __test__ = False  # for pytest
+
+    async def test(self, *, additional_hooks: list[Any] | None = None) -> int:  # noqa: ARG002, PT028
+        """Run the tests; return 1, after a sentence, if that is impossible."""
+        args = self.context.args
+        try:
+            plan = read_plan(Path(args.path), Path(args.install_base), testing=True)
+        except (CMakeSyntaxError, OSError) as error:
+            self._say(str(error))
+            return 1
+        if not plan.tests or plan.is_all_compiled:
+            return 0
+        if find_spec("pytest") is None:
+            self._say(f"the tests of {self.context.pkg.name} can't run: pip install pytest")
+            return 1
+        try:
+            return await run_pytest_tests(self.context, plan.tests)
+        except (OSError, RuntimeError) as error:
+            self._say(f"the tests of {self.context.pkg.name} can't run: {error}")
+            return 1
+
+
+@contextmanager
+def _prefixes_on_path(prefixes: Any) -> Iterator[None]:
+    """Put the prefixes of a package's dependencies first on AMENT_PREFIX_PATH, where definitions are looked up.
+
+    The block awaits nothing, so that no other task sees the change.
+    """
+    before = os.environ.get("AMENT_PREFIX_PATH")
+    there = [str(prefix) for prefix in dict.fromkeys(prefixes) if Path(prefix).is_dir()]
+    os.environ["AMENT_PREFIX_PATH"] = os.pathsep.join([*there, *([before] if before else [])])
+    try:
+        yield
+    finally:
+        if before is None:
+            del os.environ["AMENT_PREFIX_PATH"]
+        else:
+            os.environ["AMENT_PREFIX_PATH"] = before

@@ -1,0 +1,185 @@
+"""Installs the files that a plan names into a prefix, as copies or as symbolic links to the sources."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import stat
+from collections.abc import Iterator
+from fnmatch import fnmatchcase
+from pathlib import Path
+
+from tfloom.whole_files import write_file
+from tfloom.workspace import index
+from tfloom.workspace.cmake_plan import Install, Pattern, Plan, PythonPackage, is_in
+
+_EXECUTE = stat.S_IXUSR | stat.S_IXGRP | stat.S_IXOTH
+_LEFT_OUT = {"__pycache__", ".git", ".svn"}
+
+
+class InstallError(Exception):
+    """Something can't be installed; the text names the line of CMakeLists.txt and what to do."""
+
+
+class Installer:
+    """The installation of one package.
+
+    Args:
+        source: The package's folder.
+        name: Its name.
+        prefix: The folder to install under; it is made.
+        symlink: Link to the sources in place of copying, so that an edit needs no new build.
+    """
+
+    def __init__(self, source: Path, name: str, prefix: Path, *, symlink: bool = False) -> None:
+        self._source = source
+        self._name = name
+        self._prefix = prefix
+        self._symlink = symlink
+        self.warnings: list[str] = []
+        """Sentences on what is installed, but does not work as it seems meant."""
+        self.files: list[Path] = []
+        """What is installed."""
+
+    def install(self, plan: Plan) -> None:
+        """Install the files, Python packages and resources of a plan, and the package's own marker.
+
+        Raises:
+            InstallError: a source is missing, or a destination is outside the prefix.
+            OSError: a file can't be read or written.
+        """
+        for python in plan.python_packages:
+            self._install_python(python)
+        for each in plan.installs:
+            self._install(each)
+        for resource in plan.resources:
+            self._write_resource(resource.kind, resource.content)
+        self.mark()
+
+    def mark(self) -> None:
+        """Install package.xml and the package's marker in the ament index."""
+        self._write_resource("packages", "")
+        self._place(self._source / "package.xml", self._prefix / "share" / self._name / "package.xml")
+
+    def _write_resource(self, kind: str, content: str) -> None:
+        path = self._prefix / index.RESOURCE_INDEX / kind / self._name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if path.is_symlink():
+            path.unlink()
+        write_file(path, content)
+        self.files.append(path)
+
+    def _install_python(self, package: PythonPackage) -> None:
+        folder = self._source / package.folder
+        if not folder.is_dir():
+            raise self._error(package.line, f"there is no folder {package.folder} with the Python package")
+        target = self._destination(package.destination, package.line) / package.name
+        for path in _files(folder):
+            place = target / path.relative_to(folder)
+            self._place(path, place)
+            if path.suffix == ".py" and not path.with_suffix(".pyi").exists():
+                # A stub beside it is that of a module of the package's interfaces, which this one replaces.
+                place.with_suffix(".pyi").unlink(missing_ok=True)
+
+    def _install(self, each: Install) -> None:
+        target = self._destination(each.destination, each.line)
+        for name in each.sources:
+            source = self._source / name
+            if each.kind == "DIRECTORY":
+                self._install_folder(each, name, source, target)
+            elif source.is_file():
+                self._install_file(each, source, target / (each.rename or source.name))
+            elif not each.optional:
+                raise self._error(each.line, f"install({each.kind} …): there is no file {name}")
+
+    def _install_file(self, each: Install, source: Path, target: Path) -> None:
+        runs = each.kind == "PROGRAMS"
+        self._place(source, target, executable=runs)
+        if runs and self._symlink and not _is_executable(source):
+            self.warnings.append(
+                f"{source} is not marked as executable, so it is copied, not linked: chmod +x {source}"
+            )
+        if not runs and self._is_program(target) and not _is_executable(target):
+            self.warnings.append(
+                f"{self._where(each.line)}: install(FILES …) puts {source.name} into lib/{self._name} without the "
+                "permission to execute it, so `ros2 run` does not find it: use install(PROGRAMS …)"
+            )
+
+    def _is_program(self, target: Path) -> bool:
+        return target.is_relative_to(self._prefix / "lib" / self._name)
+
+    def _install_folder(self, each: Install, name: str, folder: Path, target: Path) -> None:
+        if not folder.is_dir():
+            if each.optional:
+                return
+            raise self._error(each.line, f"install(DIRECTORY …): there is no folder {name}")
+        # As CMake does: a slash at the end installs what is in the folder, not the folder.
+        base = target if not name or name.endswith("/") else target / folder.name
+        for path in _files(folder):
+            if _is_chosen(path.relative_to(folder).as_posix(), each):
+                self._place(path, base / path.relative_to(folder))
+
+    def _destination(self, text: str, line: int) -> Path:
+        target = self._prefix / text
+        if not is_in(self._prefix, target):
+            raise self._error(line, f"DESTINATION {text} is outside the prefix {self._prefix}")
+        return target
+
+    def _place(self, source: Path, target: Path, *, executable: bool = False) -> None:
+        """Copy or link a file, replacing what is there."""
+        self.files.append(target)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        if target.is_symlink() or target.is_file():
+            # Writing through a link of an earlier build would change the source.
+            target.unlink()
+        elif target.is_dir():
+            shutil.rmtree(target)
+        source = source.resolve()
+        if self._symlink and (not executable or _is_executable(source)):
+            target.symlink_to(source)
+            return
+        shutil.copy2(source, target)
+        if executable:
+            target.chmod(target.stat().st_mode | _EXECUTE)
+
+    def _where(self, line: int) -> str:
+        return f"{self._source / 'CMakeLists.txt'}:{line}"
+
+    def _error(self, line: int, reason: str) -> InstallError:
+        return InstallError(f"{self._where(line)}: {reason}")
+
+
+def _files(folder: Path) -> Iterator[Path]:
+    """Yield the files in a folder and its folders, in order; compiled Python and repositories' data are left out."""
+    for parent, folders, names in os.walk(folder):
+        folders[:] = sorted(set(folders) - _LEFT_OUT)
+        for name in sorted(names):
+            yield Path(parent, name)
+
+
+def _is_chosen(path: str, each: Install) -> bool:
+    """Return whether the patterns of an `install(DIRECTORY …)` let a file through."""
+    if any(_matches_here_or_above(path, pattern) for pattern in each.patterns if pattern.excludes):
+        return False
+    chosen = [pattern for pattern in each.patterns if not pattern.excludes]
+    return not each.only_matching or any(_matches(path, pattern) for pattern in chosen)
+
+
+def _matches_here_or_above(path: str, pattern: Pattern) -> bool:
+    parts = path.split("/")
+    return any(_matches("/".join(parts[:end]), pattern) for end in range(1, len(parts) + 1))
+
+
+def _matches(path: str, pattern: Pattern) -> bool:
+    """Return whether a pattern matches the end of a path, at a slash, or a regular expression any part of it."""
+    if pattern.is_regex:
+        try:
+            return re.search(pattern.text, f"/{path}") is not None
+        except re.error:
+            return False
+    return fnmatchcase(path, pattern.text) or fnmatchcase(f"/{path}", f"*/{pattern.text}")
+
+
+def _is_executable(path: Path) -> bool:
+    return os.access(path, os.X_OK)

@@ -1,0 +1,187 @@
+"""The checks of code style that `colcon test` runs: flake8 and pydocstyle, with ROS's settings."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import subprocess
+import sys
+from collections import Counter
+from collections.abc import Sequence
+from importlib.util import find_spec
+from pathlib import Path
+from unittest import SkipTest
+
+FLAKE8_SETTINGS = (
+    "--extend-ignore=B902,C816,D100,D101,D102,D103,D104,D105,D106,D107,D203,D212,D404,I202",
+    "--max-line-length=99",
+    "--show-source",
+)
+"""ROS's options of flake8; those on quotes, docstrings, imports apply where flake8 has the plugins for them."""
+IMPORT_ORDER = "--import-order-style=google"
+"""The option of the plugin flake8-import-order."""
+PEP257_IGNORED = ("D100", "D101", "D102", "D103", "D104", "D105", "D106", "D107", "D203", "D212", "D404")
+"""The rules of pydocstyle that ROS leaves out."""
+_FLAKE8_LINE = re.compile(r"^(.+?):(\d+):(\d+): ([A-Z]+\d+) (.*)$")
+_PEP257_LINE = re.compile(r"^(.+?):(\d+) (.*):$")
+_IGNORE_MARKER = "AMENT_IGNORE"
+
+
+def flake8_main(argv: Sequence[str] | None = None) -> int:
+    """Check files with flake8 and print what it finds; return 1 if that is something, else 0.
+
+    Args:
+        argv: The arguments of the command `ament_flake8`; None for those of this process.
+
+    Raises:
+        unittest.SkipTest: flake8 is not installed, and a test has called.
+    """
+    return flake8_main_with_errors(argv)[0]
+
+
+def flake8_main_with_errors(argv: Sequence[str] | None = None) -> tuple[int, list[str]]:
+    """As `flake8_main`; return the errors too, each as `path:line:column: code text`.
+
+    Raises:
+        unittest.SkipTest: flake8 is not installed, and a test has called.
+    """
+    parser = argparse.ArgumentParser(description="Check Python files with flake8 and ROS's settings.")
+    parser.add_argument("--config", metavar="path", dest="config_file", help="settings in place of ROS's")
+    parser.add_argument("--linelength", metavar="N", type=int, help="the longest line (default: 99)")
+    _add_paths(parser)
+    args = parser.parse_args(argv)
+    if not _is_installed("flake8"):
+        return 1, ["flake8 is not installed"]
+    options = list(FLAKE8_SETTINGS)
+    if find_spec("flake8_import_order") is not None:
+        options.append(IMPORT_ORDER)
+    if args.config_file:
+        if not Path(args.config_file).is_file():
+            print(f"Could not find config file '{args.config_file}'", file=sys.stderr)
+            return 1, []
+        options = [f"--config={args.config_file}"]
+    else:
+        options.insert(0, "--isolated")  # as ROS's: the settings of the folder don't count
+    if args.linelength is not None:
+        options.append(f"--max-line-length={args.linelength}")
+    files = _python_files(args.paths, args.excludes)
+    text = _run("flake8", [*options, *files]) if files else ""
+    print(text, end="")
+    found = [match for match in map(_FLAKE8_LINE.match, text.splitlines()) if match]
+    errors = [match[0] for match in found]
+    _print_summary(files, errors)
+    for kind, count in sorted(Counter(match[4][0] for match in found).items()):
+        print(f"'{kind}'-type errors: {count}")
+    return int(bool(errors)), errors
+
+
+def pep257_main(argv: Sequence[str] | None = None) -> int:
+    """Check docstrings with pydocstyle and print what it finds; return 1 if that is something, else 0.
+
+    Args:
+        argv: The arguments of the command `ament_pep257`; None for those of this process.
+
+    Raises:
+        unittest.SkipTest: pydocstyle is not installed, and a test has called.
+    """
+    parser = argparse.ArgumentParser(description="Check docstrings with pydocstyle and ROS's rules.")
+    rules = parser.add_mutually_exclusive_group()
+    rules.add_argument("--ignore", nargs="+", help="rules to leave out, in place of ROS's")
+    rules.add_argument("--select", nargs="+", help="rules to check")
+    rules.add_argument("--convention", choices=("ament", "google", "numpy", "pep257"), default="ament")
+    parser.add_argument("--add-ignore", nargs="+", default=[], help="more rules to leave out")
+    parser.add_argument("--add-select", nargs="+", default=[], help="more rules to check")
+    _add_paths(parser)
+    args = parser.parse_args(argv)
+    if not _is_installed("pydocstyle"):
+        return 1
+    files = _python_files(args.paths, args.excludes)
+    text = _run("pydocstyle", [*_pep257_options(args), *files]) if files else ""
+    errors = _pep257_errors(text)
+    for error in errors:
+        print(error, file=sys.stderr)
+    _print_summary(files, errors)
+    return int(bool(errors))
+
+
+def _pep257_options(args: argparse.Namespace) -> list[str]:
+    if args.select:
+        options = [f"--select={','.join([*args.select, *args.add_select])}"]
+    elif args.ignore or args.convention == "ament":
+        ignored = {*(args.ignore or PEP257_IGNORED), *args.add_ignore} - {*args.add_select}
+        return [f"--ignore={','.join(sorted(ignored))}", "--match=.*", "--match-dir=.*"]
+    else:
+        options = [f"--convention={args.convention}"]
+        options += [f"--add-select={','.join(args.add_select)}"] if args.add_select else []
+    options += [f"--add-ignore={','.join(args.add_ignore)}"] if args.add_ignore else []
+    return [*options, "--match=.*", "--match-dir=.*"]
+
+
+def _pep257_errors(text: str) -> list[str]:
+    """Return the errors, of which each has two lines: the place, then code and text."""
+    errors = []
+    place = ""
+    for line in text.splitlines():
+        if match := _PEP257_LINE.match(line):
+            place = f"{match[1]}:{match[2]} {match[3]}"
+        elif line.strip():
+            errors.append(f"{place}: {line.strip()}" if place else line)
+    return errors
+
+
+def _add_paths(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("paths", nargs="*", default=[os.curdir], help="files, or folders with .py files")
+    parser.add_argument("--exclude", metavar="filename", nargs="*", dest="excludes", default=[])
+
+
+def _python_files(paths: Sequence[str], excludes: Sequence[str]) -> list[str]:
+    """Return the files named, and the .py files in the folders named, sorted.
+
+    Left out are folders whose names begin with a dot or an underscore, those with a file AMENT_IGNORE, and the files
+    to exclude, given by path or by name.
+    """
+    excluded = {*excludes, *map(os.path.abspath, excludes)}
+    found = []
+    for path in paths:
+        if not Path(path).is_dir():
+            found.append(path)
+            continue
+        for folder, folders, names in os.walk(path):
+            if _IGNORE_MARKER in names:
+                folders.clear()
+                continue
+            folders[:] = sorted(each for each in folders if each[0] not in "._")
+            found += [str(Path(folder, name)) for name in names if name.endswith(".py")]
+    return sorted(
+        each for each in found if not {each, str(Path(each).absolute()), Path(each).name} & excluded
+    )
+
+
+def _is_installed(library: str) -> bool:
+    """Return whether a library is installed; if it isn't, skip the test that runs, or print how to install it."""
+    if find_spec(library) is not None:
+        return True
+    reason = f"{library} is not installed: pip install {library}"
+    if "PYTEST_CURRENT_TEST" in os.environ:
+        raise SkipTest(reason)
+    print(reason, file=sys.stderr)
+    return False
+
+
+def _run(module: str, words: Sequence[str]) -> str:
+    """Return what a module prints that is run as a program.
+
+    Raises:
+        RuntimeError: it can't run; the text has its own reason.
+    """
+    command = [sys.executable, "-W", "ignore", "-m", module, *words]
+    result = subprocess.run(command, capture_output=True, text=True, check=False)
+    if result.returncode > 1 or (result.returncode and not result.stdout):
+        raise RuntimeError(f"{module} can't run: {result.stderr.strip() or result.stdout.strip()}")
+    return result.stdout
+
+
+def _print_summary(files: Sequence[str], errors: Sequence[str]) -> None:
+    print(f"\n{len(files)} files checked")
+    print(f"{len(errors)} errors" if errors else "No problems found")

@@ -1,0 +1,75 @@
+"""The files that a package's `rosidl_generate_interfaces` lists."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterator, Sequence
+from pathlib import Path, PurePath, PurePosixPath
+from typing import NamedTuple
+
+from tfloom.rosidl.definition_files import IDL_SUFFIX, KINDS
+
+
+class ListedFile(NamedTuple):
+    """A definition: its file, and its place in an installed package."""
+
+    path: Path
+    place: str
+    """`msg/Sphere.msg`"""
+
+    def name(self, package: str) -> str:
+        """Return `package/msg/Sphere`."""
+        return f"{package}/{self.place.rpartition('.')[0]}"
+
+
+class ListedFiles(NamedTuple):
+    """The result of `find_listed`."""
+
+    files: list[ListedFile]
+    """In order of their places."""
+    errors: list[str]
+    """A sentence for each entry that can't be built."""
+
+
+def find_listed(source: Path, entries: Sequence[str]) -> ListedFiles:
+    """Return the definitions in a list.
+
+    Args:
+        source: The package's folder.
+        entries: Paths relative to it, `msg/Sphere.msg`, or to a folder of their own, `/a/folder:msg/Sphere.msg`.
+    """
+    found: dict[str, ListedFile] = {}
+    errors: list[str] = []
+    for entry in entries:
+        listed = _listed(source, entry)
+        mistake = "; ".join(_mistakes(source, entry, listed))
+        stem = listed.place.rpartition(".")[0]
+        other = found.setdefault(stem, listed)
+        if not mistake and other != listed:
+            mistake = f"it defines the same interface as {other.path}"
+        if mistake:
+            errors.append(f"rosidl_generate_interfaces lists '{entry}': {mistake}")
+    return ListedFiles(sorted(found.values(), key=lambda each: each.place), errors)
+
+
+def _listed(source: Path, entry: str) -> ListedFile:
+    folder, colon, relative = entry.rpartition(":")
+    if not colon or (len(folder) == 1 and folder.isalpha()):  # the letter of a drive: C:/folder
+        folder, relative = "", entry
+    place = PurePosixPath(relative.replace("\\", "/"))
+    return ListedFile(source / folder / relative, "/".join(place.parts[-2:]))
+
+
+def _mistakes(source: Path, entry: str, listed: ListedFile) -> Iterator[str]:
+    kind, _, file = listed.place.partition("/")
+    suffix = PurePath(file).suffix
+    if PurePath(entry).is_absolute() and ":" not in entry[2:]:
+        yield "an absolute path is written 'folder:msg/Name.msg', because its last two parts are installed"
+    elif kind not in KINDS or not file:
+        yield f"its folder must be {', '.join(KINDS[:-1])} or {KINDS[-1]}"
+    elif suffix not in {f".{kind}", IDL_SUFFIX}:
+        yield f"a file in {kind}/ ends in .{kind} or {IDL_SUFFIX}"
+    elif not listed.path.is_file():
+        here = [f"{each}/{path.name}" for each in KINDS for path in sorted((source / each).glob("*.*"))]
+        near = difflib.get_close_matches(listed.place, here, 1, 0.6)
+        yield f"there is no file {listed.path}" + (f"; did you mean '{near[0]}'?" if near else "")

@@ -1,0 +1,101 @@
+"""Faults of a package's package.xml and setup.py that stop its build, each as a sentence."""
+
+from __future__ import annotations
+
+import ast
+import re
+from pathlib import Path
+from xml.etree import ElementTree as ET
+
+_CURLY = str.maketrans(
+    dict.fromkeys(
+        "\N{LEFT DOUBLE QUOTATION MARK}\N{RIGHT DOUBLE QUOTATION MARK}\N{DOUBLE LOW-9 QUOTATION MARK}", '"'
+    )
+    | dict.fromkeys("\N{LEFT SINGLE QUOTATION MARK}\N{RIGHT SINGLE QUOTATION MARK}", "'")
+)
+_NAME_TAG = re.compile(r"<name>\s*([A-Za-z0-9_-]+)\s*</name>")
+
+
+def find_manifest_fault(path: Path) -> str | None:
+    """Return what is wrong with the XML of a package.xml, with line and column, or None.
+
+    A file whose outermost tag isn't `package` is no package's, and has no fault.
+    """
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        return f"{path}: can't be read: {error.strerror}"
+    try:
+        root = ET.fromstring(data)  # noqa: S314  # a file of the user's own workspace
+    except ET.ParseError as error:
+        if b"<package" not in data:
+            return None
+        line, column = error.position
+        reason = str(error).partition(":")[0]
+        fault = _not_utf8(data) or f"not XML: {reason}: {_advice(reason)}"
+        return f"{path}:{line}:{column + 1}: {fault}"
+    if root.tag != "package":
+        return None
+    for tag in ("name", "version", "description", "maintainer", "license"):
+        if not (root.findtext(tag) or "").strip():
+            return f"{path}: the tag <{tag}> is missing: add <{tag}>…</{tag}>"
+    return None
+
+
+def _not_utf8(data: bytes) -> str | None:
+    """Return what is wrong with the text of a file that isn't UTF-8, or None."""
+    try:
+        data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        return f"octet {data[error.start]:#04x} isn't UTF-8 text: save the file as UTF-8"
+    return None
+
+
+def _advice(reason: str) -> str:
+    if "mismatched tag" in reason:
+        return "close each tag before the one around it, as <a><b></b></a>"
+    if "invalid token" in reason:
+        return "write & as &amp; and < as &lt;"
+    return "every tag that opens must close"
+
+
+def name_in_manifest(path: Path) -> str:
+    """Return the name of the package in a package.xml that may be broken, or that of its folder."""
+    try:
+        found = _NAME_TAG.search(path.read_text("utf-8", "replace"))
+    except OSError:
+        found = None
+    return found[1] if found else path.parent.name
+
+
+def find_setup_fault(path: Path) -> str | None:
+    """Return what is wrong with the syntax of a setup.py, with its line and what to type, or None."""
+    try:
+        text = path.read_text("utf-8")
+    except OSError as error:
+        return f"{path}: can't be read: {error.strerror}"
+    except UnicodeDecodeError as error:
+        return f"{path}: octet {error.object[error.start]:#04x} isn't UTF-8 text: save the file as UTF-8"
+    try:
+        ast.parse(text, str(path))
+    except SyntaxError as error:
+        return _explain(path, text, error)
+    except ValueError as error:  # a null character
+        return f"{path}: {error}"
+    return None
+
+
+def _explain(path: Path, text: str, error: SyntaxError) -> str:
+    lines = text.splitlines()
+    number = error.lineno or 1
+    line = lines[number - 1] if number <= len(lines) else ""
+    curly = [letter for letter in line if ord(letter) in _CURLY]
+    if not curly:
+        return f"{path}:{number}:{error.offset or 1}: {error.msg}: {line.strip()}"
+    where = f"{path}:{number}:{line.index(curly[0]) + 1}"
+    rest = sum(any(ord(letter) in _CURLY for letter in each) for each in lines[number:])
+    more = f"\n{rest} more line{'s' * (rest > 1)} below have them, too" if rest else ""
+    return (
+        f"{where}: curly quotes {curly[0]} from a web page are not Python's: type this line as\n"
+        f"    {line.strip().translate(_CURLY)}{more}"
+    )

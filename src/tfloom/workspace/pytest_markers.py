@@ -1,0 +1,29 @@
+"""A plug-in of pytest: the markers in the tests that `ros2 pkg create` generates, which pytest would warn of.
+
+`colcon test` names it in PYTEST_PLUGINS. As an entry point it would have pytest rewrite
+all of tfloom's modules.
+"""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+MARKERS = {
+    "linter": "checks style, not behaviour",
+    "copyright": "checks notices of copyright",
+    "flake8": "checks style with flake8",
+    "pep257": "checks docstrings with pydocstyle",
+}
+
+
+class Config(Protocol):
+    """pytest's configuration."""
+
+    def addinivalue_line(self, name: str, line: str) -> None:
+        """Add a line to an option."""
+
+
+def pytest_configure(config: Config) -> None:
+    """Register the markers."""
+    for name, text in MARKERS.items():
+        config.addinivalue_line("markers", f"{name}: {text}")

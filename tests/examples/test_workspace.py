@@ -1,0 +1,140 @@
+"""The example workspace: built, tested and run, in this environment and in a fresh one with a wheel."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from tests.conftest import COLCON_PYTHON
+from tests.wheels import build_wheel
+from tests.workspace.conftest import BIN, colcon
+
+pytestmark = [pytest.mark.slow, pytest.mark.skipif(os.name != "posix", reason="needs bash")]
+
+SOURCE = Path(__file__).parents[2] / "examples" / "workspace" / "src"
+PARAMETERS = "install/train_bringup/share/train_bringup/config/train.yaml"
+WAGONS = 9
+
+
+def copy_sources(folder: Path) -> Path:
+    shutil.copytree(SOURCE, folder / "src", ignore=shutil.ignore_patterns("__pycache__"))
+    return folder
+
+
+def expect_train(
+    folder: Path, binaries: Path, start_program: Callable[..., object], wait_until: Callable[..., None]
+) -> None:
+    """Run the nodes of a built workspace, and wait until each wagon is behind the turtle before it."""
+
+    def start(line: str) -> object:
+        script = f". install/setup.bash && exec tfloom {line}"
+        path = f"{binaries}{os.pathsep}{os.environ['PATH']}"
+        variables = {**os.environ, **COLCON_PYTHON, "PATH": path}
+        return start_program("/bin/bash", "-c", script, cwd=folder, env=variables)
+
+    start("run turtlesim turtlesim_node").wait_for("Spawning turtle [turtle1]")
+    parameters = f"--ros-args --params-file {PARAMETERS}"
+    nodes = [
+        start(f"run turtle_train {node}")
+        for node in (f"driver {parameters}", "frames", f"train {parameters}")
+    ]
+    nodes[2].wait_for(f"The train has {WAGONS} wagons")
+    echo = start("topic echo --once /train_state")
+    echo.wait_for(f"- wagon{WAGONS}")
+    echo.wait_for("gap: 0.6")
+    refused = start('service call /set_gap train_interfaces/srv/SetGap "{gap: 0.1}"')
+    refused.wait_for("SetGap_Response(accepted=False, reason='the smallest gap is 0.2 m')")
+    assert refused.wait() == 0
+    last = start(f"run tf2_ros tf2_echo wagon{WAGONS - 1} wagon{WAGONS} 10")
+
+    def is_behind() -> bool:
+        places = [line for line in last.lines if line.startswith("- Translation:")]
+        return bool(places) and float(places[-1].split("[")[1].split(",")[0]) < 0.0
+
+    wait_until(is_behind, what="the last wagon to be behind the one before it")
+    for node in nodes:
+        node.signal(2)
+        node.wait()
+        assert "Traceback" not in node.output
+
+
+def test_workspace_builds_and_passes_its_tests(tmp_path: Path) -> None:
+    copy_sources(tmp_path)
+    built = colcon(tmp_path, "build")
+    assert built.code == 0, built.output
+    assert "4 packages finished" in built.output
+    tested = colcon(tmp_path, "test", "--return-code-on-test-failure")
+    assert tested.code == 0, tested.output
+    result = colcon(tmp_path, "test-result", "--all")
+    assert "Summary: 5 tests, 0 errors, 0 failures, 1 skipped" in result.output
+
+
+def test_links_pick_up_an_edit(
+    tmp_path: Path, domain_id: int, start_program: Callable[..., object], wait_until: Callable[..., None]
+) -> None:
+    copy_sources(tmp_path)
+    built = colcon(tmp_path, "build", "--symlink-install")
+    assert built.code == 0, built.output
+    node = tmp_path / "src" / "turtle_train" / "turtle_train" / "frames.py"
+    text = node.read_text("utf-8")
+    node.write_text(text.replace("super().__init__('frames')", "super().__init__('frames_edited')"), "utf-8")
+    config = tmp_path / "src" / "train_bringup" / "config" / "train.yaml"
+    config.write_text(config.read_text("utf-8").replace("wagons: 9", "wagons: 2"), "utf-8")
+    assert "wagons: 2" in (tmp_path / PARAMETERS).read_text("utf-8")
+    script = ". install/setup.bash && exec tfloom run turtle_train frames"
+    path = f"{BIN}{os.pathsep}{os.environ['PATH']}"
+    start_program("/bin/bash", "-c", script, cwd=tmp_path, env={**os.environ, **COLCON_PYTHON, "PATH": path})
+
+    def nodes() -> str:
+        return subprocess.run(
+            [BIN / "tfloom", "node", "list"], capture_output=True, text=True, check=False
+        ).stdout
+
+    wait_until(lambda: "/frames_edited" in nodes())
+
+
+def test_train_runs_over_dds(
+    tmp_path: Path, domain_id: int, start_program: Callable[..., object], wait_until: Callable[..., None]
+) -> None:
+    copy_sources(tmp_path)
+    assert colcon(tmp_path, "build").code == 0
+    expect_train(tmp_path, BIN, start_program, wait_until)
+
+
+def test_fresh_environment_builds_and_runs_it(
+    tmp_path: Path,
+    tmp_path_factory: pytest.TempPathFactory,
+    domain_id: int,
+    start_program: Callable[..., object],
+    wait_until: Callable[..., None],
+) -> None:
+    (tmp_path / "ws").mkdir()
+    wheel = build_wheel(tmp_path_factory)
+    venv = tmp_path / "venv"
+    subprocess.run([sys.executable, "-m", "venv", venv], check=True, timeout=120)
+    install = [venv / "bin" / "python", "-m", "pip", "install", "--quiet", f"{wheel}[workspace]"]
+    done = subprocess.run(install, capture_output=True, text=True, timeout=600, check=False)
+    assert done.returncode == 0, done.stderr
+    workspace = copy_sources(tmp_path / "ws")
+    begin = time.monotonic()
+    clean = {
+        name: value for name, value in os.environ.items() if name not in {"AMENT_PREFIX_PATH", "PYTHONPATH"}
+    }
+    built = subprocess.run(
+        [venv / "bin" / "colcon", "build"],
+        cwd=workspace,
+        env={**clean, "PATH": f"{venv / 'bin'}{os.pathsep}/usr/bin{os.pathsep}/bin"},
+        capture_output=True,
+        text=True,
+        timeout=240,
+        check=False,
+    )
+    print(f"colcon build: {time.monotonic() - begin:.1f} s")
+    assert built.returncode == 0, built.stdout + built.stderr
+    expect_train(workspace, venv / "bin", start_program, wait_until)

@@ -1,0 +1,358 @@
+"""The reader of CMakeLists.txt: its syntax, variables and conditions, and the plan of a package."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tfloom.workspace.cmake_lists import read_plan
+from tfloom.workspace.cmake_plan import (
+    PYTHON_FOLDER,
+    Install,
+    Pattern,
+    Plan,
+    PytestTest,
+    PythonPackage,
+    Remark,
+    Resource,
+)
+from tfloom.workspace.cmake_syntax import CMakeSyntaxError, Form, read_commands
+
+INTERFACES = """\
+cmake_minimum_required(VERSION 3.8)
+project(my_interfaces)  # the name
+
+if(CMAKE_COMPILER_IS_GNUCXX OR CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  add_compile_options(-Wall -Wextra -Wpedantic)
+endif()
+
+find_package(ament_cmake REQUIRED)
+find_package(rosidl_default_generators REQUIRED)
+find_package(geometry_msgs REQUIRED)
+
+set(msg_files
+  "msg/Sphere.msg"  # a ball
+  msg/Num.msg
+)
+#[[ a comment
+of two lines ]]
+rosidl_generate_interfaces(${PROJECT_NAME}
+  ${msg_files}
+  "srv/Add.srv"
+  DEPENDENCIES geometry_msgs std_msgs
+  ADD_LINTER_TESTS
+)
+ament_export_dependencies(rosidl_default_runtime)
+
+if(BUILD_TESTING)
+  find_package(ament_lint_auto REQUIRED)
+  set(ament_cmake_copyright_FOUND TRUE)
+  ament_lint_auto_find_test_dependencies()
+endif()
+
+ament_package()
+"""
+
+
+def plan_of(folder: Path, text: str) -> Plan:
+    (folder / "CMakeLists.txt").write_text(text, "utf-8")
+    return read_plan(folder, folder / "install")
+
+
+def lines_of(remarks: list[Remark]) -> list[int]:
+    return [each.line for each in remarks]
+
+
+def test_interface_package_is_read(tmp_path: Path) -> None:
+    plan = plan_of(tmp_path, INTERFACES)
+    assert plan.name == "my_interfaces"
+    assert plan.interfaces == ["msg/Sphere.msg", "msg/Num.msg", "srv/Add.srv"]
+    assert plan.interfaces_line == 18
+    assert plan.dependencies == ["geometry_msgs", "std_msgs"]
+    assert plan.found == ["ament_cmake", "rosidl_default_generators", "geometry_msgs"]
+    assert plan.unknown == []
+    assert plan.compiled == []
+
+
+def test_installs_are_read(tmp_path: Path) -> None:
+    plan = plan_of(
+        tmp_path,
+        """
+project(arm_description)
+install(DIRECTORY launch meshes/ DESTINATION share/${PROJECT_NAME}
+  FILES_MATCHING PATTERN "*.dae" PATTERN ".svn" EXCLUDE REGEX "/tmp" EXCLUDE)
+install(FILES arm.urdf DESTINATION share/${PROJECT_NAME} RENAME robot.urdf)
+INSTALL(PROGRAMS scripts/go.py DESTINATION "lib/${PROJECT_NAME}")
+install(FILES run.sh PERMISSIONS OWNER_READ OWNER_EXECUTE DESTINATION lib/x)
+ament_python_install_package(${PROJECT_NAME} PACKAGE_DIR src/arm)
+ament_index_register_resource(plugins CONTENT "a;b")
+ament_auto_package(INSTALL_TO_SHARE config)
+""",
+    )
+    share = "share/arm_description"
+    excluded = (Pattern("*.dae", False, False), Pattern(".svn", False, True), Pattern("/tmp", True, True))
+    assert plan.installs == [
+        Install("DIRECTORY", ("launch", "meshes/"), share, 3, None, False, excluded, True),
+        Install("FILES", ("arm.urdf",), share, 5, "robot.urdf"),
+        Install("PROGRAMS", ("scripts/go.py",), "lib/arm_description", 6),
+        Install("PROGRAMS", ("run.sh",), "lib/x", 7),
+        Install("DIRECTORY", ("config",), share, 10),
+    ]
+    assert plan.python_packages == [PythonPackage("arm_description", "src/arm", PYTHON_FOLDER, 8)]
+    assert plan.resources == [Resource("plugins", "a;b", 9)]
+
+
+def test_quotes_brackets_and_escapes_are_read(tmp_path: Path) -> None:
+    path = tmp_path / "CMakeLists.txt"
+    path.write_text('a(one "two words" [==[three ]] x]==] "q\\"d" (b) k="v w" four\\ five)\n\nb()', "utf-8")
+    first, second = read_commands(path)
+    assert [(each.text, each.form) for each in first.arguments] == [
+        ("one", Form.UNQUOTED),
+        ("two words", Form.QUOTED),
+        ("three ]] x", Form.BRACKET),
+        ('q\\"d', Form.QUOTED),
+        ("(", Form.UNQUOTED),
+        ("b", Form.UNQUOTED),
+        (")", Form.UNQUOTED),
+        ('k="v w"', Form.UNQUOTED),
+        ("four\\ five", Form.UNQUOTED),
+    ]
+    assert (second.name, second.line) == ("b", 3)
+
+
+@pytest.mark.parametrize(
+    ("setting", "expected"),
+    [
+        ("set(v a b)\nlist(APPEND v c)", ["a", "b", "c"]),
+        ('set(v "a;b")\nlist(PREPEND v z)', ["z", "a", "b"]),
+        ("set(v a b a)\nlist(REMOVE_ITEM v a)", ["b"]),
+        ('set(v a.x b.y)\nlist(FILTER v EXCLUDE REGEX "[.]x$")', ["b.y"]),
+        ('set(v a.x b.y)\nlist(FILTER v INCLUDE REGEX "[.]x$")', ["a.x"]),
+        ("set(n v)\nset(in_v a)\nset(v ${in_${n}}b)", ["ab"]),
+        ("set(v a)\nunset(v)", []),
+        ("set(v a CACHE STRING x)", ["a"]),
+        ("foreach(i a b)\nlist(APPEND v msg/${i}.msg)\nendforeach()", ["msg/a.msg", "msg/b.msg"]),
+        ("set(l a b)\nforeach(i IN LISTS l ITEMS c)\nlist(APPEND v ${i})\nendforeach()", ["a", "b", "c"]),
+        ("file(GLOB v RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} msg/*.msg)", ["msg/A.msg", "msg/B.msg"]),
+        (
+            "file(GLOB_RECURSE v CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} *.msg)",
+            ["msg/A.msg", "msg/B.msg"],
+        ),
+        ("option(USE_A x ON)\nif(USE_A)\nset(v a)\nendif()", ["a"]),
+    ],
+)
+def test_variables_are_followed(setting: str, expected: list[str], tmp_path: Path) -> None:
+    (tmp_path / "msg").mkdir()
+    for name in ("B", "A"):
+        (tmp_path / "msg" / f"{name}.msg").touch()
+    plan = plan_of(tmp_path, f"project(p)\n{setting}\nrosidl_generate_interfaces(p ${{v}})")
+    assert plan.interfaces == expected
+    assert plan.unknown == []
+
+
+@pytest.mark.parametrize(
+    ("condition", "expected"),
+    [
+        ("BUILD_TESTING", False),
+        ("NOT BUILD_TESTING", True),
+        ("ON AND yes", True),
+        ("OFF OR NOT (FALSE OR 0)", True),
+        ("a", False),
+        ("set_one", True),
+        ("${set_one}", True),
+        ('"set_one"', False),
+        ("set_one STREQUAL value", False),
+        ("set_one STREQUAL 1", True),
+        ('"$ENV{NO_SUCH_VARIABLE}" STREQUAL ""', True),
+        ("DEFINED set_one AND NOT DEFINED other", True),
+        ("EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/CMakeLists.txt", True),
+        ("EXISTS nothing", False),
+        ("2.10 VERSION_GREATER 2.9", True),
+        ("3 LESS 10", True),
+        ("b IN_LIST letters", True),
+        ("something-NOTFOUND", False),
+        ("TARGET x", False),
+    ],
+)
+def test_conditions_are_followed(condition: str, expected: bool, tmp_path: Path) -> None:
+    plan = plan_of(
+        tmp_path,
+        f"set(set_one 1)\nset(letters a b)\nif({condition})\nfind_package(yes)\nelse()\nfind_package(no)\nendif()",
+    )
+    assert plan.found == (["yes"] if expected else ["no"])
+    assert plan.unknown == []
+
+
+def test_branches_are_nested(tmp_path: Path) -> None:
+    plan = plan_of(
+        tmp_path,
+        """
+if(OFF)
+  if(ON)
+    find_package(a)
+  else()
+    find_package(b)
+  endif()
+elseif(ON)
+  if(OFF)
+    find_package(c)
+  else()
+    find_package(d)
+  endif()
+else()
+  find_package(e)
+endif()
+return()
+find_package(f)
+""",
+    )
+    assert plan.found == ["d"]
+
+
+def test_compiled_code_is_named(tmp_path: Path) -> None:
+    plan = plan_of(
+        tmp_path,
+        """
+project(talker)
+add_executable(talker src/talker.cpp)
+target_include_directories(talker PUBLIC include)
+ament_target_dependencies(talker rclcpp)
+install(TARGETS talker DESTINATION lib/${PROJECT_NAME})
+ament_package()
+""",
+    )
+    assert plan.compiled == [Remark(3, "add_executable(talker …)"), Remark(6, "install(TARGETS …)")]
+    assert plan.is_all_compiled
+    assert plan.unknown == []
+
+
+def test_programs_beside_compiled_code_are_installed(tmp_path: Path) -> None:
+    plan = plan_of(
+        tmp_path, "add_executable(a a.cpp)\ninstall(PROGRAMS run.py DESTINATION lib/p)\ninstall(TARGETS a)\n"
+    )
+    assert not plan.is_all_compiled
+    assert plan.installs == [Install("PROGRAMS", ("run.py",), "lib/p", 2)]
+
+
+@pytest.mark.parametrize("name", ["CMAKE_CURRENT_BINARY_DIR", "CMAKE_BINARY_DIR", "PROJECT_BINARY_DIR"])
+def test_generated_files_are_named_and_others_installed(name: str, tmp_path: Path) -> None:
+    plan = plan_of(
+        tmp_path,
+        f"install(FILES ${{{name}}}/a/b.yaml c.yaml DESTINATION share)\n"
+        f"install(DIRECTORY ${{{name}}}/d/ DESTINATION share)\n",
+    )
+    assert [each.sources for each in plan.installs] == [("c.yaml",), ()]
+    reason = "is generated by a command that isn't run, so it is left out"
+    assert plan.unknown == [
+        Remark(1, f"install(FILES …): a/b.yaml {reason}"),
+        Remark(2, f"install(DIRECTORY …): d/ {reason}"),
+    ]
+
+
+PYTEST_TESTS = """
+if(BUILD_TESTING)
+  set(tests test/test_a.py test/deep/b.test.py)
+  foreach(path ${tests})
+    get_filename_component(name ${path} NAME_WE)
+    ament_add_pytest_test(${name} ${path} TIMEOUT 60 WORKING_DIRECTORY ${CMAKE_BINARY_DIR} ENV A=1 APPEND_ENV B=2 C=3)
+  endforeach()
+  ament_add_pytest_test(skipped test SKIP_TEST)
+  ament_add_pytest_test(nameless)
+  ament_add_gtest(other x.cpp)
+endif()
+"""
+
+
+def test_pytest_tests_are_read_for_testing_only(tmp_path: Path) -> None:
+    assert plan_of(tmp_path, PYTEST_TESTS) == Plan()
+    plan = read_plan(tmp_path, tmp_path / "install", testing=True)
+    rest = ("<build>", ("A=1",), ("B=2", "C=3"), 6)
+    assert plan.tests == [
+        PytestTest("test_a", "test/test_a.py", *rest),
+        PytestTest("b", "test/deep/b.test.py", *rest),
+    ]
+    assert plan.unknown == [Remark(9, "ament_add_pytest_test(): a name and a path are expected")]
+
+
+@pytest.mark.parametrize(
+    ("part", "expected"),
+    [("NAME", "x.launch.py"), ("NAME_WE", "x"), ("NAME_WLE", "x.launch"), ("DIRECTORY", "a/b")],
+)
+def test_parts_of_paths_are_read(part: str, expected: str, tmp_path: Path) -> None:
+    plan = plan_of(tmp_path, f"get_filename_component(v a/b/x.launch.py {part})\nfind_package(${{v}})\n")
+    assert plan.found == [expected]
+
+
+def test_what_is_not_understood_is_named_with_its_line(tmp_path: Path) -> None:
+    plan = plan_of(
+        tmp_path,
+        """
+project(p)
+my_command(x)
+function(my_function)
+  install(FILES x DESTINATION y)
+endfunction()
+my_function()
+execute_process(COMMAND rm -rf /)
+if(x UNHEARD_OF y)
+endif()
+while(ON)
+endwhile()
+list(LENGTH a b)
+file(WRITE x y)
+install(CODE x)
+install(FILES x TYPE DATA)
+include(cmake/mine.cmake)
+include(CTest)
+ament_index_register_resource(x CONTENT_FILE y)
+""",
+    )
+    assert lines_of(plan.unknown) == [3, 7, 8, 9, 11, 13, 14, 15, 16, 17, 19]
+    assert plan.unknown[0].text == "my_command() isn't understood"
+    assert plan.unknown[3].text == "'UNHEARD_OF' isn't understood in a condition; if() is taken as false"
+    assert plan.installs == []
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "reason"),
+    [
+        ("project(p)\nset(a", 2, "the parenthesis of 'set(' isn't closed"),
+        ('project(p)\n\nset(a "b)\n', 3, "the quote of an argument of 'set' isn't closed"),
+        ("project p", 1, "'(' is expected after 'project'"),
+        ("project(p)\n)", 2, "a command's name is expected, not ')'"),
+        ("if(ON)\nproject(p)", 1, "if() isn't ended by endif()"),
+        ("endif()", 1, "endif() without what it ends"),
+        ("foreach()\nendforeach()", 1, "foreach() without a variable"),
+        (
+            'list(FILTER v EXCLUDE REGEX "*")',
+            1,
+            "'*' isn't a regular expression: nothing to repeat at position 0",
+        ),
+        ('set(v 1)\nmessage(FATAL_ERROR "version ${v} " "is old")', 2, "version 1 is old"),
+        ("\u201cproject\u201d(p)", 1, "a command's name is expected, not '\u201c'"),
+    ],
+)
+def test_broken_file_is_refused_with_its_line(text: str, line: int, reason: str, tmp_path: Path) -> None:
+    with pytest.raises(CMakeSyntaxError) as error:
+        plan_of(tmp_path, text)
+    assert str(error.value) == f"{tmp_path / 'CMakeLists.txt'}:{line}: {reason}"
+
+
+def test_file_that_is_not_utf8_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "CMakeLists.txt").write_bytes(b"project(p)\n# caf\xe9\n")
+    with pytest.raises(CMakeSyntaxError, match=r"CMakeLists.txt:2: octet 0xe9 isn't UTF-8 text"):
+        read_plan(tmp_path, tmp_path)
+
+
+def test_endless_loops_end(tmp_path: Path) -> None:
+    loops = "set(l a b c d e f g h i j)\n" + "".join(f"foreach(i{n} IN LISTS l)\n" for n in range(7))
+    with pytest.raises(CMakeSyntaxError, match="more than 20000 commands"):
+        plan_of(tmp_path, loops + "set(x y)\n" + "endforeach()\n" * 7)
+
+
+def test_messages_and_flags_add_nothing(tmp_path: Path) -> None:
+    plan = plan_of(
+        tmp_path, 'project(p)\nmessage(STATUS "hello")\nset_target_properties(a b c)\nset(ENV{A} b)'
+    )
+    assert lines_of(plan.unknown) == [4]

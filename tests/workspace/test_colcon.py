@@ -1,0 +1,256 @@
+"""`colcon build` without CMake and without ROS: interfaces, files, Python, and what can't be built."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from pathlib import Path
+
+import pytest
+from tests.workspace.conftest import (
+    SETUP_PY,
+    Built,
+    colcon,
+    in_shell,
+    write_cmake_package,
+    write_files,
+    write_manifest,
+    write_python_package,
+)
+
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="needs bash")
+
+INTERFACES = """\
+project(ball_msgs)
+rosidl_generate_interfaces(${PROJECT_NAME} msg/Ball.msg srv/Throw.srv DEPENDENCIES geometry_msgs)
+"""
+DESCRIPTION = """\
+project(ball_description)
+install(DIRECTORY urdf config/ DESTINATION share/${PROJECT_NAME})
+install(PROGRAMS scripts/bounce DESTINATION lib/${PROJECT_NAME})
+install(FILES scripts/stuck DESTINATION lib/${PROJECT_NAME})
+ament_python_install_package(ball_tools)
+mystery(x)
+"""
+SAY = """\
+def main():
+    from ament_index_python.packages import get_package_share_directory
+    from ball_msgs.msg import Ball
+    print("said", Ball(radius=2.0).radius, get_package_share_directory("ball_description"))
+"""
+CURLY = SETUP_PY.replace('"say =', "\N{LEFT DOUBLE QUOTATION MARK}say =")
+
+
+def write_sound_packages(source: Path) -> None:
+    write_cmake_package(
+        source / "ball_msgs",
+        INTERFACES,
+        "geometry_msgs",
+        msg__Ball_DOT_msg="geometry_msgs/Point center\nfloat64 radius\n",
+        srv__Throw_DOT_srv="Ball ball\n---\nbool caught\n",
+    )
+    write_cmake_package(
+        source / "ball_description",
+        DESCRIPTION,
+        urdf__ball_DOT_urdf="<robot/>",
+        config__sizes_DOT_yaml="radius: 1.0\n",
+        scripts__bounce="#!/bin/sh\necho boing\n",
+        scripts__stuck="#!/bin/sh\n",
+        ball_tools____init___DOT_py="",
+        ball_tools__size_DOT_py="RADIUS = 3\n",
+    )
+    write_files(source / "ball_description", {"ball_tools/__init__.py": ""})
+    write_python_package(
+        source / "ball_node",
+        SAY,
+        "nav_to_mars",
+        "nav_home",
+        "ball_msgs",
+        "ball_description",
+        "ball_cpp",
+        "ball_bad",
+    )
+
+
+def write_faulty_packages(source: Path) -> None:
+    write_cmake_package(source / "ball_cpp", "project(ball_cpp)\nadd_executable(ball ball.cpp)\n", "rclcpp")
+    mixed = (
+        'project(ball_mixed)\nadd_library(x x.cpp)\nrosidl_generate_interfaces(ball_mixed "msg/One.msg")\n'
+    )
+    write_cmake_package(source / "ball_mixed", mixed, msg__One_DOT_msg="bool one\n")
+    bad = 'project(ball_bad)\nrosidl_generate_interfaces(ball_bad "msg/Bad.msg")\n'
+    write_cmake_package(source / "ball_bad", bad, msg__Bad_DOT_msg="float64 x\nflot64 y\n")
+    write_python_package(source / "ball_curly", SAY, setup=CURLY)
+    write_manifest(source / "ball_xml", "ament_cmake")
+    text = (source / "ball_xml" / "package.xml").read_text().replace("</description>", "")
+    write_files(source / "ball_xml", {"package.xml": text, "CMakeLists.txt": "project(ball_xml)\n"})
+    write_python_package(source / "ball_typeless", SAY)
+    text = (source / "ball_typeless" / "package.xml").read_text()
+    write_files(source / "ball_typeless", {"package.xml": text.replace("build_type", "other")})
+    write_manifest(source / "ball_empty", "ament_cmake")
+    for folder in ("one", "two"):
+        write_manifest(source / folder / "twin", "ament_cmake")
+        write_files(source / folder / "twin", {"CMakeLists.txt": "project(twin)\n"})
+
+
+@pytest.fixture(scope="module")
+def built(tmp_path_factory: pytest.TempPathFactory) -> Built:
+    """Build a workspace of sound and of faulty packages."""
+    folder = tmp_path_factory.mktemp("workspace")
+    write_sound_packages(folder / "src")
+    write_faulty_packages(folder / "src")
+    return colcon(folder, "build")
+
+
+def test_what_can_be_built_is_built_and_the_rest_fails(built: Built) -> None:
+    assert built.code == 1
+    assert "5 packages finished" in built.output
+    assert "6 packages failed: ball_bad ball_curly ball_empty ball_typeless ball_xml twin" in built.output
+    assert "Traceback" not in built.output
+
+
+def test_each_fault_is_a_sentence_with_its_place(built: Built) -> None:
+    source = built.folder / "src"
+    assert f"{source}/ball_bad/msg/Bad.msg:2:1: " in built.output
+    assert (
+        "src/ball_curly/setup.py:12:39: curly quotes \N{LEFT DOUBLE QUOTATION MARK} from a web page"
+        in built.output
+    )
+    assert (
+        'type this line as\n    entry_points={"console_scripts": ["say = ball_curly.say:main"]},'
+        in built.output
+    )
+    assert "src/ball_xml/package.xml:11:3: not XML: mismatched tag" in built.output
+    assert (
+        "src/ball_typeless/package.xml: a build type is missing: add <export><build_type>ament_python"
+        in built.output
+    )
+    assert f"{source}/ball_empty: a package of build type ament_cmake needs a CMakeLists.txt" in built.output
+    assert "2 packages are named 'twin', so none of them is built" in built.output
+    assert "\n    src/one/twin\n    src/two/twin\n" in built.output
+    assert f"{source}/ball_description/CMakeLists.txt:6: mystery() isn't understood" in built.output
+    assert "install(FILES …) puts stuck into lib/ball_description without the permission" in built.output
+
+
+def test_compiled_package_is_left_out_and_its_users_are_warned(built: Built) -> None:
+    path = f"{built.folder}/src/ball_cpp/CMakeLists.txt"
+    left_out = f"ball_cpp is left out: {path}:2 has add_executable(ball …), which needs C++ and a ROS install"
+    assert left_out in built.output
+    warning = "ball_node depends on ball_bad, which failed and ball_cpp, which is left out"
+    assert warning in built.output
+    asks = "ball_node asks for nav_home, nav_to_mars in package.xml: neither in this workspace, nor sourced"
+    assert asks in built.output
+    assert "asks for rclcpp" not in built.output
+    assert "ball_cpp" not in in_shell(built.folder, "tfloom pkg list").splitlines()
+
+
+def test_package_with_interfaces_and_cpp_is_built_without_the_latter(built: Built) -> None:
+    path = f"{built.folder}/src/ball_mixed/CMakeLists.txt"
+    assert f"ball_mixed is built without its C++: {path}:2 has add_library(x …)" in built.output
+    assert in_shell(built.folder, "tfloom interface show ball_mixed/msg/One") == "bool one"
+
+
+def test_files_and_programs_are_installed(built: Built) -> None:
+    prefix = built.folder / "install" / "ball_description"
+    share = prefix / "share" / "ball_description"
+    assert (share / "urdf" / "ball.urdf").read_text() == "<robot/>"
+    assert (share / "sizes.yaml").is_file()
+    assert (share / "package.xml").is_file()
+    assert in_shell(built.folder, "tfloom run ball_description bounce") == "boing"
+    assert in_shell(built.folder, "python -c 'from ball_tools.size import RADIUS; print(RADIUS)'") == "3"
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh"])
+def test_program_runs_in_the_sourced_workspace(shell: str, built: Built) -> None:
+    if shutil.which(shell) is None:
+        pytest.skip(f"{shell} is not installed")
+    share = built.folder / "install" / "ball_description" / "share" / "ball_description"
+    assert in_shell(built.folder, "tfloom run ball_node say", shell) == f"said 2.0 {share}"
+    assert in_shell(built.folder, "tfloom interface package ball_msgs", shell).split() == [
+        "ball_msgs/msg/Ball",
+        "ball_msgs/srv/Throw",
+    ]
+
+
+def test_scripts_of_powershell_set_the_same_paths(built: Built) -> None:
+    share = built.folder / "install" / "ball_msgs" / "share" / "ball_msgs"
+    assert (built.folder / "install" / "setup.ps1").is_file()
+    hooks = (share / "package.ps1").read_text()
+    assert "ament_prefix_path.ps1" in hooks
+    assert "AMENT_PREFIX_PATH" in (share / "hook" / "ament_prefix_path.ps1").read_text()
+
+
+def test_workspace_is_an_underlay_of_another(built: Built, tmp_path: Path) -> None:
+    upper = (
+        'project(upper_msgs)\nrosidl_generate_interfaces(upper_msgs "msg/Two.msg" DEPENDENCIES ball_msgs)\n'
+    )
+    write_cmake_package(
+        tmp_path / "src" / "upper_msgs", upper, "ball_msgs", msg__Two_DOT_msg="ball_msgs/Ball[2] balls\n"
+    )
+    in_shell(built.folder, f"cd '{tmp_path}' && colcon build")
+    code = "from upper_msgs.msg import Two; print(Two().balls[1].radius)"
+    assert in_shell(tmp_path, f"python -c '{code}'", AMENT_PREFIX_PATH="") == "0.0"
+
+
+def test_links_follow_edits_and_copies_do_not(tmp_path: Path) -> None:
+    write_sound_packages(tmp_path / "src")
+    shutil.rmtree(tmp_path / "src" / "ball_node")
+    source = tmp_path / "src" / "ball_description" / "config" / "sizes.yaml"
+    installed = tmp_path / "install" / "ball_description" / "share" / "ball_description" / "sizes.yaml"
+    linked = colcon(tmp_path, "build", "--symlink-install")
+    assert linked.code == 0, linked.output
+    assert (
+        "scripts/bounce is not marked as executable, so it is copied, not linked: chmod +x" in linked.output
+    )
+    source.write_text("radius: 2.0\n")
+    assert installed.read_text() == "radius: 2.0\n"
+    ball = tmp_path / "src" / "ball_msgs" / "msg" / "Ball.msg"
+    ball.write_text("float64 weight\n")
+    assert in_shell(tmp_path, "tfloom interface show ball_msgs/msg/Ball") == "float64 weight"
+    copied = colcon(tmp_path, "build")
+    assert copied.code == 0, copied.output
+    source.write_text("radius: 3.0\n")
+    assert installed.read_text() == "radius: 2.0\n"
+    assert source.read_text() == "radius: 3.0\n"
+
+
+@pytest.mark.slow
+def test_renamed_files_are_renamed_where_they_are_installed(tmp_path: Path) -> None:
+    setup = SETUP_PY.replace(
+        '["package.xml"]),', '["package.xml"]),\n        ("share/{name}", glob("launch/*"))'
+    ).replace("from setuptools", "from glob import glob\n\nfrom setuptools")
+    write_python_package(tmp_path / "src" / "roll", "def main(): pass\n", setup=setup)
+    cmake = "project(fall)\ninstall(DIRECTORY launch/ DESTINATION share/${PROJECT_NAME})\n"
+    write_cmake_package(tmp_path / "src" / "fall", cmake)
+    names = ["a.launch.py", "b.launch.py", "c.launch.py", "d.launch.py"]
+    for package in ("roll", "fall"):
+        write_files(tmp_path / "src" / package, {f"launch/{names[0]}": ""})
+    for number, options in enumerate(
+        (["--symlink-install"], ["--symlink-install"], [], ["--symlink-install"])
+    ):
+        result = colcon(tmp_path, "build", *options)
+        assert result.code == 0, result.output
+        for package in ("roll", "fall"):
+            share = tmp_path / "install" / package / "share" / package
+            found = sorted(path.name for path in share.glob("*.launch.py"))
+            assert found == names[number : number + 1]
+            launch = tmp_path / "src" / package / "launch"
+            if number < 3:
+                (launch / names[number]).rename(launch / names[number + 1])
+
+
+def test_real_ament_cmake_builds_its_packages_itself(tmp_path: Path) -> None:
+    (tmp_path / "ros" / "share" / "ament_cmake" / "cmake").mkdir(parents=True)
+    write_cmake_package(tmp_path / "src" / "ball_msgs", INTERFACES)
+    assert "(ros.tfloom)" in colcon(tmp_path, "list").output
+    listed = colcon(tmp_path, "list", AMENT_PREFIX_PATH=str(tmp_path / "ros")).output
+    assert "(ros.ament_cmake)" in listed
+
+
+def test_ignored_and_foreign_folders_are_left_alone(tmp_path: Path) -> None:
+    write_cmake_package(tmp_path / "src" / "ignored", INTERFACES)
+    (tmp_path / "src" / "ignored" / "AMENT_IGNORE").touch()
+    write_files(
+        tmp_path / "src" / "foreign", {"package.xml": "<other>", "CMakeLists.txt": "project(foreign)"}
+    )
+    assert colcon(tmp_path, "list").output.split() == ["foreign", "src/foreign", "(cmake)"]

@@ -1,0 +1,71 @@
+"""What packages ask for that nobody provides, and the check of `doctor` for it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from tests.workspace.conftest import write_files, write_manifest
+
+from tfloom.cli.health import Verdict, check_workspace
+from tfloom.workspace import index
+from tfloom.workspace.wanted import find_source, how_to_provide, is_provided, missing, read_wants
+
+
+@pytest.mark.parametrize(
+    ("name", "provided"),
+    [
+        ("rclpy", True),
+        ("geometry_msgs", True),
+        ("ament_cmake", True),
+        ("ament_cmake_python", True),
+        ("rosidl_default_generators", True),
+        ("ament_lint_auto", True),
+        ("python3-numpy", True),
+        ("python3-yaml", True),
+        ("python3-setuptools", True),
+        ("python3-no-such-thing", False),
+        ("libopencv-dev", True),
+        ("nav_to_mars", False),
+        ("rclcpp", False),
+    ],
+)
+def test_dependency_is_provided(name: str, provided: bool) -> None:
+    assert is_provided(name) is provided
+
+
+def test_remedies_differ() -> None:
+    assert how_to_provide("nav2_msgs") == "pip install tfloom-interfaces"
+    assert how_to_provide("python3-transforms3d-pip") == "pip install transforms3d"
+    assert how_to_provide("nav_to_mars").endswith(
+        "put the source of a ROS package into src/, or source a workspace that has it"
+    )
+
+
+def test_workspace_is_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    source = tmp_path / "src"
+    write_manifest(source / "group" / "first", "ament_python", "rclpy", "second", "nav_to_mars")
+    write_manifest(source / "second", "ament_cmake", "nav_to_mars", "sourced_msgs")
+    write_manifest(source / "ignored", "ament_cmake", "never_read")
+    write_files(source, {"ignored/COLCON_IGNORE": "", "broken/package.xml": "<package>"})
+    text = (source / "second" / "package.xml").read_text()
+    ros_1 = '<depend condition="$ROS_VERSION == 1">rospy</depend></package>'
+    write_files(source / "second", {"package.xml": text.replace("</package>", ros_1)})
+    write_files(tmp_path, {f"{index.RESOURCE_INDEX}/packages/sourced_msgs": ""})
+    monkeypatch.setenv(index.PREFIX_PATH_VARIABLE, str(tmp_path))
+    monkeypatch.chdir(source / "group")
+    assert find_source() == source
+    wants = read_wants(source)
+    assert [each.name for each in wants] == ["first", "second"]
+    assert missing(wants) == {"nav_to_mars": ["first", "second"]}
+    finding = check_workspace()
+    assert finding.verdict is Verdict.WARNING
+    assert finding.summary.endswith("ask for what is missing: nav_to_mars (for first, second)")
+    write_manifest(source / "nav_to_mars", "ament_cmake")
+    assert check_workspace().verdict is Verdict.OK
+
+
+def test_folder_without_a_workspace_has_no_finding(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    finding = check_workspace()
+    assert (finding.verdict, finding.summary[:17]) == (Verdict.OK, "no workspace here")
