@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import json
 import os
+import sys
 from pathlib import Path
 
 import pytest
 import transcript
 
 from tfloom.cli import health
-from tfloom.cli.health import Interface, Verdict, check_network
+from tfloom.cli.finding import Verdict
+from tfloom.cli.health import Interface, check_domain, check_network, check_reach
 
 LO, ETH0, TUN0 = Interface("lo", 0x9), Interface("eth0", 0x1003), Interface("tun0", 0x1)
 
@@ -25,7 +27,7 @@ def test_all_checks_pass_on_a_sound_system(domain_id: int) -> None:
     assert answer.exit_code == 0, answer.text
     assert "domain: domain %d, discovery range LOCALHOST" % domain_id in answer.text  # noqa: UP031
     assert "and exchanged a message" in answer.text
-    assert answer.text.endswith("\nAll 7 checks passed")
+    assert answer.text.endswith("\nAll 10 checks passed")
 
 
 @pytest.mark.parametrize(
@@ -73,7 +75,7 @@ def test_report_flags_print_details() -> None:
     assert "reportlab: " in whole.text
     assert "reportlab: " not in failed.text
     assert "ROS_DOMAIN_ID: x" in failed.text
-    assert failed.text.endswith("2/7 checks failed\nFailed: domain, round trip")
+    assert failed.text.endswith("3/10 checks failed\nFailed: domain, round trip, peers")
     assert whole.exit_code == failed.exit_code == 1
 
 
@@ -143,6 +145,78 @@ def test_small_receive_buffer_is_reported_with_the_interfaces(monkeypatch: pytes
     assert "octets at most" in found.summary
 
 
+@pytest.mark.parametrize(
+    ("environment", "said"),
+    [
+        (
+            {"ROS_AUTOMATIC_DISCOVERY_RANGE": "SUBNET"},
+            "discovery range SUBNET opens the UDP ports 17900 and 17901 and two UDP ports from 17910 on",
+        ),
+        (
+            {"ROS_AUTOMATIC_DISCOVERY_RANGE": "SYSTEM_DEFAULT"},
+            "discovery range SYSTEM_DEFAULT opens the UDP ports 17900 and 17901 and one that the system selects",
+        ),
+        (
+            {"ROS_AUTOMATIC_DISCOVERY_RANGE": "SYSTEM_DEFAULT", "ROS_STATIC_PEERS": "192.0.2.1"},
+            "discovery range SYSTEM_DEFAULT opens the UDP ports 17900 and 17901 and one that the system selects",
+        ),
+        ({"ROS_STATIC_PEERS": "192.0.2.1"}, "ROS_STATIC_PEERS opens two UDP ports from 17910 on"),
+        ({"CYCLONEDDS_URI": "<CycloneDDS/>"}, "CYCLONEDDS_URI opens the UDP ports of its configuration"),
+    ],
+)
+def test_what_is_open_to_other_machines_is_a_warning(
+    environment: dict[str, str], said: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    clear_reach(monkeypatch)
+    monkeypatch.setenv("ROS_DOMAIN_ID", "42")
+    for name, value in environment.items():
+        monkeypatch.setenv(name, value)
+    found = check_reach()
+    assert found.verdict is Verdict.WARNING
+    assert found.summary.startswith(f"{said}, on all interfaces: any machine that reaches them can read")
+    assert "docs/security.md" in found.advice
+
+
+def clear_reach(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Remove the variables that open sockets to other machines."""
+    names = ("CYCLONEDDS_URI", "ROS_LOCALHOST_ONLY", "ROS_STATIC_PEERS", "RMW_IMPLEMENTATION")
+    for name in (*names, "ROS_AUTOMATIC_DISCOVERY_RANGE", "ROS_SECURITY_ENABLE", "ROS_SECURITY_STRATEGY"):
+        monkeypatch.delenv(name, raising=False)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="other systems bind sockets in other ways")
+@pytest.mark.parametrize(
+    ("asked", "said"), [("LOCALHOST", "the sockets are bound to loopback"), ("OFF", "no socket is open")]
+)
+def test_what_stays_on_this_machine_is_sound(
+    asked: str, said: str, domain_id: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    clear_reach(monkeypatch)
+    monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", asked)
+    assert check_reach()[:2] == (Verdict.OK, f"within this machine: {said}")
+    monkeypatch.setenv("ROS_SECURITY_ENABLE", "true")
+    summary = f"{said}, but ROS_SECURITY_ENABLE has no effect: nothing is encrypted"
+    assert check_reach()[:2] == (Verdict.WARNING, summary)
+
+
+@pytest.mark.wire
+def test_enforced_security_is_a_failure(monkeypatch: pytest.MonkeyPatch) -> None:
+    clear_reach(monkeypatch)
+    monkeypatch.setenv("ROS_SECURITY_ENABLE", "true")
+    monkeypatch.setenv("ROS_SECURITY_STRATEGY", "Enforce")
+    found = check_reach()
+    assert found.verdict is Verdict.FAILED
+    assert found.summary.startswith(
+        "ROS_SECURITY_STRATEGY is Enforce, but the wheels of cyclonedds are built"
+    )
+
+
+def test_the_wire_inside_a_process_reaches_nobody(monkeypatch: pytest.MonkeyPatch) -> None:
+    clear_reach(monkeypatch)
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+    assert check_reach()[:2] == (Verdict.OK, "tfloom_local stays inside one process")
+
+
 def test_effective_discovery_range_is_reported() -> None:
     environment = {"ROS_AUTOMATIC_DISCOVERY_RANGE": "SUBNET", "ROS_LOCALHOST_ONLY": "1", "CYCLONEDDS_URI": ""}
     found, _ = findings(RMW_IMPLEMENTATION="tfloom_local", **environment)
@@ -151,3 +225,33 @@ def test_effective_discovery_range_is_reported() -> None:
         RMW_IMPLEMENTATION="tfloom_local", ROS_AUTOMATIC_DISCOVERY_RANGE="OFF", CYCLONEDDS_URI=""
     )
     assert "discovery is off" in str(found["domain"]["advice"])
+
+
+@pytest.mark.parametrize(
+    ("variable", "value", "said"),
+    [
+        (
+            "ROS_DISCOVERY_SERVER",
+            "192.0.2.1:11811",
+            "ROS_DISCOVERY_SERVER has no effect: tfloom uses no discovery server of Fast DDS",
+        ),
+        (
+            "ROS_AUTOMATIC_DISCOVERY_RANGE",
+            "OFF",
+            "ROS_STATIC_PEERS is ignored, because the discovery range is OFF",
+        ),
+        ("ROS_LOCALHOST_ONLY", "1", "ROS_STATIC_PEERS is ignored, because ROS_LOCALHOST_ONLY is 1"),
+    ],
+)
+def test_settings_of_discovery_without_an_effect_are_named(
+    variable: str, value: str, said: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    clear_reach(monkeypatch)
+    monkeypatch.setenv("ROS_STATIC_PEERS", "127.0.0.1")
+    monkeypatch.setenv("ROS_DOMAIN_ID", "42")
+    assert check_domain().verdict is Verdict.OK
+    monkeypatch.setenv(variable, value)
+    found = check_domain()
+    assert found.verdict is Verdict.WARNING
+    assert found.summary == f"domain 42; {said}"
+    assert found.details[variable] == value

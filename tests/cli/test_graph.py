@@ -18,6 +18,7 @@ class FakeGraph:
     def __init__(self, *changes_s: float) -> None:
         self.count = 0
         self.whole_from = 0
+        self.late = 0
         self.listener: ReadyQueue | None = None
         self.timers = [threading.Timer(when, self.change) for when in changes_s]
 
@@ -32,6 +33,9 @@ class FakeGraph:
     def is_whole(self) -> bool:
         return self.count >= self.whole_from
 
+    def late_count(self) -> int:
+        return 0 if self.is_whole() else self.late
+
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
         self.listener = queue
         if queue is not None:
@@ -39,9 +43,10 @@ class FakeGraph:
                 timer.start()
 
 
-def waited(changes_s: list[float], most_s: float, whole_from: int = 0) -> float:
+def waited(changes_s: list[float], most_s: float, whole_from: int = 0, late: int = 0) -> float:
     fake = FakeGraph(*changes_s)
     fake.whole_from = whole_from
+    fake.late = late
     start = time.monotonic()
     graph.wait_until_quiet(fake, most_s)
     duration = time.monotonic() - start
@@ -82,6 +87,42 @@ def test_wait_lasts_while_announced_entities_are_missing(
 ) -> None:
     duration = waited(changes_s, most_s, whole_from=1)
     assert at_least_s <= duration < at_least_s + 0.6 + graph.LATE_MOST_S
+
+
+WAITING = "waiting for the nodes of 1 participant of Fast DDS, which lists them up to 3 s late\n"
+MISSING = "nodes may be missing: 2 participants of Fast DDS did not list them\n"
+
+
+@pytest.mark.timing
+@pytest.mark.parametrize(
+    ("changes_s", "most_s", "late", "at_least_s", "told"),
+    [
+        ([1.6], 5.0, 1, 1.6, WAITING),
+        ([0.1], 5.0, 1, 0.1 + graph.QUIET_S, ""),
+        ([], 0.8, 2, 0.8, WAITING.replace("1 participant", "2 participants") + MISSING),
+        ([], 0.3, 2, 0.3, MISSING),
+    ],
+    ids=["late", "soon", "not within --spin-time", "a short --spin-time"],
+)
+def test_wait_for_fast_dds_is_longer_and_told(
+    changes_s: list[float],
+    most_s: float,
+    late: int,
+    at_least_s: float,
+    told: str,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    duration = waited(changes_s, most_s, whole_from=1, late=late)
+    assert at_least_s <= duration < at_least_s + 0.6 + graph.LATE_MOST_S
+    assert capsys.readouterr().err == told
+
+
+def test_wait_is_not_told_to_who_completes_a_line(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("_ARGCOMPLETE", "1")
+    waited([], 0.3, whole_from=1, late=1)
+    assert capsys.readouterr().err == ""
 
 
 def test_wait_is_longer_on_a_busy_machine(monkeypatch: pytest.MonkeyPatch) -> None:

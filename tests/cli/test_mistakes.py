@@ -29,6 +29,8 @@ NAMES = [
     "a/b/c/d",
     "x" * 5000,
 ]
+BOMB = "[" + ", ".join(["&a0 [x]", *(f"&a{n} [{f'*a{n - 1}, ' * 9}]" for n in range(1, 20))]) + "]"
+"""YAML whose aliases stand for more values than fit into memory."""
 VALUES = [
     "",
     "{",
@@ -53,6 +55,9 @@ VALUES = [
     "!!set {a}",
     "<<: 5",
     "\udcff",
+    BOMB,
+    "{linear: !!int x}",
+    "{linear: 2026-13-01}",
 ]
 NUMBERS = ["nan", "-1", "abc", "", "1.5x", "9" * 20 + "x"]
 
@@ -111,6 +116,24 @@ def test_invalid_values_are_rejected(words: tuple[str, ...], capsys: pytest.Capt
     for value in VALUES:
         if value not in {"", "null"} or "pub" not in words:
             fails(capsys, *words, value)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("topic", "pub", "-1", "-w", "0", "/x", "geometry_msgs/msg/Twist"),
+        ("service", "call", "--timeout", "0", "/x", "turtlesim/srv/Spawn"),
+        ("action", "send_goal", "/x", "turtlesim/action/RotateAbsolute"),
+        ("param", "set", "/x", "p"),
+    ],
+)
+@pytest.mark.parametrize(
+    ("value", "reason"), [(BOMB, "aliases stand for"), ("[" * 5000, "nested deeper than")]
+)
+def test_values_beyond_yamls_limits_have_a_sentence(
+    words: tuple[str, ...], value: str, reason: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert reason in fails(capsys, *words, value)
 
 
 @pytest.mark.parametrize(

@@ -164,9 +164,26 @@ def test_new_package_builds_and_runs(
     assert "Traceback" not in node.output
 
 
-def test_cpp_package_is_rejected() -> None:
-    answer = transcript.run("pkg", "create", "--build-type", "ament_cmake", "my_pkg")
-    assert (answer.exit_code, answer.text) == (
-        1,
-        "a package of build type ament_cmake needs CMake and C++; ament_python doesn't",
-    )
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        (("--build-type", "cmake"), "a package of build type cmake needs CMake and C++"),
+        (
+            ("--build-type", "ament_cmake", "--node-name", "a"),
+            "nodes and libraries of build type ament_cmake are C++",
+        ),
+        (("--library-name", "my_pkg"), "'my_pkg' can't be the library's name"),
+    ],
+)
+def test_package_that_cannot_be_built_is_rejected(
+    words: tuple[str, ...], reason: str, tmp_path: Path
+) -> None:
+    answer = transcript.run("pkg", "create", "--destination-directory", str(tmp_path), "my_pkg", *words)
+    assert (answer.exit_code, answer.text[: len(reason)]) == (1, reason)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_licenses_are_listed() -> None:
+    listed = transcript.run("pkg", "create", "my_pkg", "--license", "?").text.splitlines()
+    assert listed[0] == "Supported licenses:"
+    assert {"Apache-2.0", "BSD-3-Clause", "GPL-3.0-only", "MIT"} < set(listed)

@@ -57,6 +57,24 @@ def test_misspelt_package_or_program_gives_the_nearest(add_program: Callable[...
         assert answer.text.startswith(said)
 
 
+def test_program_that_is_hidden_is_named_with_the_remedy(add_program: Callable[..., Path]) -> None:
+    hidden = add_program("hidden", "")
+    hidden.chmod(0o644)
+    answer = transcript.run("run", "my_pkg", "hidden")
+    assert answer.text.startswith(
+        f"No executable found: {hidden} is not marked as executable: chmod +x {hidden}\n"
+    )
+    stray = hidden.parents[2] / "bin" / "stray"
+    stray.parent.mkdir()
+    stray.touch()
+    answer = transcript.run("run", "my_pkg", "stray")
+    assert answer.exit_code == 1
+    assert answer.text == (
+        f"No executable found: it is {stray}, not in lib/my_pkg: setup.cfg lacks two lines: "
+        "[install] and below it install_scripts=$base/lib/my_pkg"
+    )
+
+
 def test_a_package_alone_lists_its_programs(
     add_program: Callable[..., Path], capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -82,15 +100,15 @@ def test_a_package_without_programs_is_found(capsys: pytest.CaptureFixture[str])
     assert capsys.readouterr().err == "No executable found\n"
 
 
-@pytest.mark.parametrize("quote", ["", '"'])
+@pytest.mark.parametrize(("quote", "options"), [("", ""), ('"', ""), ('"', " -x")])
 def test_script_whose_interpreter_path_has_a_space_runs(
-    quote: str, add_program: Callable[..., Path], tmp_path: Path
+    quote: str, options: str, add_program: Callable[..., Path], tmp_path: Path
 ) -> None:
     python = tmp_path / "a folder" / "python"
     python.parent.mkdir()
     python.symlink_to(Path(sys.executable).resolve())
     program = add_program("show", "")
-    program.write_text(f"#!{quote}{python}{quote}\nprint('runs')\n")
+    program.write_text(f"#!{quote}{python}{quote}{options}\nprint('runs')\n")
     answer = transcript.run("run", "my_pkg", "show")
     assert (answer.text, answer.exit_code) == ("runs", 0)
 

@@ -6,7 +6,9 @@ import argparse
 import os
 import sys
 
-from tfloom.cli.health import CHECKS, PACKAGE_CHECKS, Finding, Verdict
+from tfloom.cli.finding import Finding, Verdict
+from tfloom.cli.health import CHECKS, PACKAGE_CHECKS
+from tfloom.terminal_text import unescaped
 
 COLOURS = {Verdict.OK: "32", Verdict.WARNING: "33", Verdict.FAILED: "31"}
 
@@ -45,7 +47,8 @@ def main(args: argparse.Namespace) -> int:
         )
         return int(bool(failed))
     for name, finding in findings.items():
-        print(f"{_coloured(finding.verdict):>7}  {name}: {finding.summary}")
+        print(_coloured(finding.verdict), end="", file=unescaped(sys.stdout))
+        print(f"  {name}: {finding.summary}")
         if finding.advice:
             print(f"         {finding.advice}")
         if args.report or (args.report_failed and name in failed):

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import argparse
+import os
+import sys
 import time
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
@@ -18,6 +20,10 @@ LEAST_S = 0.2
 """The least time to wait [s]."""
 PATIENCE_S = 1.0
 """The longest additional wait for missing entities [s]."""
+LATE_PEERS_S = 5.0
+"""The longest additional wait for participants of Fast DDS, which list their nodes up to 3 s late [s]."""
+NOTICE_S = 0.5
+"""Wait for these before the user gets a message about it [s]."""
 LATE_MOST_S = 3.0
 """The longest additional wait on a busy machine [s]."""
 LOOK_S = 0.05
@@ -71,11 +77,13 @@ def settled_graph(args: argparse.Namespace) -> Iterator[Graph]:
 def wait_until_quiet(graph: Graph, most_s: float) -> None:
     """Wait until the graph has not changed for `QUIET_S`: at least `LEAST_S`, at most `most_s` [s].
 
-    It waits longer while announced entities are missing, up to `PATIENCE_S`, and if this process was scheduled late,
-    up to `LATE_MOST_S`, because the others may be late, too.
+    It waits longer while announced entities are missing: up to `PATIENCE_S`, or up to `LATE_PEERS_S` and with a message
+    on stderr where they are of Fast DDS. It also does if this process was scheduled late, up to `LATE_MOST_S`, because
+    the others may be late, too.
     """
     queue = ReadyQueue()
     start = time.monotonic()
+    has_told = False
     graph.notify(queue)
     try:
         seen, changed, late_s = graph.changes(), start, 0.0
@@ -83,8 +91,15 @@ def wait_until_quiet(graph: Graph, most_s: float) -> None:
             now = time.monotonic()
             quiet = max(start + LEAST_S, changed + QUIET_S) + min(LATE_WEIGHT * late_s, LATE_MOST_S)
             until = min(quiet, start + most_s)
+            if not has_told and now >= start + NOTICE_S and (late := graph.late_count()):
+                has_told = True
+                _tell(f"waiting for the nodes of {_participants(late)}, which lists them up to 3 s late")
             if now >= until:
-                if now >= min(until + PATIENCE_S, start + most_s) or graph.is_whole():
+                late = graph.late_count()
+                patience_s = LATE_PEERS_S if late else PATIENCE_S
+                if now >= min(until + patience_s, start + most_s) or graph.is_whole():
+                    if late:
+                        _tell(f"nodes may be missing: {_participants(late)} did not list them")
                     return
                 until = now + LOOK_S
             asked_s = min(until - now, LOOK_S)
@@ -95,6 +110,16 @@ def wait_until_quiet(graph: Graph, most_s: float) -> None:
                 seen, changed = changes, time.monotonic()
     finally:
         graph.notify(None)
+
+
+def _participants(count: int) -> str:
+    return f"{count} participant{'' if count == 1 else 's'} of Fast DDS"
+
+
+def _tell(text: str) -> None:
+    """Print a line on stderr, unless the command completes what is typed on a terminal."""
+    if "_ARGCOMPLETE" not in os.environ:
+        print(text, file=sys.stderr, flush=True)
 
 
 def is_hidden(name: str) -> bool:

@@ -8,14 +8,18 @@ import shutil
 import sys
 import time
 from collections.abc import Callable, Iterator
-from enum import Enum
 from importlib.machinery import PathFinder
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import tfloom
+from tfloom.cli.finding import Finding, Verdict
+from tfloom.cli.peer_health import check_peers
 from tfloom.rmw.errors import WireError
 from tfloom.workspace import index
+
+DISCOVERY_SERVER = "ROS_DISCOVERY_SERVER"
+"""Names discovery servers of Fast DDS; stock nodes with it announce themselves to these alone."""
 
 TRIP_TIMEOUT_S = 5.0
 LARGE_BUFFER = 4 << 20
@@ -35,28 +39,6 @@ DISTRIBUTIONS = (
 )
 
 
-class Verdict(Enum):
-    """The outcome of a check."""
-
-    OK = "ok"
-    WARNING = "warning"
-    FAILED = "FAILED"
-
-
-class Finding(NamedTuple):
-    """The finding of a check."""
-
-    verdict: Verdict
-    summary: str
-    advice: str = ""
-    """The remedy; empty without one."""
-    details: dict[str, Any] = {}  # noqa: RUF012  # never changed
-
-    def as_dict(self) -> dict[str, Any]:
-        """Return the finding as JSON values."""
-        return {**self._asdict(), "verdict": self.verdict.value.lower()}
-
-
 def check_wire() -> Finding:
     """Check the wire of RMW_IMPLEMENTATION, and its library."""
     from tfloom.rmw.backends import DEFAULT, implementation_identifier
@@ -66,9 +48,9 @@ def check_wire() -> Finding:
     try:
         name = implementation_identifier()
         if name == DEFAULT:
-            from tfloom.rmw.cyclone_library import find_library
+            from tfloom.rmw.cyclone_library import open_library
 
-            details["library"] = find_library()
+            details["library"], details["library version"] = open_library()
     except WireError as error:
         return Finding(Verdict.FAILED, str(error), details=details)
     why = (
@@ -84,22 +66,47 @@ def check_wire() -> Finding:
 def check_domain() -> Finding:
     """Check ROS_DOMAIN_ID and the discovery range."""
     from tfloom.rmw.backends import domain_id_from_environment
-    from tfloom.rmw.cyclone_config import configuration, discovery_range, look_up_peers
+    from tfloom.rmw.cyclone_config import (
+        configuration,
+        discovery_range,
+        look_up_peers,
+        why_peers_are_ignored,
+    )
 
     names = (
         "ROS_DOMAIN_ID",
         "ROS_AUTOMATIC_DISCOVERY_RANGE",
         "ROS_LOCALHOST_ONLY",
         "ROS_STATIC_PEERS",
+        DISCOVERY_SERVER,
+        "TFLOOM_LEASE_S",
         "CYCLONEDDS_URI",
     )
     details = {name: os.environ.get(name, "not set") for name in names}
     try:
         domain = domain_id_from_environment()
-        configuration()
+        configuration(domain)
         look_up_peers()
+        ignored = why_peers_are_ignored()
     except WireError as error:
         return Finding(Verdict.FAILED, str(error), details=details)
+    if os.environ.get(DISCOVERY_SERVER):
+        summary = (
+            f"domain {domain}; {DISCOVERY_SERVER} has no effect: tfloom uses no discovery server of Fast DDS"
+        )
+        advice = (
+            f"stock nodes that have it set, and tfloom's, don't find each other: unset {DISCOVERY_SERVER} for both, "
+            "and name hosts beyond the subnet in ROS_STATIC_PEERS"
+        )
+        return Finding(Verdict.WARNING, summary, advice, details)
+    if ignored:
+        advice = "it has an effect with the discovery range LOCALHOST or SUBNET, without the other settings"
+        return Finding(
+            Verdict.WARNING,
+            f"domain {domain}; ROS_STATIC_PEERS is ignored, because {ignored}",
+            advice,
+            details,
+        )
     if os.environ.get("CYCLONEDDS_URI"):
         return Finding(
             Verdict.OK, f"domain {domain}, discovery as configured by CYCLONEDDS_URI", details=details
@@ -159,9 +166,14 @@ def _needs_multicast() -> bool:
 
 def _used(interfaces: list[Interface]) -> str:
     """Return a text with the interface that the wire uses; empty if it is unknown."""
-    if _requested_range() in {"LOCALHOST", "OFF"}:
+    from tfloom.rmw.cyclone_config import why_peers_are_ignored
+
+    if _requested_range() == "OFF":
+        return "; DDS uses none"
+    if _requested_range() == "LOCALHOST":
         loopback = next((each.name for each in interfaces if each.is_loopback), "the loopback interface")
-        beside = " and those towards ROS_STATIC_PEERS" if os.environ.get("ROS_STATIC_PEERS") else ""
+        reaches_peers = os.environ.get("ROS_STATIC_PEERS") and not why_peers_are_ignored()
+        beside = " and those towards ROS_STATIC_PEERS" if reaches_peers else ""
         return f"; DDS uses {loopback}{beside}, by unicast"
     far = [each.name for each in interfaces if each.may_find_others]
     return f"; DDS uses {far[0]}, by multicast" if _requested_range() == "SUBNET" and len(far) == 1 else ""
@@ -207,6 +219,76 @@ def _interfaces() -> Iterator[Interface]:
         except (OSError, ValueError):
             continue
         yield Interface(folder.name, flags)
+
+
+def check_reach() -> Finding:
+    """Check from where the sockets of the wire can be reached, and whether that is protected."""
+    from tfloom.rmw.backends import DEFAULT, domain_id_from_environment, implementation_identifier
+    from tfloom.rmw.cyclone_config import is_security_requested
+
+    details = {"ROS_SECURITY_ENABLE": os.environ.get("ROS_SECURITY_ENABLE", "not set")}
+    try:
+        if (name := implementation_identifier()) != DEFAULT:
+            return Finding(Verdict.OK, f"{name} stays inside one process", details=details)
+        domain = domain_id_from_environment()
+        opened = _opened_ports(domain) or _unbound_ports(domain)
+    except WireError as error:
+        return Finding(Verdict.FAILED, str(error), details=details)
+    advice = "protect the network by a firewall, or by a VPN such as WireGuard: see docs/security.md"
+    if opened:
+        risk = "any machine that reaches them can read and publish all topics and call all services"
+        return Finding(
+            Verdict.WARNING, f"{opened}, on all interfaces: {risk}, without encryption", advice, details
+        )
+    where = "no socket is open" if _requested_range() == "OFF" else "the sockets are bound to loopback"
+    if is_security_requested():
+        summary = f"{where}, but ROS_SECURITY_ENABLE has no effect: nothing is encrypted"
+        return Finding(Verdict.WARNING, summary, advice, details)
+    return Finding(Verdict.OK, f"within this machine: {where}", details=details)
+
+
+def _opened_ports(domain: int) -> str:
+    """Return a text with what the environment opens to other machines; empty if nothing.
+
+    Raises:
+        ConfigurationError: ROS_AUTOMATIC_DISCOVERY_RANGE isn't one of the ranges.
+    """
+    from tfloom.rmw.cyclone_config import discovery_range, is_local
+
+    if os.environ.get("CYCLONEDDS_URI"):
+        return "CYCLONEDDS_URI opens the UDP ports of its configuration"
+    asked = discovery_range()
+    if asked == "OFF" or is_local():
+        return ""
+    if asked == "LOCALHOST":
+        return f"ROS_STATIC_PEERS opens {_pair(domain)}"
+    multicast = f"{_port(domain)} and {_port(domain) + 1}"
+    if asked == "SUBNET":
+        return f"discovery range {asked} opens the UDP ports {multicast} and {_pair(domain)}"
+    return f"discovery range {asked} opens the UDP ports {multicast} and one that the system selects"
+
+
+def _unbound_ports(domain: int) -> str:
+    """Return a text with what is open although the environment confines it to this machine; empty if nothing.
+
+    Raises:
+        WireError: the domain can't be joined.
+    """
+    from tfloom.rmw.cyclonedds import CycloneParticipant
+
+    participant = CycloneParticipant(domain, "/")
+    failure = participant.loopback_failure
+    participant.close()
+    return f"{_pair(domain)} aren't bound to loopback, because {failure}" if failure else ""
+
+
+def _port(domain: int) -> int:
+    """Return the first port of a domain, by RTPS's formula."""
+    return 7400 + 250 * domain
+
+
+def _pair(domain: int) -> str:
+    return f"two UDP ports from {_port(domain) + 10} on"
 
 
 def check_round_trip() -> Finding:
@@ -308,6 +390,24 @@ def check_commands() -> Finding:
     return Finding(Verdict.OK, f"no real ROS; workspaces: {details['workspaces']}", details=details)
 
 
+def check_workspace() -> Finding:
+    """Check whether what the packages of the workspace here ask for is there."""
+    from tfloom.workspace.wanted import find_source, how_to_provide, missing, read_wants
+
+    source = find_source()
+    if source is None:
+        return Finding(Verdict.OK, "no workspace here: no folder src with packages, here or above")
+    wants = read_wants(source)
+    details = {each.name: ", ".join(each.depends) or "nothing" for each in wants}
+    packages = f"{len(wants)} package{'s' * (len(wants) != 1)} in {source}"
+    lacking = missing(wants)
+    if not lacking:
+        return Finding(Verdict.OK, f"{packages}; what they ask for is there", details=details)
+    named = ", ".join(f"{name} (for {', '.join(users)})" for name, users in lacking.items())
+    advice = "; ".join(f"{name}: {how_to_provide(name)}" for name in lacking)
+    return Finding(Verdict.WARNING, f"{packages} ask for what is missing: {named}", advice, details)
+
+
 def check_versions() -> Finding:
     """Report the versions of Python, tfloom and its dependencies."""
     details = {
@@ -332,9 +432,12 @@ CHECKS: dict[str, Callable[[], Finding]] = {
     "wire": check_wire,
     "domain": check_domain,
     "network": check_network,
+    "reach": check_reach,
     "round trip": check_round_trip,
+    "peers": check_peers,
     "names": check_names,
     "commands": check_commands,
+    "workspace": check_workspace,
     "versions": check_versions,
 }
 PACKAGE_CHECKS = {"names", "versions"}

@@ -113,14 +113,15 @@ def parse_yaml(text: str) -> dict[str, Any]:
     Raises:
         CommandError: it isn't YAML, or not a mapping of fields; the text has the position of the mistake.
     """
-    import yaml
+    from tfloom.rosidl import user_yaml
 
     try:
-        values = yaml.safe_load(text)
-    except yaml.MarkedYAMLError as error:
-        raise CommandError(_yaml_mistake(error)) from None
-    except yaml.YAMLError as error:
-        raise CommandError(f"The passed value isn't YAML: {error}") from None
+        values = user_yaml.load(text)
+    except user_yaml.YamlLimitError as error:
+        raise CommandError(f"The passed value can't be used: {error}:\n{error.snippet}") from None
+    except user_yaml.YamlError as error:
+        where = f"{error.place}:\n{error.snippet}" if error.place else ""
+        raise CommandError(f"The passed value isn't YAML: {error.problem}{where}") from None
     if values is None:
         return {}
     if not isinstance(values, dict):
@@ -128,14 +129,6 @@ def parse_yaml(text: str) -> dict[str, Any]:
             f"The passed value needs to be a dictionary in YAML format, not {values!r}{_missing_space(values)}"
         )
     return values
-
-
-def _yaml_mistake(error: Any) -> str:
-    mark = error.problem_mark or error.context_mark
-    if mark is None:
-        return f"The passed value isn't YAML: {error.problem}"
-    place = f"line {mark.line + 1}, column {mark.column + 1}"
-    return f"The passed value isn't YAML: {error.problem} at {place}:\n{mark.get_snippet(indent=2, max_length=100)}"
 
 
 def fill_message(message: Message, values: dict[str, Any]) -> list[StampSetter]:
@@ -192,10 +185,10 @@ def _bare_word(error: Exception) -> str:
         or isinstance(error.name, str)
     ):
         return ""
-    import yaml
+    from tfloom.rosidl.user_yaml import load
 
     fields = type(holder).get_fields_and_field_types()
-    bare = next((field for field in fields if yaml.safe_load(field) == error.name), None)
+    bare = next((field for field in fields if load(field) == error.name), None)
     return f'\nYAML reads a bare {bare} as {error.name}: write "{bare}" with its quotes' if bare else ""
 
 

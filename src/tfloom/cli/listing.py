@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Collection
 from typing import Any
 
+from tfloom import terminal_text
 from tfloom.cli.json_text import json_text
 
 
@@ -15,8 +17,9 @@ def print_names(names: Collection[str], *, as_json: bool = False, only_count: bo
     elif only_count:
         print(len(names))
     else:
+        is_terminal = terminal_text.is_terminal(sys.stdout)
         for name in names:
-            print(name)
+            print(terminal_text.shown_name(name) if is_terminal else name)
 
 
 def print_json(value: Any) -> None:

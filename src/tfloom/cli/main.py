@@ -168,7 +168,10 @@ def _exit_code(argv: Sequence[str] | None, prog: str) -> int:
     except Exception as error:
         if (text := _sentence(error, prog)) is None:
             raise
-        print(text, file=sys.stderr)
+        from tfloom.terminal_text import shown_on_terminals
+
+        with shown_on_terminals():
+            print(text, file=sys.stderr)
         if isinstance(error, OSError):
             _drop_output()
         return error.exit_code if isinstance(error, CommandError) else 1
@@ -221,7 +224,10 @@ def _run(argv: Sequence[str] | None, prog: str) -> int:
         sys.stdout.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]
         if not args.use_python_default_buffering:
             sys.stdout.reconfigure(line_buffering=True)  # type: ignore[union-attr]
-    return int(args.run_verb(args) or 0)
+    from tfloom.terminal_text import shown_on_terminals
+
+    with shown_on_terminals():
+        return int(args.run_verb(args) or 0)
 
 
 def _drop_output() -> None:

@@ -34,6 +34,6 @@ def _flow(value: Any) -> str:
 
 def _key(name: str) -> str:
     """Return a field's name; in quotes where YAML reads it as a value, as `off`."""
-    import yaml
+    from tfloom.rosidl.user_yaml import load
 
-    return name if yaml.safe_load(name) == name else f'"{name}"'
+    return name if load(name) == name else f'"{name}"'

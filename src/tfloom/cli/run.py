@@ -86,6 +86,8 @@ def find_command(package: str, program: str) -> list[str] | str:
     programs = index.package_programs(package, prefix)
     paths = [path for path in programs if index.program_name(path) == program]
     if not paths:
+        if reason := _why_not_found(package, prefix, program):
+            raise CommandError(f"No executable found: {reason}")
         raise CommandError(f"No executable found{did_you_mean(program, map(index.program_name, programs))}")
     if len(paths) > 1:
         listed = "".join(f"\n- {path}" for path in paths)
@@ -93,26 +95,46 @@ def find_command(package: str, program: str) -> list[str] | str:
     return _command_of(paths[0])
 
 
+def _why_not_found(package: str, prefix: str, program: str) -> str:
+    """Return a sentence on a file of the program's name that is installed, but in a way that hides it; else empty."""
+    if blocked := index.find_unmarked_program(package, prefix, program):
+        return (
+            f"{blocked} is not marked as executable: chmod +x {blocked}\n"
+            "and in its package's source: install(PROGRAMS …) in CMakeLists.txt, or console_scripts in setup.py"
+        )
+    stray = Path(prefix, "bin", program)
+    if stray.is_file():
+        return (
+            f"it is {stray}, not in lib/{package}: setup.cfg lacks two lines: "
+            f"[install] and below it install_scripts=$base/lib/{package}"
+        )
+    return ""
+
+
 def _command_of(path: Path) -> list[str]:
     if os.name == "nt" and path.suffix.lower() == ".py":
         return [sys.executable, str(path)]
-    interpreter = _interpreter_with_space(path)
-    return [str(path)] if interpreter is None else [interpreter, str(path)]
+    return [*_interpreter_with_space(path), str(path)]
 
 
-def _interpreter_with_space(path: Path) -> str | None:
-    """Return the interpreter in a script's first line, if there is a space in its path; else None.
+def _interpreter_with_space(path: Path) -> list[str]:
+    """Return the interpreter in a script's first line with its options, if there is a space in its path; else nothing.
 
     The kernel cuts the line at the space. Setuptools writes such lines, in quotes, for an environment whose path has
-    a space.
+    a space, and adds the option -x where it has other letters than ASCII's.
     """
     try:
         with path.open("rb") as script:
             line = os.fsdecode(script.readline(4096))
     except OSError:
-        return None
-    named = line.removeprefix("#!").strip().strip('"')
-    return named if line.startswith("#!") and " " in named and Path(named).is_file() else None
+        return []
+    if not line.startswith("#!"):
+        return []
+    named = line.removeprefix("#!").strip()
+    options = ""
+    if named.startswith('"'):
+        named, _, options = named[1:].partition('"')
+    return [named, *options.split()] if " " in named and Path(named).is_file() else []
 
 
 def run_here(target: str, name: str, argv: list[str]) -> int:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 
+from tfloom.cli.errors import CommandError
 from tfloom.cli.param.common import add_arguments as add_common_arguments
 from tfloom.cli.param.common import requested_node
 from tfloom.interfaces.rcl_interfaces.msg import Parameter
@@ -22,7 +23,11 @@ def main(args: argparse.Namespace) -> int:
     """Set the parameter and print the outcome."""
     from tfloom.node.parameters.parameter import get_parameter_value
 
-    parameter = Parameter(name=args.parameter_name, value=get_parameter_value(args.value))
+    try:
+        value = get_parameter_value(args.value)
+    except ValueError as error:
+        raise CommandError(f"The value of {args.parameter_name} can't be used: {error}") from None
+    parameter = Parameter(name=args.parameter_name, value=value)
     with requested_node(args) as services:
         result = services.set([parameter])[0]
     reason = f": {result.reason}" if result.reason else ""

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import argparse
 import os
+import sys
 from pathlib import Path
 
 from tfloom.cli.errors import CommandError
-from tfloom.workspace.create import Package, create_package
+from tfloom.workspace.create import BUILD_TYPES, Package, create_package
+from tfloom.workspace.licenses import LICENSES
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -15,11 +17,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     blank = Package("")
     parser.add_argument("package_name", help="name of the package")
     parser.add_argument(
-        "--build-type", default="ament_python", help="ament_python (default); others need C++"
+        "--build-type",
+        default="ament_python",
+        help=f"{BUILD_TYPES[0]} (default), or {BUILD_TYPES[1]} for messages, services and actions",
     )
     parser.add_argument("--package-format", choices=["3"], default="3", help="format of package.xml")
     parser.add_argument("--description", default=blank.description, help="one sentence about the package")
-    parser.add_argument("--license", default=blank.license, help="the licence's name, as in SPDX")
+    parser.add_argument(
+        "--license",
+        default=blank.license,
+        help="the licence's name, as in SPDX; ? lists those whose text is written, too",
+    )
     parser.add_argument(
         "--destination-directory", default=".", help="folder to create it in (default: the current one)"
     )
@@ -27,6 +35,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--maintainer-name", default=_user(), help="your name (default: the login's)")
     parser.add_argument("--maintainer-email", default=blank.email, help="your address")
     parser.add_argument("--node-name", help="add a node of this name, and a program that runs it")
+    parser.add_argument("--library-name", help="add a Python package of this name")
 
 
 def _user() -> str:
@@ -35,10 +44,11 @@ def _user() -> str:
 
 def main(args: argparse.Namespace) -> int:
     """Write the package, and print the next commands."""
-    if args.build_type != "ament_python":
-        raise CommandError(
-            f"a package of build type {args.build_type} needs CMake and C++; ament_python doesn't"
-        )
+    if args.license == "?":
+        print("Supported licenses:")
+        for each in LICENSES:
+            print(each.spdx)
+        return 0
     package = Package(
         args.package_name,
         args.description,
@@ -46,17 +56,38 @@ def main(args: argparse.Namespace) -> int:
         args.maintainer_name,
         args.maintainer_email,
         tuple(args.dependencies),
-        args.node_name,
+        _node_name(args),
+        args.library_name,
+        args.build_type,
     )
     try:
         written = create_package(package, Path(args.destination_directory))
     except FileExistsError as error:
         raise CommandError(f"{error.filename} exists; nothing was written") from None
-    except (OSError, ValueError) as error:
+    except OSError as error:
+        raise CommandError(f"can't write {error.filename}: {error.strerror}") from None
+    except ValueError as error:
         raise CommandError(str(error)) from None
     for path in written:
         print(f"creating {path}")
     print(f"\nIn the workspace's top folder: colcon build --packages-select {args.package_name}")
-    if args.node_name:
-        print(f"then: source install/setup.bash && {args.prog} run {args.package_name} {args.node_name}")
+    if package.node:
+        print(f"then: source install/setup.bash && {args.prog} run {args.package_name} {package.node}")
+    if package.license not in {Package("").license, *(each.spdx for each in LICENSES)}:
+        print(
+            f"{args.package_name} has no LICENSE file, because the text of '{package.license}' isn't known: "
+            "--license ? lists those that are",
+            file=sys.stderr,
+        )
     return 0
+
+
+def _node_name(args: argparse.Namespace) -> str | None:
+    """Return the node's name; one that is the library's too gets another, because both are modules."""
+    if args.node_name is None or args.node_name != args.library_name:
+        return None if args.node_name is None else str(args.node_name)
+    print(
+        f"the node is named {args.node_name}_node, because the library is {args.library_name}",
+        file=sys.stderr,
+    )
+    return f"{args.node_name}_node"
