@@ -97,6 +97,17 @@ def test_pose_of_a_turtle_becomes_a_transform(start: Callable[..., Stage]) -> No
     assert transform.header.stamp.sec > 0
 
 
+@pytest.mark.parametrize("pose", [Pose(x=math.nan), Pose(y=math.inf), Pose(theta=math.inf)])
+def test_a_pose_that_is_no_number_is_not_broadcast(start: Callable[..., Stage], pose: Pose) -> None:
+    stage = start(FramePublisher)
+    turtle = stage.ear.create_publisher(Pose, "/turtle1/pose", 1)
+    turtle.publish(pose)
+    for _ in range(3):  # its subscription, and a turn of each node
+        stage._executor.spin_once(timeout_sec=0.05)
+    turtle.publish(Pose(x=1.0))
+    assert where(stage.first()) == (1.0, 0.0, 0.0)
+
+
 def test_fixed_frame_is_beside_the_turtle(start: Callable[..., Stage]) -> None:
     transform = start(FixedFrameBroadcaster).first()
     assert ends(transform) == ("turtle1", "carrot1")

@@ -33,3 +33,16 @@ def test_turtle_drives_stops_and_turns(stage: Any, capfd: pytest.CaptureFixture[
     match = re.fullmatch(r"New goal \[(\S+) 5\.544445, 1\.570796\]", texts[2])
     assert match is not None
     assert float(match[1]) == pytest.approx(7.5, abs=0.1)
+
+
+@pytest.mark.parametrize("pose", [Pose(x=math.inf), Pose(y=math.nan), Pose(theta=-math.inf)])
+def test_a_pose_that_is_no_number_is_ignored(
+    stage: Any, capfd: pytest.CaptureFixture[str], pose: Pose
+) -> None:
+    square = DrawSquare()
+    stage.add(square)
+    stage.spin_until(lambda: square._goal is not None)
+    sim = stage.user.create_publisher(Pose, "/turtle1/pose", 1)
+    sim.publish(pose)
+    stage.spin_until(lambda: square._is_stopping)
+    assert "[WARN]" in next(line for line in capfd.readouterr().err.splitlines() if "Ignoring a pose" in line)

@@ -60,6 +60,45 @@ def test_invalid_turtle_is_not_spawned(
     assert list(turtles(stage)) == ["turtle1"]
 
 
+INVALID_NAMES = ["a" * 300, "a" * 212, "{foo}", "{ns}", "a//b", "a/", "~x", "a b", "1st", "é", "a\0b"]
+
+
+@pytest.mark.parametrize("name", INVALID_NAMES)
+def test_a_name_that_makes_no_valid_names_is_refused(
+    stage: Any, capfd: pytest.CaptureFixture[str], name: str
+) -> None:
+    endpoints = len(list(stage.turtlesim.publishers))
+    capfd.readouterr()
+    assert call(stage, Spawn, "/spawn", name=name).name == ""
+    (line,) = logged(capfd)
+    assert line.startswith(f"[ERROR] A turtle can't be named [{name}]: ")
+    assert list(turtles(stage)) == ["turtle1"]
+    assert len(list(stage.turtlesim.publishers)) == endpoints
+    assert call(stage, Spawn, "/spawn").name == "turtle2"
+
+
+LONGEST_NAME = "a" * (247 - len("//rotate_absolute/_action/cancel_goal"))
+
+
+@pytest.mark.parametrize("name", [LONGEST_NAME, "{node}", "~", "~/a", "/turtle1", "/a/b"])
+def test_a_name_that_makes_valid_names_is_a_turtle(stage: Any, name: str) -> None:
+    assert call(stage, Spawn, "/spawn", name=name).name == name
+    call(stage, Kill, "/kill", name=name)
+    assert list(turtles(stage)) == ["turtle1"]
+
+
+def test_the_next_free_name_may_be_too_long(start_stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
+    longest = "/" + "n" * (len(LONGEST_NAME) - len("/turtle1"))
+    stage = start_stage("-r", f"turtlesim:__ns:={longest}")
+    for number in range(2, 10):
+        assert call(stage, Spawn, f"{longest}/spawn").name == f"turtle{number}"
+    capfd.readouterr()
+    assert call(stage, Spawn, f"{longest}/spawn").name == ""
+    assert logged(capfd) == [
+        "[ERROR] A turtle can't be named [turtle10]: topic length should not exceed '247'"
+    ]
+
+
 def test_kill_removes_a_turtle(stage: Any, capfd: pytest.CaptureFixture[str]) -> None:
     call(stage, Kill, "/kill", name="turtle1")
     assert turtles(stage) == {}

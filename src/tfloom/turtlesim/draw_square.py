@@ -11,7 +11,7 @@ from tfloom.node.client_library import spin
 from tfloom.node.node import Node
 from tfloom.node.program import expect_no_arguments, run_program
 from tfloom.turtlesim.messages import Pose
-from tfloom.turtlesim.world import STEP_S, normalize_angle
+from tfloom.turtlesim.world import STEP_S, is_usable, normalize_angle
 
 SIDE_M = 2.0
 SPEED = 1.0
@@ -57,7 +57,11 @@ class DrawSquare(Node):
         self.create_timer(STEP_S, self._on_timer)
 
     def _on_pose(self, pose: Pose) -> None:
-        if self._skip_pose:  # it may be from before the reset
+        if not is_usable(pose.x, pose.y, pose.theta):
+            self.get_logger().warning(
+                f"Ignoring a pose: not numbers: {pose.x}, {pose.y}, {pose.theta}", throttle_duration_sec=1.0
+            )
+        elif self._skip_pose:  # it may be from before the reset
             self._skip_pose = False
         else:
             self._pose = pose

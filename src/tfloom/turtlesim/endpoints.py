@@ -7,13 +7,34 @@ from typing import Any
 from tfloom.interfaces.geometry_msgs.msg import Twist
 from tfloom.node.endpoints.service import Service
 from tfloom.node.node import Node
+from tfloom.rmw.action_names import CANCEL_GOAL, FEEDBACK, GET_RESULT, SEND_GOAL, STATUS
 from tfloom.turtlesim import parameters
 from tfloom.turtlesim.messages import Color, Pose, SetPen, TeleportAbsolute, TeleportRelative
-from tfloom.turtlesim.rotations import RotationServer
+from tfloom.turtlesim.rotations import ROTATE_ABSOLUTE, RotationServer
 from tfloom.turtlesim.simulation import TurtleSim
 from tfloom.turtlesim.world import Rotation, Turtle, is_usable
 
 QOS_DEPTH = 7
+POSE = "pose"
+COLOR_SENSOR = "color_sensor"
+CMD_VEL = "cmd_vel"
+SET_PEN = "set_pen"
+TELEPORT_RELATIVE = "teleport_relative"
+TELEPORT_ABSOLUTE = "teleport_absolute"
+TOPICS = (POSE, COLOR_SENSOR, CMD_VEL)
+SERVICES = (SET_PEN, TELEPORT_RELATIVE, TELEPORT_ABSOLUTE)
+
+
+def check_names(node: Node, turtle: str) -> None:
+    """Check each name that a turtle's topics, services and action get in `node`: expanded and remapped.
+
+    Raises:
+        NameValidationException: one of them isn't valid.
+    """
+    for topic in (*TOPICS, ROTATE_ABSOLUTE + FEEDBACK, ROTATE_ABSOLUTE + STATUS):
+        node.resolve_topic_name(f"{turtle}/{topic}")
+    for service in (*SERVICES, *(ROTATE_ABSOLUTE + part for part in (SEND_GOAL, CANCEL_GOAL, GET_RESULT))):
+        node.resolve_service_name(f"{turtle}/{service}")
 
 
 class TurtleEndpoints:
@@ -31,13 +52,13 @@ class TurtleEndpoints:
         self._sim = sim
         self._turtle = turtle
         name = turtle.name
-        self._pose = node.create_publisher(Pose, f"{name}/pose", QOS_DEPTH)
-        self._color = node.create_publisher(Color, f"{name}/color_sensor", QOS_DEPTH)
-        self._cmd_vel = node.create_subscription(Twist, f"{name}/cmd_vel", self._on_cmd_vel, QOS_DEPTH)
+        self._pose = node.create_publisher(Pose, f"{name}/{POSE}", QOS_DEPTH)
+        self._color = node.create_publisher(Color, f"{name}/{COLOR_SENSOR}", QOS_DEPTH)
+        self._cmd_vel = node.create_subscription(Twist, f"{name}/{CMD_VEL}", self._on_cmd_vel, QOS_DEPTH)
         self._services: list[Service] = [
-            node.create_service(SetPen, f"{name}/set_pen", self._on_set_pen),
-            node.create_service(TeleportRelative, f"{name}/teleport_relative", self._on_teleport_relative),
-            node.create_service(TeleportAbsolute, f"{name}/teleport_absolute", self._on_teleport_absolute),
+            node.create_service(SetPen, f"{name}/{SET_PEN}", self._on_set_pen),
+            node.create_service(TeleportRelative, f"{name}/{TELEPORT_RELATIVE}", self._on_teleport_relative),
+            node.create_service(TeleportAbsolute, f"{name}/{TELEPORT_ABSOLUTE}", self._on_teleport_absolute),
         ]
         self._rotations = rotations
         rotations.serve(turtle)

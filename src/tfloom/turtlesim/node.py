@@ -16,9 +16,9 @@ from tfloom.node.node import Node
 from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.program import run_program
 from tfloom.node.values.clock_type import ClockType
-from tfloom.node.values.names import NameValidationException, validate_topic_name
+from tfloom.node.values.names import NameValidationException
 from tfloom.turtlesim import parameters
-from tfloom.turtlesim.endpoints import TurtleEndpoints
+from tfloom.turtlesim.endpoints import TurtleEndpoints, check_names
 from tfloom.turtlesim.messages import Kill, Spawn
 from tfloom.turtlesim.record import FRAME_MS, SIDE_PX, Recorder, RecordingError, open_recorder
 from tfloom.turtlesim.rotations import RotationServer
@@ -112,15 +112,15 @@ class TurtlesimNode(Node):
             where = f"x=[{request.x}], y=[{request.y}], theta=[{request.theta}]"
             self.get_logger().error(f"A turtle can't be spawned at {where}: these are not all numbers")
             return response
-        if request.name:
-            try:
-                validate_topic_name(request.name)
-            except NameValidationException as error:
-                self.get_logger().error(f"A turtle can't be named [{request.name}]: {error}")
-                return response
         turtle = self.sim.world.spawn(request.x, request.y, request.theta, request.name)
         if turtle is None:
             self.get_logger().error(f"A turtle named [{request.name}] already exists")
+            return response
+        try:
+            check_names(self, turtle.name)
+        except NameValidationException as error:
+            self.sim.world.kill(turtle.name)
+            self.get_logger().error(f"A turtle can't be named [{turtle.name}]: {error.error_msg}")
             return response
         self._show(turtle)
         response.name = turtle.name

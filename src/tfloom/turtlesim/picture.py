@@ -9,6 +9,8 @@ from typing import Any, TypeAlias
 
 from PIL import Image, ImageDraw
 
+from tfloom.whole_files import write_file
+
 Color: TypeAlias = tuple[int, int, int]
 Point: TypeAlias = tuple[float, float]
 Box: TypeAlias = tuple[int, int, int, int]
@@ -42,7 +44,9 @@ def save(picture: Picture, path: Path, **options: Any) -> None:
     Raises:
         OSError: it can't be written.
     """
-    picture.save(path, **options)
+    file = io.BytesIO()
+    picture.save(file, Image.registered_extensions()[path.suffix.lower()], **options)
+    write_file(path, file.getbuffer())
 
 
 class Ink:

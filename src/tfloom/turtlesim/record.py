@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from tfloom.turtlesim.picture import Picture, from_rgb, save
+from tfloom.whole_files import Replacement
 
 FRAME_MS = 40
 """Time between two pictures [ms]: 25 a second, which GIF can express."""
@@ -110,6 +111,10 @@ class Film:
         if ffmpeg is None:
             raise RecordingError("an .mp4 needs ffmpeg on the PATH; .gif, .webp and .png need nothing")
         self._path = path
+        try:
+            self._replacement = Replacement(path)
+        except OSError as error:
+            raise RecordingError(f"can't record to {path}: {error.strerror}") from None
         source = [
             "-f",
             "rawvideo",
@@ -120,7 +125,18 @@ class Film:
             "-r",
             str(1000 // FRAME_MS),
         ]
-        command = [ffmpeg, "-y", "-loglevel", "error", *source, "-i", "-", "-pix_fmt", "yuv420p", str(path)]
+        command = [
+            ffmpeg,
+            "-y",
+            "-loglevel",
+            "error",
+            *source,
+            "-i",
+            "-",
+            "-pix_fmt",
+            "yuv420p",
+            str(self._replacement.partial),
+        ]
         # In a separate session, because Ctrl-C must end the recording first, and ffmpeg at the end of its input.
         self._ffmpeg = subprocess.Popen(
             command, stdin=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True
@@ -135,6 +151,13 @@ class Film:
     def finish(self) -> None:
         """Close ffmpeg's input and wait until the film is complete."""
         _, errors = self._ffmpeg.communicate()
+        try:
+            if not self._ffmpeg.returncode:
+                self._replacement.commit()
+        except OSError as error:
+            raise RecordingError(f"can't record to {self._path}: {error.strerror}") from None
+        finally:
+            self._replacement.discard()
         if self._ffmpeg.returncode:
             raise RecordingError(
                 f"ffmpeg can't record to {self._path}: {errors.decode(errors='replace').strip()}"

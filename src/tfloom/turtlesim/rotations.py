@@ -14,6 +14,8 @@ from tfloom.node.values.clock_type import ClockType
 from tfloom.turtlesim.messages import RotateAbsolute
 from tfloom.turtlesim.world import Rotation, Turtle, is_usable
 
+ROTATE_ABSOLUTE = "rotate_absolute"
+"""The action's name, below the turtle's."""
 FAREWELL_S = 1.0
 """Time for which the results of a removed turtle's goals can be requested [s]."""
 
@@ -46,7 +48,7 @@ class RotationServer:
         self._server = ActionServer(
             node,
             RotateAbsolute,
-            f"{name}/rotate_absolute",
+            f"{name}/{ROTATE_ABSOLUTE}",
             self._execute,
             goal_callback=self._on_goal,
             cancel_callback=self._on_cancel,

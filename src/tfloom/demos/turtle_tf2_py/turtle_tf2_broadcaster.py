@@ -22,7 +22,13 @@ class FramePublisher(Node):
         self.create_subscription(Pose, f"/{self.turtlename}/pose", self.on_pose, 1)
 
     def on_pose(self, pose: Pose) -> None:
-        """Broadcast the pose [m, rad], with the present time."""
+        """Broadcast the pose [m, rad], with the present time; skip one that isn't all finite numbers."""
+        if not all(map(math.isfinite, (pose.x, pose.y, pose.theta))):
+            self.get_logger().warning(
+                f"Ignoring a pose of [{self.turtlename}]: not numbers: {pose.x}, {pose.y}, {pose.theta}",
+                throttle_duration_sec=1.0,
+            )
+            return
         world_from_turtle = TransformStamped(child_frame_id=self.turtlename)
         world_from_turtle.header.stamp = self.get_clock().now().to_msg()
         world_from_turtle.header.frame_id = "world"
