@@ -12,11 +12,14 @@ from numpy.typing import NDArray
 from benchmarks.tf2.peers import fill
 from benchmarks.tf2.trees import START_NS, Tree, chain, humanoid
 from tfloom._native import ReadyQueue
-from tfloom.interfaces.geometry_msgs.msg import PoseStamped, TransformStamped
+from tfloom.interfaces.geometry_msgs.msg import PoseStamped, Transform, TransformStamped
 from tfloom.interfaces.sensor_msgs.msg import JointState
+from tfloom.interfaces.std_msgs.msg import Header
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rosidl import cdr
 from tfloom.tf2.buffer import Buffer
+from tfloom.tf2_ros.point_cloud import do_transform_cloud
+from tfloom.tf2_ros.point_cloud2 import create_cloud, create_cloud_xyz32, read_points_numpy
 
 GID = bytes(16)
 
@@ -84,6 +87,19 @@ def deskew() -> Case:
     return Case(call, lambda: list(call()[::100].ravel().astype(float)), len(cloud))
 
 
+def padded_cloud() -> Case:
+    """Transform a cloud of 32 octets a point."""
+    points = np.random.default_rng(3).normal(size=(100_000, 3)).astype(np.float32)
+    cloud = create_cloud(Header(), create_cloud_xyz32(Header(), points).fields, points, point_step=32)
+    transform = Transform()
+    transform.translation.x, transform.rotation.z, transform.rotation.w = 1.0, 0.6, 0.8
+
+    def call() -> Any:
+        return do_transform_cloud(cloud, transform)
+
+    return Case(call, lambda: list(read_points_numpy(call())[::100].ravel().astype(float)), len(points))
+
+
 def tf_message(
     edges: list[tuple[str, str]], stamp_ns: int = START_NS, *, is_planar: bool = False
 ) -> TFMessage:
@@ -131,9 +147,12 @@ def tf_bytes(edges: list[tuple[str, str]], count: int, *, is_cold: bool = False)
     return Case(lambda: push(Buffer()), answer, len(edges) * count)
 
 
-def set_many() -> Case:
+def set_many(*, is_shuffled: bool = False) -> Case:
     tree = chain(1, 2000)
-    columns = tree.stamps_ns, tree.positions[0], tree.rotations_xyzw[0]
+    order = np.arange(len(tree.stamps_ns))
+    if is_shuffled:
+        order = np.random.default_rng(2).permutation(order)
+    columns = tree.stamps_ns[order], tree.positions[0][order], tree.rotations_xyzw[0][order]
 
     def call() -> Buffer:
         buffer = Buffer(None)
@@ -211,9 +230,11 @@ CASES: dict[str, Callable[[], Case]] = {
     "lookup_many, shuffled, depth 1": lambda: lookup_many(chain(1, 1000), shuffled(chain(1, 1000))),
     "lookup_many, shuffled, depth 10": lambda: lookup_many(chain(10, 1000), shuffled(chain(10, 1000))),
     "deskew, a point": deskew,
+    "do_transform_cloud, a padded point": padded_cloud,
     "/tf of 100 frames, a transform": lambda: tf_bytes(ROBOT, 50),
     "/tf of 100 frames, a transform, cold caches": lambda: tf_bytes(ROBOT, 50, is_cold=True),
     "set_many, a transform": set_many,
+    "set_many, shuffled, a transform": lambda: set_many(is_shuffled=True),
     "set": set_one,
     "decode TFMessage x 100": lambda: decode(tf_message(ROBOT), 2),
     "decode TFMessage x 100, in a plane": lambda: decode(tf_message(ROBOT, is_planar=True), 2),

@@ -48,7 +48,8 @@ EDITS: dict[str, dict[str, Edits | str]] = {
             (
                 (
                     "  if (one_minus_cos < 1e-4) return slerp_by_series<4>(r, one_minus_cos);  // θ < 0.8°\n"
-                    "  if (one_minus_cos < 0.02) return slerp_by_series<8>(r, one_minus_cos);  // θ < 11.5°\n"
+                    "  if (one_minus_cos < slerp_series_farthest) "
+                    "return slerp_by_series<8>(r, one_minus_cos);\n"
                 ),
                 "  if (one_minus_cos < 1e-12) return {1.0 - r, r};\n",
             )
@@ -59,28 +60,27 @@ EDITS: dict[str, dict[str, Edits | str]] = {
             ("bool is_near() const { return is_near_; }", "static constexpr bool is_near() { return false; }")
         ]
     },
-    "near slerp, two terms": {
-        "tf2/batch.cpp": [
+    "columns": {
+        "tf2/columns.cpp": [
             (
-                (
-                    "          std::size_t end = compose_between<2>(bracket, i, stamps, out, known, is_first);\n"
-                    "          if (end == i) end"
-                ),
-                "          std::size_t end",
-            )
-        ]
+                '#define TFLOOM_INDEPENDENT _Pragma("GCC ivdep")',
+                '#define TFLOOM_INDEPENDENT\n#pragma GCC optimize("no-tree-vectorize")',
+            ),
+            ("#ifdef __GNUC__\ntypedef double Lanes", "#if 0\ntypedef double Lanes"),
+        ],
+        "core/vector_width.hpp": [("#if defined(__GNUC__) && defined(__x86_64__)", "#if 0")],
     },
+    "wide vectors": {"core/vector_width.hpp": [("#if defined(__GNUC__) && defined(__x86_64__)", "#if 0")]},
     "search hint": {
-        "tf2/batch.cpp": [
-            (
-                "return frame->kind == Frame::Kind::moving ? frame->history->find(stamp, hint) : frame->find(stamp);",
-                "return frame->find(stamp);",
-            )
+        "tf2/branch.cpp": [
+            ("if (block.stamps.empty()) return i;", "if (block.stamps.size() != SIZE_MAX) return i;")
         ]
     },
     "radix order": {"tf2/stamp_order.cpp": [("fewest = 512", "fewest = SIZE_MAX")]},
     "any order": {"tf2/batch.cpp": [("is_sorted = std::ranges::is_sorted(part)", "is_sorted = true")]},
+    "four at once": {"core/four.hpp": [("#ifdef __GNUC__", "#if 0")]},
     "canonical": {"tf2/transform.hpp": [("if (std::abs(n - 1.0) < 5e-9) {", "if (n == -1.0) {")]},
+    "append": {"tf2/buffer.cpp": [("if (names.child == no_parent || ", "if (true || ")]},
     "names before": {
         "tf2/buffer.cpp": [
             (
@@ -112,7 +112,17 @@ EDITS: dict[str, dict[str, Edits | str]] = {
     },
     "size hint": {"bindings/cdr.cpp": [("out(storage, plan.last_size)", "out(storage, 64)")]},
     "wake-up if waiting": {
-        "core/ready_queue.cpp": [("    if (!std::exchange(is_waiting_, false)) return;\n", "")]
+        "core/ready_queue.cpp": [
+            (
+                '"wake-up if waiting".\n    if (!std::exchange(is_waiting_, false)) return;\n',
+                '"wake-up if waiting".\n',
+            )
+        ]
+    },
+    "busy wait": {
+        "core/ready_queue.cpp": [
+            ("busy_wait_.wait(has_tokens_, deadline.left()) && take(tokens, quiet)", "false")
+        ]
     },
     "fair mutex": {"tf2/fair_mutex.hpp": [("#ifdef __GLIBC__\n\nclass", "#ifdef _WIN32\n\nclass")]},
 }

@@ -1,105 +1,135 @@
-"""Measure nodes on loopback, between separate processes, beside cyclonedds' Python API in the same run.
+"""Measure nodes on loopback, between separate processes, beside their peers in the same run.
 
-The last columns are the figures of rclpy in a real ROS 2 Jazzy (rmw_cyclonedds, on a similar machine), and the aims. A
-ratio above 1 means that tfloom is better by that factor.
+The peers are the real rclpy on Fast DDS, if `make ros-peer` has installed it, and cyclonedds' Python API. A ratio above
+1 means that tfloom is better by that factor; the last column is the aim for the ratio to rclpy.
 """
 
 from __future__ import annotations
 
 import argparse
+import math
 import sys
 from collections.abc import Callable
 
 from benchmarks.node import executors, listener, publishing, receiving, round_trip, start, timers
+from benchmarks.node.processes import PEER, apis
+from benchmarks.node.ros_spinning import IN_A_THREAD
+from benchmarks.node.ros_trips import SIZES, WAYS_TO_CALL
 
 WIDTH = 52
 
 
-def head(title: str) -> None:
-    print(f"{title:<{WIDTH}}{'tfloom':>10}{'peer':>10}{'ratio':>7}{'rclpy':>8}{'aim':>8}", flush=True)
+def head(title: str, other: str = "cyclonedds") -> None:
+    print(
+        f"{title:<{WIDTH}}{'tfloom':>10}{'rclpy':>10}{'ratio':>7}{other:>15}{'ratio':>7}{'aim':>6}",
+        flush=True,
+    )
 
 
 def row(
     what: str,
     ours: float,
-    peers: float,
+    others: float = math.nan,
+    rclpy: float = math.nan,
     *,
     is_more_better: bool = False,
-    rclpy: str = "",
     aim: str = "",
 ) -> None:
-    ratio = (ours / peers if is_more_better else peers / ours) if ours and peers else float("nan")
+    def ratio(theirs: float) -> str:
+        if math.isnan(theirs) or not ours or not theirs:
+            return "-"
+        return f"{ours / theirs if is_more_better else theirs / ours:.1f}"
+
     print(
-        f"  {what:<{WIDTH - 2}}{number(ours):>10}{number(peers):>10}{ratio:>7.1f}{rclpy:>8}{aim:>8}",
+        f"  {what:<{WIDTH - 2}}{number(ours):>10}{number(rclpy):>10}{ratio(rclpy):>7}"
+        f"{number(others):>15}{ratio(others):>7}{aim:>6}",
         flush=True,
     )
 
 
 def number(value: float) -> str:
+    if math.isnan(value):
+        return "-"
     return f"{value:,.0f}" if value >= 1000 else f"{value:.1f}" if value >= 10 else f"{value:.2f}"
 
 
 def round_trips() -> None:
-    head("to another process and back [us]")
-    references = {"String": (("158", "60"), ("267", "150"))}
-    for kind in round_trip.TRIPS:
-        times = round_trip.measure(kind)
-        name = (
-            "a service call" if kind == "service" else f"a message of {kind}" if " " in kind else f"a {kind}"
-        )
-        for index, percent in enumerate((50, 99)):
-            rclpy, aim = references.get(kind, (("", ""),) * 2)[index]
-            row(
-                f"{name}, p{percent}",
-                times["tfloom"][index],
-                times["cyclonedds"][index],
-                rclpy=rclpy,
-                aim=aim,
-            )
+    head("to another process and back, one in flight [us]")
+    for kind in ("String", *SIZES):
+        name = f"a message of {kind}" if kind in SIZES else f"a {kind}"
+        trip_rows(name, round_trip.measure(kind, "spin_once", apis()), aim="5" if kind == "String" else "")
+    for way in WAYS_TO_CALL:
+        some = apis("example_interfaces")
+        if way == "call":
+            some = tuple(api for api in some if api != "cyclonedds")
+        trip_rows(f"a service call by {way}", round_trip.measure("service", way, some), aim="4")
+
+
+def trip_rows(name: str, trips: dict[str, round_trip.Trip], aim: str = "") -> None:
+    none = round_trip.Trip(math.nan, math.nan, math.nan)
+    ours, rclpy, cyclone = (trips.get(api, none) for api in ("tfloom", PEER, "cyclonedds"))
+    row(f"{name}, p50", ours.p50_us, cyclone.p50_us, rclpy.p50_us, aim=aim)
+    row(f"{name}, p99", ours.p99_us, cyclone.p99_us, rclpy.p99_us, aim=aim)
+    row("  CPU of the answering process, a trip", ours.cpu_us, cyclone.cpu_us, rclpy.cpu_us)
+
+
+def ways_to_spin() -> None:
+    head("a String there and back, by the executor [us]")
+    for way in IN_A_THREAD:
+        some = tuple(api for api in apis() if api != "cyclonedds")
+        if way == "EventsExecutor":
+            some = ("tfloom",)  # that of rclpy 7.1.6 stops responding
+        trip_rows(f"{way}, in a thread", round_trip.measure("String", way, some))
 
 
 def messages_received() -> None:
     head("messages a second into a Python callback")
-    references = {"1": ("8,400", "60,000"), "50": ("1,150", "15,000")}
     for kind in receiving.COUNTS:
-        received = receiving.measure(kind)
-        ours, peers = received["tfloom"], received["cyclonedds"]
+        received = receiving.measure(kind, apis("tf2_msgs"))
+        none = receiving.Received(math.nan, math.nan)
+        ours, peers, rclpy = received["tfloom"], received["cyclonedds"], received.get(PEER, none)
         name = f"of {kind}" if " " in kind else f"TFMessage x {kind}"
-        rclpy, aim = references.get(kind, ("", ""))
-        row(name, ours.per_second, peers.per_second, is_more_better=True, rclpy=rclpy, aim=aim)
-        row("  CPU of the receiver, a message [us]", ours.cpu_us, peers.cpu_us)
+        row(name, ours.per_second, peers.per_second, rclpy.per_second, is_more_better=True)
+        row("  CPU of the receiver, a message [us]", ours.cpu_us, peers.cpu_us, rclpy.cpu_us)
 
 
 def messages_published() -> None:
     head("CPU a message published [us]")
-    for transforms, rclpy, aim in ((1, "", ""), (50, "200-400", "25")):
-        cost = publishing.measure(transforms)
-        row(f"TFMessage x {transforms}", cost["tfloom"], cost["cyclonedds"], rclpy=rclpy, aim=aim)
+    for transforms in (1, 50):
+        cost = publishing.measure(transforms, apis("tf2_msgs"))
+        row(f"TFMessage x {transforms}", cost["tfloom"], cost["cyclonedds"], cost.get(PEER, math.nan))
 
 
 def listeners() -> None:
     head("a TransformListener without lookups [% of a core]")
-    for transforms, rate_hz, rclpy, aim in ((50, 100, "14", "0.7"), (1, 1000, "35", "2")):
-        taken = listener.measure(transforms, rate_hz)
+    for transforms, rate_hz in ((50, 100), (1, 1000)):
+        taken = listener.measure(transforms, rate_hz, apis("tf2_msgs"))
         for api, each in taken.items():
             if not 0.9 < each.rate_hz / rate_hz < 1.1:
                 print(f"  {api} received {each.rate_hz:.0f} messages a second, not {rate_hz}: busy machine")
         ours = taken["tfloom"].percent
         name = f"{rate_hz} Hz x {transforms} transforms"
-        row(name, ours, taken["cyclonedds"].percent, rclpy=rclpy, aim=aim)
+        rclpy = taken[PEER].percent if PEER in taken else math.nan
+        row(name, ours, taken["cyclonedds"].percent, rclpy)
         if "bare C++" in taken:
             row("  peer: a reader in C++ that drops all samples", ours, taken["bare C++"].percent)
 
 
 def many_timers() -> None:
-    head(f"{timers.TIMERS} timers at {1 / timers.PERIOD_S:.0f} Hz; peer: asyncio's")
-    kept = timers.measure()
-    for what, field in (("% of a core", "percent"), ("jitter, p50 [ms]", "p50_ms"), ("p99 [ms]", "p99_ms")):
-        row(what, getattr(kept["tfloom"], field), getattr(kept["asyncio"], field))
+    head(f"{timers.TIMERS} timers at {1 / timers.PERIOD_S:.0f} Hz", "asyncio")
+    kept = timers.measure(["tfloom", "asyncio", *({PEER} & set(apis()))])
+    for api, each in kept.items():
+        if each.share < timers.COMPLETE:
+            print(f"  {api} made {each.share:.0%} of the calls that were due: busy machine")
+    none = timers.Kept(*[math.nan] * len(timers.Kept._fields))
+    ours, peers, rclpy = kept["tfloom"], kept["asyncio"], kept.get(PEER, none)
+    row("% of a core", ours.percent, peers.percent, rclpy.percent)
+    row("jitter, p50 [ms]", ours.p50_ms, peers.p50_ms, rclpy.p50_ms)
+    row("p99 [ms]", ours.p99_ms, peers.p99_ms, rclpy.p99_ms)
 
 
 def between_callbacks() -> None:
-    head("CPU a callback, with its message [us]; peer: SingleThreaded")
+    head("CPU a callback, with its message [us]", "SingleThreaded")
     cost = executors.measure()
     for kind in ("EventsExecutor", "MultiThreadedExecutor"):
         row(kind, cost[kind], cost["SingleThreadedExecutor"])
@@ -107,25 +137,30 @@ def between_callbacks() -> None:
 
 def starts() -> None:
     head("a program's start")
-    started = start.measure()
+    started = start.measure(apis())
     ours, peers = started["tfloom"], started["cyclonedds"]
-    row("import [ms]", ours.import_ms, peers.import_ms)
-    row("init [ms]", ours.init_ms, peers.init_ms)
-    row("first node; peer: participant [ms]", ours.node_ms, peers.node_ms)
-    row("first publisher [ms]", ours.publisher_ms, peers.publisher_ms)
-    row("CPU of all that [ms]", ours.cpu_ms, peers.cpu_ms)
-    row("memory then, beyond Python's [MB]", ours.node_mb - ours.python_mb, peers.node_mb - peers.python_mb)
+    rclpy = started.get(PEER, start.Started(*[math.nan] * len(start.Started._fields)))
+    row("import [ms]", ours.import_ms, peers.import_ms, rclpy.import_ms)
+    row("init [ms]", ours.init_ms, peers.init_ms, rclpy.init_ms)
+    row("first node; cyclonedds: participant [ms]", ours.node_ms, peers.node_ms, rclpy.node_ms)
+    row("first publisher [ms]", ours.publisher_ms, peers.publisher_ms, rclpy.publisher_ms)
+    row("CPU of all that [ms]", ours.cpu_ms, peers.cpu_ms, rclpy.cpu_ms)
+    memory = (each.node_mb - each.python_mb for each in (ours, peers, rclpy))
+    row("memory then, beyond Python's [MB]", *memory)
 
 
 def idle() -> None:
     head("idle [% of a core]")
-    share = start.measure_idle()
-    row("a node; peer: a participant", share["node"], share["cyclonedds"])
-    row("a TransformListener; peer: a participant", share["listener"], share["cyclonedds"])
+    share = start.measure_idle(apis())
+    participant = share["cyclonedds", "participant"]
+    for what in start.IDLE:
+        name = f"a {what}; cyclonedds: a participant"
+        row(name, share["tfloom", what], participant, share.get((PEER, what), math.nan))
 
 
 PARTS: dict[str, Callable[[], None]] = {
     "trips": round_trips,
+    "spinning": ways_to_spin,
     "receiving": messages_received,
     "publishing": messages_published,
     "listener": listeners,
@@ -142,6 +177,10 @@ def main() -> int:
     requested = parser.parse_args().parts or list(PARTS)
     if unknown := [part for part in requested if part not in PARTS]:
         parser.error(f"there is no {', '.join(unknown)}; there are: {', '.join(PARTS)}")
+    if PEER not in apis():
+        print(
+            "rclpy is not measured, because it is not installed: `make ros-peer` installs it, or names the reason"
+        )
     for part in requested:
         PARTS[part]()
     return 0

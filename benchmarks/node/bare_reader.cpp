@@ -38,14 +38,14 @@ double now_s(clockid_t clock) {
 // Arguments: path of libddsc, domain, configuration, seconds to warm up, seconds to measure.
 int main(int, char** arguments) {
   const Library& library = Library::open(arguments[1]);
-  Participant participant(library, static_cast<std::uint32_t>(std::atoi(arguments[2])), arguments[3], "enclave=/;");
+  Participant participant(library, static_cast<std::uint32_t>(std::atoi(arguments[2])), arguments[3], "enclave=/;", true);
   Qos qos;
   qos.depth = 100;
   const QosHandle handle = make_reader_qos(library, qos, "");
   Listener_* listener = library.create_listener(nullptr);
   library.lset_data_available_arg(listener, &on_data_available, const_cast<Library*>(&library), true);
-  const Entity topic = create_topic(participant, {"rt/tf", "tf2_msgs::msg::dds_::TFMessage_"});
-  library.check(library.create_reader(participant.subscriber(), topic, handle.get(), listener), "cannot read");
+  const OwnedEntity topic = create_topic(library, participant.entity(), {"rt/tf", "tf2_msgs::msg::dds_::TFMessage_"});
+  library.check(library.create_reader(participant.subscriber(), topic.get(), handle.get(), listener), "cannot read");
 
   while (taken == 0) sleep_s(0.005);
   sleep_s(std::atof(arguments[4]));

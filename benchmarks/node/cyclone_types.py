@@ -14,6 +14,7 @@ class String(IdlStruct, typename="std_msgs::msg::dds_::String_"):
 
 @dataclass
 class Bytes(IdlStruct, typename="bench.Bytes"):
+    number: uint32
     data: sequence[uint8]
 
 

@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 import json
-import subprocess
-import sys
 import time
-from pathlib import Path
+
+from benchmarks.node.processes import run
 
 MESSAGES = 10_000
 ROUNDS = 5
 
 
-def measure() -> dict[str, float]:
-    """Return the CPU time of a callback [us] for each executor, the best of interleaved rounds."""
-    program = [sys.executable, str(Path(__file__))]
-    output = subprocess.run(program, capture_output=True, text=True, check=True).stdout
-    costs: dict[str, float] = json.loads(output)
+def measure(api: str = "tfloom") -> dict[str, float]:
+    """Return the CPU time of a callback [us] for each executor, the best of interleaved rounds.
+
+    Args:
+        api: "tfloom", or `processes.BEFORE`.
+    """
+    costs: dict[str, float] = run("executors", api=api)
     return costs
 
 

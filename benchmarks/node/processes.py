@@ -1,4 +1,4 @@
-"""The processes of a measurement, and the configuration that both APIs share.
+"""The processes of a measurement, and the configuration that the APIs share.
 
 Each end runs in its own process, so that its CPU time and memory can be measured, and prints its result as JSON. All
 traffic stays on the loopback interface, and every process ends with the measurement.
@@ -13,10 +13,10 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from benchmarks.domain import DOMAIN_ID
-from tfloom.rmw.cyclone_config import configuration
 
 if TYPE_CHECKING:
     from cyclonedds.domain import DomainParticipant
@@ -24,25 +24,54 @@ if TYPE_CHECKING:
     from cyclonedds.sub import DataReader
 
 APIS = ("tfloom", "cyclonedds")
+PEER = "rclpy"
+"""The real rclpy on Fast DDS, which `make ros-peer` installs. Its Python has none of tfloom's packages."""
+BEFORE = "before"
+"""tfloom of another commit: that of the environment whose Python BEFORE_VARIABLE names."""
+BEFORE_VARIABLE = "TFLOOM_BEFORE_PYTHON"
+ROOT = Path(__file__).parents[2]
 LONGEST_S = 60.0
 
 
-def start(role: str, *arguments: object) -> subprocess.Popen[str]:
-    """Start `python -m benchmarks.node.<role> <arguments>`."""
-    environment = os.environ | {"ROS_DOMAIN_ID": str(DOMAIN_ID), "CYCLONEDDS_URI": configuration()}
+def apis(*packages: str) -> tuple[str, ...]:
+    """Return the APIs that can be measured: PEER if it is installed with the compiled interface `packages`."""
+    from tools.ros_peer import NoPeerError, find
+
+    try:
+        peer = find()
+    except NoPeerError:
+        return APIS
+    return (*APIS, PEER) if all(map(peer.has, packages)) else APIS
+
+
+def start(role: str, *arguments: object, api: str = "tfloom") -> subprocess.Popen[str]:
+    """Start `python -m benchmarks.node.<role> <arguments>`, by the Python that has `api`."""
+    command = ["-m", f"benchmarks.node.{role}", *map(str, arguments)]
+    if api == PEER:
+        from tools.ros_peer import find
+
+        return find().start(
+            command, DOMAIN_ID, paths=[ROOT], stdin=subprocess.PIPE, stdout=subprocess.PIPE, cwd=ROOT
+        )
+    environment = os.environ | {"ROS_DOMAIN_ID": str(DOMAIN_ID)}
+    if api == "cyclonedds":  # each tfloom configures the library itself
+        from tfloom.rmw.cyclone_config import configuration
+
+        environment["CYCLONEDDS_URI"] = configuration()
     environment.pop("PYTHONDONTWRITEBYTECODE", None)  # use cached bytecode, as a user does
     return subprocess.Popen(
-        [sys.executable, "-m", f"benchmarks.node.{role}", *map(str, arguments)],
+        [os.environ[BEFORE_VARIABLE] if api == BEFORE else sys.executable, *command],
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         text=True,
         env=environment,
+        cwd=ROOT,
     )
 
 
-def run(role: str, *arguments: object) -> Any:
+def run(role: str, *arguments: object, api: str = "tfloom") -> Any:
     """Run a role to its end and return the JSON that it prints."""
-    with background(role, *arguments) as process:
+    with background(role, *arguments, api=api) as process:
         text, _ = process.communicate(timeout=LONGEST_S)
         if process.returncode != 0:
             raise RuntimeError(f"benchmarks.node.{role} ended with {process.returncode}")
@@ -50,9 +79,9 @@ def run(role: str, *arguments: object) -> Any:
 
 
 @contextlib.contextmanager
-def background(role: str, *arguments: object) -> Iterator[subprocess.Popen[str]]:
+def background(role: str, *arguments: object, api: str = "tfloom") -> Iterator[subprocess.Popen[str]]:
     """Run a role for the block."""
-    process = start(role, *arguments)
+    process = start(role, *arguments, api=api)
     try:
         yield process
     finally:

@@ -1,137 +1,146 @@
-"""Measure the time of a message to another process and back, with callbacks on both sides, and that of a service call.
+"""Measure the time of a message to another process and back, and that of a service call, with one of them in flight.
 
-The two APIs run in turns, so that other load on the machine affects both. cyclonedds waits in a waitset on both sides,
-without callbacks and an executor. It has no services, so it exchanges two structs.
+tfloom and the real rclpy run the same programs, `ros_trips.py`. The APIs run in turns, so that other load on the
+machine affects all. cyclonedds waits in a waitset on both sides, without callbacks and an executor. It has no services,
+so it exchanges two structs.
+
+Each message carries a number, the answering process counts the messages, and both are checked: what arrives is what was
+asked for, and nothing is in flight when a turn begins.
 """
 
 from __future__ import annotations
 
 import contextlib
 import json
+import os
+import subprocess
 import sys
+import threading
 import time
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
 from benchmarks.domain import DOMAIN_ID
-from benchmarks.node.messages import SIZES, TEXT, octets
-from benchmarks.node.processes import (
-    APIS,
-    background,
-    cyclone_reader,
-    cyclone_writer,
-    wait_for,
+from benchmarks.node.ros_spinning import IN_A_THREAD, WAYS, spinning
+from benchmarks.node.ros_trips import (
+    SIZES,
+    TURN_S,
+    WAYS_TO_CALL,
+    Calls,
+    Messages,
+    answer_calls,
+    answer_messages,
 )
 
 WARM_UP = 200
 TURNS = 5
-TRIPS = {"String": (1000, 1000), "64 kB": (300, 5), "1 MB": (40, 1), "service": (500, 500)}
-"""Trips of a turn: tfloom's, and cyclonedds', which copies large arrays element by element."""
+SERVICE = "service"
+KINDS = ("String", *SIZES, SERVICE)
+
+
+def trips_of_a_turn(api: str, kind: str, way: str) -> int:
+    """Return how many trips an API makes in a turn."""
+    if api == "cyclonedds" and kind in SIZES:  # it copies large arrays element by element
+        return {"64 kB": 5, "1 MB": 1}[kind]
+    if (
+        way == "call_async"
+    ):  # in rclpy 7.1.6 each `spin_until_future_complete` takes longer than the one before
+        return 30
+    return {"64 kB": 200, "1 MB": 20}.get(kind, 500)
+
 
 MeasureUs = Callable[[int], list[float]]
 
 
-def tfloom_node(name: str) -> Any:
+class Trip(NamedTuple):
+    p50_us: float
+    p99_us: float
+    cpu_us: float
+    """CPU time of the answering process, all threads: it receives the message, calls back, and sends the answer."""
+
+
+class Answered:
+    """Counts the questions of an answering process, and reports the count and the CPU time for each line on stdin.
+
+    The process ends when stdin is closed, even if the measuring process was killed.
+    """
+
+    def __init__(self) -> None:
+        self._count = 0
+        threading.Thread(target=self._report, daemon=True).start()
+
+    def __call__(self) -> None:
+        self._count += 1
+
+    def _report(self) -> None:
+        for _ in sys.stdin:
+            print(json.dumps([self._count, time.process_time()]), flush=True)
+        os._exit(0)
+
+
+def ros_answers(api: str, kind: str, way: str) -> None:
     import rclpy
 
     rclpy.init()
-    return rclpy.create_node(name)
-
-
-def tfloom_answers(kind: str) -> None:
-    import rclpy
-
-    node = tfloom_node("answers")
-    if kind == "service":
-        from example_interfaces.srv import AddTwoInts
-
-        def add(request: AddTwoInts.Request, response: AddTwoInts.Response) -> AddTwoInts.Response:
-            response.sum = request.a + request.b
-            return response
-
-        node.create_service(AddTwoInts, "bench_add", add)
+    node = rclpy.create_node("answers", namespace=api)
+    answered = Answered()
+    if kind == SERVICE:
+        answer_calls(node, answered)
     else:
-        message_type = type(tfloom_message(kind))
-        publisher = node.create_publisher(message_type, "bench_back", 10)
-        node.create_subscription(message_type, "bench_there", publisher.publish, 10)
-    rclpy.spin(node)
+        answer_messages(node, kind, answered)
+    with spinning(way if way in IN_A_THREAD else "spin", node):
+        threading.Event().wait()
 
 
-def tfloom_message(kind: str) -> Any:
-    from std_msgs.msg import String
-
-    return String(data=TEXT) if kind == "String" else octets(SIZES[kind])
-
-
-def tfloom_asks(kind: str) -> MeasureUs:
-    node = tfloom_node("asks")
-    return tfloom_calls(node) if kind == "service" else tfloom_sends(node, tfloom_message(kind))
-
-
-def tfloom_sends(node: Any, message: Any) -> MeasureUs:
-    from rclpy.executors import SingleThreadedExecutor
-
-    executor = SingleThreadedExecutor()
-    executor.add_node(node)
-    publisher = node.create_publisher(type(message), "bench_there", 10)
-    times: list[float] = []
-    start = 0
-
-    def ask() -> None:
-        nonlocal start
-        start = time.perf_counter_ns()
-        publisher.publish(message)
-
-    def on_answer(_: Any) -> None:
-        times.append((time.perf_counter_ns() - start) / 1e3)
-        ask()
-
-    subscription = node.create_subscription(type(message), "bench_back", on_answer, 10)
-    wait_for(lambda: publisher.get_subscription_count() and subscription.get_publisher_count())
-
-    def measure(count: int) -> list[float]:
-        times.clear()
-        ask()
-        while len(times) < count:
-            executor.spin_once()
-        executor.spin_once(timeout_sec=1.0)  # the reply to the last message sent
-        return times[:count]
-
-    return measure
-
-
-def tfloom_calls(node: Any) -> MeasureUs:
+def ros_asks(api: str, kind: str, way: str) -> None:
     import rclpy
-    from example_interfaces.srv import AddTwoInts
 
-    client = node.create_client(AddTwoInts, "bench_add")
-    if not client.wait_for_service(60.0):
-        raise TimeoutError("the service was not discovered")
+    from benchmarks.node.processes import wait_for
 
-    def measure(count: int) -> list[float]:
-        times = []
-        for number in range(count):
-            start = time.perf_counter_ns()
-            future = client.call_async(AddTwoInts.Request(a=number, b=1))
-            rclpy.spin_until_future_complete(node, future)
-            times.append((time.perf_counter_ns() - start) / 1e3)
-        return times
+    rclpy.init()
+    node = rclpy.create_node("asks", namespace=api)
+    if kind == SERVICE:
+        calls = Calls(node, way)
+        wait_for(calls.is_matched)
+        calls.call_until_answered()
+        with spinning("spin", node) if way == "call" else contextlib.nullcontext():
+            serve(calls.measure)
+        return
+    messages = Messages(node, kind)
+    wait_for(messages.is_matched)
+    with spinning("spin" if way == "spin" else "spin_once", node) as wait:
+        serve(lambda count: messages.measure(count, wait))
 
-    return measure
+
+def serve(measure: MeasureUs) -> None:
+    """For each number on stdin, print the times of so many trips."""
+    print("ready", flush=True)
+    for line in sys.stdin:
+        print(json.dumps(measure(int(line))), flush=True)
 
 
-def cyclone_message(kind: str) -> Any:
+def cyclone_message(kind: str, number: int) -> Any:
     from benchmarks.node import cyclone_types
 
-    if kind == "service":
-        return cyclone_types.Request(1, 2, 3, 4)
+    if kind == SERVICE:
+        return cyclone_types.Request(1, 2, number, 1)
     if kind == "String":
-        return cyclone_types.String(data=TEXT)
-    return cyclone_types.Bytes(data=bytes(SIZES[kind]))
+        return cyclone_types.String(data=f"Hello World: {number}")
+    return cyclone_types.Bytes(number, list(range(256)) * (SIZES[kind] // 256))
+
+
+def cyclone_answer(question: Any) -> Any:
+    from benchmarks.node import cyclone_types
+
+    if isinstance(question, cyclone_types.Request):
+        return cyclone_types.Response(question.client, question.number, question.a + question.b)
+    return question
 
 
 def cyclonedds_ends(there: str, there_type: type, back: str, back_type: type) -> tuple[Any, Any]:
     from cyclonedds.domain import DomainParticipant
+
+    from benchmarks.node.processes import cyclone_reader, cyclone_writer, wait_for
 
     participant = DomainParticipant(DOMAIN_ID)
     writer = cyclone_writer(participant, there, there_type)
@@ -141,65 +150,108 @@ def cyclonedds_ends(there: str, there_type: type, back: str, back_type: type) ->
 
 
 def cyclonedds_answers(kind: str) -> None:
-    from benchmarks.node import cyclone_types
-
-    asked = type(cyclone_message(kind))
-    answer = cyclone_types.Response if kind == "service" else asked
-    writer, receive = cyclonedds_ends("dds_back", answer, "dds_there", asked)
+    example = cyclone_message(kind, 0)
+    writer, receive = cyclonedds_ends("dds_back", type(cyclone_answer(example)), "dds_there", type(example))
+    answered = Answered()
     while True:
         question = receive(1)[0]
-        if kind == "service":
-            question = cyclone_types.Response(question.client, question.number, question.a + question.b)
-        writer.write(question)
+        answered()
+        writer.write(cyclone_answer(question))
 
 
-def cyclonedds_asks(kind: str) -> MeasureUs:
-    from benchmarks.node import cyclone_types
-
-    message = cyclone_message(kind)
-    answer = cyclone_types.Response if kind == "service" else type(message)
-    writer, receive = cyclonedds_ends("dds_there", type(message), "dds_back", answer)
+def cyclonedds_asks(kind: str) -> None:
+    example = cyclone_message(kind, 0)
+    writer, receive = cyclonedds_ends("dds_there", type(example), "dds_back", type(cyclone_answer(example)))
+    number = 0
 
     def measure(count: int) -> list[float]:
-        times = []
-        for _ in range(count):
+        nonlocal number
+        times: list[float] = []
+        end = time.monotonic() + TURN_S
+        while len(times) < count and (not times or time.monotonic() < end):
+            number += 1
+            message = cyclone_message(kind, number)
             start = time.perf_counter_ns()
             writer.write(message)
-            receive(1)
+            answers = receive(10)
             times.append((time.perf_counter_ns() - start) / 1e3)
+            if answers != [cyclone_answer(message)]:
+                raise ValueError(f"question {number} got another answer, or {len(answers)} answers")
         return times
 
-    return measure
+    serve(measure)
 
 
-ANSWERS = {"tfloom": tfloom_answers, "cyclonedds": cyclonedds_answers}
-ASKS = {"tfloom": tfloom_asks, "cyclonedds": cyclonedds_asks}
+class Pair:
+    """An answering process and an asking process of an API."""
+
+    def __init__(self, api: str, kind: str, way: str, stack: contextlib.ExitStack) -> None:
+        from benchmarks.node.processes import background
+
+        self.answering = stack.enter_context(background("round_trip", "answer", api, kind, way, api=api))
+        self.asking = stack.enter_context(background("round_trip", "ask", api, kind, way, api=api))
+        self.count = trips_of_a_turn(api, kind, way)
+        self.times_us: list[float] = []
+        self.cpu_us: list[float] = []
+        line(self.asking)  # it is ready
+
+    def turn(self, count: int) -> tuple[list[float], float]:
+        """Return the times of trips, and the CPU time of one in the answering process [us].
+
+        They are `count` trips, or as many as began within TURN_S.
+
+        Raises:
+            RuntimeError: more or fewer messages were answered than asked.
+        """
+        count_before, cpu_before_s = self._status()
+        times: list[float] = json.loads(line(self.asking, count))
+        answered, cpu_s = self._status()
+        if answered - count_before != len(times):
+            raise RuntimeError(f"{answered - count_before} messages were answered for {len(times)} trips")
+        return times, (cpu_s - cpu_before_s) / len(times) * 1e6
+
+    def measure(self) -> None:
+        times_us, cpu_us = self.turn(self.count)
+        self.times_us += times_us
+        self.cpu_us.append(cpu_us)
+
+    def _status(self) -> tuple[int, float]:
+        count, cpu_s = json.loads(line(self.answering, ""))
+        return count, cpu_s
 
 
-def measure(kind: str) -> dict[str, tuple[float, float]]:
-    """Return the median and the 99th percentile of the trips for each API [us]."""
-    times: dict[str, list[float]] = {api: [] for api in APIS}
+def line(process: subprocess.Popen[str], question: object = None) -> str:
+    """Write a line to a process, if any, and return its next line."""
+    assert process.stdin is not None
+    assert process.stdout is not None
+    if question is not None:
+        process.stdin.write(f"{question}\n")
+        process.stdin.flush()
+    answer = process.stdout.readline()
+    if not answer:
+        raise RuntimeError(f"a process of the round trip ended with {process.wait()}")
+    return answer
+
+
+def measure(kind: str, way: str, apis: tuple[str, ...]) -> dict[str, Trip]:
+    """Return the trips of each API.
+
+    Args:
+        kind: One of KINDS.
+        way: One of WAYS; for a service call, one of WAYS_TO_CALL.
+        apis: Of `processes.apis`.
+    """
     with contextlib.ExitStack() as stack:
-        asking = {}
-        for api in APIS:
-            stack.enter_context(background("round_trip", "answer", api, kind))
-            asking[api] = stack.enter_context(background("round_trip", "ask", api, kind))
-
-        def ask(api: str, count: int) -> list[float]:
-            asks, answers = asking[api].stdin, asking[api].stdout
-            assert asks is not None
-            assert answers is not None
-            asks.write(f"{count}\n")
-            asks.flush()
-            return json.loads(answers.readline())
-
-        counts = dict(zip(APIS, TRIPS[kind], strict=True))
-        for api, count in counts.items():
-            ask(api, min(WARM_UP, count))
+        pairs = {api: Pair(api, kind, way, stack) for api in apis}
+        for pair in pairs.values():
+            pair.turn(min(WARM_UP, pair.count))
         for _ in range(TURNS):
-            for api, count in counts.items():
-                times[api] += ask(api, count)
-    return {api: (percentile(values, 50), percentile(values, 99)) for api, values in times.items()}
+            for pair in pairs.values():
+                pair.measure()
+    return {
+        api: Trip(percentile(pair.times_us, 50), percentile(pair.times_us, 99), min(pair.cpu_us))
+        for api, pair in pairs.items()
+    }
 
 
 def percentile(values: list[float], percent: int) -> float:
@@ -207,13 +259,12 @@ def percentile(values: list[float], percent: int) -> float:
 
 
 def main() -> None:
-    role, api, kind = sys.argv[1:]
-    if role == "answer":
-        ANSWERS[api](kind)
-        return
-    trips = ASKS[api](kind)
-    for line in sys.stdin:
-        print(json.dumps(trips(int(line))), flush=True)
+    role, api, kind, way = sys.argv[1:]
+    assert way in (WAYS_TO_CALL if kind == SERVICE else WAYS)
+    if api == "cyclonedds":
+        {"answer": cyclonedds_answers, "ask": cyclonedds_asks}[role](kind)
+    else:
+        {"answer": ros_answers, "ask": ros_asks}[role](api, kind, way)
 
 
 if __name__ == "__main__":

@@ -1,15 +1,21 @@
-"""A soak test: three guest processes join and leave repeatedly, and a permanent node must receive all their messages.
+"""A soak test: guest processes join and leave repeatedly, and a permanent node must receive all their messages.
 
 `python -m benchmarks.node.soak --seconds 300` is the permanent process. Each guest joins, publishes some hundred
 numbered messages on a reliable topic, calls a service of the permanent node, subscribes to a topic of it, and leaves:
 alternately by a normal shutdown, and by SIGKILL after all its messages are acknowledged. Every message must be received
-once, in order. After the first guests, the memory of the permanent process must not grow. The exit code is 1 if a
-message was lost, or if memory grew by more than MOST_GROWTH_MB.
+once, in order. Two more processes are permanent: a broadcaster of transforms, and a listener that looks them up, and
+calls the service.
+
+The resident memory (RSS) of each permanent process is measured. In the steady state, the part of the time after WARM_UP
+and WARM_UP_S, it must not grow by more than MOST_GROWTH: the report has its median over the first and the last tenth of
+that part, and over each tenth of the whole time. The exit code is 1 if a message was lost, a permanent process ended,
+or memory grew by more; in less than LEAST_STEADY_S, memory is reported only, because it has not become steady.
 """
 
 from __future__ import annotations
 
 import argparse
+import os
 import random
 import subprocess
 import sys
@@ -17,18 +23,20 @@ import threading
 import time
 from contextlib import suppress
 from itertools import count
-from pathlib import Path
-from statistics import median
 from typing import Any
 
 import rclpy
 from example_interfaces.srv import AddTwoInts
+from geometry_msgs.msg import TransformStamped
 from rclpy.duration import Duration
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.qos import HistoryPolicy, QoSProfile
+from rclpy.time import Time
 from std_msgs.msg import String
+from tf2_ros import Buffer, TransformBroadcaster, TransformException, TransformListener
 
 from benchmarks.domain import DOMAIN_ID
+from benchmarks.node.memory import LEAST_STEADY_S, Memory
 
 GUESTS = 3
 MESSAGES = (200, 1000)
@@ -37,9 +45,8 @@ PERIOD_S = 0.002
 CALL_EVERY = 50
 PADDING = "x" * 200
 PATIENCE_S = 60.0
-MOST_GROWTH_MB = 4.0
-WARM_UP = 0.3
-"""The fraction of the time after which memory should be constant."""
+FRAMES = 20
+RESIDENTS = ("broadcaster", "listener")
 
 ALL = QoSProfile(history=HistoryPolicy.KEEP_ALL)
 
@@ -61,7 +68,7 @@ class Soak:
         self.lives = 0
         self.killed = 0
         self.calls = 0
-        self.memory: list[tuple[float, float]] = []
+        self.memory = {"stayer": Memory(os.getpid(), seconds)}
 
     def run(self) -> None:
         """Run until the time is over and the last guests have left."""
@@ -74,14 +81,30 @@ class Soak:
         node.create_timer(0.05, lambda: back.publish(String(data=PADDING)))
         node.create_timer(min(1.0, self._seconds / 30), self._note_memory)
         threads = [threading.Thread(target=self._host, args=(number,)) for number in range(GUESTS)]
+        residents = {name: subprocess.Popen(self._command(name), stdin=subprocess.PIPE) for name in RESIDENTS}
+        self.memory |= {name: Memory(process.pid, self._seconds) for name, process in residents.items()}
         with SingleThreadedExecutor(context=context) as executor:
             executor.add_node(node)
             for thread in threads:
                 thread.start()
             while any(thread.is_alive() for thread in threads):
                 executor.spin_once(timeout_sec=0.1)
+        for name, process in residents.items():
+            self._dismiss(name, process)
         node.destroy_node()
         rclpy.shutdown(context=context)
+
+    def _dismiss(self, name: str, process: subprocess.Popen[bytes]) -> None:
+        """End a permanent process."""
+        if process.poll() is not None:
+            self.faults.append(f"the {name} ended with {process.returncode} before the test")
+        try:
+            process.communicate(b"leave\n", timeout=PATIENCE_S)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+        if process.returncode != 0:
+            self.faults.append(f"the {name} ended with {process.returncode}")
 
     def _on_message(self, message: String) -> None:
         guest, number, _ = message.data.split()
@@ -98,11 +121,9 @@ class Soak:
         return response
 
     def _note_memory(self) -> None:
-        now = 1.0 - (self._end - time.monotonic()) / self._seconds
-        with suppress(OSError):  # not on Linux, where memory is not measured
-            for line in Path("/proc/self/status").read_text("utf-8").splitlines():
-                if line.startswith("VmRSS:"):
-                    self.memory.append((now, int(line.split()[1]) / 1024))
+        progress = 1.0 - (self._end - time.monotonic()) / self._seconds
+        for memory in self.memory.values():
+            memory.note(progress)
 
     def _host(self, number: int) -> None:
         """Start one guest after the other."""
@@ -115,17 +136,14 @@ class Soak:
             except Exception as error:  # noqa: BLE001  # any exception is a fault
                 self.faults.append(f"guest {guest}: {type(error).__name__}: {error}")
 
+    def _command(self, role: str) -> list[str]:
+        own = [sys.executable, "-m", "benchmarks.node.soak"]
+        return [*own, "--role", role, "--domain", str(self._domain_id)]
+
     def _live(self, guest: str, *, is_killed: bool) -> None:
-        command = [
-            sys.executable,
-            "-m",
-            "benchmarks.node.soak",
-            "--guest",
-            guest,
-            "--domain",
-            str(self._domain_id),
-        ]
-        with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
+        with subprocess.Popen(
+            self._command(guest), stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+        ) as process:
             watch = threading.Timer(PATIENCE_S, process.kill)
             watch.start()
             try:
@@ -154,21 +172,69 @@ class Soak:
         with self._lock:
             del self._next[guest]
 
-    def growth_mb(self) -> float:
-        """Return the growth of memory after WARM_UP; 0 if it was not measured."""
-        early = [size for when, size in self.memory if WARM_UP <= when < WARM_UP + 0.1]
-        late = [size for when, size in self.memory if when >= 0.9]
-        return median(late) - median(early) if early and late else 0.0
+    def is_sound(self) -> bool:
+        """Return whether no message was lost, and no memory grew."""
+        is_flat = all(memory.is_flat() for memory in self.memory.values())
+        return not self.faults and (is_flat or self._seconds < LEAST_STEADY_S)
 
     def report(self) -> str:
         """Return what to print at the end."""
-        sizes = [size for _, size in self.memory] or [0.0]
-        return (
-            f"{self.messages} messages and {self.calls} calls of {self.lives} guests, {self.killed} of them killed; "
-            f"{len(self.faults)} faults\n"
-            f"memory of the process that stays: {sizes[0]:.1f} MB at first, {sizes[-1]:.1f} MB at the end, "
-            f"{self.growth_mb():+.2f} MB since it should have settled"
-        )
+        lines = [
+            (
+                f"{self.messages} messages and {self.calls} calls; {self.lives} guests, {self.killed} of them killed; "
+                f"{len(self.faults)} faults"
+            ),
+            *(f"{name}: {memory.report()}" for name, memory in self.memory.items()),
+        ]
+        return "\n".join(lines)
+
+
+def be_broadcaster(domain_id: int) -> None:
+    """Broadcast a chain of FRAMES frames at 50 Hz until a line on stdin."""
+    rclpy.init(domain_id=domain_id)
+    node = rclpy.create_node("broadcaster")
+    broadcaster = TransformBroadcaster(node)
+    transforms = [TransformStamped(child_frame_id=f"frame{number}") for number in range(FRAMES)]
+    for number, transform in enumerate(transforms):
+        transform.header.frame_id = f"frame{number - 1}" if number else "map"
+
+    def broadcast() -> None:
+        stamp = node.get_clock().now().to_msg()
+        for transform in transforms:
+            transform.header.stamp = stamp
+        broadcaster.sendTransform(transforms)
+
+    node.create_timer(0.02, broadcast)
+    _spin_until_dismissed(node)
+
+
+def be_listener(domain_id: int) -> None:
+    """Look up the end of the chain and call the service, at 20 Hz, until a line on stdin."""
+    rclpy.init(domain_id=domain_id)
+    node = rclpy.create_node("listener")
+    buffer = Buffer(node=node)
+    listener = TransformListener(buffer, node)
+    client = node.create_client(AddTwoInts, "soak_add")
+
+    def work() -> None:
+        with suppress(TransformException):  # before the first transforms
+            buffer.lookup_transform("map", f"frame{FRAMES - 1}", Time())
+        if client.service_is_ready():
+            client.call_async(AddTwoInts.Request(a=1, b=2))
+
+    node.create_timer(0.05, work)
+    _spin_until_dismissed(node)
+    del listener
+
+
+def _spin_until_dismissed(node: Any) -> None:
+    dismissed = threading.Event()
+    threading.Thread(target=lambda: (sys.stdin.readline(), dismissed.set()), daemon=True).start()
+    with suppress(ExternalShutdownException, KeyboardInterrupt):
+        while not dismissed.is_set():
+            rclpy.spin_once(node, timeout_sec=0.1)
+    node.destroy_node()
+    rclpy.shutdown()
 
 
 def be_guest(guest: str, domain_id: int) -> None:
@@ -207,15 +273,18 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.node.soak", description=__doc__)
     parser.add_argument("--seconds", type=float, default=300.0, help="how long guests are let in")
     parser.add_argument("--domain", type=int, default=DOMAIN_ID, help=argparse.SUPPRESS)
-    parser.add_argument("--guest", help=argparse.SUPPRESS)
+    parser.add_argument("--role", help=argparse.SUPPRESS)
     arguments = parser.parse_args()
-    if arguments.guest is not None:
-        be_guest(arguments.guest, arguments.domain)
+    if arguments.role in RESIDENTS:
+        (be_broadcaster if arguments.role == "broadcaster" else be_listener)(arguments.domain)
+        return 0
+    if arguments.role is not None:
+        be_guest(arguments.role, arguments.domain)
         return 0
     soak = Soak(arguments.seconds, arguments.domain)
     soak.run()
     print("\n".join([*soak.faults[:10], soak.report()]), flush=True)
-    return 1 if soak.faults or soak.growth_mb() > MOST_GROWTH_MB else 0
+    return 0 if soak.is_sound() else 1
 
 
 if __name__ == "__main__":

@@ -7,14 +7,19 @@ import itertools
 import json
 import sys
 import time
+from collections.abc import Callable, Sequence
 from statistics import median
 from typing import NamedTuple
 
 from benchmarks.domain import DOMAIN_ID
-from benchmarks.node.processes import APIS, background, run
+from benchmarks.node.processes import PEER, background, run
 
 STARTS = 5
-IDLE_S = 5.0
+IDLE_S = 20.0
+SETTLING_S = 1.0
+"""Time of a program before it counts as idle."""
+IDLE = ("node", "listener", "MultiThreadedExecutor")
+"""What is idle: a node, a node with a TransformListener, a node in an executor with threads."""
 
 
 class Started(NamedTuple):
@@ -42,7 +47,7 @@ def resident_mb() -> float:
     return pages * os.sysconf("SC_PAGE_SIZE") / 1e6
 
 
-def tfloom() -> Started:
+def ros() -> Started:
     python_mb, cpu_begin, times = resident_mb(), time.process_time(), [time.perf_counter()]
     import rclpy
 
@@ -87,19 +92,27 @@ def started(times: list[float], cpu_begin: float, python_mb: float) -> Started:
 
 
 def idle(what: str) -> float:
-    """Return the share of a core of a spinning node that receives nothing [%]."""
+    """Return the share of a core of a spinning node that receives nothing [%].
+
+    Args:
+        what: One of IDLE.
+    """
     import rclpy
 
     rclpy.init()
     node = rclpy.create_node("idle")
+    if what == "MultiThreadedExecutor":
+        from benchmarks.node.ros_spinning import spinning
+
+        with spinning(what, node):
+            return idle_share(time.sleep)
     if what == "listener":
         from tf2_ros import Buffer, TransformListener
 
         TransformListener(Buffer(), node)
-    rclpy.spin_until_future_complete(node, rclpy.Future(), timeout_sec=0.5)
-    begin = time.process_time()
-    rclpy.spin_until_future_complete(node, rclpy.Future(), timeout_sec=IDLE_S)
-    return (time.process_time() - begin) / IDLE_S * 100
+    return idle_share(
+        lambda seconds: rclpy.spin_until_future_complete(node, rclpy.Future(), timeout_sec=seconds)
+    )
 
 
 def idle_cyclonedds() -> float:
@@ -107,38 +120,52 @@ def idle_cyclonedds() -> float:
     from cyclonedds.domain import DomainParticipant
 
     participant = DomainParticipant(DOMAIN_ID)
-    time.sleep(0.5)
-    begin = time.process_time()
-    time.sleep(IDLE_S)
-    share = (time.process_time() - begin) / IDLE_S * 100
+    share = idle_share(time.sleep)
     del participant
     return share
 
 
-def measure() -> dict[str, Started]:
+def idle_share(pass_time: Callable[[float], object]) -> float:
+    """Return the share of a core of this process [%] while `pass_time` passes so many seconds."""
+    pass_time(SETTLING_S)
+    begin, cpu_begin = time.perf_counter(), time.process_time()
+    pass_time(IDLE_S)
+    return (time.process_time() - cpu_begin) / (time.perf_counter() - begin) * 100
+
+
+def measure(some: Sequence[str]) -> dict[str, Started]:
     """Return the medians of some starts of each API, each in a new process."""
-    starts: dict[str, list[Started]] = {api: [] for api in APIS}
+    starts: dict[str, list[Started]] = {api: [] for api in some}
     for _ in range(STARTS):
-        for api in APIS:
-            starts[api].append(Started(*run("start", api)))
+        for api, started_by in starts.items():
+            started_by.append(Started(*run("start", api, api=api)))
     return {api: Started(*map(median, zip(*rows, strict=True))) for api, rows in starts.items()}
 
 
-def measure_idle() -> dict[str, float]:
-    """Return the shares of a core of an idle node, an idle listener and an idle participant [%]."""
-    names = ("node", "listener", "cyclonedds")
-    processes = {}
-    with contextlib.ExitStack() as stack:  # at the same time: idle processes do not interfere
-        for name in names:
-            processes[name] = stack.enter_context(background("start", "idle", name))
-        return {name: json.loads(process.communicate()[0]) for name, process in processes.items()}
+def measure_idle(some: Sequence[str]) -> dict[tuple[str, str], float]:
+    """Return the share of a core [%] of each idle program of each API: those of IDLE, of cyclonedds a participant.
+
+    They run at the same time, because they do not interfere. The wheels of PEER have no TransformListener.
+    """
+    programs = [
+        (api, what)
+        for api in some
+        for what in (("participant",) if api == "cyclonedds" else IDLE)
+        if (api, what) != (PEER, "listener")
+    ]
+    with contextlib.ExitStack() as stack:
+        processes = {
+            (api, what): stack.enter_context(background("start", "idle", api, what, api=api))
+            for api, what in programs
+        }
+        return {program: json.loads(process.communicate()[0]) for program, process in processes.items()}
 
 
 def main() -> None:
     if sys.argv[1] == "idle":
-        print(json.dumps(idle_cyclonedds() if sys.argv[2] == "cyclonedds" else idle(sys.argv[2])))
+        print(json.dumps(idle_cyclonedds() if sys.argv[2] == "cyclonedds" else idle(sys.argv[3])))
     else:
-        print(json.dumps({"tfloom": tfloom, "cyclonedds": cyclonedds}[sys.argv[1]]()))
+        print(json.dumps((cyclonedds if sys.argv[1] == "cyclonedds" else ros)()))
 
 
 if __name__ == "__main__":

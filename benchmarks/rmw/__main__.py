@@ -1,15 +1,16 @@
 """Measure the round trip of 1 kB between two processes on loopback: tfloom's wire, and cyclonedds' Python API.
 
 The two run in turns, so that other load on the machine affects both. Times are from the write to the receipt of the
-reply.
+reply. One sample is in flight: each carries a number, and the reply must be the sample that was sent.
 """
 
 from __future__ import annotations
 
+import itertools
 import os
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from statistics import median
 from time import perf_counter_ns
 
@@ -93,30 +94,44 @@ def answer(name: str) -> None:
         send(receive())
 
 
-def trips_us(send: Callable[[bytes], None], receive: Callable[[], bytes], data: bytes) -> list[float]:
+def samples() -> Iterator[bytes]:
+    """Yield samples that differ in their numbers."""
+    header, padding = b"\0\1\0\0", os.urandom(PAYLOAD_SIZE - 8)
+    for number in itertools.count():
+        yield header + number.to_bytes(8, "little") + padding
+
+
+def trips_us(
+    send: Callable[[bytes], None], receive: Callable[[], bytes], sent: Iterator[bytes], count: int
+) -> list[float]:
+    """Return the times of trips.
+
+    Raises:
+        RuntimeError: another sample arrived than the one that was sent.
+    """
     times = []
-    for _ in range(ROUND_TRIPS):
+    for data in itertools.islice(sent, count):
         start = perf_counter_ns()
         send(data)
-        receive()
+        received = receive()
         times.append((perf_counter_ns() - start) / 1e3)
+        if received != data:
+            raise RuntimeError("the reply is another sample than the one that was sent")
     return times
 
 
 def main() -> None:
     os.environ["CYCLONEDDS_URI"] = configuration()
-    data = b"\0\1\0\0" + os.urandom(PAYLOAD_SIZE)
+    sent = samples()
     partners = [subprocess.Popen([sys.executable, "-m", "benchmarks.rmw", name]) for name in ENDS]
     try:
         ends = {name: open_ends(f"{name}_there", f"{name}_back") for name, open_ends in ENDS.items()}
         for send, receive in ends.values():
-            for _ in range(WARM_UP):
-                send(data)
-                receive()
+            trips_us(send, receive, sent, WARM_UP)
         times: dict[str, list[float]] = {name: [] for name in ENDS}
         for _ in range(TURNS):
             for name, (send, receive) in ends.items():
-                times[name] += trips_us(send, receive, data)
+                times[name] += trips_us(send, receive, sent, ROUND_TRIPS)
     finally:
         for partner in partners:
             partner.kill()

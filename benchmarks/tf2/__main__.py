@@ -20,11 +20,15 @@ from benchmarks.tf2.debian import measure_debian
 from benchmarks.tf2.peers import PEERS, Scipy, TransformTree, fill, peers_of
 from benchmarks.tf2.trees import START_NS, Tree, chain, humanoid
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
+from tfloom.interfaces.std_msgs.msg import Header
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.node.values.time import Time
 from tfloom.rosidl import cdr
 from tfloom.tf2.buffer import Buffer
+from tfloom.tf2.transform import Transform
 from tfloom.tf2_ros.buffer import Buffer as RosBuffer
+from tfloom.tf2_ros.point_cloud import do_transform_cloud, transform_points
+from tfloom.tf2_ros.point_cloud2 import create_cloud, create_cloud_xyz32, read_points_numpy
 
 TURNS = 7
 CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
@@ -235,6 +239,7 @@ def points() -> None:
     others = {"numpy by hand": 1e3 * best_s(10, by_numpy), JAZZY: JAZZY_CLOUD_MS}
     ours = 1e3 * best_s(10, buffer.transform_points, cloud, "f0", "f2", tree.middle_ns)
     row("100,000 float32 points at one time", ours, "ms", others)
+    clouds(cloud, buffer.lookup("f0", "f2", tree.middle_ns).transform, ours)
 
     poses = buffer.lookup_many("f0", "f2", stamps)
     others = {}
@@ -258,6 +263,23 @@ def points() -> None:
 
     one, every = (1e3 * best_s(3, shared, workers, clock=perf_counter) for workers in (1, CORES))
     row(f"deskewed, {CORES} cores, by the clock", every, "ms", {"one core": one})
+
+
+def clouds(points: NDArray[np.float32], transform: Transform, points_ms: float) -> None:
+    message = TransformStamped()
+    position, rotation = message.transform.translation, message.transform.rotation
+    position.x, position.y, position.z = transform.translation
+    rotation.x, rotation.y, rotation.z, rotation.w = transform.rotation_xyzw
+    packed = create_cloud_xyz32(Header(), points)
+    padded = {
+        f", {step} octets a point": create_cloud(Header(), packed.fields, points, point_step=step)
+        for step in (16, 32)
+    }
+    expected = transform_points(points, message.transform)
+    for what, cloud in {"": packed, **padded}.items():
+        check("do_transform_cloud", read_points_numpy(do_transform_cloud(cloud, message)), expected)
+        ours = 1e3 * best_s(10, do_transform_cloud, cloud, message)
+        row(f"do_transform_cloud, 100,000 points{what}", ours, "ms", {"transform_points": points_ms})
 
 
 def main() -> None:
