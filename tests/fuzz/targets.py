@@ -1,0 +1,155 @@
+"""What is fuzzed: functions of bytes that return whether they were accepted, and raise only what is a finding."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
+
+from tfloom.cli.errors import CommandError
+from tfloom.cli.interfaces import fill_message, parse_yaml
+from tfloom.interfaces.diagnostic_msgs.msg import DiagnosticArray
+from tfloom.interfaces.nav_msgs.msg import OccupancyGrid
+from tfloom.interfaces.sensor_msgs.msg import JointState
+from tfloom.interfaces.type_description_interfaces.msg import TypeDescription
+from tfloom.rmw import node_lists
+from tfloom.rmw.cyclone_graph import CycloneGraph
+from tfloom.rosidl import cdr, class_table, described, sources
+from tfloom.rosidl.idl_spec import parse_idl
+from tfloom.rosidl.parse import ParseError, parse_interface
+from tfloom.rosidl.yaml_text import message_to_yaml
+
+KINDS = ("msg", "srv", "action")
+QUALITY = (1, 1, 1, 1, 0, 0, 1, 0)
+DESCRIBED = "fuzz_msgs/msg/Fuzz"
+
+
+def _refused(error: Exception, *, is_clear: bool) -> bool:
+    """Return False, for an input that was refused; a refusal without a reason is a finding."""
+    assert is_clear, f"the error has no reason or place: {error!r}"
+    return False
+
+
+def definitions(data: bytes) -> bool:
+    """Parse a definition; the first octet selects its kind."""
+    if not data:
+        return False
+    kind = KINDS[data[0] % len(KINDS)]
+    try:
+        interface = parse_interface(data[1:].decode("utf-8", "replace"), f"fuzz_msgs/{kind}/Fuzz")
+    except ParseError as error:
+        place = (error.path, error.line >= 1, error.column >= 1)
+        return _refused(error, is_clear=place == (f"fuzz_msgs/{kind}/Fuzz.{kind}", True, True))
+    assert interface.name == f"fuzz_msgs/{kind}/Fuzz"
+    return True
+
+
+def idl(data: bytes) -> bool:
+    """Parse an .idl file of a message."""
+    try:
+        interface = parse_idl(data.decode("utf-8", "replace"), "fuzz_msgs/msg/Fuzz", "Fuzz.idl")
+    except ParseError as error:
+        return _refused(
+            error, is_clear=(error.path, error.line >= 1, error.column >= 1) == ("Fuzz.idl", True, True)
+        )
+    assert interface.name == "fuzz_msgs/msg/Fuzz"
+    return True
+
+
+def descriptions(data: bytes) -> bool:
+    """Make the class of a type description, with the hash that it has itself."""
+    try:
+        description = cdr.decode(TypeDescription, data)
+    except ValueError:
+        return False
+    description.type_description.type_name = DESCRIBED
+    names = {DESCRIBED, *(each.type_name for each in description.referenced_type_descriptions)}
+    known = {name for name in names if sources.find_source(name) is not None} if _are_types(names) else set()
+    try:
+        hashes = {DESCRIBED: _own_hash(description)}
+        described.define_described(DESCRIBED, description, hashes)
+    except described.DescriptionError:
+        return False
+    finally:
+        for name in names - known if _are_types(names) else ():
+            sources.replace(name, None)
+            class_table.forget(name)
+    return True
+
+
+def _are_types(names: set[str]) -> bool:
+    return all(name.count("/") == 2 for name in names)
+
+
+def _own_hash(description: TypeDescription) -> str:
+    types = described._table(description)
+    described._check_size(DESCRIBED, types)
+    return described._hash(DESCRIBED, types)
+
+
+def graph(data: bytes) -> bool:
+    """Read what a participant and an endpoint announce: six parts, each with its length before it."""
+    parts = [b""] * 6
+    rest = data
+    for number in range(len(parts)):
+        size = rest[0] if rest else 0
+        parts[number], rest = rest[1 : 1 + size], rest[1 + size :]
+    participant_data, topic, type_name, user_data, gid, node_list = (*parts[:5], rest or parts[5])
+    participant, endpoint = gid[:16].ljust(16, b"\0"), gid[-16:].ljust(16, b"\1")
+    found = CycloneGraph.__new__(CycloneGraph)
+    found._native = SimpleNamespace(
+        snapshot=lambda: (
+            [(participant, participant_data, node_list)],
+            [(endpoint, participant, bool(gid[:1]), topic, type_name, user_data, QUALITY)],
+        )
+    )
+    view = found._read(1)
+    assert len(view.raw_endpoints) == 1
+    for name, _ in view.enclaves:
+        assert name.full.startswith(("/", "")), name
+    try:
+        owner, nodes = node_lists.decode(node_list)
+    except node_lists.NodeListError:
+        return False
+    assert node_lists.decode(node_lists.encode(owner, nodes)) == (owner, nodes)
+    return True
+
+
+def yaml(data: bytes) -> bool:
+    """Fill messages with values as `topic pub` does; the first octet selects the message."""
+    if not data:
+        return False
+    message = (JointState, DiagnosticArray, OccupancyGrid)[data[0] % 3]()
+    try:
+        fill_message(message, parse_yaml(data[1:].decode("utf-8", "replace")))
+    except CommandError as error:
+        return _refused(error, is_clear=bool(str(error).strip()))
+    cdr.decode(type(message), cdr.encode(message))
+    message_to_yaml(message)
+    return True
+
+
+def cdr_bytes(data: bytes) -> bool:
+    """Decode a message of one of the common classes, and write it again; the first octet selects the class."""
+    if not data:
+        return False
+    cls: Any = (JointState, DiagnosticArray, OccupancyGrid, TypeDescription)[data[0] % 4]
+    try:
+        message = cdr.decode(cls, data[1:])
+    except ValueError:
+        return False
+    again = cdr.encode(message)
+    assert cdr.encode(cdr.decode(cls, again)) == again
+    json.dumps(message_to_yaml(message, truncate_length=8))
+    return True
+
+
+TARGETS: dict[str, Callable[[bytes], bool]] = {
+    "cdr": cdr_bytes,
+    "definitions": definitions,
+    "descriptions": descriptions,
+    "graph": graph,
+    "idl": idl,
+    "yaml": yaml,
+}
