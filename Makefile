@@ -11,7 +11,7 @@ set_up = @$(PYTHON) -c 'import sys; v = sys.version_info; \
 	sys.exit(v < (3, 10) and "set-up: tfloom needs Python 3.10 or newer, and $(PYTHON) is %d.%d: make PYTHON=python3.12 …" % v[:2])' \
 	&& $(PYTHON) tools/set_up.py --venv "$(VENV)" $(KEEP) $(SET_UP)
 
-.PHONY: setup demo test test-slow test-all check stub api bench matrix wheels clean
+.PHONY: setup demo test test-slow test-ros test-all check stub api ros-peer bench matrix wheels clean
 
 setup:
 	$(set_up) check
@@ -30,14 +30,20 @@ test-slow:
 	$(set_up) check
 	@"$(BIN)/python" tools/run_tests.py --slow $(ARGS)
 
-test-all: test test-slow
+# Run the tests beside the real rclpy. Where it has no wheels they are skipped, with the reason.
+test-ros:
+	$(set_up) test
+	@$(PYTHON) -m tools.ros_peer || test $$? = 3
+	@"$(BIN)/python" tools/run_tests.py --ros $(ARGS)
+
+test-all: test test-slow test-ros
 
 check:
 	$(set_up) check
 	"$(BIN)/ruff" check .
 	"$(BIN)/ruff" format --check .
 	"$(BIN)/mypy"
-	"$(BIN)/mypy" tools
+	"$(BIN)/mypy" -p tools
 	"$(BIN)/basedpyright" --pythonpath "$(BIN)/python"
 
 # Generate the type stub of the extension, after a change in native/bindings.
@@ -51,10 +57,15 @@ api:
 	$(set_up) demo
 	"$(BIN)/python" docs/rclpy_api.py
 
+# Install the real rclpy, on Fast DDS, in build/ros-peer: the peer of tests and benchmarks.
+ros-peer:
+	@$(PYTHON) -m tools.ros_peer
+
 # Peers that cannot be installed are named, and not measured.
 bench:
 	$(set_up) test
 	-$(set_up) bench
+	-@$(PYTHON) -m tools.ros_peer
 	"$(BIN)/python" -m benchmarks $(ARGS)
 
 # Run the core tests on each Python 3.10 to 3.14 of this machine, including free-threaded ones.

@@ -6,13 +6,20 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+from tests.shared_folders import shared_folder
+
 ROOT = Path(__file__).parents[1]
+INTERFACES = ROOT / "packages" / "tfloom-interfaces"
 
 
-def build_wheel(folder: Path, project: Path = ROOT) -> Path:
-    """Build the wheel of a project in an empty folder, leaving nothing in the checkout, and return its path."""
-    options = ["--no-deps", "--no-build-isolation", "--config-settings", f"build-dir={folder}/build"]
-    pip = [sys.executable, "-m", "pip", "--disable-pip-version-check", "--quiet"]
-    subprocess.run([*pip, "wheel", *options, "-w", str(folder), str(project)], check=True, timeout=600)
-    (wheel,) = folder.glob("*.whl")
-    return wheel
+def build_wheel(factory: pytest.TempPathFactory, project: Path = ROOT) -> Path:
+    """Return the wheel of a project, which the first test that asks builds, leaving nothing in the checkout."""
+    with shared_folder(factory, f"wheel of {project.name}") as folder:
+        if not list(folder.glob("*.whl")):
+            options = ["--no-deps", "--no-build-isolation", "--config-settings", f"build-dir={folder}/build"]
+            pip = [sys.executable, "-m", "pip", "--disable-pip-version-check", "--quiet"]
+            command = [*pip, "wheel", *options, "-w", str(folder), str(project)]
+            subprocess.run(command, check=True, timeout=1800)
+        (wheel,) = folder.glob("*.whl")
+        return wheel

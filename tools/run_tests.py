@@ -1,4 +1,4 @@
-"""Run a tier of the tests: `python tools/run_tests.py [--slow] [PYTEST'S ARGUMENTS]`.
+"""Run a tier of the tests: `python tools/run_tests.py [--slow | --ros] [PYTEST'S ARGUMENTS]`.
 
 A tier runs in two parts: first the few tests that measure time (marked `timing`), alone; then the others, in parallel
 in several processes, because they wait more than they compute.
@@ -17,6 +17,7 @@ ROOT = Path(__file__).resolve().parents[1]
 WORKERS_PER_CORE = 2
 MOST_WORKERS = 16
 """Limited because all workers use DDS domains from the same 70."""
+ROS_TESTS = (ROOT / "tests" / "ros_peer", ROOT / "tests" / "drop_in")
 NOTHING_SELECTED = 5
 """pytest's exit code when it ran no test."""
 
@@ -24,6 +25,13 @@ NOTHING_SELECTED = 5
 def workers() -> int:
     """Return the number of processes that run tests in parallel."""
     return min(MOST_WORKERS, WORKERS_PER_CORE * (os.cpu_count() or 1))
+
+
+def tier_of(*, slow: bool, ros: bool) -> str:
+    """Return the mark expression of a tier."""
+    if ros:
+        return "ros and not slow"
+    return "slow" if slow else "not slow and not ros"
 
 
 def run(marks: str, arguments: list[str]) -> tuple[int, float]:
@@ -41,8 +49,13 @@ def main() -> int:
         "--slow", action="store_true", help="the tests that are slow by nature, instead of the others"
     )
     parser.add_argument("-m", dest="marks", help="of the tier, those with these marks (pytest's expression)")
+    parser.add_argument(
+        "--ros", action="store_true", help="the tests beside the real rclpy, instead of the others"
+    )
     options, rest = parser.parse_known_args()
-    tier = "slow" if options.slow else "not slow"
+    tier = tier_of(slow=options.slow, ros=options.ros)
+    if options.ros and not any(folder.name in each for folder in ROS_TESTS for each in rest):
+        rest.extend(map(str, ROS_TESTS))  # named, so that the process that reports loads their conftest, too
     marks = f"{tier} and ({options.marks})" if options.marks else tier
     side_by_side = [f"--numprocesses={workers()}", "--dist=loadfile", "--no-loadscope-reorder"]
     parts = {

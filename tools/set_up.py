@@ -81,6 +81,10 @@ CXX_20 = (
 )
 
 
+Step = tuple[str, str, Callable[[], object]]
+"""A step of an installation: its name, a digest of its inputs, and its function."""
+
+
 class SetUpError(Exception):
     """The environment cannot be created or updated. The text states what to do."""
 
@@ -136,11 +140,17 @@ class Environment:
         Raises:
             SetUpError: a tool is missing, a folder cannot be written, or pip failed.
         """
-        started = time.monotonic()
         self.make(keep_python)
-        project = read_project(self.python)
+        self.complete(self._steps(stage, read_project(self.python)))
+
+    def complete(self, steps: Sequence[Step]) -> None:
+        """Run the steps that are not recorded as done, in order.
+
+        Raises:
+            SetUpError: a step failed; those before it are recorded.
+        """
+        started = time.monotonic()
         done = self._read_record()
-        steps = self._steps(stage, project)
         missing = [(name, digest, step) for name, digest, step in steps if done.get(name) != digest]
         if any(name == "native" for name, _, _ in missing):
             check_compiler()
@@ -239,9 +249,9 @@ class Environment:
         major, minor = map(int, done.stdout.split())
         return major, minor
 
-    def _steps(self, stage: str, project: Mapping[str, Any]) -> list[tuple[str, str, Callable[[], object]]]:
-        """Return the steps up to a stage, each with its name, a digest of its inputs, and its function."""
-        steps: list[tuple[str, str, Callable[[], object]]] = []
+    def _steps(self, stage: str, project: Mapping[str, Any]) -> list[Step]:
+        """Return the steps up to a stage."""
+        steps: list[Step] = []
         for name in up_to(stage):
             requirements = requirements_of(project, name)
             steps.append((name, digest_of(requirements), partial(self._download, name, requirements)))

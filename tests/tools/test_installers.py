@@ -79,17 +79,23 @@ def test_pip_installs_all_three_packages(clone: Path, tmp_path: Path) -> None:
     run(tmp_path, python, "-c", code, cwd=tmp_path, AMENT_PREFIX_PATH=tmp_path / "ws")
 
 
-def test_uv_pip_installs_both_packages(tools: Path, clone: Path, tmp_path: Path) -> None:
+@pytest.fixture(scope="module")
+def home_of_uv(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return a home where uv keeps what it has built of a clone."""
+    return tmp_path_factory.mktemp("home")
+
+
+def test_uv_pip_installs_both_packages(tools: Path, clone: Path, home_of_uv: Path, tmp_path: Path) -> None:
     venv = tmp_path / "venv"
-    run(tmp_path, tools / "uv", "venv", "--python", sys.executable, venv, cwd=clone)
-    run(tmp_path, tools / "uv", "pip", "install", ".[all]", COMMAND, cwd=clone, VIRTUAL_ENV=venv)
+    run(home_of_uv, tools / "uv", "venv", "--python", sys.executable, venv, cwd=clone)
+    run(home_of_uv, tools / "uv", "pip", "install", ".[all]", COMMAND, cwd=clone, VIRTUAL_ENV=venv)
     expect_working(venv / "bin" / "ros2")
 
 
-def test_uv_installs_a_tool(tools: Path, clone: Path, tmp_path: Path) -> None:
+def test_uv_installs_a_tool(tools: Path, clone: Path, home_of_uv: Path, tmp_path: Path) -> None:
     folders = {"UV_TOOL_DIR": tmp_path / "tools", "UV_TOOL_BIN_DIR": tmp_path / "bin"}
     command = ["tool", "install", "--python", sys.executable, COMMAND, "--with", ".[all]"]
-    run(tmp_path, tools / "uv", *command, cwd=clone, **folders)
+    run(home_of_uv, tools / "uv", *command, cwd=clone, **folders)
     expect_working(tmp_path / "bin" / "ros2")
 
 

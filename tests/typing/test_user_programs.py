@@ -16,7 +16,7 @@ from pathlib import Path
 
 import pytest
 from docs import rclpy_api
-from tests.wheels import build_wheel
+from tests.wheels import INTERFACES, build_wheel
 
 pytestmark = pytest.mark.slow
 ROOT = Path(__file__).parents[2]
@@ -55,10 +55,7 @@ def pyright(python: Path, *programs: Path, folder: Path) -> list[str]:
 def wheel_python(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Build the wheels, install them into a fresh environment, and return that environment's Python."""
     folder = tmp_path_factory.mktemp("wheel")
-    wheels = [
-        build_wheel(folder / "tfloom"),
-        build_wheel(folder / "interfaces", ROOT / "packages" / "tfloom-interfaces"),
-    ]
+    wheels = [build_wheel(tmp_path_factory), build_wheel(tmp_path_factory, INTERFACES)]
     venv.create(folder / "venv", symlinks=True)
     python = folder / "venv" / Path(sysconfig.get_path("scripts")).name / "python"
     pip = [sys.executable, "-m", "pip", "--disable-pip-version-check", "--quiet", "--python", str(python)]
