@@ -79,6 +79,8 @@ ENDING: dict[str, tuple[list[str], list[str], list[str]]] = {
         [r"3 \+ 4 = 7$", r"In all 21$"],
     ),
     "call in thread": (["services/add_server.py"], ["services/add_client_in_thread.py"], [r"In all 10$"]),
+    "spawned processes": ([], ["executors/processes.py", "spawn"], [r"By spawn: \[1, 4, 9\]$"]),
+    "forked processes": ([], ["executors/processes.py", "fork"], [r"By fork: \[1, 4, 9\]$"]),
     "parameters": (
         ["parameters/thruster.py", "parameters/watch.py"],
         ["parameters/tune.py"],

@@ -27,7 +27,7 @@ def test_each_program_has_a_row(program: Path) -> None:
 
 @pytest.mark.parametrize("package", PACKAGES, ids=lambda path: path.name)
 def test_each_package_is_listed(package: Path) -> None:
-    assert f"](./{package.name}/)" in README or f"]({package.name}/)" in README
+    assert f"](./{package.name}/)" in README or f"]({package.relative_to(EXAMPLES).as_posix()}/)" in README
 
 
 def test_listed_files_exist() -> None:
