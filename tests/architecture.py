@@ -20,7 +20,7 @@ SHELVES = [
     ["rmw"],
     ["node"],
     ["tf2_ros", "workspace"],
-    ["tf2_tools", "turtlesim", "sensing", "demos"],
+    ["tf2_tools", "turtlesim", "sensing", "demos", "drop_in"],
     ["cli", "pyinstaller"],
 ]
 """The rooms, from the bottom up; rooms on one shelf don't import each other, except interfaces rosidl."""
@@ -50,6 +50,10 @@ DOORS = {
     "transforms3d": ("tf2_ros/transformations.py",),
     "cv2": ("sensing/opencv.py",),
     "PyInstaller": ("pyinstaller/",),
+    "catkin_pkg": ("workspace/colcon/",),
+    "colcon_core": ("workspace/colcon/",),
+    "colcon_parallel_executor": ("workspace/colcon/",),
+    "colcon_ros": ("workspace/colcon/",),
 }
 """Where each third-party library may be imported: one file or folder of a room."""
 
@@ -59,8 +63,17 @@ EVERYWHERE = {"numpy", "yaml"}
 ANNOTATIONS_ONLY = "typing_extensions"
 """The library that any file may import for type checkers alone, because tfloom doesn't install it."""
 
-NATIVE_ROOMS = {"core": set[str](), "tf2": {"core"}, "cdr": {"core", "tf2"}, "dds": {"core"}}
+NATIVE_ROOMS = {
+    "core": set[str](),
+    "tf2": {"core"},
+    "cdr": {"core", "tf2"},
+    "rtps": {"core"},
+    "dds": {"core", "rtps"},
+}
 """The rooms of native/ that know no Python, and what each may include."""
+
+ROS_DOORS = ("drop_in/", "ros_guard.py")
+"""Where a ROS name may be imported at run time, by a string: those of a real ROS 2, which may be absent."""
 
 NO_ROOMS = {"__pycache__", "ros_names"}
 
@@ -145,13 +158,26 @@ def no_relative_import(house: Path) -> list[str]:
 
 
 def no_ros_name(house: Path) -> list[str]:
-    """No module of the house imports a façade, whose names are those of `ros_names/` and of ROS."""
+    """No module of the house imports a façade, whose names are those of `ros_names/` and of ROS.
+
+    Names of a real ROS 2 are imported by strings, at run time, and only in ROS_DOORS.
+    """
     names = {path.name for path in (house / "ros_names").glob("*") if path.is_dir()}
-    return [
+    found = [
         f"{_where(house, each)}, a ROS name; import it from its room in tfloom"
         for each in imports(house)
         if each.imported.split(".")[0] in names
     ]
+    by_string = re.compile(r"""(?:import_module|__import__|real_ros\.\w+)\(\s*f?["']([\w.]+)""")
+    for path in sorted({each.path for each in imports(house)}):
+        place = path.relative_to(house).as_posix()
+        text = path.read_text("utf-8")
+        found += [
+            f"{place}:{text.count(chr(10), 0, match.start()) + 1} imports {match.group(1)} at run time, a ROS name"
+            for match in by_string.finditer(text)
+            if match.group(1).split(".")[0] in names and not place.startswith(ROS_DOORS)
+        ]
+    return found
 
 
 def one_door_for_each_library(house: Path) -> list[str]:
@@ -221,6 +247,57 @@ def nothing_is_named_that_does_not_exist(house: Path) -> list[str]:
     return found
 
 
+YAML_DOOR = "rosidl/user_yaml.py"
+"""Where YAML is read: the file that has the limits."""
+
+
+def one_door_for_reading_yaml(house: Path) -> list[str]:
+    """Only `YAML_DOOR` calls or imports a name of yaml that reads: `yaml.safe_load`, `yaml.compose`, a loader."""
+    reads = re.compile(r"load|compose|parse|scan|loader", re.IGNORECASE)
+    found = []
+    for path in sorted(house.rglob("*.py")):
+        place = path.relative_to(house).as_posix()
+        text = path.read_text("utf-8")
+        if place == YAML_DOOR or "yaml" not in text:
+            continue
+        for node in ast.walk(ast.parse(text)):
+            if (
+                isinstance(node, ast.Attribute)
+                and isinstance(node.value, ast.Name)
+                and node.value.id == "yaml"
+            ):
+                names = [node.attr]
+            elif isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0] == "yaml":
+                names = [each.name for each in node.names]
+            elif isinstance(node, ast.Import):
+                names = [each.asname or "" for each in node.names if each.name.split(".")[0] == "yaml"]
+                names = ["load"] if any(names) else []  # another name would hide its calls
+            else:
+                continue
+            found += [
+                f"{place}:{node.lineno} reads YAML by yaml.{name}" for name in names if reads.search(name)
+            ]
+    return found
+
+
+FILE_WRITERS = {"whole_files.py", "node/log/log_file.py", "rosidl/generate.py"}
+"""What may open a file to write: the writer of whole files, the log, and the generator of checked-in sources."""
+
+
+def files_are_written_whole(house: Path) -> list[str]:
+    """Only FILE_WRITERS open a file to write, because others would leave half a file on a full disk."""
+    writes = re.compile(r"""\.write_(?:text|bytes)\(|\bopen\([^()]*["'][wxa]b?\+?["']""")
+    found = []
+    for path in sorted(house.rglob("*.py")):
+        place = path.relative_to(house).as_posix()
+        if place in FILE_WRITERS:
+            continue
+        text = path.read_text("utf-8")
+        lines = [text.count("\n", 0, match.start()) + 1 for match in writes.finditer(text)]
+        found += [f"{place}:{line} writes a file in place; use whole_files.py" for line in lines]
+    return found
+
+
 def the_command_line_starts_without_the_rooms(house: Path) -> list[str]:
     """`cli/main.py` imports nothing of the house but cli itself when it is loaded."""
     return [
@@ -272,5 +349,7 @@ HOUSE_RULES: list[Rule] = [
     each_room_has_its_place,
     nothing_is_named_that_does_not_exist,
     the_command_line_starts_without_the_rooms,
+    one_door_for_reading_yaml,
+    files_are_written_whole,
 ]
 NATIVE_RULES: list[Rule] = [the_native_core_knows_no_python, native_rooms_point_down]

@@ -144,6 +144,28 @@ def planted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
         del sys.modules[name]
 
 
+@pytest.fixture
+def forget_interfaces() -> Iterator[None]:
+    """Forget, after a test, the classes and modules of the interface packages that it has imported."""
+    from tfloom.rosidl import class_table, definition_files
+
+    classes, modules = dict(class_table._classes), set(sys.modules)
+    added = list(definition_files._added)
+    yield
+    imported = {name: sys.modules[name] for name in set(sys.modules) - modules}
+    packages = {
+        name.partition(".")[0]
+        for name, module in imported.items()
+        if name.endswith(definition_files.KINDS) and "ros_names" not in str(getattr(module, "__file__", None))
+    } - {"tfloom", "tfloom_interfaces"}
+    class_table._classes.clear()
+    class_table._classes.update(classes)
+    definition_files._added[:] = added
+    for name in imported:
+        if name.partition(".")[0] in packages:
+            del sys.modules[name]
+
+
 @pytest.fixture(scope="session", autouse=True)
 def _log_directory(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     """Write log files to a temporary folder, not to the home directory."""
@@ -356,15 +378,11 @@ def start_module_program() -> Iterator[Callable[..., Program]]:
 
 
 @pytest.fixture
-def short_lease(domain_id: int, monkeypatch: pytest.MonkeyPatch) -> float:
-    """Shorten the lease of participants from 10 s to 3 s, on the loopback interface; return it [s].
+def short_lease(monkeypatch: pytest.MonkeyPatch) -> float:
+    """Shorten the lease of participants from 10 s to 3 s; return it [s].
 
     It applies to participants of this test, and to programs that the test starts.
     """
-    from tfloom.rmw.cyclone_config import configuration
-
     lease_s = 3.0
-    lease = f"<LeaseDuration>{lease_s:g}s</LeaseDuration>"
-    shortened = f"<CycloneDDS><Domain><Discovery>{lease}</Discovery></Domain></CycloneDDS>"
-    monkeypatch.setenv("CYCLONEDDS_URI", f"{configuration()},{shortened}")
+    monkeypatch.setenv("TFLOOM_LEASE_S", str(lease_s))
     return lease_s

@@ -116,8 +116,15 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
     ),
     (
         architecture.no_ros_name,
-        {"demos/talk.py": "from rclpy.node import Node\n"},
-        ["demos/talk.py:1 imports rclpy.node, a ROS name; import it from its room in tfloom"],
+        {
+            "demos/talk.py": "from rclpy.node import Node\n",
+            "drop_in/real.py": "import os\nimport_module('rclpy')\n",
+            "tf2_ros/x.py": "import os\nimport_module('rclpy.time')\n",
+        },
+        [
+            "demos/talk.py:1 imports rclpy.node, a ROS name; import it from its room in tfloom",
+            "tf2_ros/x.py:2 imports rclpy.time at run time, a ROS name",
+        ],
     ),
     (
         architecture.one_door_for_each_library,
@@ -170,6 +177,32 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
         architecture.the_command_line_starts_without_the_rooms,
         {"cli/main.py": "import argcomplete\nfrom tfloom.node.node import Node\n"},
         ["cli/main.py:2 imports tfloom.node.node, which every command would load"],
+    ),
+    (
+        architecture.one_door_for_reading_yaml,
+        {
+            "cli/x.py": "def f():\n    import yaml\n    return yaml.safe_load('1'), yaml.safe_dump(1)\n",
+            "node/x.py": "import yaml as y\n",
+            "rosidl/user_yaml.py": "import yaml\nyaml.safe_load('1')\n",
+            "workspace/x.py": "from yaml import CSafeLoader, safe_dump\n",
+        },
+        [
+            "cli/x.py:3 reads YAML by yaml.safe_load",
+            "node/x.py:1 reads YAML by yaml.load",
+            "workspace/x.py:1 reads YAML by yaml.CSafeLoader",
+        ],
+    ),
+    (
+        architecture.files_are_written_whole,
+        {
+            "cli/x.py": "path.write_text('')\nopen(path, 'rb')\nopen(path, 'xb')\n",
+            "tf2/x.py": "path.write_bytes(b'')\npath.open(\"w\")\n",
+            "whole_files.py": "open(path, 'wb')\n",
+        },
+        [
+            f"{place} writes a file in place; use whole_files.py"
+            for place in ("cli/x.py:1", "cli/x.py:3", "tf2/x.py:1", "tf2/x.py:2")
+        ],
     ),
 ]
 
