@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import random
 import threading
 import time
 from collections.abc import Iterator
@@ -32,7 +31,7 @@ class Echo:
 @pytest.fixture
 def echo(monkeypatch: pytest.MonkeyPatch) -> Iterator[Echo]:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
-    with rclpy.init(domain_id=random.randrange(200)):
+    with rclpy.init(domain_id=0):
         echo = Echo()
         with spinning("spin", echo.node):
             yield echo

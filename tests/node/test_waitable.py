@@ -113,7 +113,8 @@ def test_trigger_before_the_waitable_was_added_runs_it(node: Node, executor: Exe
 def test_waitable_takes_messages_of_its_subscription(node: Node, executor: Executor) -> None:
     profile = QoSProfile(depth=10)
     subscription = _rclpy.Subscription(node.handle, Int32, "numbers", profile.get_c_qos_profile())
-    waitable = Collects("subscription", subscription, lambda: subscription.take_message(Int32, False))
+    group = MutuallyExclusiveCallbackGroup()  # keeps the order also on several threads
+    waitable = Collects("subscription", subscription, lambda: subscription.take_message(Int32, False), group)
     node.add_waitable(waitable)
     executor.add_node(node)
     publisher = node.create_publisher(Int32, "numbers", 10)

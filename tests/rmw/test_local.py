@@ -222,3 +222,16 @@ def test_a_sink_is_fed_no_sample_past_its_lifespan(ends, wait_until) -> None:
     wait_until(lambda: probe.take() is None)
     ends[1].create_reader(LISTENER, TOPIC, TRANSIENT_LOCAL).feed(sink)
     assert sink.pushed() == 0
+
+
+_left_open: list[LocalParticipant] = []
+
+
+@pytest.mark.parametrize("turn", ["first", "second"])
+def test_a_participant_that_a_test_left_open_is_not_on_the_domain_of_the_next(turn: str) -> None:
+    _left_open.append(open_participant(0))
+    _left_open[-1].add_node(NodeName("/", turn))
+    assert [node.name for node in _left_open[-1].graph.nodes()] == [turn]
+    if turn == "second":
+        for participant in _left_open:
+            participant.close()

@@ -263,5 +263,5 @@ class LocalParticipant:
         for node in self._nodes:
             self._domain.remove_node(node, self.enclave)
         with _domains_lock:
-            if self._domain.remove_participant(self):
+            if self._domain.remove_participant(self) and _domains.get(self.domain_id) is self._domain:
                 del _domains[self.domain_id]
