@@ -20,7 +20,7 @@ SHELVES = [
     ["rmw"],
     ["node"],
     ["tf2_ros", "workspace"],
-    ["tf2_tools", "turtlesim", "sensing", "demos", "drop_in"],
+    ["tf2_tools", "turtlesim", "sensing", "demos", "drop_in", "launch"],
     ["cli", "pyinstaller"],
 ]
 """The rooms, from the bottom up; rooms on one shelf don't import each other, except interfaces rosidl."""
@@ -47,6 +47,7 @@ DOORS = {
     "reportlab": ("tf2_tools/",),
     "argcomplete": ("cli/tab_key.py",),
     "PIL": ("turtlesim/picture.py", "sensing/image_files.py"),
+    "psutil": ("launch/processes/",),
     "transforms3d": ("tf2_ros/transformations.py",),
     "cv2": ("sensing/opencv.py",),
     "PyInstaller": ("pyinstaller/",),

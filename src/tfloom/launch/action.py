@@ -1,0 +1,70 @@
+"""The base class of actions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from tfloom.launch.condition import Condition
+from tfloom.launch.frontend.entity import Entity, ParsesActions
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
+
+__all__ = ["Action"]
+
+
+class Action(LaunchDescriptionEntity):
+    """An entity that is executed when it is visited, if its condition holds.
+
+    Args:
+        condition: None: it is always executed.
+    """
+
+    def __init__(self, *, condition: Condition | None = None) -> None:
+        self._condition = condition
+
+    @staticmethod
+    def parse(entity: Entity, parser: ParsesActions) -> tuple[type[Action], dict[str, Any]]:
+        """Return the class, and the keyword arguments that a tag of a launch file gives its constructor."""
+        kwargs: dict[str, Any] = {}
+        condition = parser.parse_condition(entity)
+        if condition is not None:
+            kwargs["condition"] = condition
+        return Action, kwargs
+
+    @property
+    def condition(self) -> Condition | None:
+        """Condition of the execution."""
+        return self._condition
+
+    def describe(self) -> str:
+        """Return a description for people."""
+        return f"Action('{self!r}')"
+
+    def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
+        """Return the entities under this one; derived classes override it, in place of the two below."""
+        return []
+
+    def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
+        """Return the entities under this one, if no condition decides."""
+        return self.get_sub_entities() if self._condition is None else []
+
+    def describe_conditional_sub_entities(
+        self,
+    ) -> list[tuple[str, Iterable[LaunchDescriptionEntity]]]:
+        """Return the entities under this one, if a condition decides."""
+        if self._condition is None:
+            return []
+        return [("Conditionally included by " + self.describe(), self.get_sub_entities())]
+
+    def visit(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
+        """Execute the action if its condition holds."""
+        if self._condition is not None and not self._condition.evaluate(context):
+            return None
+        return self.execute(context)
+
+    def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
+        """Do what the action stands for, and return the entities to visit next; derived classes implement it."""
+        raise NotImplementedError(
+            f"{type(self).__name__} has no method 'execute', which does what the action stands for"
+        )

@@ -1,0 +1,39 @@
+"""Handler of the end of a process."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from tfloom.launch.action import Action
+from tfloom.launch.event_handlers.on_action_event_base import OnActionEventBase
+from tfloom.launch.events.process.process_exited import ProcessExited
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.some_entities_type import SomeEntitiesType
+
+__all__ = ["OnProcessExit"]
+
+
+class OnProcessExit(OnActionEventBase):
+    """Visits entities at the end of a process.
+
+    Args:
+        target_action: The action, or a function that returns whether an action is meant; None: any.
+        on_exit: The entities, or a function that takes the event and the context and returns them.
+        kwargs: As for BaseEventHandler.
+    """
+
+    def __init__(
+        self,
+        *,
+        target_action: Action | Callable[[Any], bool] | None = None,
+        on_exit: SomeEntitiesType | Callable[[ProcessExited, LaunchContext], SomeEntitiesType | None],
+        **kwargs: Any,
+    ) -> None:
+        super().__init__(
+            action_matcher=target_action,
+            on_event=on_exit,
+            target_event_cls=ProcessExited,
+            target_action_cls=Action,
+            **kwargs,
+        )

@@ -1,0 +1,1 @@
+"""Events that the launch itself emits or handles."""

@@ -1,0 +1,26 @@
+"""A description to launch."""
+
+from __future__ import annotations
+
+from tfloom.launch.event import Event
+from tfloom.launch.launch_description import LaunchDescription
+
+__all__ = ["IncludeLaunchDescription"]
+
+
+class IncludeLaunchDescription(Event):
+    """Adds a description to the launch.
+
+    Args:
+        launch_description: The description.
+    """
+
+    name = "launch.events.IncludeLaunchDescription"
+
+    def __init__(self, launch_description: LaunchDescription) -> None:
+        self._launch_description = launch_description
+
+    @property
+    def launch_description(self) -> LaunchDescription:
+        """The description."""
+        return self._launch_description

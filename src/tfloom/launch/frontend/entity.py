@@ -1,0 +1,73 @@
+"""An element of a launch file, and the parser as actions need it."""
+
+from __future__ import annotations
+
+from typing import Any, Protocol
+
+from tfloom.launch.condition import Condition
+from tfloom.launch.substitution import Substitution
+
+__all__ = ["Entity", "ParsesActions"]
+
+
+class Entity:
+    """An element of a launch file, in any of its languages."""
+
+    @property
+    def type_name(self) -> str:
+        """Name of the element."""
+        raise NotImplementedError
+
+    @property
+    def parent(self) -> Entity | None:
+        """Element that this one is in."""
+        raise NotImplementedError
+
+    @property
+    def children(self) -> list[Entity]:
+        """Elements in this one."""
+        raise NotImplementedError
+
+    def assert_entity_completely_parsed(self) -> None:
+        """Raise ValueError if the element has attributes or children that nobody has read."""
+        raise NotImplementedError
+
+    def get_attr(
+        self, name: str, *, data_type: Any = str, optional: bool = False, can_be_str: bool = True
+    ) -> Any:
+        """Return an attribute.
+
+        Args:
+            name: Its name.
+            data_type: str, int, float, bool, a list of one of them (`List[int]`), or `List[Entity]` for children of
+                that name; None: what its text looks like.
+            optional: Whether it may be missing, and None is returned.
+            can_be_str: Whether a text is returned where it has no value of the type, as for substitutions.
+
+        Raises:
+            AttributeError: it is missing.
+            TypeError: it has another type.
+        """
+        raise NotImplementedError
+
+
+class ParsesActions(Protocol):
+    """The parser, as an action's `parse` needs it."""
+
+    def parse_condition(self, entity: Entity) -> Condition | None:
+        """Return the condition of the attributes `if` and `unless`."""
+
+    def parse_substitution(self, value: str) -> list[Substitution]:
+        """Return the substitutions of a text."""
+
+    def parse_if_substitutions(self, value: Any) -> Any:
+        """Return the substitutions of a value if it is a text or a list of texts, else the value."""
+
+    def parse_action(self, entity: Entity) -> Any:
+        """Return the action of an element."""
+
+    def escape_characters(self, value: str) -> str:
+        """Return a text with backslash escapes replaced."""
+
+    def get_file_extensions(self) -> set[str]:
+        """Return the extensions of the files that it reads."""

@@ -1,0 +1,216 @@
+"""The state of a launch: its events and handlers, variables, launch configurations and environment."""
+
+from __future__ import annotations
+
+import os
+from collections import deque
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING, Any, Protocol
+
+from tfloom.launch.event import Event
+from tfloom.launch.logging import get_logger
+
+if TYPE_CHECKING:
+    from asyncio import AbstractEventLoop, Future
+
+__all__ = ["LaunchContext", "Locals"]
+
+
+class HandlesEvents(Protocol):
+    """An event handler, as the context needs it."""
+
+    def matches(self, event: Event) -> bool:
+        """Return whether the handler handles an event."""
+
+    def handle(self, event: Event, context: Any) -> Any:
+        """Handle an event, and return the entities to visit."""
+
+
+class Performs(Protocol):
+    """A substitution, as the context needs it."""
+
+    def perform(self, context: Any) -> str:
+        """Return the text."""
+
+
+class Locals:
+    """The context's variables as attributes."""
+
+    def __init__(self, variables: Mapping[str, Any]) -> None:
+        self.__dict__.update(variables)
+
+    def __getattr__(self, name: str) -> Any:
+        raise AttributeError(f"context.locals does not contain attribute '{name}'")
+
+
+class LaunchContext:
+    """The state that entities share while a description is launched.
+
+    All members are used by the thread that runs the launch, except `_post`, which any thread may call.
+
+    Args:
+        argv: The arguments of the launch's command line.
+        noninteractive: Whether no terminal is there, so that Ctrl-C does not reach the processes by themselves.
+    """
+
+    def __init__(self, *, argv: Iterable[str] | None = None, noninteractive: bool = False) -> None:
+        self._argv = list(argv) if argv is not None else []
+        self._noninteractive = noninteractive
+        self._events: deque[Event] = deque()
+        self._post: Callable[[], None] = lambda: None
+        """Wakes the service; the service replaces it."""
+        self._event_handlers: deque[HandlesEvents] = deque()
+        self._completion_futures: list[Future[Any]] = []
+        self._globals: dict[str, Any] = {}
+        self._locals: dict[str, Any] = {}
+        self._locals_stack: list[dict[str, Any]] = []
+        self._launch_configurations: dict[str, str] = {}
+        self._launch_configurations_stack: list[dict[str, str]] = []
+        self._initial_environment = dict(os.environ)
+        self._environment_stack: list[dict[str, str]] = []
+        self._is_shutdown = False
+        self._asyncio_loop: AbstractEventLoop | None = None
+        self._process_count = 0
+        self._logger = get_logger("launch.launch_context")
+
+    @property
+    def argv(self) -> list[str]:
+        """Arguments of the launch's command line."""
+        return self._argv
+
+    @property
+    def noninteractive(self) -> bool:
+        """Whether the launch has no terminal."""
+        return self._noninteractive
+
+    @property
+    def is_shutdown(self) -> bool:
+        """Whether a Shutdown event has been handled."""
+        return self._is_shutdown
+
+    def _set_is_shutdown(self, state: bool) -> None:
+        self._is_shutdown = state
+
+    @property
+    def asyncio_loop(self) -> AbstractEventLoop | None:
+        """Loop that runs the launch; None while it doesn't run."""
+        return self._asyncio_loop
+
+    def _set_asyncio_loop(self, loop: AbstractEventLoop | None) -> None:
+        self._asyncio_loop = loop
+
+    def add_completion_future(self, completion_future: Future[Any]) -> None:
+        """Keep the launch running until a future is done."""
+        self._completion_futures.append(completion_future)
+
+    def _next_process_number(self) -> int:
+        self._process_count += 1
+        return self._process_count
+
+    # Variables
+
+    def extend_globals(self, extensions: dict[str, Any]) -> None:
+        """Add variables that stay for the whole launch.
+
+        Raises:
+            ValueError: a variable has one of the names.
+        """
+        for name in extensions:
+            if name in self._globals:
+                raise ValueError(f"cannot overwrite existing global '{name}'")
+        self._globals.update(extensions)
+
+    def extend_locals(self, extensions: dict[str, Any]) -> None:
+        """Add variables that stay until `_pop_locals`."""
+        self._locals.update(extensions)
+
+    def _push_locals(self) -> None:
+        self._locals_stack.append(dict(self._locals))
+
+    def _pop_locals(self) -> None:
+        if not self._locals_stack:
+            raise RuntimeError("locals stack unexpectedly empty")
+        self._locals = self._locals_stack.pop()
+
+    def get_locals_as_dict(self) -> dict[str, Any]:
+        """Return all variables, those of the whole launch included."""
+        return {**self._globals, **self._locals}
+
+    @property
+    def locals(self) -> Locals:
+        """Variables, as attributes."""
+        return Locals(self.get_locals_as_dict())
+
+    # Launch configurations
+
+    @property
+    def launch_configurations(self) -> dict[str, str]:
+        """Values of launch arguments and configurations, by name."""
+        return self._launch_configurations
+
+    def _push_launch_configurations(self) -> None:
+        self._launch_configurations_stack.append(dict(self._launch_configurations))
+
+    def _pop_launch_configurations(self) -> None:
+        if not self._launch_configurations_stack:
+            raise RuntimeError("launch configurations stack unexpectedly empty")
+        self._launch_configurations = self._launch_configurations_stack.pop()
+
+    # Environment
+
+    @property
+    def environment(self) -> Mapping[str, str]:
+        """Environment variables, which started processes inherit: `os.environ`."""
+        return os.environ
+
+    def _push_environment(self) -> None:
+        self._environment_stack.append(dict(os.environ))
+
+    def _pop_environment(self) -> None:
+        if not self._environment_stack:
+            raise RuntimeError("environment stack unexpectedly empty")
+        self._replace_environment(self._environment_stack.pop())
+
+    def _reset_environment(self) -> None:
+        self._replace_environment(self._initial_environment)
+
+    def _replace_environment(self, environment: Mapping[str, str]) -> None:
+        os.environ.clear()
+        os.environ.update(environment)
+
+    # Events
+
+    def register_event_handler(self, event_handler: HandlesEvents, append: bool = False) -> None:
+        """Add a handler, before the others, or after them if `append`."""
+        if append:
+            self._event_handlers.append(event_handler)
+        else:
+            self._event_handlers.appendleft(event_handler)
+
+    def unregister_event_handler(self, event_handler: HandlesEvents) -> None:
+        """Remove a handler.
+
+        Raises:
+            ValueError: it was not registered.
+        """
+        self._event_handlers.remove(event_handler)
+
+    def would_handle_event(self, event: Event) -> bool:
+        """Return whether any handler handles an event."""
+        return any(handler.matches(event) for handler in self._event_handlers)
+
+    def emit_event_sync(self, event: Event) -> None:
+        """Add an event to those that the service handles, in order."""
+        self._logger.debug("emitting event synchronously: '%s'", event.name)
+        self._events.append(event)
+        self._post()
+
+    async def emit_event(self, event: Event) -> None:
+        """Add an event to those that the service handles, in order."""
+        self._logger.debug("emitting event: '%s'", event.name)
+        self._events.append(event)
+        self._post()
+
+    def perform_substitution(self, substitution: Performs) -> str:
+        """Return a substitution's text."""
+        return substitution.perform(self)

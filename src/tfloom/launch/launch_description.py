@@ -1,0 +1,122 @@
+"""Launch descriptions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+from tfloom.launch.action import Action
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.logging import get_logger
+
+__all__ = ["LaunchDescription"]
+
+
+class LaunchDescription(LaunchDescriptionEntity):
+    """A list of entities, which the launch service visits in order.
+
+    Args:
+        initial_entities: The first entities of the list.
+        deprecated_reason: A text that is logged as a warning when the description is launched.
+    """
+
+    def __init__(
+        self,
+        initial_entities: Iterable[LaunchDescriptionEntity] | None = None,
+        *,
+        deprecated_reason: str | None = None,
+    ) -> None:
+        self._entities = list(initial_entities) if initial_entities is not None else []
+        self._deprecated_reason = deprecated_reason
+
+    @property
+    def entities(self) -> list[LaunchDescriptionEntity]:
+        """Entities, in order."""
+        return self._entities
+
+    @property
+    def deprecated(self) -> bool:
+        """Whether the description is deprecated."""
+        return self._deprecated_reason is not None
+
+    @property
+    def deprecated_reason(self) -> str | None:
+        """Reason of the deprecation."""
+        return self._deprecated_reason
+
+    def add_entity(self, entity: LaunchDescriptionEntity) -> None:
+        """Add an entity after the others."""
+        self._entities.append(entity)
+
+    def add_action(self, action: Action) -> None:
+        """Add an action after the others."""
+        self.add_entity(action)
+
+    def visit(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
+        """Return the entities, to be visited in order."""
+        if self._deprecated_reason is not None:
+            location = (
+                getattr(context.locals, "current_launch_file_path", None)
+                if ("current_launch_file_path" in context.get_locals_as_dict())
+                else None
+            )
+            get_logger("launch").warning(
+                f"launch file [{location}] is deprecated: {self._deprecated_reason}"
+                if location
+                else f"deprecated launch description: {self._deprecated_reason}"
+            )
+        return self._entities
+
+    def describe(self) -> str:
+        """Return a description for people."""
+        return repr(self)
+
+    def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
+        """Return the entities."""
+        return self._entities
+
+    def get_launch_arguments(self, conditional_inclusion: bool = False) -> list[Any]:
+        """Return the declared arguments (DeclareLaunchArgument), also those of included descriptions.
+
+        Args:
+            conditional_inclusion: Whether those count that a condition may leave out.
+        """
+        return [
+            argument
+            for argument, _ in self.get_launch_arguments_with_include_launch_description_actions(
+                conditional_inclusion
+            )
+        ]
+
+    def get_launch_arguments_with_include_launch_description_actions(
+        self, conditional_inclusion: bool = False
+    ) -> list[tuple[Any, list[Any]]]:
+        """Return the declared arguments, each with the IncludeLaunchDescription actions that lead to it.
+
+        An argument that two places declare is listed once, as the first place declares it. One that an inclusion gives
+        a value is not listed.
+        """
+        found: dict[str, tuple[Any, list[Any]]] = {}
+        for argument, inclusions in _declared_arguments(self._entities, [], conditional_inclusion):
+            found.setdefault(argument.name, (argument, inclusions))
+        return list(found.values())
+
+
+def _declared_arguments(
+    entities: Iterable[LaunchDescriptionEntity], inclusions: list[Any], conditional: bool
+) -> Iterator[tuple[Any, list[Any]]]:
+    """Walk the tree. `declares_argument` and `given_arguments` are attributes of actions in higher files."""
+    for entity in entities:
+        if getattr(entity, "declares_argument", False):
+            yield entity, inclusions
+        inner, given = inclusions, frozenset[str]()
+        if hasattr(entity, "given_arguments"):
+            inner, given = [*inclusions, entity], entity.given_arguments()
+        groups: list[Iterable[LaunchDescriptionEntity]] = [entity.describe_sub_entities()]
+        if conditional:
+            groups += [group for _, group in entity.describe_conditional_sub_entities()]
+        for group in groups:
+            for argument, path in _declared_arguments(group, inner, conditional):
+                if argument.name not in given:
+                    yield argument, path

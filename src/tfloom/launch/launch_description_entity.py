@@ -1,0 +1,39 @@
+"""The base class of what a launch description consists of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from tfloom.launch.launch_context import LaunchContext
+
+if TYPE_CHECKING:
+    from asyncio import Future
+
+__all__ = ["LaunchDescriptionEntity"]
+
+
+class LaunchDescriptionEntity:
+    """A node of the tree that the launch service visits."""
+
+    def describe(self) -> str:
+        """Return a description for people."""
+        return repr(self)
+
+    def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
+        """Return the entities under this one, as far as they are known before it is visited."""
+        return []
+
+    def describe_conditional_sub_entities(
+        self,
+    ) -> list[tuple[str, Iterable[LaunchDescriptionEntity]]]:
+        """Return the entities that may be visited, in groups, each with the text of its condition."""
+        return []
+
+    def visit(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
+        """Do what the entity stands for, and return the entities to visit next, at once and in their order."""
+        return None
+
+    def get_asyncio_future(self) -> Future[Any] | None:
+        """Return a future that is done when the entity has ended; None if it ends with its visit."""
+        return None

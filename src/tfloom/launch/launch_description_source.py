@@ -1,0 +1,71 @@
+"""Where an included launch description comes from."""
+
+from __future__ import annotations
+
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.launch_description import LaunchDescription
+from tfloom.launch.logging import get_logger
+from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+from tfloom.launch.substitution import Substitution
+from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
+from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+
+__all__ = ["LaunchDescriptionSource"]
+
+
+class LaunchDescriptionSource:
+    """Loads a launch description when it is needed.
+
+    Args:
+        launch_description: The description, if it is known already.
+        location: The path of the file.
+        method: How it is loaded, for people.
+    """
+
+    def __init__(
+        self,
+        launch_description: LaunchDescription | None = None,
+        location: SomeSubstitutionsType = "<string>",
+        method: str = "unspecified mechanism from a script",
+    ) -> None:
+        self._launch_description = launch_description
+        self._location: list[Substitution] = normalize_to_list_of_substitutions(location)
+        self._method = method
+        self._expanded_location: str | None = None
+
+    @property
+    def location(self) -> str:
+        """Path of the file; before it is loaded, the description of its substitutions."""
+        if self._expanded_location is not None:
+            return self._expanded_location
+        return " + ".join(part.describe() for part in self._location)
+
+    @property
+    def method(self) -> str:
+        """How the description is loaded, for people."""
+        return self._method
+
+    def get_launch_description(self, context: LaunchContext) -> LaunchDescription:
+        """Load the description at the first call, and return it."""
+        if self._expanded_location is None:
+            self._expanded_location = perform_substitutions(context, self._location)
+        if self._launch_description is None:
+            self._launch_description = self._load(self._expanded_location)
+        return self._launch_description
+
+    def try_get_launch_description_without_context(self) -> LaunchDescription | None:
+        """Return the description if no substitution is needed to find it; None: one is, or it can't be loaded."""
+        if self._launch_description is None:
+            try:
+                location = perform_substitutions(LaunchContext(), self._location)
+                self._launch_description = self._load(location)
+            except Exception as error:  # noqa: BLE001  # of a user's file
+                get_logger("launch").debug(f"not known before the launch: {self.location}: {error}")
+        return self._launch_description
+
+    def _load(self, location: str) -> LaunchDescription:
+        """Return the description of a file. Derived classes implement it, as `_get_launch_description`."""
+        return self._get_launch_description(location)
+
+    def _get_launch_description(self, location: str) -> LaunchDescription:
+        raise NotImplementedError(f"{type(self).__name__} has no method '_get_launch_description'")

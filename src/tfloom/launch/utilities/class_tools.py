@@ -1,0 +1,25 @@
+"""Whether an object or a class is of a kind."""
+
+from __future__ import annotations
+
+import inspect
+from typing import Any
+
+__all__ = ["is_a", "is_a_subclass", "isclassinstance"]
+
+
+def isclassinstance(obj: Any) -> bool:
+    """Return whether an object is an instance, and neither a class, a function nor a module."""
+    return not (inspect.isclass(obj) or inspect.isroutine(obj) or inspect.ismodule(obj))
+
+
+def is_a(obj: Any, entity_type: type) -> bool:
+    """Return whether an object is an instance of exactly a class, or has it among its bases."""
+    return isclassinstance(obj) and isinstance(obj, entity_type)
+
+
+def is_a_subclass(obj: Any, entity_type: type) -> bool:
+    """Return whether a class, or an instance's class, is a class or derived from it."""
+    if inspect.isclass(obj):
+        return issubclass(obj, entity_type)
+    return is_a(obj, entity_type)

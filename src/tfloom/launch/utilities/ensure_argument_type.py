@@ -1,0 +1,38 @@
+"""The check of an argument's type."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Iterable
+from typing import Any
+
+__all__ = ["ensure_argument_type"]
+
+
+def ensure_argument_type(
+    argument: Any, types: type | Iterable[type], argument_name: str, caller: str | None = None
+) -> None:
+    """Raise TypeError unless an argument is of one of the types.
+
+    Args:
+        argument: The argument's value.
+        types: A class or several; an instance and a class derived from it are accepted.
+        argument_name: Its name, for the error.
+        caller: The function's name, for the error.
+
+    Raises:
+        TypeError: the argument is of another type.
+    """
+    allowed = tuple(types) if isinstance(types, Iterable) else (types,)
+    for each in allowed:
+        origin = getattr(each, "__origin__", each)
+        if not inspect.isclass(origin):
+            raise TypeError(f"'{each!r}' in 'types' is not a type")
+        if isinstance(argument, origin) or (inspect.isclass(argument) and issubclass(argument, origin)):
+            return
+    named = "', '".join(each.__name__ for each in allowed)
+    of_caller = f" to {caller}" if caller else ""
+    raise TypeError(
+        f"Expected '{argument_name}' given{of_caller} to be one of ['{named}'], "
+        f"but got '{argument}' of type '{type(argument)}'"
+    )

@@ -1,0 +1,281 @@
+"""Values of launch files and parameters: int, float, bool, str, lists of one of them, and substitutions for them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any, List, Union  # noqa: UP035  # programs pass typing.List
+
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+from tfloom.launch.substitution import Substitution
+from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
+from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+
+__all__ = [
+    "AllowedTypesTuple",
+    "AllowedTypesType",
+    "AllowedValueType",
+    "ListTypesTuple",
+    "ListValueType",
+    "NormalizedValueType",
+    "ScalarTypesTuple",
+    "ScalarTypesType",
+    "ScalarValueType",
+    "SomeListType",
+    "SomeValueType",
+    "StrSomeValueType",
+    "coerce_list",
+    "coerce_to_type",
+    "extract_type",
+    "get_typed_value",
+    "is_instance_of",
+    "is_instance_of_valid_type",
+    "is_normalized_substitution",
+    "is_substitution",
+    "is_typing_list",
+    "is_valid_scalar_type",
+    "normalize_typed_substitution",
+    "perform_typed_substitution",
+]
+
+ScalarTypesTuple = (int, float, bool, str)
+ListTypesTuple = (List[int], List[float], List[bool], List[str])  # noqa: UP006
+AllowedTypesTuple = (*ScalarTypesTuple, *ListTypesTuple)
+
+AllowedTypesType = Any
+ScalarTypesType = Any
+ScalarValueType = Union[int, float, bool, str]
+ListValueType = Sequence[ScalarValueType]
+AllowedValueType = Union[ScalarValueType, ListValueType]
+StrSomeValueType = Union[SomeSubstitutionsType, int, float, bool]
+SomeListType = Sequence[StrSomeValueType]
+SomeValueType = Union[StrSomeValueType, SomeListType]
+NormalizedValueType = Any
+
+
+def is_typing_list(data_type: Any) -> bool:
+    """Return whether a type is `typing.List`, `list`, or one of them with an item type."""
+    return data_type is list or data_type is List or getattr(data_type, "__origin__", None) is list  # noqa: UP006
+
+
+def is_valid_scalar_type(data_type: Any) -> bool:
+    """Return whether a type is int, float, bool or str."""
+    return data_type in ScalarTypesTuple
+
+
+def extract_type(data_type: Any) -> tuple[Any, bool]:
+    """Return the type of a value or of a list's items, and whether it is a list.
+
+    Raises:
+        ValueError: the type is none of AllowedTypesTuple.
+    """
+    is_list = is_typing_list(data_type)
+    scalar = data_type
+    if is_list:
+        items: tuple[Any, ...] = getattr(data_type, "__args__", ())
+        scalar = items[0] if len(items) == 1 else None
+    if not is_valid_scalar_type(scalar):
+        raise ValueError(f"Unrecognized data type: {data_type}")
+    return scalar, is_list
+
+
+def _is_scalar(value: Any, scalar: type) -> bool:
+    if scalar in (int, float) and isinstance(value, bool):
+        return False
+    return isinstance(value, scalar)
+
+
+def is_instance_of_valid_type(value: Any, *, can_be_str: bool = False) -> bool:
+    """Return whether a value is an int, float, bool, str, or a list of items of one of these types.
+
+    Args:
+        value: The value.
+        can_be_str: Whether items of a list may also be texts.
+    """
+    return is_instance_of(value, None, can_be_str=can_be_str)
+
+
+def is_instance_of(value: Any, data_type: Any = None, *, can_be_str: bool = False) -> bool:
+    """Return whether a value has a type; None: any of AllowedTypesTuple.
+
+    Args:
+        value: The value.
+        data_type: The type.
+        can_be_str: Whether the value, or items of a list, may also be texts.
+
+    Raises:
+        ValueError: the type is none of AllowedTypesTuple.
+    """
+    if data_type is None:
+        return any(is_instance_of(value, each, can_be_str=can_be_str) for each in AllowedTypesTuple)
+    scalar, is_list = extract_type(data_type)
+    if not is_list:
+        return _is_scalar(value, scalar) or (can_be_str and isinstance(value, str))
+    return isinstance(value, (list, tuple)) and all(
+        _is_scalar(item, scalar) or (can_be_str and isinstance(item, str)) for item in value
+    )
+
+
+def _from_yaml(text: str) -> Any:
+    from tfloom.rosidl.user_yaml import YamlError, load  # loaded with the first value that is not text
+
+    try:
+        return load(text)
+    except YamlError:
+        return text
+
+
+def _as_scalar(value: Any, scalar: type) -> Any:
+    """Return a value as of a type, where YAML read another one that stands for it; None: it does not."""
+    if _is_scalar(value, scalar):
+        return value
+    return float(value) if scalar is float and _is_scalar(value, int) else None
+
+
+def coerce_to_type(value: str, data_type: Any = None, *, can_be_str: bool = False) -> Any:
+    """Return the value that a text stands for by the rules of YAML.
+
+    Args:
+        value: The text.
+        data_type: The type; None: any of AllowedTypesTuple, else the text.
+        can_be_str: Whether the text is returned if it is no value of the type.
+
+    Raises:
+        ValueError: the text is no value of the type.
+    """
+    if data_type is str:
+        return value
+    read = _from_yaml(value)
+    if data_type is None:
+        return read if is_instance_of_valid_type(read) else value
+    scalar, is_list = extract_type(data_type)
+    if is_list:
+        if isinstance(read, list):
+            items = [str(item) if scalar is str else _as_scalar(item, scalar) for item in read]
+            if None not in items:
+                return items
+    elif (converted := _as_scalar(read, scalar)) is not None:
+        return converted
+    if can_be_str:
+        return value
+    raise ValueError(f"Expected an output of type '{data_type}', got '{type(read)}' ({value!r})")
+
+
+def coerce_list(value: list[str], data_type: Any = None, *, can_be_str: bool = False) -> Any:
+    """Return the values that texts stand for, all of one type.
+
+    Args:
+        value: The texts.
+        data_type: The items' type; None: one that all have, else str.
+        can_be_str: Whether an item that is no value of the type stays a text.
+
+    Raises:
+        ValueError: a text is no value of the type.
+    """
+    items = [coerce_to_type(each, data_type, can_be_str=can_be_str) for each in value]
+    if data_type is None and not is_instance_of_valid_type(items, can_be_str=can_be_str):
+        return list(value)
+    return items
+
+
+def get_typed_value(value: str | list[str], data_type: Any, *, can_be_str: bool = False) -> Any:
+    """Return the value that a text, or a list of texts, stands for.
+
+    Args:
+        value: The text or texts.
+        data_type: The type; None: any of AllowedTypesTuple.
+        can_be_str: Whether a text that is no value of the type stays one.
+
+    Raises:
+        ValueError: it is no value of the type.
+    """
+    if not isinstance(value, list):
+        return coerce_to_type(value, data_type, can_be_str=can_be_str)
+    if data_type is None:
+        return coerce_list(value, can_be_str=can_be_str)
+    scalar, is_list = extract_type(data_type)
+    if not is_list:
+        raise ValueError(f"Cannot convert value '{value}' to '{data_type}'")
+    return coerce_list(value, scalar, can_be_str=can_be_str)
+
+
+def is_substitution(x: Any) -> bool:
+    """Return whether a value is a substitution, or a list of texts and at least one substitution."""
+    if isinstance(x, Substitution):
+        return True
+    return (
+        isinstance(x, Iterable)
+        and not isinstance(x, str)
+        and all(isinstance(item, (str, Substitution)) for item in x)
+        and any(isinstance(item, Substitution) for item in x)
+    )
+
+
+def is_normalized_substitution(x: Any) -> bool:
+    """Return whether a value is a list of substitutions, with at least one."""
+    return isinstance(x, list) and bool(x) and all(isinstance(item, Substitution) for item in x)
+
+
+def normalize_typed_substitution(value: Any, data_type: Any) -> Any:
+    """Return a value with each of its substitutions as a list of them.
+
+    Args:
+        value: A value of a type of AllowedTypesTuple, a substitution, or a list with substitutions as items.
+        data_type: The type that it has, or will have when it is performed; None: any.
+
+    Raises:
+        TypeError: it has another type.
+    """
+    if isinstance(value, tuple):
+        value = list(value)
+    if is_substitution(value) and (
+        not isinstance(value, list) or data_type is None or not is_typing_list(data_type)
+    ):
+        if data_type is not None:
+            extract_type(data_type)
+        return normalize_to_list_of_substitutions(value)
+    if is_instance_of(value, data_type):
+        return value
+    if not isinstance(value, list):
+        raise TypeError(f"value='{value}' is not an instance of {data_type}, and no substitution")
+    scalar = extract_type(data_type)[0] if data_type is not None else None
+    items = []
+    for item in value:
+        if is_substitution(item):
+            items.append(normalize_to_list_of_substitutions(item))
+        elif is_instance_of(item, scalar) and not isinstance(item, list):
+            items.append(item)
+        else:
+            raise TypeError(f"'{item}' in value='{value}' is not of type {scalar}, and no substitution")
+    return items
+
+
+def perform_typed_substitution(context: LaunchContext, value: Any, data_type: Any) -> Any:
+    """Return a normalized value with its substitutions performed.
+
+    Args:
+        context: The context.
+        value: What `normalize_typed_substitution` returned.
+        data_type: The type of the result; None: any of AllowedTypesTuple.
+
+    Raises:
+        ValueError: a substitution's text is no value of the type.
+    """
+    if is_normalized_substitution(value):
+        return coerce_to_type(perform_substitutions(context, value), data_type)
+    if isinstance(value, list):
+        scalar = extract_type(data_type)[0] if data_type is not None else None
+        if not any(is_normalized_substitution(item) for item in value):
+            return value
+        items = [
+            coerce_to_type(perform_substitutions(context, item), scalar)
+            if is_normalized_substitution(item)
+            else item
+            for item in value
+        ]
+        if not is_instance_of(items, data_type):
+            raise ValueError(f"the items of {items} are not all of one type: {data_type or 'any'}")
+        return items
+    if not is_instance_of(value, data_type):
+        raise ValueError(f"Expected an output of type '{data_type}', got '{type(value)}' ({value!r})")
+    return value
