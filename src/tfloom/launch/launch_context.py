@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections import deque
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, MutableMapping
 from typing import TYPE_CHECKING, Any, Protocol
 
 from tfloom.launch.event import Event
@@ -65,6 +65,8 @@ class LaunchContext:
         self._locals: dict[str, Any] = {}
         self._locals_stack: list[dict[str, Any]] = []
         self._launch_configurations: dict[str, str] = {}
+        self._declared_arguments: list[str] = []
+        """Names of the arguments whose declaration has been visited."""
         self._launch_configurations_stack: list[dict[str, str]] = []
         self._initial_environment = dict(os.environ)
         self._environment_stack: list[dict[str, str]] = []
@@ -159,7 +161,7 @@ class LaunchContext:
     # Environment
 
     @property
-    def environment(self) -> Mapping[str, str]:
+    def environment(self) -> MutableMapping[str, str]:
         """Environment variables, which started processes inherit: `os.environ`."""
         return os.environ
 

@@ -80,7 +80,7 @@ class LaunchDescription(LaunchDescriptionEntity):
         """Return the declared arguments (DeclareLaunchArgument), also those of included descriptions.
 
         Args:
-            conditional_inclusion: Whether those count that a condition may leave out.
+            conditional_inclusion: Whether all of the description is only visited under a condition.
         """
         return [
             argument
@@ -91,32 +91,43 @@ class LaunchDescription(LaunchDescriptionEntity):
 
     def get_launch_arguments_with_include_launch_description_actions(
         self, conditional_inclusion: bool = False
-    ) -> list[tuple[Any, list[Any]]]:
-        """Return the declared arguments, each with the IncludeLaunchDescription actions that lead to it.
+    ) -> list[tuple[Any, list[Any] | None]]:
+        """Return the declared arguments, each with the IncludeLaunchDescription actions that lead to it, or None.
 
-        An argument that two places declare is listed once, as the first place declares it. One that an inclusion gives
-        a value is not listed.
+        An argument that two places declare is listed once, as the first place declares it. The attribute
+        `_conditionally_included` of each is set: whether it may not be visited. What can't be loaded before the launch
+        has no arguments here, nor has what follows a ResetLaunchConfigurations.
         """
-        found: dict[str, tuple[Any, list[Any]]] = {}
-        for argument, inclusions in _declared_arguments(self._entities, [], conditional_inclusion):
-            found.setdefault(argument.name, (argument, inclusions))
+        found: dict[str, tuple[Any, list[Any] | None]] = {}
+        for argument, inclusions, is_conditional in _declared_arguments(
+            self._entities, [], conditional_inclusion
+        ):
+            if argument.name not in found:
+                argument._conditionally_included = is_conditional  # noqa: SLF001  # the name that others read
+                found[argument.name] = argument, inclusions or None
         return list(found.values())
 
 
 def _declared_arguments(
-    entities: Iterable[LaunchDescriptionEntity], inclusions: list[Any], conditional: bool
-) -> Iterator[tuple[Any, list[Any]]]:
-    """Walk the tree. `declares_argument` and `given_arguments` are attributes of actions in higher files."""
+    entities: Iterable[LaunchDescriptionEntity], inclusions: list[Any], is_conditional: bool
+) -> Iterator[tuple[Any, list[Any], bool]]:
+    """Walk the tree, and yield each declaration with the inclusions around it, and whether a condition decides.
+
+    The attributes `declares_argument`, `resets_arguments` and `location_without_context` are those of actions in higher
+    files. A file that includes itself is not walked again.
+    """
     for entity in entities:
         if getattr(entity, "declares_argument", False):
-            yield entity, inclusions
-        inner, given = inclusions, frozenset[str]()
-        if hasattr(entity, "given_arguments"):
-            inner, given = [*inclusions, entity], entity.given_arguments()
-        groups: list[Iterable[LaunchDescriptionEntity]] = [entity.describe_sub_entities()]
-        if conditional:
-            groups += [group for _, group in entity.describe_conditional_sub_entities()]
-        for group in groups:
-            for argument, path in _declared_arguments(group, inner, conditional):
-                if argument.name not in given:
-                    yield argument, path
+            condition = getattr(entity, "condition", None)
+            yield entity, inclusions, is_conditional or condition is not None
+        elif getattr(entity, "resets_arguments", False):
+            return
+        around = inclusions
+        if hasattr(entity, "location_without_context"):
+            location = entity.location_without_context()
+            if location and location in (each.location_without_context() for each in inclusions):
+                continue
+            around = [*inclusions, entity]
+        yield from _declared_arguments(entity.describe_sub_entities(), around, is_conditional)
+        for _, group in entity.describe_conditional_sub_entities():
+            yield from _declared_arguments(group, around, True)
