@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from tfloom.launch.condition import Condition
+from tfloom.launch.events.execution_complete import ExecutionComplete
 from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
@@ -61,7 +62,15 @@ class Action(LaunchDescriptionEntity):
         """Execute the action if its condition holds."""
         if self._condition is not None and not self._condition.evaluate(context):
             return None
-        return self.execute(context)
+        following = self.execute(context)
+        complete = ExecutionComplete(action=self)
+        if context.would_handle_event(complete):
+            future = self.get_asyncio_future()
+            if future is None:
+                context.emit_event_sync(complete)
+            else:
+                future.add_done_callback(lambda _: context.emit_event_sync(complete))
+        return following
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Do what the action stands for, and return the entities to visit next; derived classes implement it."""

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from tfloom.launch.action import Action
 from tfloom.launch.event import Event
+from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 
 __all__ = ["ExecutionComplete"]
 
@@ -17,10 +17,10 @@ class ExecutionComplete(Event):
 
     name = "launch.events.ExecutionComplete"
 
-    def __init__(self, *, action: Action) -> None:
+    def __init__(self, *, action: LaunchDescriptionEntity) -> None:
         self._action = action
 
     @property
-    def action(self) -> Action:
+    def action(self) -> LaunchDescriptionEntity:
         """The action."""
         return self._action

@@ -1,0 +1,1 @@
+"""Actions, of which launch descriptions consist."""

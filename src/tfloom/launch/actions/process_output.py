@@ -1,0 +1,80 @@
+"""What a process writes: as lines on the screen and in logs, as events, and as text."""
+
+from __future__ import annotations
+
+import codecs
+import logging
+from typing import Any
+
+from tfloom.launch.events.process.process_stderr import ProcessStderr
+from tfloom.launch.events.process.process_stdout import ProcessStdout
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.logging import OutputConfig, get_output_loggers
+
+__all__ = ["ProcessOutput"]
+
+LONGEST_LINE = 1_000_000
+"""Characters after which an incomplete line is printed."""
+
+
+class _Stream:
+    """One of the two outputs."""
+
+    def __init__(self, logger: logging.Logger) -> None:
+        self.logger = logger
+        self.decoder = codecs.getincrementaldecoder("utf-8")(errors="replace")
+        self.rest = ""
+        self.cached: list[str] = []
+
+
+class ProcessOutput:
+    """The output of a process, complete lines as soon as they are there.
+
+    Args:
+        action: The action that runs it, for `line_format` and its `process_details` for events.
+        name: Its name.
+        output: Where it goes: see `logging.get_output_loggers`.
+        line_format: Format of a line, of `line` and `this`, the action.
+        is_cached: Whether all of it is kept for `text`.
+    """
+
+    def __init__(
+        self, action: Any, name: str, output: OutputConfig, line_format: str, *, is_cached: bool
+    ) -> None:
+        self._action = action
+        self._line_format = line_format
+        self._is_cached = is_cached
+        self._streams = dict(zip((1, 2), map(_Stream, get_output_loggers(name, output)), strict=True))
+
+    def text(self, fd: int) -> str:
+        """Return all of the output of stdout (1) or stderr (2) if it is cached, else the last, incomplete line."""
+        stream = self._streams[fd]
+        return "".join(stream.cached) if self._is_cached else stream.rest
+
+    def receive(self, context: LaunchContext, fd: int, data: bytes) -> None:
+        """Take what the process has written."""
+        event_type = ProcessStdout if fd == 1 else ProcessStderr
+        details = self._action.process_details
+        if details is not None:
+            event = event_type(text=data, **details)
+            if context.would_handle_event(event):
+                context.emit_event_sync(event)
+        stream = self._streams[fd]
+        self._print(stream, stream.decoder.decode(data))
+
+    def flush(self) -> None:
+        """Print the last lines, though they are incomplete."""
+        for stream in self._streams.values():
+            self._print(stream, stream.decoder.decode(b"", final=True))
+            if stream.rest:
+                self._print(stream, "\n")
+
+    def _print(self, stream: _Stream, text: str) -> None:
+        if self._is_cached:
+            stream.cached.append(text)
+        *lines, stream.rest = (stream.rest + text).split("\n")
+        if len(stream.rest) > LONGEST_LINE:
+            lines.append(stream.rest)
+            stream.rest = ""
+        for line in lines:
+            stream.logger.info("%s", self._line_format.format(line=line.rstrip("\r"), this=self._action))

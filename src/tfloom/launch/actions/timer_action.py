@@ -1,0 +1,170 @@
+"""The action that waits, then executes others."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Iterable, Sequence
+from typing import Any, cast
+
+from tfloom.launch.action import Action
+from tfloom.launch.event import Event
+from tfloom.launch.event_handler import BaseEventHandler
+from tfloom.launch.event_handlers.on_shutdown import OnShutdown
+from tfloom.launch.events.timer_event import TimerEvent
+from tfloom.launch.frontend.entity import Entity, ParsesActions
+from tfloom.launch.frontend.expose import expose_action
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.logging import get_logger
+from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+from tfloom.launch.utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
+
+__all__ = ["TimerAction"]
+
+
+@expose_action("timer")
+class TimerAction(Action):
+    """Waits for a period, and executes actions then.
+
+    Args:
+        period: The time to wait [s].
+        actions: The actions.
+        cancel_on_shutdown: Whether the end of the launch ends the wait; else the launch waits for the actions.
+        kwargs: As for Action.
+
+    Raises:
+        TypeError: `period` is neither a number nor a substitution.
+    """
+
+    def __init__(
+        self,
+        *,
+        period: float | SomeSubstitutionsType,
+        actions: Iterable[LaunchDescriptionEntity],
+        cancel_on_shutdown: bool | SomeSubstitutionsType = True,
+        **kwargs: Any,
+    ) -> None:
+        super().__init__(**kwargs)
+        self._period = normalize_typed_substitution(_as_substitution(period), float)
+        self._actions = list(actions)
+        self._cancel_on_shutdown = normalize_typed_substitution(cancel_on_shutdown, bool)
+        self._completed_future: asyncio.Future[None] | None = None
+        self._canceled = False
+        self._canceled_future: asyncio.Future[bool] | None = None
+        self._handlers: list[BaseEventHandler] = []
+        self._logger = get_logger("launch.timer_action")
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: ParsesActions) -> tuple[type[Action], dict[str, Any]]:
+        """Return the class and the arguments of its constructor."""
+        _, kwargs = super().parse(entity, parser)
+        kwargs["period"] = parser.parse_if_substitutions(
+            entity.get_attr("period", data_type=float, can_be_str=True)
+        )
+        kwargs["actions"] = [parser.parse_action(child) for child in entity.children]
+        return cls, kwargs
+
+    @property
+    def period(self) -> Any:
+        """Time to wait [s]: a number, or a list of substitutions."""
+        return self._period
+
+    @property
+    def actions(self) -> Sequence[LaunchDescriptionEntity]:
+        """Actions that are executed then."""
+        return self._actions
+
+    def describe(self) -> str:
+        """Return a description for people."""
+        return f"Action('{self!r}')"
+
+    def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
+        """Return the actions."""
+        return []
+
+    def describe_conditional_sub_entities(
+        self,
+    ) -> list[tuple[str, Iterable[LaunchDescriptionEntity]]]:
+        """Return the actions."""
+        return [*super().describe_conditional_sub_entities(), ("After the period", self._actions)]
+
+    def cancel(self) -> None:
+        """End the wait, if it lasts, and execute nothing."""
+        self._canceled = True
+        if self._canceled_future is not None and not self._canceled_future.done():
+            self._canceled_future.set_result(True)
+
+    def reset(self) -> None:
+        """Allow that the timer is executed again."""
+        self._canceled = False
+        self._canceled_future = None
+        self._completed_future = None
+
+    def handle(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
+        """Return the actions, with the timer as `context.locals.timer_action`; None if it was canceled."""
+        context.extend_locals({"timer_action": self})
+        return None if self._canceled else self._actions
+
+    def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
+        """Begin to wait.
+
+        Raises:
+            RuntimeError: no launch runs.
+            ValueError: the period is no number.
+        """
+        loop = context.asyncio_loop
+        if loop is None:
+            raise RuntimeError("a timer can't be started: no LaunchService runs")
+        if self._canceled:
+            return None
+        self._canceled_future = loop.create_future()
+        self._completed_future = loop.create_future()
+        self._handlers = [_OnTimer(self)]
+        if perform_typed_substitution(context, self._cancel_on_shutdown, bool):
+            self._handlers.append(OnShutdown(on_shutdown=lambda *_: self.cancel()))
+        for handler in self._handlers:
+            context.register_event_handler(handler)
+        self._task = loop.create_task(self._wait_to_fire_event(context))
+        return None
+
+    def get_asyncio_future(self) -> asyncio.Future[None] | None:
+        """Return a future that is done when the wait has ended, and the actions have begun."""
+        return self._completed_future
+
+    async def _wait_to_fire_event(self, context: LaunchContext) -> None:
+        period_s = perform_typed_substitution(context, self._period, float)
+        canceled = cast("asyncio.Future[bool]", self._canceled_future)
+        await asyncio.wait([canceled], timeout=period_s)
+        if canceled.done():
+            self._complete(context)
+        else:
+            await context.emit_event(TimerEvent(timer_action=self))
+
+    def _complete(self, context: LaunchContext) -> None:
+        for handler in self._handlers:
+            context.unregister_event_handler(handler)
+        self._handlers.clear()
+        if self._completed_future is not None and not self._completed_future.done():
+            self._completed_future.set_result(None)
+
+
+class _OnTimer(BaseEventHandler):
+    """Handles the end of a timer's wait."""
+
+    def __init__(self, timer: TimerAction) -> None:
+        super().__init__(matcher=lambda event: isinstance(event, TimerEvent) and event.timer_action is timer)
+        self._timer = timer
+
+    def handle(self, event: Event, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
+        super().handle(event, context)
+        self._timer._complete(context)  # noqa: SLF001  # its handler
+        return self._timer.handle(context)
+
+
+def _as_substitution(period: Any) -> Any:
+    """Return whole numbers and texts of numbers as floats."""
+    if isinstance(period, int) and not isinstance(period, bool):
+        return float(period)
+    if isinstance(period, str):
+        return float(period)
+    return period

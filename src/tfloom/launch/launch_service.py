@@ -1,0 +1,262 @@
+"""The engine: it visits descriptions, and handles events in order until nothing is left to do.
+
+A launch is a queue of events. To include a description is an event; its handler returns the description, which is a
+tree of entities. A visit of an entity does what it stands for and returns the entities to visit next, depth first. An
+entity that goes on after its visit, as a process does, has a future. When no event waits and no future is open, the
+launch is idle, which emits the event Shutdown; after that one is handled and all is idle again, the launch has ended.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import signal
+import threading
+import traceback
+from collections.abc import Coroutine, Iterable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from tfloom.launch.event import Event
+from tfloom.launch.event_handlers.on_include_launch_description import OnIncludeLaunchDescription
+from tfloom.launch.event_handlers.on_shutdown import OnShutdown
+from tfloom.launch.events.include_launch_description import IncludeLaunchDescription
+from tfloom.launch.events.shutdown import Shutdown
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.launch_description import LaunchDescription
+from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.logging import get_logger, launch_config, log_launch_config
+from tfloom.launch.processes.running import guard_of
+from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
+from tfloom.launch.utilities.signal_management import AsyncSafeSignalManager
+from tfloom.launch.utilities.visit_all_entities_and_collect_futures import (
+    visit_all_entities_and_collect_futures,
+)
+
+__all__ = ["LaunchService"]
+
+ENDING_SIGNALS = ("SIGTERM", "SIGHUP", "SIGQUIT")
+"""Signals that end the launch as Ctrl-C does."""
+
+
+class LaunchService:
+    """Launches descriptions.
+
+    Args:
+        argv: The arguments of the command line, for `context.argv`.
+        noninteractive: Whether the launch has no terminal.
+        debug: Whether everything is logged, and asyncio checks the use of its loop.
+    """
+
+    def __init__(
+        self, *, argv: Iterable[str] | None = None, noninteractive: bool = False, debug: bool = False
+    ) -> None:
+        if debug:
+            launch_config.level = logging.DEBUG
+        self._debug = debug
+        self._logger = get_logger("launch")
+        self._context = LaunchContext(argv=argv, noninteractive=noninteractive)
+        self._context.register_event_handler(OnIncludeLaunchDescription())
+        self._context.register_event_handler(OnShutdown(on_shutdown=self._on_shutdown))
+        self._open: list[tuple[LaunchDescriptionEntity, asyncio.Future[Any]]] = []
+        """Entities that go on, each with its future."""
+        self._return_code = 0
+        self._is_shutting_down = False
+        self._lock = threading.Lock()
+        """Guards the members below, which other threads read."""
+        self._loop: asyncio.AbstractEventLoop | None = None
+        self._task: asyncio.Task[Any] | None = None
+        self._thread: int | None = None
+
+    @property
+    def context(self) -> LaunchContext:
+        """State of the launch."""
+        return self._context
+
+    @property
+    def event_loop(self) -> asyncio.AbstractEventLoop | None:
+        """Loop that runs the launch; None while it doesn't run."""
+        return self._loop
+
+    @property
+    def task(self) -> asyncio.Task[Any] | None:
+        """Task that runs the launch; None while it doesn't run."""
+        return self._task
+
+    # From any thread
+
+    def include_launch_description(self, launch_description: LaunchDescription) -> None:
+        """Add a description to the launch, before it runs or while it does."""
+        self.emit_event(IncludeLaunchDescription(launch_description))
+
+    def emit_event(self, event: Event) -> None:
+        """Add an event to those that are handled, before the launch runs or while it does."""
+        with self._lock:
+            loop, is_own = self._loop, self._thread in (None, threading.get_ident())
+        if loop is None or is_own:
+            self._context.emit_event_sync(event)
+        else:
+            loop.call_soon_threadsafe(self._context.emit_event_sync, event)
+
+    def shutdown(self, force_sync: bool = False) -> Coroutine[Any, Any, None] | None:
+        """End the launch, and all its processes. `run` returns after their end.
+
+        Args:
+            force_sync: Whether nothing is returned, also on the launch's own thread.
+
+        Returns:
+            On the launch's own thread, a coroutine that emits the event when it is awaited; else None, it has been
+            emitted.
+        """
+        event = Shutdown(reason="LaunchService.shutdown() called")
+        if self._loop is None or self._is_shutting_down:
+            return None
+        if not force_sync and self._thread == threading.get_ident():
+            return self._context.emit_event(event)
+        self.emit_event(event)
+        return None
+
+    # The run
+
+    def run(self, *, shutdown_when_idle: bool = True) -> int:
+        """Run the launch until its end; return 0, or 1 if an error ended it.
+
+        Args:
+            shutdown_when_idle: Whether the launch ends when nothing is left to do; else it waits for events.
+
+        Raises:
+            RuntimeError: the launch runs already, or this thread runs an asyncio loop.
+        """
+        return asyncio.run(self.run_async(shutdown_when_idle=shutdown_when_idle), debug=self._debug)
+
+    async def run_async(self, *, shutdown_when_idle: bool = True) -> int:
+        """Run the launch until its end, as `run` does."""
+        with self._running(asyncio.get_running_loop()) as loop, self._signal_handlers(loop):
+            log_launch_config(logger=self._logger)
+            try:
+                await self._handle_events(shutdown_when_idle=shutdown_when_idle)
+            except asyncio.CancelledError:
+                self._shut_down("the launch's task was cancelled")
+                await self._handle_events(shutdown_when_idle=True)
+                raise
+            finally:
+                left = guard_of(self._context).close()
+                if left:
+                    self._logger.warning(
+                        "ended processes that others had started and left: %s", ", ".join(left)
+                    )
+        return self._return_code
+
+    async def _handle_events(self, *, shutdown_when_idle: bool) -> None:
+        """Handle events in order, until the launch is idle after its shutdown."""
+        context = self._context
+        while True:
+            if context._events:  # noqa: SLF001  # ours
+                try:
+                    self._handle(context._events.popleft())  # noqa: SLF001
+                except Exception as error:  # noqa: BLE001  # of a user's description
+                    self._fail(error)
+                await asyncio.sleep(0)  # processes and timers go on between events
+            elif self._has_open_futures():
+                await self._wake.wait()
+            elif self._is_shutting_down:
+                return
+            elif shutdown_when_idle:
+                await context.emit_event(Shutdown(reason="idle"))
+            else:
+                await self._wake.wait()
+            self._wake.clear()
+
+    def _handle(self, event: Event) -> None:
+        """Visit what the handlers of an event return."""
+        self._logger.debug("processing event: '%s'", event)
+        for handler in tuple(self._context._event_handlers):  # noqa: SLF001
+            if not handler.matches(event):
+                continue
+            self._logger.debug("processing event: '%s' ✓ '%s'", event, handler)
+            returned = handler.handle(event, self._context)
+            for entity in normalize_to_list_of_entities([returned] if returned is not None else []):
+                self._visit(entity)
+
+    def _visit(self, entity: LaunchDescriptionEntity) -> None:
+        for pair in visit_all_entities_and_collect_futures(entity, self._context):
+            self._open.append(pair)
+            pair[1].add_done_callback(lambda _: self._wake.set())
+
+    def _has_open_futures(self) -> bool:
+        """Forget the futures that are done, and return whether any is open."""
+        for _, future in self._open:
+            if future.done() and not future.cancelled() and (error := future.exception()) is not None:
+                self._fail(error)
+        self._open = [pair for pair in self._open if not pair[1].done()]
+        waiting = self._context._completion_futures  # noqa: SLF001
+        for future in waiting:
+            future.remove_done_callback(self._on_completion)
+            future.add_done_callback(self._on_completion)
+        return bool(self._open) or any(not future.done() for future in waiting)
+
+    def _on_completion(self, _: asyncio.Future[Any]) -> None:
+        self._wake.set()
+
+    # Its end
+
+    def _on_shutdown(self, event: Shutdown, context: LaunchContext) -> None:
+        self._is_shutting_down = True
+        context._set_is_shutdown(True)  # noqa: SLF001
+
+    def _shut_down(self, reason: str, *, due_to_sigint: bool = False) -> None:
+        if not self._is_shutting_down:
+            self._context.emit_event_sync(Shutdown(reason=reason, due_to_sigint=due_to_sigint))
+
+    def _fail(self, error: BaseException) -> None:
+        """Log an error, and end the launch."""
+        self._logger.debug("%s", "".join(traceback.format_exception(error)))
+        text = str(error) or type(error).__name__
+        self._logger.error("Caught exception in launch (see debug for traceback): %s", text)
+        self._return_code = 1
+        self._shut_down(f"Caught exception in launch: {text}")
+
+    def _on_interrupt(self, _: int) -> None:
+        text = "user interrupted with ctrl-c (SIGINT)"
+        if self._is_shutting_down:
+            self._logger.warning("%s again, ignoring...", text)
+            return
+        self._logger.warning("%s", text)
+        self._shut_down(text, due_to_sigint=True)
+
+    def _on_ending_signal(self, number: int) -> None:
+        text = f"{signal.Signals(number).name} received"
+        self._logger.warning("%s, ending all processes", text)
+        self._shut_down(text)
+
+    # Around the run
+
+    @contextmanager
+    def _running(self, loop: asyncio.AbstractEventLoop) -> Iterator[asyncio.AbstractEventLoop]:
+        with self._lock:
+            if self._loop is not None:
+                raise RuntimeError("LaunchService is already running")
+            self._loop, self._thread, self._task = loop, threading.get_ident(), asyncio.current_task()
+        context = self._context
+        self._wake = asyncio.Event()
+        context._post = self._wake.set  # noqa: SLF001
+        context._set_asyncio_loop(loop)  # noqa: SLF001
+        context._set_is_shutdown(False)  # noqa: SLF001
+        self._is_shutting_down = False
+        try:
+            yield loop
+        finally:
+            context._set_asyncio_loop(None)  # noqa: SLF001
+            context._post = lambda: None  # noqa: SLF001
+            with self._lock:
+                self._loop = self._thread = self._task = None
+
+    @contextmanager
+    def _signal_handlers(self, loop: asyncio.AbstractEventLoop) -> Iterator[None]:
+        signals = AsyncSafeSignalManager(loop)
+        signals.handle(signal.SIGINT, self._on_interrupt)
+        for name in ENDING_SIGNALS:
+            if hasattr(signal, name):
+                signals.handle(getattr(signal, name), self._on_ending_signal)
+        with signals:
+            yield

@@ -1,0 +1,1 @@
+"""Processes of a launch: started, signalled, and ended with all that they have started."""

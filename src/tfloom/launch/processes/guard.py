@@ -1,0 +1,70 @@
+"""The launch's side of its guardian, and the end of what its processes have left."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+import uuid
+from collections.abc import Mapping
+from contextlib import suppress
+
+from tfloom.launch.processes.family import end, tagged, untagged
+
+__all__ = ["Guard"]
+
+LEFTOVERS = {signal.SIGTERM: 1.0}
+"""Time that processes have after the end of the process that started them [s], before SIGKILL."""
+
+CLOSE_S = 20.0
+
+
+class Guard:
+    """Knows the processes of a launch, and ends them with it. Used on the launch's thread alone."""
+
+    def __init__(self) -> None:
+        self._launch_id = uuid.uuid4().hex
+        self._since_s = time.time()
+        self._groups: set[int] = set()
+        self._guardian: subprocess.Popen[bytes] | None = None
+
+    def environment(self, environment: Mapping[str, str]) -> dict[str, str]:
+        """Return the environment variables for a process that is started next. Before the first, start the guardian."""
+        if self._guardian is None:
+            self._guardian = subprocess.Popen(  # ours
+                [
+                    sys.executable,
+                    "-m",
+                    "tfloom.launch.processes.guardian",
+                    self._launch_id,
+                    str(self._since_s),
+                ],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL,
+                cwd=os.sep,
+                env=untagged(os.environ),
+                start_new_session=True,
+            )
+        return tagged(environment, self._launch_id)
+
+    def add(self, pid: int) -> None:
+        """Add the process group of a process that has started."""
+        self._groups.add(pid)
+        if self._guardian is not None and self._guardian.stdin is not None:
+            with suppress(BrokenPipeError):  # a guardian that was killed
+                self._guardian.stdin.write(f"{pid}\n".encode())
+                self._guardian.stdin.flush()
+
+    def close(self) -> list[str]:
+        """End what is left of the launch's processes, and the guardian; return those that were alive, as texts."""
+        guardian, self._guardian = self._guardian, None
+        if guardian is None:
+            return []
+        named = end(self._launch_id, self._groups, self._since_s, LEFTOVERS)
+        self._groups.clear()
+        with suppress(BrokenPipeError):
+            guardian.communicate(timeout=CLOSE_S)
+        return named

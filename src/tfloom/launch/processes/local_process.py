@@ -1,0 +1,180 @@
+"""A process with its own process group, whose input and output are pipes or terminals of the launch."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from typing import Any, cast
+
+__all__ = ["LocalProcess"]
+
+Output = Callable[[int, bytes], None]
+"""Takes 1 for stdout or 2 for stderr, and what was written."""
+
+OUTPUT_S = 0.5
+"""Time to wait for the rest of the output after the end: a process that inherited the pipe may hold it open."""
+
+
+class LocalProcess:
+    """A process that was started. Use `start`.
+
+    It leads a process group of its own, so that a signal reaches what it has started, and Ctrl-C on a terminal reaches
+    the launch alone, which passes it on once.
+    """
+
+    def __init__(self, output: Output) -> None:
+        self._protocol = _Protocol(output)
+        self._transport: asyncio.SubprocessTransport | None = None
+        self._terminals: list[asyncio.Future[None]] = []
+
+    @classmethod
+    async def start(
+        cls,
+        cmd: Sequence[str],
+        output: Output,
+        *,
+        cwd: str | None,
+        env: Mapping[str, str],
+        shell: bool,
+        emulate_tty: bool,
+    ) -> LocalProcess:
+        """Start a process.
+
+        Args:
+            cmd: The command line; for a shell, its words are joined with spaces.
+            output: Called on the loop's thread with each part of the output.
+            cwd: The folder to start in; None: the launch's.
+            env: Its environment variables.
+            shell: Whether a shell runs the command line.
+            emulate_tty: Whether its stdout and stderr are terminals.
+
+        Raises:
+            OSError: the program can't be started.
+        """
+        self = cls(output)
+        loop = asyncio.get_running_loop()
+        options: dict[str, Any] = {"cwd": cwd, "env": dict(env), "stdin": subprocess.PIPE, **_own_group()}
+        ends = self._open_terminals() if emulate_tty and os.name == "posix" else []
+        if ends:
+            options.update(stdout=ends[0][1], stderr=ends[1][1])
+        try:
+            if shell:
+                started = await loop.subprocess_shell(lambda: self._protocol, " ".join(cmd), **options)
+            else:
+                started = await loop.subprocess_exec(lambda: self._protocol, *cmd, **options)
+        except BaseException:
+            for ours, _ in ends:
+                os.close(ours)
+            raise
+        finally:
+            for _, theirs in ends:
+                os.close(theirs)
+        self._transport = started[0]
+        for number, (ours, _) in enumerate(ends, start=1):
+            terminal = _Terminal(number, output)
+            self._terminals.append(terminal.closed)
+            await loop.connect_read_pipe(lambda terminal=terminal: terminal, os.fdopen(ours, "rb", 0))  # type: ignore[misc]
+        return self
+
+    @staticmethod
+    def _open_terminals() -> list[tuple[int, int]]:
+        import pty
+
+        return [pty.openpty(), pty.openpty()]
+
+    @property
+    def pid(self) -> int:
+        """Process id, also that of its group."""
+        assert self._transport is not None  # noqa: S101  # after `start`
+        return self._transport.get_pid()
+
+    def send_signal(self, number: signal.Signals) -> None:
+        """Send a signal to the process and to those of its group.
+
+        Raises:
+            ProcessLookupError: all have ended.
+        """
+        if hasattr(os, "killpg"):
+            os.killpg(self.pid, number)
+        else:
+            assert self._transport is not None  # noqa: S101  # after `start`
+            self._transport.send_signal(number)
+
+    def write(self, data: bytes) -> None:
+        """Write to the process's stdin."""
+        pipe = None if self._transport is None else self._transport.get_pipe_transport(0)
+        if pipe is not None:
+            cast("asyncio.WriteTransport", pipe).write(data)
+
+    async def wait(self) -> int:
+        """Wait for the end and for the rest of the output, and return the exit code; minus the number of a signal."""
+        await self._protocol.exited
+        await asyncio.wait([self._protocol.silent, *self._terminals], timeout=OUTPUT_S)
+        assert self._transport is not None  # noqa: S101  # after `start`
+        code = self._transport.get_returncode()
+        if self._protocol.silent.done():
+            self._transport.close()
+        return code if code is not None else 255
+
+
+def _own_group() -> dict[str, Any]:
+    if sys.platform == "win32":
+        return {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP}
+    return {"process_group": 0} if sys.version_info >= (3, 11) else {"start_new_session": True}
+
+
+class _Protocol(asyncio.SubprocessProtocol):
+    """Receives what happens to the process."""
+
+    def __init__(self, output: Output) -> None:
+        loop = asyncio.get_running_loop()
+        self.exited: asyncio.Future[None] = loop.create_future()
+        self.silent: asyncio.Future[None] = loop.create_future()
+        """Done when the pipes of stdout and stderr are closed."""
+        self._output = output
+        self._open = 0
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        pipes = [cast("asyncio.SubprocessTransport", transport).get_pipe_transport(fd) for fd in (1, 2)]
+        self._open = sum(pipe is not None for pipe in pipes)
+        self._finish()
+
+    def pipe_data_received(self, fd: int, data: bytes) -> None:
+        self._output(fd, data)
+
+    def pipe_connection_lost(self, fd: int, exc: Exception | None) -> None:
+        if fd != 0:
+            self._open -= 1
+            self._finish()
+
+    def process_exited(self) -> None:
+        _complete(self.exited)
+
+    def _finish(self) -> None:
+        if self._open <= 0:
+            _complete(self.silent)
+
+
+class _Terminal(asyncio.Protocol):
+    """Receives what the process writes to a terminal."""
+
+    def __init__(self, number: int, output: Output) -> None:
+        self.closed: asyncio.Future[None] = asyncio.get_running_loop().create_future()
+        self._number = number
+        self._output = output
+
+    def data_received(self, data: bytes) -> None:
+        self._output(self._number, data.replace(b"\r\n", b"\n"))
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        _complete(self.closed)
+
+
+def _complete(future: asyncio.Future[None]) -> None:
+    with suppress(asyncio.InvalidStateError):
+        future.set_result(None)
