@@ -7,11 +7,12 @@ Import this module where it is used, because yaml takes 15 ms to load.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import yaml
 
-__all__ = ["YamlError", "YamlLimitError", "compose", "load"]
+__all__ = ["YamlError", "YamlLimitError", "compose", "load", "load_placed"]
 
 MOST_COPIED = 1_000_000
 """Values and characters that all aliases of a text may stand for."""
@@ -24,12 +25,14 @@ class YamlError(ValueError):
 
     Attributes:
         problem: What is wrong.
+        line: Line of the text, from 1; None if it isn't known.
         place: " at line 1, column 2", both from 1; "" if it isn't known.
         snippet: The line, and a mark below the place; "" if it isn't known.
     """
 
     def __init__(self, problem: str, mark: Any = None) -> None:
         self.problem = problem
+        self.line: int | None = mark.line + 1 if mark else None
         self.place = f" at line {mark.line + 1}, column {mark.column + 1}" if mark else ""
         self.snippet = (mark.get_snippet(indent=2, max_length=100) or "") if mark else ""
         super().__init__(f"it is no valid YAML: {problem}{self.place}")
@@ -52,6 +55,7 @@ class _Loader(yaml.SafeLoader):
         self._deepest = 0
         self._total = 0
         self._copied = 0
+        self.lines: dict[int, int] = {}  # of each mapping and list: its line from 1, by the id of its value
         self._measured: dict[str, tuple[int, int]] = {}  # of each complete anchor: its size and its levels
 
     def compose_node(self, parent: Any, index: Any) -> Any:
@@ -100,7 +104,7 @@ class _Loader(yaml.SafeLoader):
             ConstructorError: the text isn't of the type of the tag, as in `!!int x` or the date 2026-13-01.
         """
         try:
-            return super().construct_object(node, deep=deep)
+            value = super().construct_object(node, deep=deep)
         except (ValueError, ArithmeticError, LookupError, AttributeError) as error:
             if isinstance(error, yaml.YAMLError):
                 raise
@@ -108,6 +112,9 @@ class _Loader(yaml.SafeLoader):
             raise yaml.constructor.ConstructorError(
                 None, None, f"{node.value!r} is no {kind}", node.start_mark
             ) from None
+        if isinstance(value, (dict, list)):
+            self.lines[id(value)] = node.start_mark.line + 1
+        return value
 
 
 def load(text: str) -> Any:
@@ -117,7 +124,28 @@ def load(text: str) -> Any:
         YamlError: it isn't YAML, or more than one document, or a value isn't of the type of its tag.
         YamlLimitError: its aliases stand for too much, an alias contains itself, or it is nested too deep.
     """
-    return _read(text, "get_single_data")
+    return _read(text, lambda loader: loader.get_single_data())
+
+
+def load_placed(text: str) -> tuple[Any, dict[int, int]]:
+    """Return the value of a YAML text, and the line of each mapping and list, from 1, by the id of its value.
+
+    Raises:
+        YamlError: as `load`, or a mapping has the same key twice.
+        YamlLimitError: as `load`.
+    """
+    lines: dict[int, int] = {}
+
+    def read(loader: _Loader) -> Any:
+        node = loader.get_single_node()
+        if node is None:
+            return None
+        _refuse_repeated_keys(node)
+        value = loader.construct_document(node)  # type: ignore[no-untyped-call]
+        lines.update(loader.lines)
+        return value
+
+    return _read(text, read), lines
 
 
 def compose(text: str) -> Any:
@@ -126,14 +154,33 @@ def compose(text: str) -> Any:
     Raises:
         YamlError, YamlLimitError: as `load`, except that tags are not checked.
     """
-    return _read(text, "get_single_node")
+    return _read(text, lambda loader: loader.get_single_node())
 
 
-def _read(text: str, method: str) -> Any:
+def _refuse_repeated_keys(root: Any) -> None:
+    nodes, seen = [root], set()
+    while nodes:
+        node = nodes.pop()
+        if id(node) in seen or not isinstance(node, yaml.CollectionNode):
+            continue
+        seen.add(id(node))
+        if isinstance(node, yaml.MappingNode):
+            keys = set()
+            for key, value in node.value:
+                if isinstance(key, yaml.ScalarNode) and key.tag != "tag:yaml.org,2002:merge":
+                    if (key.tag, key.value) in keys:
+                        raise YamlError(f"the key '{key.value}' is there twice", key.start_mark)
+                    keys.add((key.tag, key.value))
+                nodes += [key, value]
+        else:
+            nodes += node.value
+
+
+def _read(text: str, method: Callable[[_Loader], Any]) -> Any:
     try:
         loader = _Loader(text)
         try:
-            return getattr(loader, method)()
+            return method(loader)
         finally:
             loader.dispose()
     except yaml.MarkedYAMLError as error:

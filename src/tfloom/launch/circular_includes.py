@@ -1,0 +1,78 @@
+"""The refusal of launch files that include each other endlessly."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from typing import Any
+
+from tfloom.launch.invalid_launch_file_error import InvalidLaunchFileError
+from tfloom.launch.launch_context import LaunchContext
+
+__all__ = ["CircularIncludeError", "refuse_circle", "refuse_repetition"]
+
+_CHAIN = "included_launch_files"
+_DEEPEST = 50
+
+
+class CircularIncludeError(InvalidLaunchFileError):
+    """A launch file includes itself, or others that include it.
+
+    Args:
+        files: The files of the circle; the last one is the first one again.
+        problem: What is wrong with them.
+    """
+
+    def __init__(
+        self, files: Sequence[str], problem: str = "launch files include each other in a circle"
+    ) -> None:
+        super().__init__()
+        self.files = list(files)
+        self._error_message = f"{problem}: {' -> '.join(self.files)}"
+
+
+def refuse_circle(context: LaunchContext, path: str) -> None:
+    """Note that a file is included now, in a variable of the context.
+
+    A file may include itself if the launch configurations or the environment differ each time, because a condition may
+    end that.
+
+    Args:
+        context: The context, whose variable `current_launch_file_path` is the including file, if any.
+        path: Path of the included file.
+
+    Raises:
+        CircularIncludeError: the file includes itself with nothing changed, or 50 files include one another.
+    """
+    variables = context.get_locals_as_dict()
+    including = variables.get("current_launch_file_path")
+    chain: list[tuple[str, Any]] = list(variables.get(_CHAIN, ()))
+    while chain and not _is_same(chain[-1][0], including):
+        chain.pop()  # of a file that has been visited completely
+    state = (frozenset(context.launch_configurations.items()), frozenset(context.environment.items()))
+    files = [file for file, _ in chain]
+    for number, (file, earlier) in enumerate(chain):
+        if _is_same(file, path) and earlier == state:
+            raise CircularIncludeError([*files[number:], path])
+    if len(chain) >= _DEEPEST:
+        raise CircularIncludeError([*files[-3:], path], f"launch files are included {_DEEPEST} levels deep")
+    context.extend_locals({_CHAIN: (*chain, (path, state))})
+
+
+def refuse_repetition(files: Sequence[str], path: str) -> None:
+    """Check that a file isn't among those that lead to it, while files are read without launching them.
+
+    Args:
+        files: The including files, the outermost first.
+        path: The included file.
+
+    Raises:
+        CircularIncludeError: it is.
+    """
+    for number, file in enumerate(files):
+        if _is_same(file, path):
+            raise CircularIncludeError([*files[number:], path])
+
+
+def _is_same(one: str, other: str | None) -> bool:
+    return other is not None and os.path.realpath(one) == os.path.realpath(other)

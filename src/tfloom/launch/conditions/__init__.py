@@ -1,0 +1,1 @@
+"""Conditions: whether an action is executed."""

@@ -1,0 +1,36 @@
+"""What other packages add to launch files, by entry points."""
+
+from __future__ import annotations
+
+import warnings
+from typing import Any
+
+__all__ = ["load_entry_points", "load_launch_extensions"]
+
+_loaded = False
+
+
+def load_launch_extensions() -> None:
+    """Import all modules of the entry points `launch.frontend.launch_extension`, at the first call.
+
+    They expose actions and substitutions. One that cannot be imported is reported by a warning.
+    """
+    global _loaded  # noqa: PLW0603  # all of the process shares what they expose
+    if not _loaded:
+        _loaded = True
+        load_entry_points("launch.frontend.launch_extension")
+
+
+def load_entry_points(group: str) -> dict[str, Any]:
+    """Return the objects of all entry points of a group, by their names. One that fails is reported by a warning."""
+    from importlib.metadata import (
+        entry_points,
+    )  # takes 10 ms to load, and most launch files need no extension
+
+    loaded = {}
+    for entry_point in entry_points(group=group):
+        try:
+            loaded[entry_point.name] = entry_point.load()
+        except Exception as error:  # noqa: BLE001, PERF203  # of any package
+            warnings.warn(f"Failed to load {entry_point.value}: {error}", stacklevel=3)
+    return loaded

@@ -1,0 +1,102 @@
+"""The output of a command."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from tfloom.launch.frontend.expose import expose_substitution
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.logging import get_logger
+from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+from tfloom.launch.substitution import Substitution
+from tfloom.launch.substitutions.described import described
+from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
+from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
+from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+
+__all__ = ["Command"]
+
+_CHOICES = ("fail", "ignore", "warn", "capture")
+
+
+@expose_substitution("command")
+class Command(Substitution):
+    """What a command writes to its standard output.
+
+    Args:
+        command: The command's line, which is split as a shell splits it, and run without a shell.
+        on_stderr: What happens if it writes to its standard error: `fail`, `ignore`, `warn` (log it) or `capture` (it
+            is a part of the output).
+    """
+
+    def __init__(self, command: SomeSubstitutionsType, *, on_stderr: SomeSubstitutionsType = "fail") -> None:
+        super().__init__()
+        self._command = normalize_to_list_of_substitutions(command)
+        self._on_stderr = normalize_to_list_of_substitutions(on_stderr)
+
+    @classmethod
+    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[Command], dict[str, Any]]:
+        """Return the class and the arguments of `$(command 'line' on_stderr)`.
+
+        Raises:
+            ValueError: there are not one or two arguments.
+        """
+        if len(data) not in {1, 2}:
+            raise ValueError("command substitution expects 1 or 2 arguments")
+        return cls, dict(zip(("command", "on_stderr"), data, strict=False))
+
+    @property
+    def command(self) -> list[Substitution]:
+        """Command's line."""
+        return self._command
+
+    @property
+    def on_stderr(self) -> list[Substitution]:
+        """What happens if the command writes to its standard error."""
+        return self._on_stderr
+
+    def describe(self) -> str:
+        """Return a description for people."""
+        return f"Command({described(self._command)})"
+
+    def perform(self, context: LaunchContext) -> str:
+        """Run the command, and return its output.
+
+        Raises:
+            SubstitutionFailure: the command is not found, fails, or writes to its standard error where that fails.
+        """
+        import shlex
+        import subprocess
+
+        line = perform_substitutions(context, self._command)
+        on_stderr = perform_substitutions(context, self._on_stderr)
+        if on_stderr not in _CHOICES:
+            raise SubstitutionFailure(
+                f"expected 'on_stderr' to be one of: 'fail', 'ignore', 'warn' or 'capture', not '{on_stderr}'"
+            )
+        try:
+            result = subprocess.run(
+                shlex.split(line),
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT if on_stderr == "capture" else subprocess.PIPE,
+                env=context.environment,
+                text=True,
+                check=False,
+            )
+        except FileNotFoundError as error:
+            raise SubstitutionFailure(f"file not found: {error}") from error
+        except (OSError, ValueError, IndexError) as error:
+            raise SubstitutionFailure(f"the command {line!r} cannot be run: {error}") from error
+        if result.returncode != 0:
+            captured = f"\nCaptured stderr output: {result.stderr}" if result.stderr else ""
+            raise SubstitutionFailure(f"executed command failed. Command: {line}{captured}")
+        if result.stderr and on_stderr != "ignore":
+            shown = (
+                f"executed command showed stderr output. Command: {line}\n"
+                f"Captured stderr output:\n{result.stderr}"
+            )
+            if on_stderr == "fail":
+                raise SubstitutionFailure(shown)
+            get_logger().warning(shown)
+        return result.stdout

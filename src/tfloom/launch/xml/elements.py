@@ -1,0 +1,101 @@
+"""The elements of an XML text, each with its line. Entities cannot be declared, and nothing is loaded from outside."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET  # for its class Element; expat reads, with declarations refused
+from typing import Any
+from xml.parsers import expat
+
+__all__ = ["PlacedElement", "XmlError", "read_elements"]
+
+_DEEPEST = 100
+
+
+class XmlError(ValueError):
+    """A text isn't well-formed XML, or declares entities.
+
+    Args:
+        problem: What is wrong.
+        line: Line of the text, from 1.
+    """
+
+    def __init__(self, problem: str, line: int) -> None:
+        super().__init__(problem)
+        self.line = line
+
+
+class PlacedElement(ET.Element):
+    """An element with its place."""
+
+    place = ""
+    """File and line, as `file.launch.xml:3`."""
+
+
+class _Builder:
+    """Builds the tree from expat's events."""
+
+    def __init__(self, file: str, parser: Any) -> None:
+        self._file = file
+        self._parser = parser
+        self._open: list[PlacedElement] = []
+        self.root: PlacedElement | None = None
+        parser.buffer_text = True
+        parser.StartElementHandler = self._start
+        parser.EndElementHandler = self._end
+        parser.CharacterDataHandler = self._text
+        parser.EntityDeclHandler = self._declared
+        parser.SkippedEntityHandler = self._skipped
+
+    def _start(self, tag: str, attributes: dict[str, str]) -> None:
+        line = self._parser.CurrentLineNumber
+        if len(self._open) >= _DEEPEST:
+            raise XmlError(f"it is nested deeper than {_DEEPEST} levels", line)
+        element = PlacedElement(tag, attributes)
+        element.place = f"{self._file}:{line}"
+        if self._open:
+            self._open[-1].append(element)
+        else:
+            self.root = element
+        self._open.append(element)
+
+    def _end(self, _tag: str) -> None:
+        self._open.pop()
+
+    def _text(self, text: str) -> None:
+        element = self._open[-1]
+        if len(element):
+            element[-1].tail = (element[-1].tail or "") + text
+        else:
+            element.text = (element.text or "") + text
+
+    def _declared(self, name: str, *_rest: object) -> None:
+        line = self._parser.CurrentLineNumber
+        raise XmlError(f"it declares the entity '{name}', which launch files cannot do", line)
+
+    def _skipped(self, name: str, _is_parameter: object) -> None:
+        raise XmlError(f"undefined entity '&{name};'", self._parser.CurrentLineNumber)
+
+
+def read_elements(text: bytes, file: str) -> PlacedElement:
+    """Return the root of an XML text.
+
+    Args:
+        text: The text, in the encoding that it declares, or UTF-8.
+        file: Its path, for the elements' places.
+
+    Raises:
+        XmlError: it isn't well-formed, declares entities, or is nested too deep.
+    """
+    parser = expat.ParserCreate()
+    builder = _Builder(file, parser)
+    try:
+        parser.Parse(text, True)
+    except expat.ExpatError as error:
+        where = f"line {error.lineno}, column {error.offset}"
+        problem = f"it is not well-formed XML: {expat.ErrorString(error.code)}: {where}"
+        raise XmlError(problem, error.lineno) from None
+    except LookupError as error:  # the text declares an encoding that Python doesn't know
+        raise XmlError(str(error), 1) from None
+    if builder.root is None:
+        raise XmlError("it is empty", 1)
+    return builder.root

@@ -1,0 +1,182 @@
+"""Elements of launch files in YAML."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+from tfloom.launch.frontend.entity import Entity as BaseEntity
+from tfloom.launch.frontend.type_utils import check_is_list_entity
+from tfloom.launch.utilities.nearest import did_you_mean
+from tfloom.launch.utilities.type_utils import is_instance_of
+
+__all__ = ["Entity", "Places"]
+
+
+class Places(NamedTuple):
+    """Where the elements of a file are."""
+
+    file: str
+    """Path of the file."""
+    lines: Mapping[int, int]
+    """Line of each mapping and list, from 1, by the id of its value."""
+
+
+class Entity(BaseEntity):
+    """An element of a YAML text: a mapping with its attributes, or a list of the elements in it.
+
+    Args:
+        element: The mapping or list. Without `type_name`, a mapping of the element's name to it.
+        type_name: Name of the element.
+        parent: The element that it is in.
+    """
+
+    def __init__(self, element: Any, type_name: str | None = None, *, parent: Entity | None = None) -> None:
+        if type_name is None:
+            type_name, element = _only_item(element)
+        self._type_name = type_name
+        self._element = element
+        self._parent = parent
+        self._asked: set[str] = set()
+        self._read: set[str] = set()
+        self._children_read = False
+        self.places: Places = parent.places if parent is not None else Places("", {})
+        self._line = self.places.lines.get(id(element))
+
+    @property
+    def type_name(self) -> str:
+        """Name of the element."""
+        return self._type_name
+
+    @property
+    def parent(self) -> Entity | None:
+        """Element that this one is in."""
+        return self._parent
+
+    @property
+    def place(self) -> str:
+        """File and line, as `file.launch.yaml:3`; "" if they aren't known."""
+        return f"{self.places.file}:{self._line}" if self._line is not None else ""
+
+    def set_places(self, places: Places) -> None:
+        """Set the places of the element, and of those that will be read from it."""
+        self.places = places
+        self._line = places.lines.get(id(self._element), 1)
+
+    @property
+    def children(self) -> list[BaseEntity]:
+        """All elements in this one: the list, or the mapping's item `children`.
+
+        Raises:
+            TypeError: there is no list of elements.
+            ValueError: the mapping has no `children`.
+        """
+        self._children_read = True
+        listed = self._element
+        if isinstance(listed, dict):
+            self._asked.add("children")
+            if "children" not in listed:
+                raise ValueError(f"Expected entity `{self._type_name}` to have children entities.")
+            self._read.add("children")
+            listed = listed["children"]
+        if not isinstance(listed, list):
+            raise TypeError(
+                f"Expected a dict or list, got {type(listed)}: the elements of `{self._type_name}` are a list"
+            )
+        return [self._child(each) for each in listed]
+
+    def _child(self, element: Any, type_name: str | None = None) -> Entity:
+        try:
+            child = Entity(element, type_name, parent=self)
+        except TypeError as error:
+            line = self.places.lines.get(id(element), self._line)
+            place = f"{self.places.file}:{line}: " if line is not None else ""
+            raise TypeError(f"{place}in `{self._type_name}`: {error}") from None
+        child._line = self.places.lines.get(id(element), self._line)
+        return child
+
+    def assert_entity_completely_parsed(self) -> None:
+        """Check that all keys and elements have been read.
+
+        Raises:
+            ValueError: some have not, because the action does not have them. The error names all of them.
+        """
+        if isinstance(self._element, list):
+            if not self._children_read:
+                raise ValueError(
+                    f"Unexpected nested entity(ies) found in `{self._type_name}`: {self._element}"
+                )
+            return
+        unread = sorted(str(key) for key in self._attributes() if key not in self._read)
+        if unread:
+            near = "".join(
+                f"{hint} (for '{key}')" if len(unread) > 1 else hint
+                for key in unread
+                if (hint := did_you_mean(key, self._asked - self._read))
+            )
+            listed = "{" + ", ".join(f"'{key}'" for key in unread) + "}"
+            raise ValueError(f"Unexpected key(s) found in `{self._type_name}`: {listed}{near}")
+
+    def _attributes(self) -> dict[Any, Any]:
+        """Return the mapping; an element without one, as in `- node:`, has no attributes."""
+        if isinstance(self._element, dict):
+            return self._element
+        if self._element is None or isinstance(self._element, list):
+            return {}
+        raise TypeError(
+            f"Expected entity `{self._type_name}` to have attributes, "
+            f"got {type(self._element)}: {self._element!r}"
+        )
+
+    def get_attr(
+        self, name: str, *, data_type: Any = str, optional: bool = False, can_be_str: bool = True
+    ) -> Any:
+        """Return an attribute.
+
+        Args:
+            name: Its name.
+            data_type: str, int, float, bool, `List[…]` of one of them, `List[Entity]` for a list of mappings; None for
+                any of them.
+            optional: Whether it may be missing, and None is returned.
+            can_be_str: Whether it may also be a text, as for substitutions.
+
+        Raises:
+            AttributeError: it is missing.
+            TypeError: it has another type.
+        """
+        self._asked.add(name)
+        attributes = self._attributes()
+        if name not in attributes:
+            if optional:
+                return None
+            near = did_you_mean(name, {str(key) for key in attributes} - self._asked)
+            raise AttributeError(f"Can not find attribute '{name}' in Entity '{self._type_name}'{near}")
+        self._read.add(name)
+        data = attributes[name]
+        if check_is_list_entity(data_type):
+            if isinstance(data, list) and all(isinstance(each, dict) for each in data):
+                return [self._child(each, name) for each in data]
+            raise TypeError(
+                f"Attribute '{name}' of Entity '{self._type_name}' expected to be a list of dictionaries."
+            )
+        if not is_instance_of(data, data_type, can_be_str=can_be_str):
+            quoted = f"; a text has quotation marks: '{data}'" if data_type is str and _scalar(data) else ""
+            raise TypeError(
+                f"Attribute '{name}' of Entity '{self._type_name}' expected to be of type '{data_type}', "
+                f"got '{type(data)}'{quoted}"
+            )
+        return data
+
+
+def _only_item(element: Any) -> tuple[str, Any]:
+    if not isinstance(element, dict) or len(element) != 1:
+        found = ", ".join(map(repr, element)) if isinstance(element, dict) else repr(element)
+        raise TypeError(
+            f"Subentities must be a dictionary of length one, of the tag to its attributes, and not {found}"
+        )
+    name, value = next(iter(element.items()))
+    return str(name), value
+
+
+def _scalar(value: Any) -> bool:
+    return isinstance(value, (int, float, bool))

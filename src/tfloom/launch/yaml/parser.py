@@ -1,0 +1,61 @@
+"""The parser of launch files in YAML."""
+
+from __future__ import annotations
+
+import os
+from typing import TextIO
+
+from tfloom.launch.frontend.file_contents import read_content
+from tfloom.launch.frontend.parser import InvalidFrontendLaunchFileError
+from tfloom.launch.frontend.parser import Parser as BaseParser
+from tfloom.launch.yaml.entity import Entity, Places
+
+__all__ = ["Parser"]
+
+
+class Parser(BaseParser):
+    """Reads launch files in YAML."""
+
+    @classmethod
+    def get_file_extensions(cls) -> set[str]:
+        """Return `yaml` and `yml`."""
+        return {"yaml", "yml"}
+
+    @classmethod
+    def load(cls, file: str | os.PathLike[str] | TextIO) -> tuple[Entity, Parser]:
+        """Return the root of a launch file, and its parser.
+
+        Args:
+            file: Its path, or the open file.
+
+        Raises:
+            OSError: the file cannot be read.
+            InvalidFrontendLaunchFileError: it isn't YAML, or not a mapping with one key.
+        """
+        name, content = read_content(file)
+        return _root(content, name), cls()
+
+
+def _root(content: bytes, name: str) -> Entity:
+    from tfloom.rosidl.user_yaml import YamlError, load_placed  # loads yaml
+
+    try:
+        tree, lines = load_placed(content.decode())
+    except YamlError as error:
+        message = f"{name}:{error.line}: {error}" if error.line is not None else f"{name}: {error}"
+        raise InvalidFrontendLaunchFileError.with_message(message, error) from error
+    except UnicodeDecodeError as error:
+        raise InvalidFrontendLaunchFileError.with_message(
+            f"{name}: it is not UTF-8: {error}", error
+        ) from error
+    if not isinstance(tree, dict) or not tree:
+        found = "it is empty" if not tree else f"it is a {type(tree).__name__}"
+        message = f"{name}:1: {found}, and should be a dictionary with the key 'launch'"
+        raise InvalidFrontendLaunchFileError.with_message(message)
+    if len(tree) > 1:
+        keys = ", ".join(f"'{key}'" for key in tree)
+        message = f"{name}:1: Expected only one root, 'launch', and there are {keys}"
+        raise InvalidFrontendLaunchFileError.with_message(message)
+    root = Entity(tree)
+    root.set_places(Places(name, lines))
+    return root
