@@ -301,3 +301,19 @@ def test_use_ros_names_works_without_the_pth_file() -> None:
         [sys.executable, "-S", "-c", code], capture_output=True, text=True, timeout=60, check=False
     )
     assert result.stdout == "True 1\n", result.stderr
+
+
+def test_deferred_names_and_submodules_load_on_first_use(planted: Path) -> None:
+    (planted / "__init__.py").write_text(
+        "from tfloom.ros_modules import deferred\n"
+        '__getattr__, __dir__ = deferred(__name__, inner="planted", sep="os")\n',
+        "utf-8",
+    )
+    (planted / "inner.py").write_text("X = 1\n", "utf-8")
+    package = importlib.import_module("planted")
+    assert "planted.inner" not in sys.modules
+    assert {"inner", "sep"} <= set(dir(package))
+    assert package.inner.X == 1
+    assert package.sep == os.sep
+    with pytest.raises(AttributeError, match="module 'planted' has no attribute 'other'"):
+        _ = package.other

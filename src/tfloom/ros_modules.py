@@ -5,7 +5,8 @@ same reason `rclpy.client` has `Clock`, and programs import it from there. The f
 They defer such imports until first use, because `import rclpy` would be slower otherwise.
 
 A façade has the deferred names twice: as imports under `if TYPE_CHECKING:`, for type checkers, and in the `else:` as
-`__getattr__, __dir__ = deferred(__name__, Clock="tfloom.node.clock.clock")`.
+`__getattr__, __dir__ = deferred(__name__, Clock="tfloom.node.clock.clock")`. A package that also has names of its own
+has its submodules there, too: `from launch import actions as actions`, and `deferred(__name__, actions="launch")`.
 """
 
 from __future__ import annotations
@@ -52,13 +53,16 @@ def deferred(module: str, **homes: str) -> tuple[Callable[[str], Any], Callable[
 
     Args:
         module: Name of the module.
-        homes: For each name, the module that has an object of this name.
+        homes: For each name, the module that has an object of this name; for a submodule, the module itself.
     """
 
     def load(name: str) -> Any:
         home = homes.get(name)
         if home is None:
             raise AttributeError(f"module {module!r} has no attribute {name!r}")
+        if home == module:
+            __import__(f"{module}.{name}")
+            return sys.modules[f"{module}.{name}"]
         __import__(home)
         found = getattr(sys.modules[home], name)
         setattr(sys.modules[module], name, found)
