@@ -141,7 +141,7 @@ def load_placed(text: str) -> tuple[Any, dict[int, int]]:
         if node is None:
             return None
         _refuse_repeated_keys(node)
-        value = loader.construct_document(node)  # type: ignore[no-untyped-call]
+        value = loader.construct_document(node)
         lines.update(loader.lines)
         return value
 

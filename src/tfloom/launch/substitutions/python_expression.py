@@ -28,7 +28,9 @@ class PythonExpression(Substitution):
     """
 
     def __init__(
-        self, expression: SomeSubstitutionsType, python_modules: SomeSubstitutionsType = ("math",)
+        self,
+        expression: SomeSubstitutionsType,
+        python_modules: SomeSubstitutionsType = ["math"],  # noqa: B006  # never changed
     ) -> None:
         super().__init__()
         ensure_argument_type(expression, (str, Substitution, Iterable), "expression", "PythonExpression")

@@ -1,0 +1,21 @@
+"""Launch descriptions in XML files."""
+
+from typing import TYPE_CHECKING
+
+__all__ = ["XMLLaunchDescriptionSource"]
+
+if TYPE_CHECKING:
+    from launch_xml.launch_description_sources import (
+        xml_launch_description_source as xml_launch_description_source,
+    )
+    from tfloom.launch.xml.xml_launch_description_source import (
+        XMLLaunchDescriptionSource as XMLLaunchDescriptionSource,
+    )
+else:
+    from tfloom.ros_modules import deferred
+
+    __getattr__, __dir__ = deferred(
+        __name__,
+        xml_launch_description_source="launch_xml.launch_description_sources",
+        XMLLaunchDescriptionSource="tfloom.launch.xml.xml_launch_description_source",
+    )
