@@ -1,0 +1,97 @@
+"""Append to an environment variable."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+from tfloom.launch.action import Action
+from tfloom.launch.frontend.entity import Entity, ParsesActions
+from tfloom.launch.frontend.expose import expose_action
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+from tfloom.launch.substitution import Substitution
+from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
+from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.utilities.type_utils import (
+    NormalizedValueType,
+    normalize_typed_substitution,
+    perform_typed_substitution,
+)
+
+__all__ = ["AppendEnvironmentVariable"]
+
+
+@expose_action("append_env")
+class AppendEnvironmentVariable(Action):
+    """Append to an environment variable when it is executed, or set it if there is none.
+
+    Args:
+        name: Name of the variable; it may have substitutions.
+        value: Text to append; it may have substitutions.
+        prepend: Whether to put the text first instead; it may have substitutions, whose text is read as YAML.
+        separator: Text between the two: by default what the system puts between two paths.
+        kwargs: Arguments of `Action`.
+    """
+
+    def __init__(
+        self,
+        name: SomeSubstitutionsType,
+        value: SomeSubstitutionsType,
+        prepend: bool | SomeSubstitutionsType = False,
+        separator: SomeSubstitutionsType = os.pathsep,
+        **kwargs: Any,
+    ) -> None:
+        super().__init__(**kwargs)
+        self.__name = normalize_to_list_of_substitutions(name)
+        self.__value = normalize_to_list_of_substitutions(value)
+        self.__prepend = normalize_typed_substitution(prepend, bool)
+        self.__separator = normalize_to_list_of_substitutions(separator)
+
+    @classmethod
+    def parse(
+        cls, entity: Entity, parser: ParsesActions
+    ) -> tuple[type[AppendEnvironmentVariable], dict[str, Any]]:
+        """Return the class and its arguments, read from the tag `append_env`.
+
+        It has `name` and `value`, and may have `prepend` and `separator`.
+        """
+        _, kwargs = super().parse(entity, parser)
+        kwargs["name"] = parser.parse_substitution(entity.get_attr("name"))
+        kwargs["value"] = parser.parse_substitution(entity.get_attr("value"))
+        prepend = entity.get_attr("prepend", optional=True, data_type=bool, can_be_str=True)
+        if prepend is not None:
+            kwargs["prepend"] = parser.parse_if_substitutions(prepend)
+        separator = entity.get_attr("separator", optional=True)
+        if separator is not None:
+            kwargs["separator"] = parser.parse_substitution(separator)
+        return cls, kwargs
+
+    @property
+    def name(self) -> list[Substitution]:
+        """The name."""
+        return self.__name
+
+    @property
+    def value(self) -> list[Substitution]:
+        """The text to append."""
+        return self.__value
+
+    @property
+    def prepend(self) -> NormalizedValueType:
+        """Whether to put the text first instead."""
+        return self.__prepend
+
+    @property
+    def separator(self) -> list[Substitution]:
+        """The text between the two."""
+        return self.__separator
+
+    def execute(self, context: LaunchContext) -> None:
+        """Append to it."""
+        name = perform_substitutions(context, self.__name)
+        parts = [perform_substitutions(context, self.__value)]
+        if name in context.environment:
+            is_first = perform_typed_substitution(context, self.__prepend, bool)
+            parts.insert(1 if is_first else 0, context.environment[name])
+        context.environment[name] = perform_substitutions(context, self.__separator).join(parts)

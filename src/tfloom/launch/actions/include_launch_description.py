@@ -1,0 +1,175 @@
+"""Include a launch description, such as another launch file."""
+
+from __future__ import annotations
+
+import os.path
+from collections.abc import Iterable
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+from tfloom.launch.action import Action
+from tfloom.launch.actions.opaque_function import OpaqueFunction
+from tfloom.launch.actions.set_launch_configuration import SetLaunchConfiguration
+from tfloom.launch.circular_includes import refuse_circle
+from tfloom.launch.frontend.entity import Entity, ParsesActions
+from tfloom.launch.frontend.expose import expose_action
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.launch_description import LaunchDescription
+from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.launch_description_source import LaunchDescriptionSource
+from tfloom.launch.launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource
+from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
+from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+
+__all__ = ["IncludeLaunchDescription"]
+
+_FILE = "current_launch_file_path"
+_FOLDER = "current_launch_file_directory"
+
+Argument = tuple[SomeSubstitutionsType, SomeSubstitutionsType]
+
+
+@expose_action("include")
+class IncludeLaunchDescription(Action):
+    """Visit the entities of another launch description, with arguments, when it is executed.
+
+    The arguments become launch configurations, also those that the description doesn't declare. They last to the end of
+    the scope that includes it, as do those that the description sets.
+
+    Args:
+        launch_description_source: The source of the description, or the path of a launch file, of any format, which
+            may have substitutions.
+        launch_arguments: Name and value of each argument; both may have substitutions.
+        kwargs: Arguments of `Action`.
+    """
+
+    def __init__(
+        self,
+        launch_description_source: LaunchDescriptionSource | SomeSubstitutionsType,
+        *,
+        launch_arguments: Iterable[Argument] | None = None,
+        **kwargs: Any,
+    ) -> None:
+        super().__init__(**kwargs)
+        if not isinstance(launch_description_source, LaunchDescriptionSource):
+            launch_description_source = AnyLaunchDescriptionSource(launch_description_source)
+        self.__source = launch_description_source
+        self.__arguments = tuple(launch_arguments or ())
+
+    @classmethod
+    def parse(
+        cls, entity: Entity, parser: ParsesActions
+    ) -> tuple[type[IncludeLaunchDescription], dict[str, Any]]:
+        """Return the class and its arguments, read from the tag `include`.
+
+        It has a `file`, and may have tags `arg` or `let`, each with `name` and `value`.
+        """
+        _, kwargs = super().parse(entity, parser)
+        kwargs["launch_description_source"] = parser.parse_substitution(entity.get_attr("file"))
+        given: list[Entity] = []
+        for tag in ("arg", "let"):
+            given += entity.get_attr(tag, data_type=list[Entity], optional=True) or []
+        if given:
+            kwargs["launch_arguments"] = [
+                (
+                    parser.parse_substitution(each.get_attr("name")),
+                    parser.parse_substitution(each.get_attr("value")),
+                )
+                for each in given
+            ]
+            for each in given:
+                each.assert_entity_completely_parsed()
+        return cls, kwargs
+
+    @property
+    def launch_description_source(self) -> LaunchDescriptionSource:
+        """The source of the description."""
+        return self.__source
+
+    @property
+    def launch_arguments(self) -> tuple[Argument, ...]:
+        """Name and value of each argument."""
+        return self.__arguments
+
+    def describe(self) -> str:
+        """Return the class's name with the location of the description."""
+        return f"IncludeLaunchDescription({self.__source.location})"
+
+    def location_without_context(self) -> str | None:
+        """Return the absolute path of the file, or None if it isn't known before the launch, or there is no file."""
+        source = self.__source
+        try:
+            location = perform_substitutions(LaunchContext(), source._location)  # noqa: SLF001  # of this room
+        except Exception:  # noqa: BLE001  # any that a substitution raises without a context
+            return None
+        return _absolute(location) if Path(location).exists() else None
+
+    def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
+        """Return the description, if it can be loaded before the launch; else nothing."""
+        description = self.__source.try_get_launch_description_without_context()
+        return [] if description is None else [description]
+
+    def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
+        """Load the description, and return it between the settings of its arguments and the return to this file.
+
+        Raises:
+            RuntimeError: an argument that the description declares has no value.
+            CircularIncludeError: a file includes itself endlessly.
+            Exception: the description can't be loaded.
+        """
+        description = self.__source.get_launch_description(context)
+        before = context.get_locals_as_dict()
+        location = self.__source.location
+        path = _absolute(location)
+        is_file = Path(path).exists()  # otherwise it is the name of a script's description
+        if is_file:
+            refuse_circle(context, path)
+        context.extend_locals({_FILE: path, _FOLDER: str(Path(path).parent) if is_file else location})
+        self._check_arguments(context, description)
+
+        def return_to_this_file(context: LaunchContext) -> None:
+            for name in (_FILE, _FOLDER):
+                context._locals.pop(name, None)  # noqa: SLF001  # of this room
+                if name in before:
+                    context.extend_locals({name: before[name]})
+
+        return [
+            *(SetLaunchConfiguration(name, value) for name, value in self.__arguments),
+            description,
+            OpaqueFunction(function=return_to_this_file),
+        ]
+
+    def _check_arguments(self, context: LaunchContext, description: LaunchDescription) -> None:
+        """Raise RuntimeError if an argument that is certainly used has no value; others may fail when they are used."""
+        given = [_perform(context, name) for name, _ in self.__arguments]
+        found = description.get_launch_arguments_with_include_launch_description_actions()
+        for argument, inclusions in found:
+            is_optional = argument._conditionally_included  # noqa: SLF001  # of this room
+            is_set = argument.name in context.launch_configurations
+            if is_set or is_optional or argument.default_value is not None:
+                continue
+            inner = {name for inclusion in inclusions or () for name in inclusion.known_argument_names()}
+            if argument.name not in given and argument.name not in inner:
+                raise RuntimeError(
+                    f"Included launch description missing required argument '{argument.name}' "
+                    f"(description: '{argument.description}'), given: [{', '.join(given)}]"
+                )
+
+    def known_argument_names(self) -> list[str]:
+        """Return the names of the arguments that need no context."""
+        context = LaunchContext()
+        names = []
+        for name, _ in self.__arguments:
+            with suppress(Exception):  # any that a substitution raises without a context
+                names.append(_perform(context, name))
+        return names
+
+
+def _absolute(path: str) -> str:
+    return os.path.abspath(path)  # noqa: PTH100  # symbolic links are not resolved: they lead to a file's neighbours
+
+
+def _perform(context: LaunchContext, text: SomeSubstitutionsType) -> str:
+    return perform_substitutions(context, normalize_to_list_of_substitutions(text))

@@ -1,0 +1,60 @@
+"""Launch configurations: set, removed, scoped and reset."""
+
+from __future__ import annotations
+
+from tfloom.launch.actions.pop_launch_configurations import PopLaunchConfigurations
+from tfloom.launch.actions.push_launch_configurations import PushLaunchConfigurations
+from tfloom.launch.actions.reset_launch_configurations import ResetLaunchConfigurations
+from tfloom.launch.actions.set_launch_configuration import SetLaunchConfiguration
+from tfloom.launch.actions.unset_launch_configuration import UnsetLaunchConfiguration
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration
+from tfloom.launch.substitutions.text_substitution import TextSubstitution
+
+
+def test_name_and_value_are_performed() -> None:
+    context = LaunchContext()
+    SetLaunchConfiguration("a", "one").visit(context)
+    SetLaunchConfiguration(["b_", LaunchConfiguration("a")], LaunchConfiguration("a")).visit(context)
+    assert context.launch_configurations == {"a": "one", "b_one": "one"}
+    SetLaunchConfiguration("a", "two").visit(context)
+    assert context.launch_configurations["a"] == "two"
+
+
+def test_properties_are_lists_of_substitutions() -> None:
+    action = SetLaunchConfiguration("a", "one")
+    assert [each.describe() for each in (*action.name, *action.value)] == ["'a'", "'one'"]
+    assert [each.describe() for each in UnsetLaunchConfiguration(TextSubstitution(text="a")).name] == ["'a'"]
+
+
+def test_removing_one_that_is_not_set_is_no_error() -> None:
+    context = LaunchContext()
+    context.launch_configurations.update(a="one", b="two")
+    UnsetLaunchConfiguration(LaunchConfiguration("a")).visit(context)
+    assert context.launch_configurations == {"a": "one", "b": "two"}
+    UnsetLaunchConfiguration("a").visit(context)
+    assert context.launch_configurations == {"b": "two"}
+
+
+def test_scopes_are_nested() -> None:
+    context = LaunchContext()
+    context.launch_configurations["a"] = "outer"
+    PushLaunchConfigurations().visit(context)
+    context.launch_configurations["a"] = "middle"
+    PushLaunchConfigurations().visit(context)
+    context.launch_configurations.update(a="inner", b="inner")
+    PopLaunchConfigurations().visit(context)
+    assert context.launch_configurations == {"a": "middle"}
+    PopLaunchConfigurations().visit(context)
+    assert context.launch_configurations == {"a": "outer"}
+
+
+def test_reset_keeps_what_was_performed_before() -> None:
+    context = LaunchContext()
+    context.launch_configurations.update(a="one", b="two")
+    ResetLaunchConfigurations({"a": LaunchConfiguration("b"), LaunchConfiguration("a"): "c"}).visit(context)
+    assert context.launch_configurations == {"a": "two", "one": "c"}
+    for empty in (None, {}):
+        context.launch_configurations["a"] = "one"
+        ResetLaunchConfigurations(empty).visit(context)
+        assert context.launch_configurations == {}

@@ -1,0 +1,71 @@
+"""Environment variables: set, removed, appended to, scoped and reset."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+
+import pytest
+
+from tfloom.launch.actions.append_environment_variable import AppendEnvironmentVariable
+from tfloom.launch.actions.pop_environment import PopEnvironment
+from tfloom.launch.actions.push_environment import PushEnvironment
+from tfloom.launch.actions.reset_environment import ResetEnvironment
+from tfloom.launch.actions.set_environment_variable import SetEnvironmentVariable
+from tfloom.launch.actions.unset_environment_variable import UnsetEnvironmentVariable
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration
+from tfloom.launch.substitutions.text_substitution import TextSubstitution
+
+NAME = "TFLOOM_LAUNCH_TEST"
+
+
+@pytest.fixture(autouse=True)
+def _environment() -> Iterator[None]:
+    before = dict(os.environ)
+    os.environ.pop(NAME, None)
+    yield
+    os.environ.clear()
+    os.environ.update(before)
+
+
+def test_variable_is_set_for_later_processes_and_removed() -> None:
+    context = LaunchContext()
+    context.launch_configurations["value"] = "one"
+    SetEnvironmentVariable(["TFLOOM_", "LAUNCH_TEST"], LaunchConfiguration("value")).visit(context)
+    assert os.environ[NAME] == context.environment[NAME] == "one"
+    UnsetEnvironmentVariable(NAME).visit(context)
+    UnsetEnvironmentVariable(NAME).visit(context)
+    assert NAME not in os.environ
+
+
+@pytest.mark.parametrize(
+    ("options", "expected"),
+    [
+        ({}, f"one{os.pathsep}two"),
+        ({"prepend": True}, f"two{os.pathsep}one"),
+        ({"separator": " "}, "one two"),
+        ({"prepend": TextSubstitution(text="yes"), "separator": ["<", ">"]}, "two<>one"),
+        ({"prepend": [LaunchConfiguration("no")]}, f"one{os.pathsep}two"),
+    ],
+)
+def test_appending(options: dict[str, object], expected: str) -> None:
+    context = LaunchContext()
+    context.launch_configurations["no"] = "false"
+    AppendEnvironmentVariable(NAME, "one", **options).visit(context)
+    assert os.environ[NAME] == "one"
+    AppendEnvironmentVariable(NAME, "two", **options).visit(context)
+    assert os.environ[NAME] == expected
+
+
+def test_scopes_and_reset() -> None:
+    os.environ[NAME] = "start"
+    context = LaunchContext()
+    PushEnvironment().visit(context)
+    SetEnvironmentVariable(NAME, "inner").visit(context)
+    ResetEnvironment().visit(context)
+    assert os.environ[NAME] == "start"
+    SetEnvironmentVariable("TFLOOM_LAUNCH_OTHER", "inner").visit(context)
+    PopEnvironment().visit(context)
+    assert os.environ[NAME] == "start"
+    assert "TFLOOM_LAUNCH_OTHER" not in os.environ

@@ -1,0 +1,94 @@
+"""Groups: their conditions and their scopes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from tfloom.launch.actions.group_action import GroupAction
+from tfloom.launch.actions.opaque_function import OpaqueFunction
+from tfloom.launch.actions.set_environment_variable import SetEnvironmentVariable
+from tfloom.launch.actions.set_launch_configuration import SetLaunchConfiguration
+from tfloom.launch.conditions.if_condition import IfCondition
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration
+from tfloom.launch.utilities.visit_all_entities_and_collect_futures import (
+    visit_all_entities_and_collect_futures,
+)
+
+NAME = "TFLOOM_LAUNCH_TEST"
+
+
+def inner_and_outer(**options: Any) -> tuple[dict[str, str], dict[str, str]]:
+    """Return the launch configurations that an action in a group has, and those after the group."""
+    context = LaunchContext()
+    context.launch_configurations["a"] = "outer"
+    seen: list[dict[str, str]] = []
+
+    def see(context: LaunchContext) -> None:
+        seen.append(dict(context.launch_configurations))
+
+    actions = [SetLaunchConfiguration("b", "inner"), OpaqueFunction(function=see)]
+    visit_all_entities_and_collect_futures(GroupAction(actions, **options), context)
+    return seen[0], dict(context.launch_configurations)
+
+
+@pytest.mark.parametrize(
+    ("options", "inner", "after"),
+    [
+        ({}, {"a": "outer", "b": "inner"}, {"a": "outer"}),
+        ({"scoped": False}, {"a": "outer", "b": "inner"}, {"a": "outer", "b": "inner"}),
+        ({"forwarding": False}, {"b": "inner"}, {"a": "outer"}),
+        (
+            {"launch_configurations": {"c": LaunchConfiguration("a")}},
+            {"a": "outer", "b": "inner", "c": "outer"},
+            {"a": "outer"},
+        ),
+        (
+            {"launch_configurations": {"c": LaunchConfiguration("a")}, "forwarding": False},
+            {"b": "inner", "c": "outer"},
+            {"a": "outer"},
+        ),
+        (
+            {"launch_configurations": {"c": "of the group"}, "scoped": False},
+            {"a": "outer", "b": "inner", "c": "of the group"},
+            {"a": "outer", "b": "inner", "c": "of the group"},
+        ),
+    ],
+)
+def test_scope(options: dict[str, Any], inner: dict[str, str], after: dict[str, str]) -> None:
+    assert inner_and_outer(**options) == (inner, after)
+
+
+def test_environment_is_scoped() -> None:
+    context = LaunchContext()
+    seen: list[str | None] = []
+
+    def see(context: LaunchContext) -> None:
+        seen.append(context.environment.get(NAME))
+
+    group = GroupAction([SetEnvironmentVariable(NAME, "inner"), OpaqueFunction(function=see)])
+    visit_all_entities_and_collect_futures(group, context)
+    see(context)
+    assert seen == ["inner", None]
+
+
+def test_condition_holds_for_all_actions() -> None:
+    context = LaunchContext()
+    group = GroupAction(
+        [SetLaunchConfiguration("a", "1"), SetLaunchConfiguration("b", "1")],
+        scoped=False,
+        condition=IfCondition("false"),
+    )
+    visit_all_entities_and_collect_futures(group, context)
+    assert context.launch_configurations == {}
+
+
+def test_a_group_is_visited_twice() -> None:
+    context = LaunchContext()
+    group = GroupAction(iter([SetLaunchConfiguration("a", "1")]), scoped=False)
+    for _ in range(2):
+        context.launch_configurations.clear()
+        visit_all_entities_and_collect_futures(group, context)
+        assert context.launch_configurations == {"a": "1"}

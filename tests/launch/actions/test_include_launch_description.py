@@ -1,0 +1,159 @@
+"""Inclusions: arguments, the place of the current file, and circles."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tfloom.launch.actions.declare_launch_argument import DeclareLaunchArgument
+from tfloom.launch.actions.group_action import GroupAction
+from tfloom.launch.actions.include_launch_description import IncludeLaunchDescription
+from tfloom.launch.actions.reset_launch_configurations import ResetLaunchConfigurations
+from tfloom.launch.circular_includes import CircularIncludeError
+from tfloom.launch.conditions.if_condition import IfCondition
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.launch_description import LaunchDescription
+from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.launch_description_source import LaunchDescriptionSource
+from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration
+from tfloom.launch.utilities.visit_all_entities_and_collect_futures import (
+    visit_all_entities_and_collect_futures,
+)
+
+
+def visited(*entities: LaunchDescriptionEntity) -> dict[str, str]:
+    """Visit entities, and return the launch configurations after them."""
+    context = LaunchContext()
+    for entity in entities:
+        visit_all_entities_and_collect_futures(entity, context)
+    assert context.get_locals_as_dict().keys() <= {"included_launch_files"}
+    return context.launch_configurations
+
+
+def source(*entities: LaunchDescriptionEntity) -> LaunchDescriptionSource:
+    return LaunchDescriptionSource(LaunchDescription(entities))
+
+
+def write(path: Path, *lines: str) -> str:
+    path.parent.mkdir(exist_ok=True)
+    path.write_text("<launch>" + "\n".join(lines) + "</launch>\n")
+    return str(path)
+
+
+def test_arguments_are_configurations_of_the_included_description() -> None:
+    include = IncludeLaunchDescription(
+        source(DeclareLaunchArgument("a"), DeclareLaunchArgument("b", default_value="2")),
+        launch_arguments={"a": "1", "un": "declared"}.items(),
+    )
+    assert include.launch_arguments == (("a", "1"), ("un", "declared"))
+    assert visited(include) == {"a": "1", "b": "2", "un": "declared"}
+
+
+def test_a_required_argument_without_a_value_is_an_error_before_anything_is_visited() -> None:
+    inner = source(
+        DeclareLaunchArgument("x", default_value="1"), DeclareLaunchArgument("need", description="d")
+    )
+    include = IncludeLaunchDescription(inner, launch_arguments=[("other", "1"), ("more", "2")])
+    context = LaunchContext()
+    with pytest.raises(RuntimeError) as error:
+        visit_all_entities_and_collect_futures(include, context)
+    assert str(error.value) == (
+        "Included launch description missing required argument 'need' (description: 'd'), given: [other, more]"
+    )
+    assert context.launch_configurations == {}
+
+
+def test_an_argument_that_may_not_be_used_is_not_required() -> None:
+    declared = DeclareLaunchArgument("need")
+    assert (
+        visited(IncludeLaunchDescription(source(GroupAction([declared], condition=IfCondition("false")))))
+        == {}
+    )
+    with pytest.raises(RuntimeError, match='"need" was not provided'):
+        visited(IncludeLaunchDescription(source(GroupAction([declared], condition=IfCondition("true")))))
+
+
+def test_an_argument_that_an_inner_inclusion_gives_is_not_required() -> None:
+    inner = source(DeclareLaunchArgument("need"))
+    outer = source(IncludeLaunchDescription(inner, launch_arguments=[("need", "1")]))
+    assert visited(IncludeLaunchDescription(outer)) == {"need": "1"}
+
+
+def test_an_argument_that_is_a_configuration_already_is_not_required() -> None:
+    inner = IncludeLaunchDescription(source(DeclareLaunchArgument("need")))
+    outer = source(DeclareLaunchArgument("need", default_value="1"), inner)
+    assert visited(IncludeLaunchDescription(outer)) == {"need": "1"}
+
+
+def test_arguments_of_a_description_are_found_in_its_inclusions_and_groups() -> None:
+    include = IncludeLaunchDescription(source(DeclareLaunchArgument("inner"), DeclareLaunchArgument("both")))
+    description = LaunchDescription(
+        [
+            DeclareLaunchArgument("both", description="the first"),
+            GroupAction([include], condition=IfCondition(LaunchConfiguration("both"))),
+            DeclareLaunchArgument("if", condition=IfCondition("true")),
+            GroupAction([ResetLaunchConfigurations(), DeclareLaunchArgument("hidden")]),
+            DeclareLaunchArgument("last"),
+        ]
+    )
+    found = description.get_launch_arguments_with_include_launch_description_actions()
+    assert [(each.name, each._conditionally_included, path) for each, path in found] == [
+        ("both", False, None),
+        ("inner", True, [include]),
+        ("if", True, None),
+        ("last", False, None),
+    ]
+    assert description.get_launch_arguments()[0].description == "the first"
+
+
+def test_place_of_the_current_file(tmp_path: Path) -> None:
+    inner = write(
+        tmp_path / "inner" / "b.launch.xml",
+        '<let name="inner" value="$(dirname)"/>',
+        '<let name="f" value="$(filename)"/>',
+    )
+    outer = write(
+        tmp_path / "a.launch.xml",
+        '<include file="$(dirname)/inner/b.launch.xml"><let name="given" value="$(dirname)"/></include>',
+        '<let name="outer" value="$(dirname)"/>',
+    )
+    found = visited(IncludeLaunchDescription(outer))
+    assert found == {
+        "inner": str(tmp_path / "inner"),
+        "f": inner,
+        "outer": str(tmp_path),
+        "given": found["given"],
+    }
+
+
+def test_a_file_that_includes_itself_is_an_error_that_names_the_circle(tmp_path: Path) -> None:
+    one, two = str(tmp_path / "one.launch.xml"), str(tmp_path / "two.launch.xml")
+    write(Path(one), f'<include file="{two}"/>', '<arg name="late"/>')
+    write(Path(two), f'<include file="{one}"/>')
+    with pytest.raises(CircularIncludeError, match=r"two.launch.xml -> .*one.launch.xml -> .*two.launch.xml"):
+        visited(IncludeLaunchDescription(one, launch_arguments=[("late", "1")]))
+    (argument,) = LaunchDescription([IncludeLaunchDescription(one)]).get_launch_arguments()
+    assert argument.name == "late"
+
+
+def test_a_file_may_include_itself_while_its_arguments_change(tmp_path: Path) -> None:
+    path = write(
+        tmp_path / "down.launch.xml",
+        '<arg name="n"/><let name="at_$(var n)" value="yes"/>',
+        '<include file="$(filename)" if="$(eval \'$(var n) &gt; 0\')">',
+        '<arg name="n" value="$(eval \'$(var n) - 1\')"/></include>',
+    )
+    found = visited(IncludeLaunchDescription(path, launch_arguments=[("n", "3")]))
+    assert found == {"n": "0", "at_3": "yes", "at_2": "yes", "at_1": "yes", "at_0": "yes"}
+
+
+def test_a_path_may_have_substitutions(tmp_path: Path) -> None:
+    write(tmp_path / "a.launch.xml", '<let name="seen" value="yes"/>')
+    context = LaunchContext()
+    context.launch_configurations["folder"] = str(tmp_path)
+    include = IncludeLaunchDescription([LaunchConfiguration("folder"), "/a.launch.xml"])
+    assert include.get_sub_entities() == []
+    visit_all_entities_and_collect_futures(include, context)
+    assert context.launch_configurations["seen"] == "yes"
+    assert include.launch_description_source.location == str(tmp_path / "a.launch.xml")
