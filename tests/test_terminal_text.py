@@ -10,7 +10,7 @@ import sys
 
 import pytest
 
-from tfloom.terminal_text import TerminalOutput, shown, shown_on_terminals, unescaped
+from tfloom.terminal_text import TerminalOutput, shown, shown_in_colors, shown_on_terminals, unescaped
 
 HOSTILE = "a\x1b[2J\x07\r\x7f\x9b1m\u202eb\u2066c\td\nä\u200f漢"
 SHOWN = "a\\x1b[2J\\x07\\x0d\\x7f\\x9b1m\\u202eb\\u2066c\td\nä\u200f漢"
@@ -41,6 +41,12 @@ def on_a_terminal(program: str, **environment: str) -> str:
 def test_what_a_terminal_obeys_is_shown() -> None:
     assert shown(HOSTILE) == SHOWN
     assert shown("plain ü 漢 \t\n") == "plain ü 漢 \t\n"
+
+
+def test_colours_remain_and_end_with_the_line() -> None:
+    assert shown_in_colors(HOSTILE) == SHOWN
+    assert shown_in_colors("\x1b[1;31ma\x1b[2Jb\x1b[0m") == "\x1b[1;31ma\\x1b[2Jb\x1b[0m"
+    assert shown_in_colors("\x1b[1;31ma\x1b[mb\x1b[38:5:9m") == "\x1b[1;31ma\x1b[mb\x1b[38:5:9m\x1b[0m"
 
 
 def test_every_control_character_is_shown_except_tab_and_line_feed() -> None:

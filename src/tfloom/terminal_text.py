@@ -13,10 +13,21 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any, TextIO
 
-__all__ = ["TerminalOutput", "is_terminal", "shown", "shown_name", "shown_on_terminals", "unescaped"]
+__all__ = [
+    "TerminalOutput",
+    "is_terminal",
+    "shown",
+    "shown_in_colors",
+    "shown_name",
+    "shown_on_terminals",
+    "unescaped",
+]
 
 # C0 without tab and line feed, DEL, C1, and the embeddings, overrides and isolates of bidirectional text.
 _OBEYED = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
+
+_COLORS = re.compile(r"(\x1b\[[0-9;:]*m)")  # ECMA-48's SGR: colours, bold and the like
+_RESET = "\x1b[0m"
 
 
 def _escape(match: re.Match[str]) -> str:
@@ -27,6 +38,15 @@ def _escape(match: re.Match[str]) -> str:
 def shown(text: str) -> str:
     """Return a text in which each character that a terminal would obey is an escape sequence; tabs and lines stay."""
     return _OBEYED.sub(_escape, text)
+
+
+def shown_in_colors(line: str) -> str:
+    """Return a line as `shown` does, but with its colours, which end with the line."""
+    texts_and_colors = _COLORS.split(line)
+    colors = texts_and_colors[1::2]
+    texts_and_colors[::2] = map(shown, texts_and_colors[::2])
+    is_open = bool(colors) and colors[-1] not in {_RESET, "\x1b[m"}
+    return "".join(texts_and_colors) + (_RESET if is_open else "")
 
 
 def shown_name(name: str) -> str:
