@@ -50,7 +50,7 @@ COMMANDS: dict[str, str | Group] = {
         },
         aliases=("interfaces",),
     ),
-    "launch": "Explain that launch files can't be run yet",
+    "launch": "Launch a file of programs",
     "lifecycle": Group(
         "Inspect lifecycle nodes, and change their state",
         {
