@@ -19,7 +19,7 @@ pytestmark = [pytest.mark.slow, pytest.mark.skipif(os.name != "posix", reason="n
 
 SOURCE = Path(__file__).parents[2] / "examples" / "workspace" / "src"
 PARAMETERS = "install/train_bringup/share/train_bringup/config/train.yaml"
-WAGONS = 9
+WAGONS = 10
 
 
 def copy_sources(folder: Path) -> Path:
@@ -85,7 +85,7 @@ def test_links_pick_up_an_edit(
     text = node.read_text("utf-8")
     node.write_text(text.replace("super().__init__('frames')", "super().__init__('frames_edited')"), "utf-8")
     config = tmp_path / "src" / "train_bringup" / "config" / "train.yaml"
-    config.write_text(config.read_text("utf-8").replace("wagons: 9", "wagons: 2"), "utf-8")
+    config.write_text(config.read_text("utf-8").replace("wagons: 10", "wagons: 2"), "utf-8")
     assert "wagons: 2" in (tmp_path / PARAMETERS).read_text("utf-8")
     script = ". install/setup.bash && exec tfloom run turtle_train frames"
     path = f"{BIN}{os.pathsep}{os.environ['PATH']}"

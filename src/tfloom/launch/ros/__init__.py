@@ -1,0 +1,1 @@
+"""Nodes in launch files: the room behind `launch_ros`."""

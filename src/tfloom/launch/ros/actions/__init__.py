@@ -1,0 +1,1 @@
+"""Actions that start nodes, or that change how later ones are started."""

@@ -1,0 +1,155 @@
+"""The action that takes lifecycle nodes through several transitions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Any, Union
+
+from tfloom.launch.action import Action
+from tfloom.launch.actions.emit_event import EmitEvent
+from tfloom.launch.actions.opaque_function import OpaqueFunction
+from tfloom.launch.event import Event
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.logging import get_logger
+from tfloom.launch.ros.event_handlers.on_state_transition import OnStateTransition
+from tfloom.launch.ros.events.lifecycle.change_state import ChangeState
+from tfloom.launch.ros.events.lifecycle.state_transition import StateTransition
+from tfloom.launch.ros.events.matchers import matches_node_name
+from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
+from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+
+__all__ = ["LifecycleTransition", "match_node_name_goal", "match_node_name_start_goal"]
+
+EventMatcher = Callable[[Event], bool]
+
+
+def match_node_name_goal(node_name: str, goal_state: str) -> EventMatcher:
+    """Return a matcher of transitions of a node to a state."""
+    return lambda event: (
+        isinstance(event, StateTransition)
+        and matches_node_name(node_name)(event.action)
+        and event.goal_state == goal_state
+    )
+
+
+def match_node_name_start_goal(node_name: str, start_state: str, goal_state: str) -> EventMatcher:
+    """Return a matcher of transitions of a node from a state to another."""
+    is_to_goal = match_node_name_goal(node_name, goal_state)
+    return lambda event: (
+        isinstance(event, StateTransition) and event.start_state == start_state and is_to_goal(event)
+    )
+
+
+class LifecycleTransition(Action):
+    """Requests transitions of lifecycle nodes in order: each after the one before it has succeeded.
+
+    Args:
+        lifecycle_node_names: Full names of the nodes, or substitutions for them.
+        transition_ids: Constants of lifecycle_msgs/msg/Transition, or substitutions for them.
+        **kwargs: See Action.
+
+    Raises:
+        RuntimeError: there are no nodes, or no transitions.
+    """
+
+    transition_targets = {  # noqa: RUF012  # never changed
+        1: {"start_state": "configuring", "goal_state": "inactive"},
+        2: {"start_state": "cleaningup", "goal_state": "unconfigured"},
+        3: {"start_state": "activating", "goal_state": "active"},
+        4: {"start_state": "deactivating", "goal_state": "inactive"},
+        5: {"start_state": "shuttingdown", "goal_state": "finalized"},
+        6: {"start_state": "shuttingdown", "goal_state": "finalized"},
+        7: {"start_state": "shuttingdown", "goal_state": "finalized"},
+    }
+    """The state during each transition, and the one after its success."""
+
+    def __init__(
+        self,
+        *,
+        lifecycle_node_names: Iterable[SomeSubstitutionsType],
+        transition_ids: Iterable[Union[int, SomeSubstitutionsType]],
+        **kwargs: Any,
+    ) -> None:
+        super().__init__(**kwargs)
+        self._names = [normalize_to_list_of_substitutions(name) for name in lifecycle_node_names]
+        self._transitions = [
+            normalize_to_list_of_substitutions(str(each) if isinstance(each, int) else each)
+            for each in transition_ids
+        ]
+        if not self._names:
+            raise RuntimeError("No lifecycle_node_names provided.")
+        if not self._transitions:
+            raise RuntimeError("No transition_ids provided.")
+
+    def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
+        """Request the first transition of each node, and follow the node's transitions.
+
+        Raises:
+            ValueError: a transition's text is no number of one.
+        """
+        transitions = [self._number(perform_substitutions(context, each)) for each in self._transitions]
+        first: list[LaunchDescriptionEntity] = []
+        for substitutions in self._names:
+            name = perform_substitutions(context, substitutions)
+            _Sequence(name, transitions).follow(context)
+            first.append(EmitEvent(event=_request(name, transitions[0])))
+        return first
+
+    def _number(self, text: str) -> int:
+        if not text.isdecimal() or int(text) not in self.transition_targets:
+            known = ", ".join(map(str, self.transition_targets))
+            raise ValueError(
+                f"'{text}' is no transition that LifecycleTransition can request; use one of {known}"
+            )
+        return int(text)
+
+
+class _Sequence:
+    """The transitions of a node that are left; used by the thread that runs the launch."""
+
+    def __init__(self, name: str, transitions: list[int]) -> None:
+        self._name = name
+        self._left = list(transitions)
+        self._is_of_node = matches_node_name(name)
+        self._handler = OnStateTransition(
+            matcher=self._ends_a_transition, entities=[OpaqueFunction(function=self._go_on)]
+        )
+
+    def follow(self, context: LaunchContext) -> None:
+        """Begin."""
+        context.register_event_handler(self._handler)
+
+    def _ends_a_transition(self, event: Event) -> bool:
+        """Return whether the transition that was requested has ended, whether successfully or not."""
+        return (
+            isinstance(event, StateTransition)
+            and self._is_of_node(event.action)
+            and event.start_state in (self._target["start_state"], "errorprocessing")
+        )
+
+    @property
+    def _target(self) -> dict[str, str]:
+        return LifecycleTransition.transition_targets[self._left[0]]
+
+    def _go_on(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
+        event = context.locals.event
+        succeeded = (event.start_state, event.goal_state) == tuple(self._target.values())
+        if not succeeded and event.goal_state == "errorprocessing":
+            return None  # its end is the next event
+        done = self._left.pop(0)
+        if succeeded and self._left:
+            return [EmitEvent(event=_request(self._name, self._left[0]))]
+        context.unregister_event_handler(self._handler)
+        if not succeeded and self._left:
+            get_logger("launch_ros.actions.lifecycle_transition").error(
+                f"'{self._name}' is {event.goal_state} after the transition "
+                f"'{ChangeState.valid_transitions[done]}', so that the transitions after it are not requested: "
+                + ", ".join(ChangeState.valid_transitions[each] for each in self._left)
+            )
+        return None
+
+
+def _request(name: str, transition: int) -> ChangeState:
+    return ChangeState(lifecycle_node_matcher=matches_node_name(name), transition_id=transition)

@@ -1,0 +1,69 @@
+"""The action that would load nodes in C++ into a container."""
+
+from __future__ import annotations
+
+from typing import Any, List, Union  # noqa: UP035  # the type that `Entity.get_attr` takes for children
+
+from tfloom.launch.action import Action
+from tfloom.launch.frontend.entity import Entity, ParsesActions
+from tfloom.launch.frontend.expose import expose_action
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.ros.actions.composable_node_container import NEEDS_CPP, ComposableNodeContainer
+from tfloom.launch.ros.descriptions.composable_node import ComposableNode
+from tfloom.launch.some_substitutions_type import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
+from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
+
+__all__ = ["LoadComposableNodes", "get_composable_node_load_request"]
+
+
+@expose_action("load_composable_node")
+class LoadComposableNodes(Action):
+    """Describes nodes to be loaded into a container, which needs C++: executing it raises an error.
+
+    Args:
+        composable_node_descriptions: The nodes.
+        target_container: The container, or its name.
+        **kwargs: See Action.
+    """
+
+    def __init__(
+        self,
+        *,
+        composable_node_descriptions: list[ComposableNode],
+        target_container: Union[SomeSubstitutionsType, ComposableNodeContainer],
+        **kwargs: Any,
+    ) -> None:
+        ensure_argument_type(
+            target_container,
+            (*SomeSubstitutionsType_types_tuple, ComposableNodeContainer),
+            "target_container",
+            "LoadComposableNodes",
+        )
+        super().__init__(**kwargs)
+        self._composable_nodes = composable_node_descriptions
+        self._target_container = target_container
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: ParsesActions) -> tuple[type[Action], dict[str, Any]]:
+        """Return the class, and the arguments that the element of a launch file gives its constructor."""
+        _, kwargs = super().parse(entity, parser)
+        kwargs["target_container"] = parser.parse_substitution(entity.get_attr("target"))
+        nodes = []
+        for each in entity.get_attr("composable_node", data_type=List[Entity]):  # noqa: UP006
+            node_class, arguments = ComposableNode.parse(parser, each)
+            nodes.append(node_class(**arguments))
+        kwargs["composable_node_descriptions"] = nodes
+        return cls, kwargs
+
+    def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
+        """Raise RuntimeError, because this needs C++."""
+        raise RuntimeError(f"LoadComposableNodes: {NEEDS_CPP}")
+
+
+def get_composable_node_load_request(
+    composable_node_description: ComposableNode,  # noqa: ARG001
+    context: LaunchContext,  # noqa: ARG001
+) -> Any:
+    """Raise RuntimeError, because the request is one to a container, which needs C++."""
+    raise RuntimeError(f"get_composable_node_load_request: {NEEDS_CPP}")

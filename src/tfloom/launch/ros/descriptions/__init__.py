@@ -1,0 +1,1 @@
+"""Descriptions of what a node is given."""

@@ -1,0 +1,70 @@
+"""The handler of transitions of lifecycle nodes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from tfloom.launch.event import Event
+from tfloom.launch.event_handler import EventHandler
+from tfloom.launch.ros.actions.lifecycle_node import LifecycleNode
+from tfloom.launch.ros.events.lifecycle.state_transition import StateTransition
+from tfloom.launch.some_entities_type import SomeEntitiesType
+from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+
+__all__ = ["OnStateTransition"]
+
+
+class OnStateTransition(EventHandler):
+    """Visits entities after a transition of a lifecycle node; what is None isn't compared.
+
+    Args:
+        entities: The entities.
+        target_lifecycle_node: The node.
+        transition: Name of the transition.
+        start_state: Name of the state before.
+        goal_state: Name of the state after.
+        matcher: Called with the event, for a condition of one's own.
+        **kwargs: See EventHandler.
+
+    Raises:
+        RuntimeError: the target is no LifecycleNode.
+    """
+
+    def __init__(
+        self,
+        *,
+        entities: SomeEntitiesType,
+        target_lifecycle_node: LifecycleNode | None = None,
+        transition: SomeSubstitutionsType | None = None,
+        start_state: SomeSubstitutionsType | None = None,
+        goal_state: SomeSubstitutionsType | None = None,
+        matcher: Callable[[Event], bool] | None = None,
+        **kwargs: Any,
+    ) -> None:
+        if not isinstance(target_lifecycle_node, (LifecycleNode, type(None))):
+            raise RuntimeError("OnStateTransition requires a 'LifecycleNode' action as the target")  # noqa: TRY004  # the type that programs catch
+        self._target = target_lifecycle_node
+        self._labels = {"transition": transition, "start_state": start_state, "goal_state": goal_state}
+        self._custom_matcher = matcher
+        super().__init__(matcher=self._accepts, entities=entities, **kwargs)
+
+    def _accepts(self, event: Event) -> bool:
+        return (
+            isinstance(event, StateTransition)
+            and (self._target is None or event.action is self._target)
+            and all(label is None or getattr(event, name) == label for name, label in self._labels.items())
+            and (self._custom_matcher is None or self._custom_matcher(event))
+        )
+
+    @property
+    def handler_description(self) -> str:
+        """What it does, for people."""
+        return "<actions>"
+
+    @property
+    def matcher_description(self) -> str:
+        """Which events it handles, for people."""
+        named = {**self._labels, "target_lifecycle_node": self._target}
+        given = [f"{name}={value!r}" for name, value in named.items() if value is not None]
+        return " and ".join(["event == StateTransition", *given])

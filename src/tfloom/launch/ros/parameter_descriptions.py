@@ -1,0 +1,215 @@
+"""Parameters of nodes as launch files describe them: a value with its type, a name with a value, a file."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, Union, cast
+
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.some_substitutions_type import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
+from tfloom.launch.substitution import Substitution
+from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
+from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
+from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.utilities.type_utils import (
+    AllowedTypesType,
+    SomeValueType,
+    normalize_typed_substitution,
+    perform_typed_substitution,
+)
+from tfloom.launch.utilities.typing_file_path import FilePath
+
+__all__ = ["EvaluatedParameterValue", "Parameter", "ParameterFile", "ParameterValue"]
+
+EvaluatedParameterValue = Union[
+    str, int, float, bool, Sequence[str], Sequence[int], Sequence[float], Sequence[bool], bytes
+]
+"""A value of a parameter."""
+
+
+class ParameterValue:
+    """A parameter's value, with the type that it will have.
+
+    Args:
+        value: The value, or substitutions for it.
+        value_type: int, float, bool, str, or a list of one of them, `list[int]`; None: the type that YAML gives the
+            text of the substitutions.
+    """
+
+    def __init__(self, value: SomeValueType, *, value_type: AllowedTypesType | None = None) -> None:
+        self._value = normalize_typed_substitution(value, value_type)
+        self._value_type = value_type
+        self._evaluated: Any = None
+
+    @property
+    def value(self) -> Any:
+        """The value, after `evaluate` with its substitutions performed."""
+        return self._value if self._evaluated is None else self._evaluated
+
+    @property
+    def value_type(self) -> AllowedTypesType | None:
+        """The type that it will have."""
+        return self._value_type
+
+    def __str__(self) -> str:
+        return f"{_place(self)}(value={self.value}, value_type={self.value_type})"
+
+    def evaluate(self, context: LaunchContext) -> EvaluatedParameterValue:
+        """Return the value, with its substitutions performed.
+
+        Raises:
+            ValueError: their text is no value of the type.
+        """
+        self._evaluated = perform_typed_substitution(context, self._value, self._value_type)
+        return cast("EvaluatedParameterValue", self._evaluated)
+
+
+class Parameter:
+    """A parameter's name and value.
+
+    Args:
+        name: The name, or substitutions for it.
+        value, value_type: See ParameterValue.
+    """
+
+    def __init__(
+        self,
+        name: SomeSubstitutionsType,
+        value: SomeValueType,
+        *,
+        value_type: AllowedTypesType | None = None,
+    ) -> None:
+        ensure_argument_type(name, SomeSubstitutionsType_types_tuple, "name")
+        self._name = normalize_to_list_of_substitutions(name)
+        self._parameter_value = ParameterValue(value, value_type=value_type)
+        self._evaluated_name: str | None = None
+
+    @property
+    def name(self) -> list[Substitution] | str:
+        """The name, after `evaluate` with its substitutions performed."""
+        return self._name if self._evaluated_name is None else self._evaluated_name
+
+    @property
+    def value(self) -> Any:
+        """The value, after `evaluate` with its substitutions performed."""
+        return self._parameter_value.value
+
+    @property
+    def value_type(self) -> AllowedTypesType | None:
+        """The type that the value will have."""
+        return self._parameter_value.value_type
+
+    def __str__(self) -> str:
+        return f"{_place(self)}(name={self.name}, value={self.value}, value_type={self.value_type})"
+
+    def evaluate(self, context: LaunchContext) -> tuple[str, EvaluatedParameterValue]:
+        """Return the name and the value, with their substitutions performed.
+
+        Raises:
+            ValueError: the text of the value is none of the type.
+        """
+        self._evaluated_name = perform_substitutions(context, self._name)
+        return self._evaluated_name, self._parameter_value.evaluate(context)
+
+
+class ParameterFile:
+    """A file of parameters.
+
+    Args:
+        param_file: Its path, or substitutions for it.
+        allow_substs: Whether substitutions in the file, as `$(env HOME)`, are performed.
+    """
+
+    def __init__(
+        self,
+        param_file: FilePath | SomeSubstitutionsType,
+        *,
+        allow_substs: bool | SomeSubstitutionsType = False,
+    ) -> None:
+        ensure_argument_type(
+            param_file,
+            (*SomeSubstitutionsType_types_tuple, os.PathLike, bytes),
+            "param_file",
+            "ParameterFile",
+        )
+        ensure_argument_type(
+            allow_substs, (bool, *SomeSubstitutionsType_types_tuple), "allow_subst", "ParameterFile"
+        )
+        self._param_file = _substitutions_of_path(param_file)
+        self._allow_substs = normalize_typed_substitution(allow_substs, bool)
+        self._evaluated_allow_substs: bool | None = None
+        self._evaluated_param_file: Path | None = None
+        self._created_file: Path | None = None
+
+    @property
+    def param_file(self) -> FilePath | list[Substitution]:
+        """The path, after `evaluate` with its substitutions performed."""
+        return self._param_file if self._evaluated_param_file is None else self._evaluated_param_file
+
+    @property
+    def allow_substs(self) -> Any:
+        """Whether substitutions in the file are performed."""
+        return self._allow_substs if self._evaluated_allow_substs is None else self._evaluated_allow_substs
+
+    def __str__(self) -> str:
+        return f"{_place(self)}(param_file={self.param_file!r}, allow_substs={self.allow_substs})"
+
+    def evaluate(self, context: LaunchContext) -> Path:
+        """Return the path of the file, or of a temporary one with its substitutions performed.
+
+        Raises:
+            OSError: the file can't be read.
+            SubstitutionFailure: the text with its substitutions performed is not YAML.
+        """
+        if self._evaluated_param_file is not None:
+            return self._evaluated_param_file
+        path = Path(perform_substitutions(context, self._param_file))
+        allowed = perform_typed_substitution(context, self._allow_substs, bool)
+        if allowed:
+            path = self._created_file = _file_with_substitutions(context, path)
+        self._evaluated_allow_substs = allowed
+        self._evaluated_param_file = path
+        return path
+
+    def cleanup(self) -> None:
+        """Remove the temporary file, if there is one."""
+        if self._created_file is not None:
+            self._created_file.unlink(missing_ok=True)
+            self._created_file = self._evaluated_param_file = None
+
+
+def _place(described: object) -> str:
+    return f"launch_ros.parameter_descriptions.{type(described).__name__}"
+
+
+def _substitutions_of_path(path: FilePath | SomeSubstitutionsType) -> list[Substitution]:
+    if isinstance(path, (bytes, os.PathLike)):
+        return normalize_to_list_of_substitutions(os.fsdecode(path))
+    return normalize_to_list_of_substitutions(path)
+
+
+def _file_with_substitutions(context: LaunchContext, path: Path) -> Path:
+    import tempfile
+
+    from tfloom.launch.frontend.parse_substitution import parse_substitution
+    from tfloom.launch.ros.temporary_files import folder_of
+    from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
+    from tfloom.rosidl.user_yaml import YamlError, load
+    from tfloom.whole_files import write_file
+
+    try:
+        text = perform_substitutions(context, parse_substitution(path.read_text("utf-8")))
+    except SubstitutionFailure as error:
+        raise SubstitutionFailure(f"{path}: {error}") from error
+    try:
+        load(text)
+    except YamlError as error:
+        raise SubstitutionFailure(
+            f"The substituted parameter file is not a valid yaml file: {path}: {error}"
+        ) from error
+    descriptor, name = tempfile.mkstemp(".yaml", "launch_params_", folder_of(context))
+    os.close(descriptor)
+    write_file(name, text)
+    return Path(name)

@@ -1,0 +1,1 @@
+"""Substitutions by packages and parameters."""

@@ -1,0 +1,103 @@
+"""A program of a package as a substitution: `$(exec-in-package PROGRAM PACKAGE)`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from tfloom.launch.frontend.expose import expose_substitution
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.ros.nearest import nearest_programs
+from tfloom.launch.ros.own_programs import script_for
+from tfloom.launch.ros.substitutions.find_package import FindPackagePrefix
+from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+from tfloom.launch.substitution import Substitution
+from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
+from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
+from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.workspace import index
+
+__all__ = ["ExecutableInPackage"]
+
+
+@expose_substitution("exec-in-package")
+class ExecutableInPackage(FindPackagePrefix):
+    """The path of a program: in `PREFIX/lib/NAME` of a package, or a script that starts one of tfloom's own.
+
+    Args:
+        executable: Name of the program, or substitutions for it.
+        package: Name of the package, or substitutions for it.
+    """
+
+    def __init__(self, executable: SomeSubstitutionsType, package: SomeSubstitutionsType) -> None:
+        super().__init__(package)
+        self._executable = normalize_to_list_of_substitutions(executable)
+
+    @classmethod
+    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[ExecutableInPackage], dict[str, Any]]:
+        """Return the class, and the arguments that the text of a launch file gives its constructor.
+
+        Raises:
+            AttributeError: there are not exactly two arguments.
+        """
+        if len(data) != 2:
+            raise AttributeError(f"exec-in-package substitution expects 2 arguments, got {len(data)}")
+        return cls, {"executable": data[0], "package": data[1]}
+
+    @property
+    def executable(self) -> list[Substitution]:
+        """Name of the program."""
+        return self._executable
+
+    def describe(self) -> str:
+        """Return a description for people."""
+        package, executable = (
+            " + ".join(each.describe() for each in substitutions)
+            for substitutions in (self.package, self._executable)
+        )
+        return f"ExecInPkg(pkg={package}, exec={executable})"
+
+    def perform(self, context: LaunchContext) -> str:
+        """Return the path.
+
+        Raises:
+            PackageNotFoundError: there is no such package.
+            SubstitutionFailure: the package has no such program, or more than one.
+            ValueError: it is not a valid package name.
+        """
+        prefix = super().perform(context)
+        package = perform_substitutions(context, self.package)
+        program = perform_substitutions(context, self._executable)
+        if index.find_package(package) is None:
+            return _own_program(context, package, program, Path(prefix, "lib", package))
+        return _installed_program(package, program, prefix)
+
+
+def _own_program(context: LaunchContext, package: str, program: str, folder: Path) -> str:
+    own = index.PROGRAMS.get(package, {})
+    if program not in own:
+        raise SubstitutionFailure(_not_found(program, folder, own))
+    return script_for(context, package, program, own[program])
+
+
+def _installed_program(package: str, program: str, prefix: str) -> str:
+    folder = Path(prefix, "lib", package)
+    if not folder.exists():
+        raise SubstitutionFailure(
+            f"package '{package}' found at '{prefix}', but libexec directory '{folder}' does not exist"
+        )
+    programs = index.package_programs(package, prefix)
+    found = [path for path in programs if program in (index.program_name(path), path.name)]
+    if not found:
+        hint = ""
+        if blocked := index.find_unmarked_program(package, prefix, program):
+            hint = f"\n{blocked} is not marked as executable: chmod +x {blocked}"
+        known = map(index.program_name, programs)
+        raise SubstitutionFailure(_not_found(program, folder, known) + hint)
+    # A program in the folder itself counts, before others of its name in folders below.
+    return str(min(found, key=lambda path: len(path.parts)))
+
+
+def _not_found(program: str, folder: Path, known: Any) -> str:
+    return f"executable '{program}' not found on the libexec directory '{folder}'{nearest_programs(program, known)}"

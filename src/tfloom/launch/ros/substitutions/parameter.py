@@ -1,0 +1,77 @@
+"""A parameter that SetParameter has set as a substitution: `$(param NAME)`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from tfloom.launch.frontend.expose import expose_substitution
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.ros.configurations import global_parameters
+from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+from tfloom.launch.substitution import Substitution
+from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
+from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
+from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+
+__all__ = ["Parameter"]
+
+
+@expose_substitution("param")
+class Parameter(Substitution):
+    """The value of a parameter that SetParameter has set in this scope.
+
+    Args:
+        name: Name of the parameter, or substitutions for it.
+        default: Value if it isn't set, or substitutions for it.
+    """
+
+    def __init__(self, name: SomeSubstitutionsType, *, default: Any | Iterable[Any] | None = None) -> None:
+        super().__init__()
+        self._name = normalize_to_list_of_substitutions(name)
+        self._default = None if default is None else normalize_to_list_of_substitutions(_as_texts(default))
+
+    @classmethod
+    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[Parameter], dict[str, Any]]:
+        """Return the class, and the arguments that the text of a launch file gives its constructor.
+
+        Raises:
+            TypeError: there are not one or two arguments.
+        """
+        if not 1 <= len(data) <= 2:
+            raise TypeError("param substitution expects 1 or 2 arguments")
+        return cls, {"name": data[0], **({"default": data[1]} if len(data) == 2 else {})}
+
+    @property
+    def name(self) -> list[Substitution]:
+        """Name of the parameter."""
+        return self._name
+
+    def describe(self) -> str:
+        """Return a description for people."""
+        return f"Parameter({' + '.join(each.describe() for each in self._name)})"
+
+    def perform(self, context: LaunchContext) -> str:
+        """Return the value as a text.
+
+        Raises:
+            SubstitutionFailure: it isn't set, and there is no default.
+        """
+        name = perform_substitutions(context, self._name)
+        # The parameter that was set last counts, as in the node that is given all of them.
+        for each in reversed(global_parameters(context)):
+            if isinstance(each, tuple) and each[0] == name:
+                return str(each[1])
+        if self._default is None:
+            raise SubstitutionFailure(
+                f"parameter '{name}' is not set: no SetParameter before it, and no default"
+            )
+        return perform_substitutions(context, self._default)
+
+
+def _as_texts(default: Any) -> Any:
+    if isinstance(default, (str, Substitution)):
+        return default
+    if isinstance(default, Iterable):
+        return [each if isinstance(each, Substitution) else str(each) for each in default]
+    return str(default)

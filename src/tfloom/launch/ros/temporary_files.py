@@ -1,0 +1,27 @@
+"""The temporary files of a launch: parameters of nodes, and scripts that start tfloom's own programs."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+import weakref
+from pathlib import Path
+
+from tfloom.launch.launch_context import LaunchContext
+
+__all__ = ["folder_of"]
+
+_folders: weakref.WeakKeyDictionary[LaunchContext, Path] = weakref.WeakKeyDictionary()
+
+
+def folder_of(context: LaunchContext) -> Path:
+    """Return the folder of a launch's temporary files.
+
+    It is removed with the context, at the latest when Python ends, because a node that is started again reads its files
+    again.
+    """
+    if context not in _folders:
+        folder = Path(tempfile.mkdtemp(prefix="launch_"))
+        weakref.finalize(context, shutil.rmtree, folder, ignore_errors=True)
+        _folders[context] = folder
+    return _folders[context]

@@ -1,0 +1,112 @@
+"""Normalized parameters with their substitutions performed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, cast
+
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue
+from tfloom.launch.ros.parameters_type import (
+    EvaluatedParameters,
+    EvaluatedParameterValue,
+    Parameters,
+    ParametersDict,
+)
+from tfloom.launch.substitution import Substitution
+from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
+from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+
+__all__ = ["evaluate_parameter_dict", "evaluate_parameters"]
+
+_WRAP = (
+    "If the parameter is meant to be a string, try wrapping it in "
+    "launch_ros.parameter_descriptions.ParameterValue(value, value_type=str)"
+)
+_SCALARS = (bool, int, float, str)
+
+
+def evaluate_parameters(context: LaunchContext, parameters: Parameters) -> EvaluatedParameters:
+    """Return normalized parameters, evaluated: paths of files, mappings, and single parameters.
+
+    Raises:
+        TypeError: the text of substitutions stands for a value of a type that parameters don't have.
+        SubstitutionFailure: a substitution can't be performed.
+    """
+    evaluated: list[Any] = []
+    for each in parameters:
+        if isinstance(each, ParameterFile):
+            evaluated.append(each.evaluate(context))
+        elif isinstance(each, Parameter):
+            each.evaluate(context)
+            evaluated.append(each)
+        else:
+            evaluated.append(evaluate_parameter_dict(context, each))
+    return tuple(evaluated)
+
+
+def evaluate_parameter_dict(
+    context: LaunchContext, parameters: ParametersDict
+) -> dict[str, EvaluatedParameterValue]:
+    """Return a normalized mapping of names to values, evaluated.
+
+    Raises:
+        TypeError: it is no mapping, or the text of substitutions stands for a value of a type that parameters don't
+            have.
+    """
+    if not isinstance(parameters, dict):
+        raise TypeError("expected dict")
+    evaluated: dict[str, EvaluatedParameterValue] = {}
+    for substitutions, value in parameters.items():
+        ensure_argument_type(substitutions, tuple, "name", "evaluate_parameters")
+        name = perform_substitutions(context, substitutions)
+        evaluated[name] = _evaluate_value(context, name, value)
+    return evaluated
+
+
+def _evaluate_value(context: LaunchContext, name: str, value: Any) -> EvaluatedParameterValue:
+    if isinstance(value, ParameterValue):
+        try:
+            return value.evaluate(context)
+        except ValueError as error:
+            raise ValueError(f"parameter {name}: {error}") from error
+    if isinstance(value, tuple) and value:
+        if isinstance(value[0], Substitution):
+            read: EvaluatedParameterValue = _read(name, perform_substitutions(context, value))
+            return read
+        if isinstance(value[0], Sequence) and not isinstance(value[0], (str, bytes)):
+            items = [_read(name, perform_substitutions(context, item)) for item in value]
+            return cast("EvaluatedParameterValue", tuple(_checked_array(name, items)))
+    return cast("EvaluatedParameterValue", value)
+
+
+def _read(name: str, text: str) -> Any:
+    """Return the value that a text stands for by YAML's rules; an empty text stays one."""
+    from tfloom.rosidl.user_yaml import YamlError, load
+
+    try:
+        value = load(text)
+    except YamlError as error:
+        raise TypeError(f"Unable to parse the value of parameter {name} as yaml: {error}. {_WRAP}") from error
+    if value is None and not text.strip():
+        return text
+    if isinstance(value, list):
+        return tuple(_checked_array(name, value))
+    if not isinstance(value, (*_SCALARS, bytes)):
+        raise TypeError(
+            "Allowed value types are bytes, bool, int, float, str, Sequence[bool], Sequence[int], "
+            f"Sequence[float], Sequence[str]. Got {type(value)} for parameter {name}, from {text!r}. {_WRAP}"
+        )
+    return value
+
+
+def _checked_array(name: str, items: list[Any]) -> list[Any]:
+    kinds = {type(item) for item in items}
+    if kinds == {int, float}:
+        return [float(item) for item in items]
+    if len(kinds) > 1 or not kinds <= set(_SCALARS):
+        raise TypeError(
+            "Expected a non-empty sequence, with items of uniform type. Allowed sequence item types are bool, int, "
+            f"float, str. Got {items!r} for parameter {name}. {_WRAP}"
+        )
+    return items

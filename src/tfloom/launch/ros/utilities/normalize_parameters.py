@@ -1,0 +1,135 @@
+"""Parameters in every form, normalized: files, and mappings of names to values without mappings in them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, cast
+
+from tfloom.launch.ros.parameter_descriptions import Parameter, ParameterFile
+from tfloom.launch.ros.parameter_descriptions import ParameterValue as ParameterValueDescription
+from tfloom.launch.ros.parameters_type import (
+    ParameterName,
+    Parameters,
+    ParametersDict,
+    ParameterValue,
+    SomeParameters,
+    SomeParametersDict,
+)
+from tfloom.launch.substitution import Substitution
+from tfloom.launch.substitutions.text_substitution import TextSubstitution
+from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
+from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
+
+__all__ = ["normalize_parameter_dict", "normalize_parameters"]
+
+
+def normalize_parameters(parameters: SomeParameters) -> Parameters:
+    """Return what `Node(parameters=…)` was given as files, mappings and single parameters.
+
+    Raises:
+        TypeError: it is no list, or an item, a name or a value is of no type that parameters have.
+    """
+    if isinstance(parameters, str) or not isinstance(parameters, Sequence):
+        raise TypeError(f"Expecting list of parameters, got {parameters}")
+    return [_normalize_item(item) for item in parameters]
+
+
+def _normalize_item(item: Any) -> ParameterFile | ParametersDict | Parameter:
+    if isinstance(item, (ParameterFile, Parameter)):
+        return item
+    if isinstance(item, Mapping):
+        return normalize_parameter_dict(item)
+    if isinstance(item, (str, Path, Substitution)) or (
+        isinstance(item, Sequence)
+        and not isinstance(item, bytes)
+        and all(isinstance(part, (str, Substitution)) for part in item)
+    ):
+        return ParameterFile(item)
+    raise TypeError(
+        f"Expecting a file, a dictionary or a Parameter in the list of parameters, got {item!r} of type "
+        f"'{type(item).__name__}'"
+    )
+
+
+def normalize_parameter_dict(
+    parameters: SomeParametersDict, *, _prefix: Sequence[Substitution] | None = None
+) -> ParametersDict:
+    """Return values by name; a mapping as a value becomes several names, with dots.
+
+    Raises:
+        TypeError: it is no mapping, or a name or a value is of no type that parameters have.
+    """
+    if not isinstance(parameters, Mapping):
+        raise TypeError("expected dict")
+    normalized: ParametersDict = {}
+    for given_name, value in parameters.items():
+        name = _normalize_name(given_name, _prefix)
+        if isinstance(value, Mapping):
+            normalized |= normalize_parameter_dict(value, _prefix=name)
+        else:
+            normalized[name] = _normalize_value(given_name, value)
+    return normalized
+
+
+def _normalize_name(name: Any, prefix: Sequence[Substitution] | None) -> ParameterName:
+    is_list = isinstance(name, Sequence) and not isinstance(name, bytes)
+    if not is_list and not isinstance(name, Substitution):
+        raise TypeError(f"Expecting a text or substitutions as the name of a parameter, got {name!r}")
+    parts = normalize_to_list_of_substitutions(name)
+    return (*prefix, TextSubstitution(text="."), *parts) if prefix else tuple(parts)
+
+
+def _normalize_value(name: Any, value: Any) -> ParameterValue:
+    if isinstance(value, str):
+        # In quotes, if YAML would read it as something else than this text.
+        return (TextSubstitution(text=_as_yaml(value)),)
+    if isinstance(value, Substitution):
+        return (value,)
+    if isinstance(value, (bool, int, float, bytes, ParameterValueDescription)):
+        return value
+    if isinstance(value, Sequence):
+        return _normalize_array(name, value)
+    raise TypeError(f"Unexpected type for parameter value {value!r}")
+
+
+def _as_yaml(text: str) -> str:
+    from tfloom.launch.ros.utilities.parameter_text import as_yaml
+
+    return as_yaml(text)
+
+
+def _normalize_array(name: Any, array: Sequence[Any]) -> ParameterValue:
+    """Return an array of one type, or the substitutions that are concatenated, or those of each item."""
+    for item in array:
+        ensure_argument_type(
+            item, (float, int, str, bool, Substitution, Sequence), "subvalue", "normalize_parameters"
+        )
+    kinds = {_kind(item) for item in array}
+    if not kinds <= {str, Substitution, Sequence}:
+        return _plain_array(name, array, kinds)
+    if kinds == {str}:
+        return tuple((TextSubstitution(text=_as_yaml(item)),) for item in array)
+    if Sequence not in kinds:
+        # Texts and substitutions are concatenated, as everywhere where a launch file has a list of them.
+        return tuple(normalize_to_list_of_substitutions(array))
+    return tuple(tuple(normalize_to_list_of_substitutions(item)) for item in array)
+
+
+def _kind(item: Any) -> type:
+    for kind in (bool, int, float, str, Substitution):
+        if isinstance(item, kind):
+            return kind
+    return cast("type", Sequence)
+
+
+def _plain_array(name: Any, array: Sequence[Any], kinds: set[type]) -> ParameterValue:
+    if kinds == {int, float}:
+        return tuple(float(item) for item in array)
+    if len(kinds) > 1:
+        found = ", ".join(sorted(kind.__name__ for kind in kinds))
+        raise TypeError(
+            f"Expected a non-empty sequence, with items of uniform type, as the value of parameter {name!r}, got "
+            f"{found} in {list(array)!r}. Allowed sequence item types are bool, int, float, str."
+        )
+    return tuple(array)

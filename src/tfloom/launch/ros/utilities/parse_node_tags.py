@@ -1,0 +1,90 @@
+"""The tags `param` and `remap` in a node's element of a launch file."""
+
+from __future__ import annotations
+
+from typing import Any, List  # noqa: UP035  # the type that `Entity.get_attr` takes for children
+
+from tfloom.launch.frontend.entity import Entity, ParsesActions
+from tfloom.launch.frontend.type_utils import get_data_type_from_identifier
+from tfloom.launch.ros.parameter_descriptions import ParameterFile, ParameterValue
+
+__all__ = ["parse_nested_parameters", "parse_parameters", "parse_remappings"]
+
+_Elements = List[Entity]  # noqa: UP006
+
+
+def parse_remappings(entity: Entity, parser: ParsesActions) -> list[tuple[Any, Any]] | None:
+    """Return the pairs of the tags `remap` in an element; None if there are none."""
+    elements = entity.get_attr("remap", data_type=_Elements, optional=True)
+    if elements is None:
+        return None
+    pairs = []
+    for each in elements:
+        pairs.append(
+            (
+                parser.parse_substitution(each.get_attr("from")),
+                parser.parse_substitution(each.get_attr("to")),
+            )
+        )
+        each.assert_entity_completely_parsed()
+    return pairs
+
+
+def parse_parameters(entity: Entity, parser: ParsesActions, tag: str = "param") -> list[Any] | None:
+    """Return the files and mappings of the tags `param` in an element; None if there are none."""
+    elements = entity.get_attr(tag, data_type=_Elements, optional=True)
+    return None if elements is None else parse_nested_parameters(elements, parser)
+
+
+def parse_nested_parameters(params: list[Entity], parser: ParsesActions) -> list[Any]:
+    """Return a ParameterFile or a mapping of each tag `param`.
+
+    Raises:
+        RuntimeError: a tag has attributes that exclude each other, or lacks a value.
+        ValueError: a tag has neither a name nor a file.
+    """
+    found: list[Any] = []
+    for each in params:
+        path = each.get_attr("from", optional=True)
+        name = each.get_attr("name", optional=True)
+        if path is not None and name is not None:
+            raise RuntimeError("name and from attributes are mutually exclusive")
+        if path is not None:
+            found.append(_parse_file(path, each, parser))
+        elif name is not None:
+            found.append(_parse_values([each], parser))
+        else:
+            raise ValueError("param Entity should have name or from attribute")
+    return found
+
+
+def _parse_file(path: str, element: Entity, parser: ParsesActions) -> ParameterFile:
+    allow_substs = element.get_attr("allow_substs", data_type=bool, optional=True)
+    element.assert_entity_completely_parsed()
+    if allow_substs is None:
+        return ParameterFile(parser.parse_substitution(path))
+    return ParameterFile(
+        parser.parse_substitution(path), allow_substs=parser.parse_if_substitutions(allow_substs)
+    )
+
+
+def _parse_values(elements: list[Entity], parser: ParsesActions) -> dict[Any, Any]:
+    values: dict[Any, Any] = {}
+    for each in elements:
+        name = tuple(parser.parse_substitution(each.get_attr("name")))
+        identifier = each.get_attr("type", optional=True)
+        data_type = None if identifier is None else get_data_type_from_identifier(identifier)
+        value = each.get_attr("value", data_type=data_type, optional=True)
+        nested = each.get_attr("param", data_type=_Elements, optional=True)
+        if value is not None and nested:
+            raise RuntimeError("param and value attributes are mutually exclusive")
+        if data_type is not None and nested:
+            raise RuntimeError("nested parameters and type attributes are mutually exclusive")
+        if value is not None:
+            values[name] = ParameterValue(parser.parse_if_substitutions(value), value_type=data_type)
+        elif nested:
+            values[name] = _parse_values(nested, parser)
+        else:
+            raise RuntimeError("either a value attribute or nested params are needed")
+        each.assert_entity_completely_parsed()
+    return values
