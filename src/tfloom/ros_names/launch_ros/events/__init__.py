@@ -1,0 +1,17 @@
+"""Events of nodes."""
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from launch_ros.events import lifecycle as lifecycle
+    from launch_ros.events import matchers as matchers
+    from tfloom.launch.ros.events.matchers import matches_node_name as matches_node_name
+else:
+    from tfloom.ros_modules import deferred
+
+    __getattr__, __dir__ = deferred(
+        __name__,
+        lifecycle="launch_ros.events",
+        matchers="launch_ros.events",
+        matches_node_name="tfloom.launch.ros.events.matchers",
+    )
