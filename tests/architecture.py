@@ -76,13 +76,21 @@ NATIVE_ROOMS = {
 ROS_DOORS = ("drop_in/", "ros_guard.py")
 """Where a ROS name may be imported at run time, by a string: those of a real ROS 2, which may be absent."""
 
-NO_ROOMS = {"__pycache__", "ros_names"}
+NO_ROOMS = {"__pycache__", "ros_names", "share"}
+"""Folders that hold no code of the house; `share` has the files of tfloom's own packages, as launch files."""
+
+LAUNCH_FILE = ".launch.py"
+"""The end of a launch file's name. It imports ROS names, as a user's, and is no module."""
 
 
 @lru_cache(maxsize=4)
 def imports(house: Path) -> list[Import]:
-    """Return all imports of a source tree, of each kind, except those of the façades."""
-    return [each for each in imports_of_package(house) if "ros_names" not in each.path.parts]
+    """Return all imports of a source tree, of each kind, except those of the façades and of launch files."""
+    return [
+        each
+        for each in imports_of_package(house)
+        if "ros_names" not in each.path.parts and not each.path.name.endswith(LAUNCH_FILE)
+    ]
 
 
 @lru_cache(maxsize=4)
