@@ -14,7 +14,7 @@ setup(
     zip_safe=True,
     maintainer='The tfloom developers',
     maintainer_email='tfloom@example.com',
-    description='Ten turtles of turtlesim that follow one another by their frames.',
+    description='Turtles of turtlesim that follow one another by their frames.',
     license='Apache-2.0',
     extras_require={
         'test': ['pytest'],
@@ -22,6 +22,7 @@ setup(
     entry_points={
         'console_scripts': [
             'driver = turtle_train.driver:main',
+            'follower = turtle_train.follower:main',
             'frames = turtle_train.frames:main',
             'train = turtle_train.train:main',
         ],

@@ -1,4 +1,7 @@
-"""Spawn the wagons of a train, and have each follow the turtle before it."""
+"""Spawn the wagons of a train, and have each follow the turtle before it.
+
+With the parameter `steers` false, a `follower` steers each wagon.
+"""
 
 from geometry_msgs.msg import Twist
 import rclpy
@@ -22,7 +25,8 @@ class Train(Node):
 
     def __init__(self):
         super().__init__('train')
-        self.wagons = self.declare_parameter('wagons', 9).value
+        self.wagons = self.declare_parameter('wagons', 10).value
+        self.steers = self.declare_parameter('steers', True).value
         self.declare_parameter('gap', 0.5)  # [m]
         self.declare_parameter('speed_gain', 2.0)  # [1/s]
         self.declare_parameter('turn_gain', 4.0)  # [1/s]
@@ -40,6 +44,8 @@ class Train(Node):
     def on_timer(self):
         if len(self.turtles) <= self.wagons and self.spawning is None:
             self.spawn()
+        if not self.steers:
+            return
         for before, wagon in zip(self.turtles, self.turtles[1:]):
             self.steer(before, wagon)
 
