@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any, Union
 
 from tfloom.launch.terminal_colors import colors_of
+from tfloom.terminal_text import is_terminal, shown_in_colors, unescaped
 
 __all__ = [
     "LaunchConfig",
@@ -80,9 +81,16 @@ class _StdoutHandler(logging.StreamHandler[Any]):
 
     def emit(self, record: logging.LogRecord) -> None:
         """Write a record at once."""
-        self.stream = sys.stdout
+        self.stream = unescaped(sys.stdout)
         if self.stream is not None:
             super().emit(record)
+
+    def format(self, record: logging.LogRecord) -> str:
+        """Return the line of a record; on a terminal, colors are the only control sequences in it."""
+        lines = super().format(record)
+        if not is_terminal(self.stream):
+            return lines
+        return "\n".join(map(shown_in_colors, lines.split("\n")))
 
 
 def _file_handler(path: str) -> logging.Handler:
