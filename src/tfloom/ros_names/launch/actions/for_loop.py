@@ -1,0 +1,4 @@
+"""Repeat actions."""
+
+from tfloom.launch.actions.for_loop import ForEach as ForEach
+from tfloom.launch.actions.for_loop import ForLoop as ForLoop

@@ -1,0 +1,7 @@
+"""Log a message."""
+
+from tfloom.launch.actions.log import Log as Log
+from tfloom.launch.actions.log import LogDebug as LogDebug
+from tfloom.launch.actions.log import LogError as LogError
+from tfloom.launch.actions.log import LogInfo as LogInfo
+from tfloom.launch.actions.log import LogWarning as LogWarning
