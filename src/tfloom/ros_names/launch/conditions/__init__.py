@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from launch.conditions import launch_configuration_equals as launch_configuration_equals
     from launch.conditions import launch_configuration_not_equals as launch_configuration_not_equals
     from launch.conditions import unless_condition as unless_condition
-
     from tfloom.launch.conditions.evaluate_condition_expression_impl import (
         evaluate_condition_expression as evaluate_condition_expression,
     )

@@ -10,7 +10,6 @@ if TYPE_CHECKING:
     from launch.frontend import parse_substitution as parse_substitution
     from launch.frontend import parser as parser
     from launch.frontend import type_utils as type_utils
-
     from tfloom.launch.frontend.entity import Entity as Entity
     from tfloom.launch.frontend.expose import expose_action as expose_action
     from tfloom.launch.frontend.expose import expose_substitution as expose_substitution

@@ -30,7 +30,6 @@ if TYPE_CHECKING:
         python_launch_description_source as python_launch_description_source,
     )
     from launch.launch_description_sources import python_launch_file_utilities as python_launch_file_utilities
-
     from tfloom.launch.frontend.parser import InvalidFrontendLaunchFileError as InvalidFrontendLaunchFileError
     from tfloom.launch.invalid_launch_file_error import InvalidLaunchFileError as InvalidLaunchFileError
     from tfloom.launch.launch_description_sources.any_launch_description_source import (

@@ -52,7 +52,6 @@ if TYPE_CHECKING:
     from launch.substitutions import text_substitution as text_substitution
     from launch.substitutions import this_launch_file as this_launch_file
     from launch.substitutions import this_launch_file_dir as this_launch_file_dir
-
     from tfloom.launch.substitutions.anon_name import AnonName as AnonName
     from tfloom.launch.substitutions.boolean_substitution import AllSubstitution as AllSubstitution
     from tfloom.launch.substitutions.boolean_substitution import AndSubstitution as AndSubstitution

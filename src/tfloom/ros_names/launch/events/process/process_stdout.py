@@ -1,0 +1,4 @@
+"""Output of a process."""
+
+from tfloom.launch.events.process.process_io import ProcessIO as ProcessIO
+from tfloom.launch.events.process.process_stdout import ProcessStdout as ProcessStdout

@@ -1,0 +1,3 @@
+"""Signals in an asyncio program."""
+
+from tfloom.launch.utilities.signal_management import AsyncSafeSignalManager as AsyncSafeSignalManager

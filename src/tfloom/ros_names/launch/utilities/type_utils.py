@@ -1,0 +1,44 @@
+"""Values of launch files and parameters: int, float, bool, str, lists of one of them, and substitutions for them."""
+
+from typing import TYPE_CHECKING
+
+from tfloom.launch.launch_context import LaunchContext as LaunchContext
+from tfloom.launch.some_substitutions_type import SomeSubstitutionsType as SomeSubstitutionsType
+from tfloom.launch.substitution import Substitution as Substitution
+from tfloom.launch.utilities.normalize_to_list_of_substitutions import (
+    normalize_to_list_of_substitutions as normalize_to_list_of_substitutions,
+)
+from tfloom.launch.utilities.perform_substitutions import perform_substitutions as perform_substitutions
+from tfloom.launch.utilities.type_utils import AllowedTypesTuple as AllowedTypesTuple
+from tfloom.launch.utilities.type_utils import AllowedTypesType as AllowedTypesType
+from tfloom.launch.utilities.type_utils import AllowedValueType as AllowedValueType
+from tfloom.launch.utilities.type_utils import ListTypesTuple as ListTypesTuple
+from tfloom.launch.utilities.type_utils import ListValueType as ListValueType
+from tfloom.launch.utilities.type_utils import NormalizedValueType as NormalizedValueType
+from tfloom.launch.utilities.type_utils import ScalarTypesTuple as ScalarTypesTuple
+from tfloom.launch.utilities.type_utils import ScalarTypesType as ScalarTypesType
+from tfloom.launch.utilities.type_utils import ScalarValueType as ScalarValueType
+from tfloom.launch.utilities.type_utils import SomeValueType as SomeValueType
+from tfloom.launch.utilities.type_utils import StrSomeValueType as StrSomeValueType
+from tfloom.launch.utilities.type_utils import coerce_list as coerce_list
+from tfloom.launch.utilities.type_utils import coerce_to_type as coerce_to_type
+from tfloom.launch.utilities.type_utils import extract_type as extract_type
+from tfloom.launch.utilities.type_utils import get_typed_value as get_typed_value
+from tfloom.launch.utilities.type_utils import is_instance_of as is_instance_of
+from tfloom.launch.utilities.type_utils import is_instance_of_valid_type as is_instance_of_valid_type
+from tfloom.launch.utilities.type_utils import is_normalized_substitution as is_normalized_substitution
+from tfloom.launch.utilities.type_utils import is_substitution as is_substitution
+from tfloom.launch.utilities.type_utils import is_typing_list as is_typing_list
+from tfloom.launch.utilities.type_utils import is_valid_scalar_type as is_valid_scalar_type
+from tfloom.launch.utilities.type_utils import normalize_typed_substitution as normalize_typed_substitution
+from tfloom.launch.utilities.type_utils import perform_typed_substitution as perform_typed_substitution
+
+if TYPE_CHECKING:
+    from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type as ensure_argument_type
+else:
+    from tfloom.ros_modules import deferred
+
+    __getattr__, __dir__ = deferred(
+        __name__,
+        ensure_argument_type="tfloom.launch.utilities.ensure_argument_type",
+    )

@@ -1,0 +1,3 @@
+"""The type of paths."""
+
+from tfloom.launch.utilities.typing_file_path import FilePath as FilePath
