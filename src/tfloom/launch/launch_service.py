@@ -29,14 +29,14 @@ from tfloom.launch.logging import get_logger, launch_config, log_launch_config
 from tfloom.launch.processes.running import guard_of
 from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
 from tfloom.launch.utilities.signal_management import AsyncSafeSignalManager
-from tfloom.launch.utilities.visit_all_entities_and_collect_futures import (
-    visit_all_entities_and_collect_futures,
-)
+from tfloom.launch.utilities.visit_all_entities_and_collect_futures import visit_all_entities
 
 __all__ = ["LaunchService"]
 
 ENDING_SIGNALS = ("SIGTERM", "SIGHUP", "SIGQUIT")
 """Signals that end the launch as Ctrl-C does."""
+
+CLOSE_S = 0.05
 
 
 class LaunchService:
@@ -142,6 +142,7 @@ class LaunchService:
             finally:
                 left = guard_of(self._context).close()
                 if left:
+                    await asyncio.sleep(CLOSE_S)  # their output ends, which closes the pipes
                     self._logger.warning(
                         "ended processes that others had started and left: %s", ", ".join(left)
                     )
@@ -179,7 +180,7 @@ class LaunchService:
                 self._visit(entity)
 
     def _visit(self, entity: LaunchDescriptionEntity) -> None:
-        for pair in visit_all_entities_and_collect_futures(entity, self._context):
+        for pair in visit_all_entities(entity, self._context):
             self._open.append(pair)
             pair[1].add_done_callback(lambda _: self._wake.set())
 

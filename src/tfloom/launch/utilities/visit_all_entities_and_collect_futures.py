@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from tfloom.launch.launch_context import LaunchContext
@@ -10,18 +11,23 @@ from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 if TYPE_CHECKING:
     from asyncio import Future
 
-__all__ = ["visit_all_entities_and_collect_futures"]
+__all__ = ["visit_all_entities", "visit_all_entities_and_collect_futures"]
+
+
+def visit_all_entities(
+    entity: LaunchDescriptionEntity, context: LaunchContext
+) -> Iterator[tuple[LaunchDescriptionEntity, Future[Any]]]:
+    """Visit an entity, then what its visit returns, depth first; yield those that go on, each with its future."""
+    following = entity.visit(context)
+    future = entity.get_asyncio_future()
+    if future is not None:
+        yield entity, future
+    for each in following or ():
+        yield from visit_all_entities(each, context)
 
 
 def visit_all_entities_and_collect_futures(
     entity: LaunchDescriptionEntity, context: LaunchContext
 ) -> list[tuple[LaunchDescriptionEntity, Future[Any]]]:
     """Visit an entity, then what its visit returns, depth first; return the futures of those that go on."""
-    futures = []
-    following = entity.visit(context)
-    future = entity.get_asyncio_future()
-    if future is not None:
-        futures.append((entity, future))
-    for each in following or ():
-        futures += visit_all_entities_and_collect_futures(each, context)
-    return futures
+    return list(visit_all_entities(entity, context))
