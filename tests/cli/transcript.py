@@ -46,6 +46,7 @@ def run(
     env: Mapping[str, str] | None = None,
     timeout_s: float = 60.0,
     constants: Mapping[str, float] = NO_CONSTANTS,
+    cwd: Path | None = None,
 ) -> Transcript:
     """Run the command under ros2's name and return its output on both streams together.
 
@@ -60,6 +61,7 @@ def run(
         check=False,
         env=env,
         timeout=timeout_s,
+        cwd=cwd,
     )
     return Transcript(list(words), result.stdout.rstrip("\n"), result.returncode)
 

@@ -107,7 +107,8 @@ def _show(path: str, whole: bool) -> None:
     except BrokenPipeError:
         raise
     except Exception as error:
-        raise CommandError(f"can't load {path}: {error or type(error).__name__}") from error
+        place = "" if path in str(error) else f"{path}: "
+        raise CommandError(f"{place}{error or type(error).__name__}") from error
 
 
 def find_launch_file(args: argparse.Namespace) -> tuple[str, list[str]]:

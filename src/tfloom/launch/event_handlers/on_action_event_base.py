@@ -54,6 +54,7 @@ class OnActionEventBase(BaseEventHandler):
             )
         self._action_matcher = action_matcher
         self._target_event_cls = target_event_cls
+        self._target_action_cls = target_action_cls
         self._on_event = on_event
         self._actions: list[LaunchDescriptionEntity] | None = None
         if not callable(on_event):
@@ -88,7 +89,7 @@ class OnActionEventBase(BaseEventHandler):
         if self._action_matcher is None:
             return f"event == {kind}"
         if isinstance(self._action_matcher, Action):
-            return f"event == {kind} and {type(self._action_matcher).__name__}(event.action)"
+            return f"event == {kind} and {self._target_action_cls.__name__}(event.action)"
         return f"event == {kind} and {self._action_matcher}(event.action)"
 
     def describe(self) -> tuple[str, list[SomeEntitiesType]]:
