@@ -51,6 +51,7 @@ DOORS = {
     "transforms3d": ("tf2_ros/transformations.py",),
     "cv2": ("sensing/opencv.py",),
     "PyInstaller": ("pyinstaller/",),
+    "pytest": ("launch/testing/",),
     "catkin_pkg": ("workspace/colcon/",),
     "colcon_core": ("workspace/colcon/",),
     "colcon_parallel_executor": ("workspace/colcon/",),

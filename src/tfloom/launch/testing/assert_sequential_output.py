@@ -1,0 +1,71 @@
+"""Assertions on the order of a process's output. PYTEST_DONT_REWRITE."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+
+from tfloom.launch.testing.assert_output import ProcOutput, text_of
+from tfloom.launch.testing.proc_lookup import CmdArgs, Process, resolveProcesses
+
+__all__ = ["SequentialTextChecker", "assertSequentialStdout"]
+
+_NEARBY = 3
+
+
+class SequentialTextChecker:
+    """Finds texts in an output, each after the one before.
+
+    Args:
+        output: Lines, or parts of any length.
+    """
+
+    def __init__(self, output: Sequence[str]) -> None:
+        self._lines = [line for part in output for line in part.splitlines()]
+        self._at = 0  # the line that the last text was found in
+        self._column = 0  # after this text
+
+    def assertInStdout(self, msg: str) -> None:  # noqa: N802  # launch_testing's name
+        """Assert that a text follows the ones that were found before.
+
+        Raises:
+            AssertionError: it is not there, or only before.
+        """
+        column = self._column
+        for number in range(self._at, len(self._lines)):
+            begin = self._lines[number].find(msg, column)
+            if begin >= 0:
+                self._at, self._column = number, begin + len(msg)
+                return
+            column = 0
+        nearby = "\n".join(self.get_nearby_lines())
+        raise AssertionError(f"'{msg}' not found in output after the last match. Nearby lines:\n{nearby}")
+
+    def assertInText(self, msg: str) -> None:  # noqa: N802  # launch_testing's name
+        """Assert that a text follows the ones that were found before, as `assertInStdout` does."""
+        self.assertInStdout(msg)
+
+    def get_nearby_lines(self) -> list[str]:
+        """Return the lines around the last text that was found."""
+        return self._lines[max(self._at - _NEARBY, 0) : self._at + _NEARBY + 1]
+
+
+@contextmanager
+def assertSequentialStdout(  # noqa: N802  # launch_testing's name
+    proc_output: ProcOutput, process: Process, cmd_args: CmdArgs = None
+) -> Iterator[SequentialTextChecker]:
+    """Return a context manager that gives a checker of the order in a process's standard output.
+
+    Args:
+        proc_output: Recorded output, of a test's argument of this name.
+        process: An action, or a part of a process's name.
+        cmd_args: With a name: arguments that the process was given.
+
+    Raises:
+        NoMatchingProcessException: no process matches.
+        Exception: several do.
+    """
+    found = resolveProcesses(proc_output, process=process, cmd_args=cmd_args, strict_proc_matching=True)
+    if len(found) > 1:
+        raise Exception("Found multiple processes: the order of one process is checked; name it")  # noqa: TRY002  # launch_testing's type
+    yield SequentialTextChecker([text_of(proc_output[found[0]], "stdout")])

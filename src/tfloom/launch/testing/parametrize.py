@@ -1,0 +1,54 @@
+"""Test descriptions that are launched several times, with other arguments."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Any
+
+__all__ = ["Parametrized", "parametrize"]
+
+
+class Parametrized:
+    """A function with several sets of arguments; iterating over it gives, for each, the function and the arguments."""
+
+    __parametrized__ = True
+
+    def __init__(self, function: Callable[..., Any], sets: Sequence[dict[str, Any]]) -> None:
+        functools.update_wrapper(self, function)  # type: ignore[arg-type]  # its name and its docstring
+        self._runs = [(self._bind(function, each), each) for each in sets]
+
+    @staticmethod
+    def _bind(function: Callable[..., Any], arguments: dict[str, Any]) -> Callable[..., Any]:
+        bound = functools.partial(function, **arguments)
+        functools.update_wrapper(bound, function)
+        return bound
+
+    def __iter__(self) -> Iterator[tuple[Callable[..., Any], dict[str, Any]]]:
+        return iter(self._runs)
+
+
+def parametrize(
+    argnames: str | Sequence[str], argvalues: Iterable[Any]
+) -> Callable[[Callable[..., Any]], Parametrized]:
+    """Return a decorator of `generate_test_description`, which is then launched once for each of the values.
+
+    Args:
+        argnames: Name of an argument, or several, as a sequence or with commas between them. The tests of each launch
+            get the values by the same names.
+        argvalues: A value for each launch, or a sequence of as many as there are names.
+
+    Raises:
+        ValueError: there are more or fewer values than names.
+    """
+    given = argnames.split(",") if isinstance(argnames, str) else argnames
+    names = [each.strip() for each in given if each.strip()]
+    sets = []
+    for values in argvalues:
+        each = [values] if len(names) == 1 else list(values)
+        if len(each) != len(names):
+            raise ValueError(
+                f"parametrize: {len(names)} names ({', '.join(names)}), but {len(each)} values: {values!r}"
+            )
+        sets.append(dict(zip(names, each, strict=True)))
+    return lambda function: Parametrized(function, sets)

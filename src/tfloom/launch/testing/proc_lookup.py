@@ -1,0 +1,121 @@
+"""The processes that a test names: by their action, or by a part of their name and their arguments."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Final, Protocol
+
+from tfloom.launch.actions.execute_process import ExecuteProcess
+from tfloom.launch.substitutions.text_substitution import TextSubstitution
+
+__all__ = ["NO_CMD_ARGS", "CmdArgs", "NoMatchingProcessException", "Process", "resolveProcesses"]
+
+
+class _NoCmdArgs:
+    """The type of NO_CMD_ARGS."""
+
+    def __repr__(self) -> str:
+        return "NO_CMD_ARGS"
+
+
+NO_CMD_ARGS: Final = _NoCmdArgs()
+"""In place of arguments: a process that was started without any."""
+
+Process = ExecuteProcess | str | None
+"""An action, a part of a process's name, or None for all processes."""
+CmdArgs = Sequence[str] | str | _NoCmdArgs | None
+"""An argument, several that are all there, NO_CMD_ARGS, or None for any."""
+
+
+class NoMatchingProcessException(Exception):  # noqa: N818  # launch_testing's name
+    """No process matches what was named."""
+
+
+class HasProcesses(Protocol):
+    """What records events of processes: an IoHandler or a ProcInfoHandler."""
+
+    def processes(self) -> Iterable[ExecuteProcess]:
+        """Return the actions of the processes, each once."""
+
+
+def resolveProcesses(  # noqa: N802  # launch_testing's name
+    info_obj: HasProcesses,
+    *,
+    process: Process = None,
+    cmd_args: CmdArgs = None,
+    strict_proc_matching: bool = True,
+) -> list[ExecuteProcess]:
+    """Return the actions of the processes that match, at least one.
+
+    Args:
+        info_obj: Recorded events of processes.
+        process: An action, a part of a process's name, or None for all processes.
+        cmd_args: With a name: an argument or several, all of which the process was given; NO_CMD_ARGS, or None for any.
+        strict_proc_matching: With a name: whether more than one match is an error.
+
+    Raises:
+        NoMatchingProcessException: no recorded process matches.
+        Exception: several processes match a name, and `strict_proc_matching` is set.
+        TypeError: `process` is neither an action nor a text.
+    """
+    known = list(info_obj.processes())
+    if process is None or process == "":
+        if not known:
+            raise NoMatchingProcessException("No processes were recorded")
+        return known
+    if isinstance(process, ExecuteProcess):
+        if process not in known:
+            raise NoMatchingProcessException(f"No data recorded for proc {_describe(process)}")
+        return [process]
+    if not isinstance(process, str):
+        raise TypeError(f"process must be an ExecuteProcess action or a text, and is {process!r}")
+    found = [each for each in known if process in process_name(each) and _has_arguments(each, cmd_args)]
+    if not found:
+        arguments = "" if cmd_args is None else f" and arguments {cmd_args!r}"
+        raise NoMatchingProcessException(
+            f"Did not find any process with '{process}' in its name{arguments}; recorded are: {_names(known)}"
+        )
+    if strict_proc_matching and len(found) > 1:
+        raise Exception(  # noqa: TRY002  # launch_testing's type
+            f"Found multiple processes with '{process}' in their names: {_names(found)}; "
+            "name one of them, give cmd_args, or set strict_proc_matching=False"
+        )
+    return found
+
+
+def process_name(process: ExecuteProcess) -> str:
+    """Return the name of a process with its number; of one that was not started, what is known of it."""
+    details = process.process_details
+    if details is None:
+        return str(process.name or "")
+    return str(details["name"])
+
+
+def _has_arguments(process: ExecuteProcess, cmd_args: CmdArgs) -> bool:
+    if cmd_args is None:
+        return True
+    details = process.process_details
+    given: list[str] = [] if details is None else list(details["cmd"])[1:]
+    if isinstance(cmd_args, _NoCmdArgs):
+        return not given
+    wanted = [cmd_args] if isinstance(cmd_args, str) else cmd_args
+    return all(each in given for each in wanted)
+
+
+def _describe(process: ExecuteProcess) -> str:
+    """Return the name of a process, or its command line if that is of texts alone."""
+    if process.process_details is not None:
+        return process_name(process)
+    words = []
+    for word in process.cmd:
+        if isinstance(word, str):
+            words.append(word)
+        elif all(isinstance(part, TextSubstitution) for part in word):
+            words.append("".join(part.text for part in word if isinstance(part, TextSubstitution)))
+        else:
+            return "Unknown: it was not started, and its command line has substitutions"
+    return f"'{' '.join(words)}', which was not started"
+
+
+def _names(processes: Iterable[ExecuteProcess]) -> str:
+    return ", ".join(process_name(each) for each in processes) or "none"

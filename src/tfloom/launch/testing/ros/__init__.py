@@ -1,0 +1,1 @@
+"""What launch_testing_ros has: tests of launch descriptions with nodes and topics."""

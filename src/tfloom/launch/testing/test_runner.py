@@ -1,0 +1,226 @@
+"""Launches with tests: brings up a description, runs its tests, and ends it.
+
+The launch runs on the calling thread, because signals are handled there, and its tests on another one.
+"""
+
+from __future__ import annotations
+
+import os
+import threading
+import unittest
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from tfloom.launch.event import Event
+from tfloom.launch.event_handler import BaseEventHandler
+from tfloom.launch.event_handlers.on_process_io import OnProcessIO
+from tfloom.launch.events.process.process_exited import ProcessExited
+from tfloom.launch.events.process.process_started import ProcessStarted
+from tfloom.launch.events.shutdown import Shutdown
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.launch_description import LaunchDescription
+from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.launch_service import LaunchService
+from tfloom.launch.testing.actions.ready import TestsCanBegin
+from tfloom.launch.testing.assert_exit_codes import describe_exit_code
+from tfloom.launch.testing.assert_output import text_of
+from tfloom.launch.testing.io_handler import ActiveIoHandler
+from tfloom.launch.testing.keep_alive import KeepAliveProc
+from tfloom.launch.testing.loader import TestRun
+from tfloom.launch.testing.parse_arguments import parse_launch_arguments
+from tfloom.launch.testing.proc_info_handler import ActiveProcInfoHandler
+from tfloom.launch.testing.test_result import FailResult, SkipResult, TestResult
+
+__all__ = ["LaunchTestRunner"]
+
+
+class LaunchTestRunner:
+    """Runs launches one after another, each with its tests.
+
+    Args:
+        test_runs: The launches.
+        launch_file_arguments: Launch arguments, each as `name:=value`.
+        debug: Whether the launch's own log is printed.
+    """
+
+    def __init__(
+        self, test_runs: Iterable[TestRun], launch_file_arguments: Sequence[str] = (), debug: bool = False
+    ) -> None:
+        self._test_runs = list(test_runs)
+        self._arguments = dict(parse_launch_arguments(launch_file_arguments))
+        self._debug = debug
+
+    def generate_preamble(self) -> list[LaunchDescriptionEntity]:
+        """Return the entities that are launched before those of each description: none."""
+        return []
+
+    def validate(self) -> None:
+        """Check that each description can be made.
+
+        Raises:
+            DescriptionError: one cannot.
+        """
+        for run in self._test_runs:
+            run.validate()
+
+    def run(self) -> dict[TestRun, unittest.TestResult]:
+        """Run all launches, and return the result of each.
+
+        Raises:
+            DescriptionError: a description cannot be made.
+            KeyboardInterrupt: Ctrl-C ended a launch; its processes have exited.
+        """
+        results: dict[TestRun, unittest.TestResult] = {}
+        for run in self._test_runs:
+            if run.skip_reason is not None:
+                results[run] = SkipResult(run, run.skip_reason)
+                continue
+            environment = dict(os.environ)
+            try:
+                results[run] = _Launch(run, self._arguments, self.generate_preamble(), self._debug).run()
+            finally:
+                os.environ.clear()  # a description may have changed it
+                os.environ.update(environment)
+        return results
+
+
+class _Launch:
+    """One launch with its tests."""
+
+    def __init__(
+        self, run: TestRun, arguments: dict[str, str], preamble: list[LaunchDescriptionEntity], debug: bool
+    ) -> None:
+        self._run = run
+        self._arguments = arguments
+        self._proc_info = ActiveProcInfoHandler()
+        self._proc_output = ActiveIoHandler()
+        self._service = LaunchService(debug=debug)
+        self._can_go_on = threading.Event()
+        """Set when the tests can begin, and when the launch has ended before."""
+        self._is_ready = False
+        self._has_timed_out = False
+        self._shutdown: Shutdown | None = None
+        self._tests_are_done = False
+        self._result: TestResult | None = None
+        self._preamble = preamble
+        self._context: dict[str, Any] = {}
+
+    def run(self) -> unittest.TestResult:
+        """Bring up the description, run its tests, and return their results."""
+        description, context = self._run.normalized_test_description(self._on_ready)
+        self._context = context
+        self._service.include_launch_description(self._whole(description))
+        self._service.context.launch_configurations.update(self._arguments)
+        tests = threading.Thread(target=self._test, name="launch tests", daemon=True)
+        tests.start()
+        code = self._service.run()
+        early = not self._tests_are_done
+        self._proc_info.close()
+        self._proc_output.close()
+        self._can_go_on.set()
+        tests.join()
+        if self._shutdown is not None and self._shutdown.due_to_sigint:
+            raise KeyboardInterrupt
+        if self._result is None or early or code:
+            return self._failure(code)
+        self._result.append(
+            self._run_suite(
+                self._run.post_shutdown_tests, self._proc_info.recorded, self._proc_output.recorded, {}
+            )
+        )
+        return self._result
+
+    def _whole(self, description: LaunchDescription) -> LaunchDescription:
+        handlers = [
+            _Watcher(TestsCanBegin, lambda _: self._on_ready()),
+            _Watcher(Shutdown, self._on_shutdown),
+            _Watcher(ProcessStarted, self._on_start),
+            _Watcher(ProcessExited, self._proc_info.append),
+            OnProcessIO(on_stdout=self._proc_output.append, on_stderr=self._proc_output.append),
+        ]
+        for handler in handlers:
+            self._service.context.register_event_handler(handler)
+        kept_alive: list[LaunchDescriptionEntity] = [KeepAliveProc()] if self._run.is_kept_alive else []
+        return LaunchDescription([*self._preamble, *kept_alive, description])
+
+    def _on_ready(self) -> None:
+        self._is_ready = True
+        self._can_go_on.set()
+
+    def _on_start(self, event: ProcessStarted) -> None:
+        self._proc_info.append(event)
+        self._proc_output.track(event.process_name)
+
+    def _on_shutdown(self, event: Shutdown) -> None:
+        self._shutdown = self._shutdown or event
+
+    def _test(self) -> None:
+        try:
+            self._has_timed_out = not self._can_go_on.wait(self._run.ready_timeout_s)
+            if self._is_ready:
+                self._result = self._run_suite(
+                    self._run.pre_shutdown_tests,
+                    self._proc_info,
+                    self._proc_output,
+                    {"launch_service": self._service},
+                )
+        finally:
+            self._tests_are_done = self._is_ready
+            self._service.shutdown()
+
+    def _run_suite(
+        self, cases: Iterable[Any], proc_info: Any, proc_output: Any, more: dict[str, Any]
+    ) -> TestResult:
+        attributes = {"proc_info": proc_info, "proc_output": proc_output, "test_args": self._test_args()}
+        suite = self._run.bind(cases, attributes, {**self._context, **attributes, **more})
+        runner: Any = unittest.TextTestRunner(verbosity=2, resultclass=TestResult)
+        result: TestResult = runner.run(suite)
+        return result
+
+    def _test_args(self) -> dict[str, str]:
+        """Return the launch arguments, with the defaults of those that were not given."""
+        return dict(self._service.context.launch_configurations)
+
+    def _failure(self, code: int) -> FailResult:
+        """Return the result of a launch that ended before its tests."""
+        if self._has_timed_out:
+            message = f"Timed out waiting for processes to start up: no ReadyToTest in {self._run.ready_timeout_s:g} s"
+        elif code:
+            reason = "" if self._shutdown is None else f": {self._shutdown.reason}"
+            message = f"The launch failed with return code {code}{reason}"
+        else:
+            message = "Processes under test stopped before tests completed"
+        details = [*self._exit_lines(), *self._outputs()]
+        for case, text in [*getattr(self._result, "failures", ()), *getattr(self._result, "errors", ())]:
+            details.append(f"{case}:\n{text}")
+        result = FailResult(self._run, message, "\n".join(details))
+        print(f"{message}\n{result.details}")
+        return result
+
+    def _exit_lines(self) -> list[str]:
+        return [
+            f"{each.process_name} exited with {describe_exit_code(each.returncode)}"
+            for each in self._proc_info
+            if isinstance(each, ProcessExited)
+        ]
+
+    def _outputs(self) -> list[str]:
+        """Return the outputs of the processes that failed."""
+        failed = [each for each in self._proc_info if isinstance(each, ProcessExited) and each.returncode]
+        return [
+            f"##### output of {each.process_name} #####\n{text_of(self._proc_output[each.process_name], '')}"
+            for each in failed
+        ]
+
+
+class _Watcher(BaseEventHandler):
+    """Handler that calls a function with each event of a kind, and leaves the events to the other handlers."""
+
+    def __init__(self, kind: type[Event], function: Any) -> None:
+        super().__init__(matcher=lambda event: isinstance(event, kind))
+        self._function = function
+
+    def handle(self, event: Event, context: LaunchContext) -> None:
+        """Call the function."""
+        super().handle(event, context)
+        self._function(event)

@@ -1,0 +1,131 @@
+"""Matches of expected texts: a text, a pattern, or several, in what a process has printed."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Iterable, Sequence
+from typing import TypeAlias
+
+__all__ = [
+    "Expected",
+    "Match",
+    "build_line_match",
+    "build_text_match",
+    "normalize_lineseps",
+    "remove_ansi_escape_sequences",
+]
+
+Match: TypeAlias = tuple[int, int]
+"""Begin and end: of characters, or of lines."""
+Expected: TypeAlias = "str | re.Pattern[str] | Iterable[str | re.Pattern[str]]"
+"""A text, a compiled pattern, or several of them, which follow one another."""
+
+_ANSI_ESCAPE = re.compile(r"\x1b\[[0-9;?]*[ -/]*[@-~]")
+
+
+def normalize_lineseps(lines: str) -> str:
+    """Return a text with the line separators of this system."""
+    return re.sub(r"\r\n|\r|\n", os.linesep, lines)
+
+
+def remove_ansi_escape_sequences(string: str) -> str:
+    """Return a text without the codes for colours and for moves of a terminal's cursor."""
+    return _ANSI_ESCAPE.sub("", string)
+
+
+def build_text_match(expected_text: Expected, *, strict: bool = False) -> Callable[[str], Match | None]:
+    """Return a function that takes a text, and returns where what is expected begins and ends in it, or None.
+
+    Args:
+        expected_text: A text, a pattern, or several, of which each follows the one before.
+        strict: Whether the whole text has to match; of several, each is a line.
+
+    Raises:
+        ValueError: `expected_text` is of another type.
+    """
+    if isinstance(expected_text, str):
+        return _match_text(normalize_lineseps(expected_text), strict)
+    if isinstance(expected_text, re.Pattern):
+        return _match_pattern(expected_text, strict)
+    if not isinstance(expected_text, Iterable):
+        raise ValueError(  # noqa: TRY004  # launch_testing's type
+            f"a text, a pattern or a list of them is expected, and {expected_text!r} is none"
+        )
+    parts = list(expected_text)
+    if strict:
+        lines = build_line_match(parts, strict=True)
+
+        def match_lines(actual_text: str) -> Match | None:
+            return None if lines(actual_text.splitlines()) is None else (0, len(actual_text))
+
+        return match_lines
+    return _match_in_order([build_text_match(part) for part in parts])
+
+
+def build_line_match(
+    expected_line: Expected, *, strict: bool = False
+) -> Callable[[Sequence[str]], Match | None]:
+    """Return a function that takes lines, and returns the numbers of the first and after the last that match, or None.
+
+    Args:
+        expected_line: A text, a pattern, or several: each is found in a line after that of the one before.
+        strict: Whether each line is matched as a whole, and there are no other lines.
+
+    Raises:
+        ValueError: `expected_line` is of another type.
+    """
+    single = isinstance(expected_line, (str, re.Pattern))
+    parts = [expected_line] if single else list(expected_line)  # type: ignore[arg-type]  # one or several
+    matches = [build_text_match(part, strict=strict) for part in parts]
+
+    def match_strictly(actual_lines: Sequence[str]) -> Match | None:
+        if len(actual_lines) != len(matches):
+            return None
+        found = all(match(line) for match, line in zip(matches, actual_lines, strict=True))
+        return (0, len(matches)) if found else None
+
+    def match(actual_lines: Sequence[str]) -> Match | None:
+        first, at = -1, 0
+        for find in matches:
+            while at < len(actual_lines) and not find(actual_lines[at]):
+                at += 1
+            if at == len(actual_lines):
+                return None
+            first = at if first < 0 else first
+            at += 1
+        return max(first, 0), at
+
+    return match_strictly if strict else match
+
+
+def _match_text(expected: str, strict: bool) -> Callable[[str], Match | None]:
+    def match(actual_text: str) -> Match | None:
+        if strict:
+            return (0, len(actual_text)) if actual_text == expected else None
+        begin = actual_text.find(expected)
+        return None if begin < 0 else (begin, begin + len(expected))
+
+    return match
+
+
+def _match_pattern(expected: re.Pattern[str], strict: bool) -> Callable[[str], Match | None]:
+    def match(actual_text: str) -> Match | None:
+        found = expected.fullmatch(actual_text) if strict else expected.search(actual_text)
+        return None if found is None else found.span()
+
+    return match
+
+
+def _match_in_order(matches: Sequence[Callable[[str], Match | None]]) -> Callable[[str], Match | None]:
+    def match(actual_text: str) -> Match | None:
+        first, at = -1, 0
+        for find in matches:
+            found = find(actual_text[at:])
+            if found is None:
+                return None
+            first = at + found[0] if first < 0 else first
+            at += found[1]
+        return max(first, 0), at
+
+    return match

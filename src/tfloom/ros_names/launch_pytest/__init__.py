@@ -1,0 +1,20 @@
+"""Launch descriptions as fixtures of pytest."""
+
+from typing import TYPE_CHECKING
+
+import launch_pytest.fixture
+from tfloom.launch.testing.fixtures.fixture import fixture as fixture
+
+if TYPE_CHECKING:
+    from launch_pytest import actions as actions
+    from launch_pytest import plugin as plugin
+    from launch_pytest import tools as tools
+else:
+    from tfloom.ros_modules import deferred
+
+    __getattr__, __dir__ = deferred(
+        __name__,
+        actions="launch_pytest",
+        plugin="launch_pytest",
+        tools="launch_pytest",
+    )

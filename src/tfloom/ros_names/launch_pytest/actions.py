@@ -1,0 +1,3 @@
+"""Actions of tests."""
+
+from tfloom.launch.testing.actions.ready import ReadyToTest as ReadyToTest

@@ -1,0 +1,3 @@
+"""The decorator of fixtures."""
+
+from tfloom.launch.testing.fixtures.fixture import fixture as fixture

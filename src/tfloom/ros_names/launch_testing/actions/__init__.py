@@ -1,0 +1,27 @@
+"""Actions of tests."""
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from launch_testing.actions import gtest as gtest
+    from launch_testing.actions import pytest as pytest
+    from launch_testing.actions import ready as ready
+    from launch_testing.actions import test as test
+    from tfloom.launch.testing.actions.gtest import GTest as GTest
+    from tfloom.launch.testing.actions.pytest import PyTest as PyTest
+    from tfloom.launch.testing.actions.ready import ReadyToTest as ReadyToTest
+    from tfloom.launch.testing.actions.test import Test as Test
+else:
+    from tfloom.ros_modules import deferred
+
+    __getattr__, __dir__ = deferred(
+        __name__,
+        gtest="launch_testing.actions",
+        pytest="launch_testing.actions",
+        ready="launch_testing.actions",
+        test="launch_testing.actions",
+        GTest="tfloom.launch.testing.actions.gtest",
+        PyTest="tfloom.launch.testing.actions.pytest",
+        ReadyToTest="tfloom.launch.testing.actions.ready",
+        Test="tfloom.launch.testing.actions.test",
+    )

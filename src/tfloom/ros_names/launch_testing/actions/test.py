@@ -1,0 +1,3 @@
+"""Processes that are tests."""
+
+from tfloom.launch.testing.actions.test import Test as Test

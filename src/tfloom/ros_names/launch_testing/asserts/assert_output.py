@@ -1,0 +1,9 @@
+"""Assertions on output."""
+
+from tfloom.launch.testing.assert_output import assertDefaultStream as assertDefaultStream
+from tfloom.launch.testing.assert_output import assertInStderr as assertInStderr
+from tfloom.launch.testing.assert_output import assertInStdout as assertInStdout
+from tfloom.launch.testing.assert_output import assertInStream as assertInStream
+from tfloom.launch.testing.proc_lookup import resolveProcesses as resolveProcesses
+from tfloom.launch.testing.text import build_text_match as build_text_match
+from tfloom.launch.testing.text import remove_ansi_escape_sequences as remove_ansi_escape_sequences

@@ -1,0 +1,19 @@
+"""The launches of a test file."""
+
+from typing import TYPE_CHECKING
+
+from tfloom.launch.testing.loader import LoadTestsFromPythonModule as LoadTestsFromPythonModule
+from tfloom.launch.testing.loader import PostShutdownTestLoader as PostShutdownTestLoader
+from tfloom.launch.testing.loader import PreShutdownTestLoader as PreShutdownTestLoader
+from tfloom.launch.testing.loader import TestRun as TestRun
+from tfloom.launch.testing.loader import slim_formatwarning as slim_formatwarning
+
+if TYPE_CHECKING:
+    from tfloom.launch.testing.actions.ready import ReadyToTest as ReadyToTest
+else:
+    from tfloom.ros_modules import deferred
+
+    __getattr__, __dir__ = deferred(
+        __name__,
+        ReadyToTest="tfloom.launch.testing.actions.ready",
+    )

@@ -1,0 +1,4 @@
+"""Marks of test descriptions and tests."""
+
+from tfloom.launch.testing.markers import keep_alive as keep_alive
+from tfloom.launch.testing.markers import retry_on_failure as retry_on_failure

@@ -1,0 +1,3 @@
+"""Test descriptions with several sets of arguments."""
+
+from tfloom.launch.testing.parametrize import parametrize as parametrize

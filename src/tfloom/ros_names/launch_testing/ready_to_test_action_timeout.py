@@ -1,0 +1,5 @@
+"""The time until tests can begin."""
+
+from tfloom.launch.testing.ready_to_test_action_timeout import (
+    ready_to_test_action_timeout as ready_to_test_action_timeout,
+)

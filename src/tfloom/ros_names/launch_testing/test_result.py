@@ -1,0 +1,5 @@
+"""Results of launches."""
+
+from tfloom.launch.testing.test_result import FailResult as FailResult
+from tfloom.launch.testing.test_result import SkipResult as SkipResult
+from tfloom.launch.testing.test_result import TestResult as TestResult
