@@ -4,6 +4,8 @@
 `tfloom.interfaces` (messages), `tfloom.node` (rclpy's classes), `tfloom.tf2_ros`, `tfloom.turtlesim` and the
 commands. Programs import ROS's own names (`rclpy`, `tf2_ros`, `geometry_msgs`): a `tfloom.pth` in site-packages
 puts them last on `sys.path`, so that a real ROS always takes precedence.
+
+tfloom has a plug-in of pytest, whose assertions are not rewritten: PYTEST_DONT_REWRITE.
 """
 
 from __future__ import annotations
