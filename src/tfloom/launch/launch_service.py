@@ -36,6 +36,8 @@ __all__ = ["LaunchService"]
 ENDING_SIGNALS = ("SIGTERM", "SIGHUP", "SIGQUIT")
 """Signals that end the launch as Ctrl-C does."""
 
+CLOSE_S = 0.05
+
 
 class LaunchService:
     """Launches descriptions.
@@ -140,6 +142,7 @@ class LaunchService:
             finally:
                 left = guard_of(self._context).close()
                 if left:
+                    await asyncio.sleep(CLOSE_S)  # their output ends, which closes the pipes
                     self._logger.warning(
                         "ended processes that others had started and left: %s", ", ".join(left)
                     )

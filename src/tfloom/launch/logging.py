@@ -52,6 +52,11 @@ class LaunchLogger(logging.Logger):
 
     all_loggers: dict[str, LaunchLogger] = {}  # noqa: RUF012  # by name, as a public attribute of the class
 
+    def setLevel(self, level: int | str) -> None:  # noqa: N802  # of the base class
+        """Set the level below which nothing is logged."""
+        super().setLevel(level)
+        self._cache.clear()  # type: ignore[attr-defined]  # the base class clears those of its own loggers only
+
 
 class _BraceFormatter(logging.Formatter):
     """Formats by `str.format`, with the colors of the level and of the process if the stream is a terminal."""
@@ -109,7 +114,7 @@ class LaunchConfig:
         self._log_dir: str | None = None
         self._file_handlers: dict[str, logging.Handler] = {}
         self._screen: dict[str, logging.Handler] = {}
-        self._level = logging.INFO
+        self.level = logging.INFO
         self.log_handler_factory: Callable[[str], logging.Handler] = _file_handler
         self.set_screen_format(os.environ.get("OVERRIDE_LAUNCH_SCREEN_FORMAT", "default"))
         self.set_log_format(os.environ.get("OVERRIDE_LAUNCH_LOG_FORMAT", "default"))

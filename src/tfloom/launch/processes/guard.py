@@ -18,8 +18,6 @@ __all__ = ["Guard"]
 LEFTOVERS = {signal.SIGTERM: 1.0}
 """Time that processes have after the end of the process that started them [s], before SIGKILL."""
 
-CLOSE_S = 20.0
-
 
 class Guard:
     """Knows the processes of a launch, and ends them with it. Used on the launch's thread alone."""
@@ -65,6 +63,6 @@ class Guard:
             return []
         named = end(self._launch_id, self._groups, self._since_s, LEFTOVERS)
         self._groups.clear()
-        with suppress(BrokenPipeError):
-            guardian.communicate(timeout=CLOSE_S)
+        guardian.kill()  # it has nothing left to do
+        guardian.communicate()
         return named

@@ -30,7 +30,7 @@ class LocalProcess:
     def __init__(self, output: Output) -> None:
         self._protocol = _Protocol(output)
         self._transport: asyncio.SubprocessTransport | None = None
-        self._terminals: list[asyncio.Future[None]] = []
+        self._terminals: list[_Terminal] = []
 
     @classmethod
     async def start(
@@ -77,7 +77,7 @@ class LocalProcess:
         self._transport = started[0]
         for number, (ours, _) in enumerate(ends, start=1):
             terminal = _Terminal(number, output)
-            self._terminals.append(terminal.closed)
+            self._terminals.append(terminal)
             await loop.connect_read_pipe(lambda terminal=terminal: terminal, os.fdopen(ours, "rb", 0))  # type: ignore[misc]
         return self
 
@@ -114,11 +114,14 @@ class LocalProcess:
     async def wait(self) -> int:
         """Wait for the end and for the rest of the output, and return the exit code; minus the number of a signal."""
         await self._protocol.exited
-        await asyncio.wait([self._protocol.silent, *self._terminals], timeout=OUTPUT_S)
+        silences = [self._protocol.silent, *(terminal.closed for terminal in self._terminals)]
+        await asyncio.wait(silences, timeout=OUTPUT_S)
+        for terminal in self._terminals:
+            terminal.close()
         assert self._transport is not None  # noqa: S101  # after `start`
         code = self._transport.get_returncode()
-        if self._protocol.silent.done():
-            self._transport.close()
+        # At once if it is silent; else when those have ended to which it has passed its output on.
+        self._protocol.silent.add_done_callback(lambda _, close=self._transport.close: close())  # type: ignore[misc]
         return code if code is not None else 255
 
 
@@ -167,6 +170,12 @@ class _Terminal(asyncio.Protocol):
         self.closed: asyncio.Future[None] = asyncio.get_running_loop().create_future()
         self._number = number
         self._output = output
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        self._transport = transport
+
+    def close(self) -> None:
+        self._transport.close()
 
     def data_received(self, data: bytes) -> None:
         self._output(self._number, data.replace(b"\r\n", b"\n"))

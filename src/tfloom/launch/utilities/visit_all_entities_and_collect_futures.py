@@ -14,20 +14,20 @@ if TYPE_CHECKING:
 __all__ = ["visit_all_entities", "visit_all_entities_and_collect_futures"]
 
 
-def visit_all_entities_and_collect_futures(
-    entity: LaunchDescriptionEntity, context: LaunchContext
-) -> list[tuple[LaunchDescriptionEntity, Future[Any]]]:
-    """Visit an entity, then what its visit returns, depth first; return the futures of those that go on."""
-    return list(visit_all_entities(entity, context))
-
-
 def visit_all_entities(
     entity: LaunchDescriptionEntity, context: LaunchContext
 ) -> Iterator[tuple[LaunchDescriptionEntity, Future[Any]]]:
-    """Do the same, and yield each future at once, so that those before an error are known."""
+    """Visit an entity, then what its visit returns, depth first; yield those that go on, each with its future."""
     following = entity.visit(context)
     future = entity.get_asyncio_future()
     if future is not None:
         yield entity, future
     for each in following or ():
         yield from visit_all_entities(each, context)
+
+
+def visit_all_entities_and_collect_futures(
+    entity: LaunchDescriptionEntity, context: LaunchContext
+) -> list[tuple[LaunchDescriptionEntity, Future[Any]]]:
+    """Visit an entity, then what its visit returns, depth first; return the futures of those that go on."""
+    return list(visit_all_entities(entity, context))

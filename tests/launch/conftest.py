@@ -1,0 +1,48 @@
+"""Launches inside the test's process."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
+
+import pytest
+
+from tfloom.launch import logging as launch_logging
+from tfloom.launch.launch_description import LaunchDescription
+from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.launch_service import LaunchService
+
+
+class Ran(NamedTuple):
+    """A launch that has ended."""
+
+    code: int
+    lines: list[str]
+    service: LaunchService
+
+
+@pytest.fixture(autouse=True)
+def _logs(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Write the logs of each test to a folder of its own."""
+    monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path_factory.mktemp("launch_log")))
+    launch_logging.reset()
+    yield
+    launch_logging.reset()
+
+
+@pytest.fixture
+def launch(capsys: pytest.CaptureFixture[str]) -> Callable[..., Ran]:
+    """Return a function that launches entities to their end, and returns the exit code and the printed lines.
+
+    The two lines about the log files are left out.
+    """
+
+    def launch(*entities: LaunchDescriptionEntity, argv: tuple[str, ...] = (), debug: bool = False) -> Ran:
+        service = LaunchService(argv=argv, debug=debug)
+        service.include_launch_description(LaunchDescription(entities))
+        capsys.readouterr()
+        code = service.run()
+        lines = capsys.readouterr().out.splitlines()
+        return Ran(code, [line for line in lines if not line.startswith("[INFO] [launch]: ")], service)
+
+    return launch

@@ -1,0 +1,382 @@
+"""Processes: start, output, events, respawn, signals, and that none is left."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import signal
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import psutil
+import pytest
+
+from tfloom.launch import logging as launch_logging
+from tfloom.launch.actions.emit_event import EmitEvent
+from tfloom.launch.actions.execute_local import ExecuteLocal
+from tfloom.launch.actions.execute_process import ExecuteProcess
+from tfloom.launch.actions.opaque_function import OpaqueFunction
+from tfloom.launch.actions.register_event_handler import RegisterEventHandler
+from tfloom.launch.actions.shutdown_action import Shutdown
+from tfloom.launch.actions.timer_action import TimerAction
+from tfloom.launch.descriptions.executable import Executable
+from tfloom.launch.event_handlers.on_process_exit import OnProcessExit
+from tfloom.launch.event_handlers.on_process_io import OnProcessIO
+from tfloom.launch.event_handlers.on_process_start import OnProcessStart
+from tfloom.launch.events.matchers import matches_action
+from tfloom.launch.events.process.process_matchers import matches_executable, matches_name, matches_pid
+from tfloom.launch.events.process.process_stdin import ProcessStdin
+from tfloom.launch.events.process.shutdown_process import ShutdownProcess
+from tfloom.launch.events.process.signal_process import SignalProcess
+from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.processes.family import TAG
+from tfloom.launch.substitutions.text_substitution import TextSubstitution
+
+pytestmark = pytest.mark.skipif(os.name == "nt", reason="the programs are of a POSIX shell")
+
+Launch = Callable[..., tuple]
+
+
+def python(code: str, **options: object) -> ExecuteProcess:
+    return ExecuteProcess(
+        cmd=[sys.executable, "-c", code], **{"name": "python", "output": "screen", **options}
+    )
+
+
+def shell(code: str, **options: object) -> ExecuteProcess:
+    return ExecuteProcess(cmd=["bash", "-c", code], **{"name": "bash", "output": "screen", **options})
+
+
+def masked(ran: tuple) -> list[str]:
+    """Return the lines with process ids as N."""
+    return [re.sub(r"pid (\[?)\d+", r"pid \1N", line) for line in ran.lines]
+
+
+def test_lines_of_a_process_are_prefixed_with_its_name(launch: Launch) -> None:
+    ran = launch(shell("echo out; echo err >&2; printf rest"), shell("exit 3", name="crash"))
+    assert ran.code == 0
+    lines = masked(ran)
+    assert [line for line in lines if line.startswith("[bash-1] ")] in (
+        [f"[bash-1] {text}" for text in order] for order in (["out", "err", "rest"], ["err", "out", "rest"])
+    )
+    assert "[INFO] [bash-1]: process started with pid [N]" in lines
+    assert "[INFO] [bash-1]: process has finished cleanly [pid N]" in lines
+    assert "[ERROR] [crash-2]: process has died [pid N, exit code 3, cmd 'bash -c exit 3']." in lines
+
+
+def test_a_line_is_printed_when_it_is_complete(launch: Launch) -> None:
+    ran = launch(
+        python("import sys, time\nfor c in 'a', 'b', 'c\\n': sys.stdout.write(c); sys.stdout.flush()")
+    )
+    assert "[python-1] abc" in ran.lines
+
+
+def test_text_that_is_no_utf_8_is_shown(launch: Launch) -> None:
+    code = "import sys; out = sys.stdout.buffer\nfor part in b'\\xff\\xc3', b'\\xa9\\n': out.write(part); out.flush()"
+    assert "[python-1] \ufffd\u00e9" in launch(python(code)).lines
+
+
+def test_a_program_that_prints_without_flush_is_heard_at_once(launch: Launch) -> None:
+    """It would keep its output for itself, because its stdout is a pipe."""
+    heard = python("print('hi'); import time; time.sleep(600)")
+    ran = launch(
+        RegisterEventHandler(OnProcessIO(target_action=heard, on_stdout=lambda _: Shutdown())),
+        heard,
+    )
+    assert "[python-1] hi" in ran.lines
+
+
+@pytest.mark.parametrize(
+    ("output", "printed", "logged"),
+    [
+        ("log", ["err"], 2),
+        ("screen", ["err", "out"], 0),
+        ("both", ["err", "out"], 2),
+        ("own_log", [], 0),
+        ("full", ["err", "out"], 2),
+        ({"stdout": "screen", "stderr": {"log"}}, ["out"], 1),
+    ],
+)
+def test_output_goes_where_it_is_sent(
+    launch: Launch, output: object, printed: list[str], logged: int
+) -> None:
+    ran = launch(shell("echo out; echo err >&2", output=output))
+    assert sorted(line[9:] for line in ran.lines if line.startswith("[bash-1] ")) == printed
+    folder = Path(launch_logging.launch_config.log_dir)
+    launch_logging.reset()
+    main = (folder / "launch.log").read_text("utf-8")
+    assert sum("[bash-1] " in line for line in main.splitlines()) == logged
+    own = {path.name for path in folder.iterdir()} - {"launch.log"}
+    has_own = output in ("own_log", "full")
+    assert own == ({"bash-1.log", "bash-1-stdout.log", "bash-1-stderr.log"} if has_own else set())
+    if has_own:
+        assert (folder / "bash-1-stdout.log").read_text("utf-8") == "[bash-1] out\n"
+
+
+def test_the_output_of_every_process_is_shown_by_an_environment_variable(
+    launch: Launch, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("OVERRIDE_LAUNCH_PROCESS_OUTPUT", "screen")
+    assert "[bash-1] out" in launch(shell("echo out", output="own_log")).lines
+
+
+@pytest.mark.parametrize("output", ["scren", {"out": "screen"}, {"stdout": "file"}])
+def test_a_wrong_output_is_named(launch: Launch, output: object) -> None:
+    ran = launch(shell("true", output=output))
+    assert ran.code == 1
+    assert "'bash-1'" in ran.lines[0]
+    assert "use " in ran.lines[0]
+
+
+def test_cached_output_is_kept(launch: Launch) -> None:
+    action = shell("echo one; echo two; echo three >&2", cached_output=True)
+    launch(action)
+    assert action.get_stdout() == "one\ntwo\n"
+    assert action.get_stderr() == "three\n"
+    assert action.return_code == 0
+
+
+def test_a_terminal_is_emulated(launch: Launch) -> None:
+    code = "import sys; print(sys.stdout.isatty(), sys.stderr.isatty(), file=sys.stderr)"
+    assert "[python-1] True True" in launch(python(code, emulate_tty=True)).lines
+    assert "[python-1] False False" in launch(python(code)).lines
+
+
+def test_folder_and_environment_of_a_process(
+    launch: Launch, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("OF_THE_LAUNCH", "1")
+    code = "import os, json; print(json.dumps([os.getcwd(), os.environ.get('OF_THE_LAUNCH'), os.environ.get('MORE')]))"
+    options = {"cwd": str(tmp_path), "additional_env": {"MORE": [TextSubstitution(text="mo"), "re"]}}
+    printed = [
+        json.loads(line.removeprefix("[python-1] "))
+        for action in (python(code, **options), python(code, env={"MORE": "alone"}))
+        for line in launch(action).lines
+        if line.startswith("[python-1] ")
+    ]
+    assert printed == [[str(tmp_path), "1", "more"], [str(Path.cwd()), None, "alone"]]
+
+
+def test_a_shell_runs_a_command_line(launch: Launch) -> None:
+    assert (
+        "[echo a; echo b-1] b"
+        in launch(ExecuteProcess(cmd=["echo a; echo b"], shell=True, output="screen")).lines
+    )
+
+
+@pytest.mark.parametrize(
+    ("cmd", "options", "text"),
+    [
+        (["no_such_program"], {}, "no program 'no_such_program' was found"),
+        (["/etc/passwd"], {}, "'/etc/passwd' is not executable"),
+        (["true"], {"cwd": "/no/such/folder"}, "its folder '/no/such/folder' does not exist"),
+        (["true", "a\0b"], {}, "'true': "),
+    ],
+)
+def test_a_process_that_cannot_be_started_is_named_and_the_rest_goes_on(
+    launch: Launch, cmd: list[str], options: dict, text: str
+) -> None:
+    ran = launch(ExecuteProcess(cmd=cmd, name="wrong", **options), shell("echo here"))
+    assert ran.code == 0
+    (line,) = [line for line in ran.lines if "[wrong-1]" in line]
+    assert line.startswith(f"[ERROR] [wrong-1]: process could not be started: {text}")
+    assert "[bash-2] here" in ran.lines
+
+
+def test_events_of_a_process_reach_their_handlers(launch: Launch) -> None:
+    seen: list[tuple] = []
+    action = shell("read line; echo got $line; exit 4")
+    launch(
+        RegisterEventHandler(
+            OnProcessStart(
+                target_action=action,
+                on_start=lambda event, _: [
+                    EmitEvent(event=ProcessStdin(text="word\n", process_matcher=matches_pid(event.pid)))
+                ],
+            )
+        ),
+        RegisterEventHandler(
+            OnProcessIO(
+                target_action=action,
+                on_stdout=lambda event: seen.append((event.text, event.from_stdout)),
+            )
+        ),
+        RegisterEventHandler(
+            OnProcessExit(
+                target_action=lambda other: other is action,
+                on_exit=lambda event, _: seen.append((event.process_name, event.returncode, event.cmd[0])),
+            )
+        ),
+        action,
+    )
+    assert seen == [(b"got word\n", True), ("bash-1", 4, "bash")]
+
+
+def test_on_exit_entities_are_visited_at_each_end(launch: Launch) -> None:
+    ends: list[int] = []
+    action = shell(
+        "exit 5",
+        respawn=True,
+        respawn_max_retries=2,
+        respawn_delay=0.01,
+        on_exit=OpaqueFunction(function=lambda context: ends.append(context.locals.event.returncode)),
+    )
+    ran = launch(action)
+    assert ends == [5, 5, 5]
+    assert sum("process started" in line for line in ran.lines) == 3
+
+
+def test_respawn_waits_as_told_and_ends_with_the_launch(launch: Launch) -> None:
+    action = shell("true", respawn=True, respawn_delay=600.0)
+    ran = launch(RegisterEventHandler(OnProcessExit(target_action=action, on_exit=[Shutdown()])), action)
+    assert sum("process started" in line for line in ran.lines) == 1
+
+
+@pytest.mark.parametrize(
+    "matcher",
+    [
+        matches_action,
+        lambda _: matches_name("sleeper"),
+        lambda _: matches_name("sleeper-1"),
+        lambda _: matches_executable("sleep"),
+    ],
+)
+def test_a_signal_reaches_the_process_that_is_meant(launch: Launch, matcher: Callable) -> None:
+    meant = ExecuteProcess(cmd=["sleep", "600"], name="sleeper")
+    other = shell("read line; echo $line")
+    ran = launch(
+        meant,
+        other,
+        RegisterEventHandler(
+            OnProcessStart(
+                target_action=meant,
+                on_start=EmitEvent(
+                    event=SignalProcess(signal_number="SIGUSR1", process_matcher=matcher(meant))
+                ),
+            )
+        ),
+        RegisterEventHandler(
+            OnProcessExit(
+                target_action=meant,
+                on_exit=EmitEvent(event=ProcessStdin(text=b"on\n", process_matcher=matches_action(other))),
+            )
+        ),
+    )
+    assert "[INFO] [sleeper-1]: sending signal 'SIGUSR1' to process[sleeper-1]" in ran.lines
+    assert meant.return_code == -signal.SIGUSR1
+    assert other.return_code == 0
+
+
+def test_one_process_is_shut_down_alone(launch: Launch) -> None:
+    deaf = shell(
+        "trap '' INT TERM; echo deaf; while :; do sleep 0.1; done",
+        sigterm_timeout="0.2",
+        sigkill_timeout="0.1",
+    )
+    ran = launch(
+        RegisterEventHandler(
+            OnProcessIO(
+                target_action=deaf,
+                on_stdout=lambda _: EmitEvent(event=ShutdownProcess(process_matcher=matches_action(deaf))),
+            )
+        ),
+        deaf,
+    )
+    assert deaf.return_code == -signal.SIGKILL
+    failed = "[ERROR] [bash-1]: process[bash-1] failed to terminate"
+    assert [line for line in ran.lines if "signal" in line or "escalating" in line] == [
+        "[INFO] [bash-1]: sending signal 'SIGINT' to process[bash-1]",
+        f"{failed} '0.2' seconds after receiving 'SIGINT', escalating to 'SIGTERM'",
+        "[INFO] [bash-1]: sending signal 'SIGTERM' to process[bash-1]",
+        f"{failed} '0.1' seconds after receiving 'SIGTERM', escalating to 'SIGKILL'",
+        "[INFO] [bash-1]: sending signal 'SIGKILL' to process[bash-1]",
+    ]
+
+
+def test_a_signal_reaches_the_children_of_a_process(launch: Launch) -> None:
+    """A shell that waits for its child passes no signal on."""
+    parent = shell("echo begun; sleep 600; echo never")
+    ran = launch(
+        RegisterEventHandler(
+            OnProcessStart(target_action=parent, on_start=TimerAction(period=0.1, actions=[Shutdown()]))
+        ),
+        parent,
+    )
+    assert parent.return_code in (-signal.SIGINT, 128 + signal.SIGINT)
+    assert "[bash-1] never" not in ran.lines
+
+
+def test_what_a_process_left_behind_is_ended_and_named(launch: Launch) -> None:
+    """Also where it left the process group, and where it dropped the environment."""
+    ran = launch(shell("setsid sleep 4321 & env -i $(command -v sleep) 4321 & sleep 0.1; echo $!"))
+    (line,) = [line for line in ran.lines if line.startswith("[WARNING]")]
+    assert line.startswith(
+        "[WARNING] [launch]: ended processes that others had started and left: sleep [pid "
+    )
+    assert line.count("sleep [pid") == 2
+    assert not [
+        process for process in psutil.process_iter(["cmdline"]) if "4321" in (process.info["cmdline"] or [])
+    ]
+
+
+def test_a_process_knows_its_launch_and_the_one_around_it(
+    launch: Launch, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv(TAG, "outer")
+    (line,) = [line for line in launch(shell(f"echo ${TAG}")).lines if line.startswith("[bash-1] ")]
+    outer, inner = line.removeprefix("[bash-1] ").split(":")
+    assert (outer, len(inner)) == ("outer", 32)
+
+
+def test_an_action_is_executed_once(launch: Launch) -> None:
+    action = shell("true")
+    ran = launch(action, action)
+    assert ran.code == 1
+    assert "executed more than once" in ran.lines[-1] or any(
+        "executed more than once" in line for line in ran.lines
+    )
+
+
+def test_no_process_is_started_after_the_shutdown(launch: Launch) -> None:
+    late = shell("echo never")
+    launch(Shutdown(), TimerAction(period=0.0, actions=[late], cancel_on_shutdown=False))
+    assert late.process_details is None
+
+
+@pytest.mark.parametrize("timeout", ["soon", "-1", "nan"])
+def test_a_timeout_that_is_no_time_is_named(launch: Launch, timeout: str) -> None:
+    ran = launch(shell("true", sigterm_timeout=timeout))
+    assert ran.code == 1
+    assert f"the timeout '{timeout}' of 'bash-1' is " in ran.lines[-1]
+
+
+def test_a_prefix_is_put_before_the_programs_that_the_filter_matches(launch: Launch) -> None:
+    def with_prefix(context: LaunchContext) -> None:
+        context.launch_configurations["launch-prefix"] = "env A=1 B='2 3'"
+        context.launch_configurations["launch-prefix-filter"] = "bash"
+
+    one = ExecuteProcess(cmd=["bash", "-c", "echo $A $B"], output="screen")
+    two = ExecuteProcess(cmd=[sys.executable, "-c", "print(1)"])
+    own = ExecuteProcess(cmd=[sys.executable, "-c", "print(1)"], prefix="env")
+    ran = launch(OpaqueFunction(function=with_prefix), one, two, own)
+    assert "[bash-1] 1 2 3" in ran.lines
+    assert one.cmd[:3] == ["env", "A=1", "B=2 3"]
+    assert two.cmd[0] == sys.executable
+    assert own.cmd[0] == "env"
+
+
+def test_a_described_program_runs_without_its_own_action(launch: Launch) -> None:
+    action = ExecuteLocal(
+        process_description=Executable(cmd=["echo", "a"], arguments=["b"]), output="screen", log_cmd=True
+    )
+    lines = launch(action).lines
+    assert "[echo-1] a b" in lines
+    assert "[INFO] [echo-1]: process details: cmd='echo a b', cwd='None'" in lines
+
+
+@pytest.mark.parametrize("number", ["SIGNONE", 999])
+def test_a_signal_that_does_not_exist_is_refused(number: object) -> None:
+    with pytest.raises(ValueError, match=str(number)):
+        SignalProcess(signal_number=number, process_matcher=lambda _: True)
