@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import Any
+from typing import Any, ClassVar
 
 from tfloom.launch.action import Action
 from tfloom.launch.event import Event
@@ -29,6 +29,9 @@ class OnActionEventBase(BaseEventHandler):
         RuntimeError: `action_matcher` or `on_event` is of another type.
     """
 
+    _target_name: ClassVar[str | None] = None
+    """Name of a class in a higher file, which is the kind of actions in place of `target_action_cls`."""
+
     def __init__(
         self,
         *,
@@ -39,13 +42,14 @@ class OnActionEventBase(BaseEventHandler):
         **kwargs: Any,
     ) -> None:
         name = type(self).__name__
+        self._target = self._target_name or target_action_cls.__name__
         if not (
             action_matcher is None
-            or isinstance(action_matcher, target_action_cls)
+            or self._target in (cls.__name__ for cls in type(action_matcher).__mro__)
             or callable(action_matcher)
         ):
             raise RuntimeError(
-                f"{name} requires a '{target_action_cls.__name__}' action as the target, a function that matches "
+                f"{name} requires a '{self._target}' action as the target, a function that matches "
                 f"one, or None, and not '{action_matcher!r}'"
             )
         if not (callable(on_event) or isinstance(on_event, (LaunchDescriptionEntity, Iterable))):
@@ -54,7 +58,6 @@ class OnActionEventBase(BaseEventHandler):
             )
         self._action_matcher = action_matcher
         self._target_event_cls = target_event_cls
-        self._target_action_cls = target_action_cls
         self._on_event = on_event
         self._actions: list[LaunchDescriptionEntity] | None = None
         if not callable(on_event):
@@ -89,7 +92,7 @@ class OnActionEventBase(BaseEventHandler):
         if self._action_matcher is None:
             return f"event == {kind}"
         if isinstance(self._action_matcher, Action):
-            return f"event == {kind} and {self._target_action_cls.__name__}(event.action)"
+            return f"event == {kind} and {self._target}(event.action)"
         return f"event == {kind} and {self._action_matcher}(event.action)"
 
     def describe(self) -> tuple[str, list[SomeEntitiesType]]:

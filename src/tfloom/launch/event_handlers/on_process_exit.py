@@ -23,6 +23,8 @@ class OnProcessExit(OnActionEventBase):
         kwargs: As for BaseEventHandler.
     """
 
+    _target_name = "ExecuteLocal"
+
     def __init__(
         self,
         *,

@@ -27,6 +27,8 @@ class OnProcessIO(OnActionEventBase):
         kwargs: As for BaseEventHandler.
     """
 
+    _target_name = "ExecuteLocal"
+
     def __init__(
         self,
         *,
