@@ -1,0 +1,86 @@
+"""A launcher that is killed leaves no process behind: neither those that it started, nor their children."""
+
+from __future__ import annotations
+
+import os
+import random
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import psutil
+import pytest
+
+pytestmark = pytest.mark.skipif(os.name == "nt", reason="SIGKILL and a POSIX shell are needed")
+
+AT_ONCE = 5
+LONGEST_S = 0.6
+"""The longest time from the start of a launcher to its end, in which all its processes have started."""
+
+FILE = """
+import sys
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+
+def generate_launch_description():
+    mark = {mark!r}
+    def bash(code, **options):
+        return ExecuteProcess(cmd=["bash", "-c", code, mark], output="screen", **options)
+    return LaunchDescription([
+        bash(f"exec -a {{mark}} sleep 600"),
+        bash(f"(exec -a {{mark}} sleep 600); true"),
+        bash(f"setsid bash -c 'exec -a {{mark}} sleep 600' & echo begun; wait"),
+        bash(f"exec -a {{mark}} env -i sleep 600"),
+        ExecuteProcess(cmd=[sys.executable, "-c", "import time\\ntime.sleep(600)", mark], respawn=True),
+    ])
+"""
+
+
+def alive(mark: str) -> list[str]:
+    found = []
+    for process in psutil.process_iter():
+        try:
+            words = process.cmdline()
+            if process.status() != psutil.STATUS_ZOMBIE and mark in words:
+                found.append(" ".join(words))
+        except psutil.Error:
+            continue
+    return found
+
+
+def kill_launchers(
+    count: int, folder: Path, start_program: Callable[..., object], wait_until: Callable[..., None]
+) -> int:
+    """Kill that many launchers at random moments, and return how many processes they had then."""
+    had = 0
+    marks = [f"mark-{os.getpid()}-{random.randrange(10**9)}" for _ in range(count)]
+    launchers = []
+    for mark in marks:
+        file = folder / f"{mark}.launch.py"
+        file.write_text(FILE.format(mark=mark), "utf-8")
+        launchers.append(start_program(sys.executable, "-m", "tfloom.cli", "launch", file))
+    for launcher in launchers:
+        launcher.wait_for("process started")
+        time.sleep(random.uniform(0.0, LONGEST_S))
+    had = sum(len(alive(mark)) for mark in marks)
+    for launcher in launchers:
+        launcher.process.kill()
+    for launcher, mark in zip(launchers, marks, strict=True):
+        launcher.process.wait(30)
+        wait_until(lambda mark=mark: not alive(mark), what=f"the end of {alive(mark)}")
+    return had
+
+
+def test_a_killed_launcher_leaves_nothing(
+    tmp_path: Path, start_program: Callable[..., object], wait_until: Callable[..., None]
+) -> None:
+    assert kill_launchers(3, tmp_path, start_program, wait_until) >= 3
+
+
+@pytest.mark.slow
+def test_fifty_killed_launchers_leave_nothing(
+    tmp_path: Path, start_program: Callable[..., object], wait_until: Callable[..., None]
+) -> None:
+    for _ in range(50 // AT_ONCE):
+        assert kill_launchers(AT_ONCE, tmp_path, start_program, wait_until) >= AT_ONCE
