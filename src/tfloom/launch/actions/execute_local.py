@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import asyncio
 import os
 import signal
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from tfloom.launch.action import Action
 from tfloom.launch.actions.process_output import ProcessOutput
@@ -25,14 +24,19 @@ from tfloom.launch.events.process.signal_process import SignalProcess
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.logging import OutputConfig, get_logger
-from tfloom.launch.processes.local_process import LocalProcess
-from tfloom.launch.processes.running import guard_of
 from tfloom.launch.some_entities_type import SomeEntitiesType
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 from tfloom.launch.utilities.perform_substitutions import perform_substitutions
 from tfloom.launch.utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
+
+if TYPE_CHECKING:
+    import asyncio
+
+    from tfloom.launch.processes.local_process import LocalProcess
+
+# asyncio and psutil are imported when a process runs, because `--show-args` takes less time than their import.
 
 __all__ = ["ExecuteLocal"]
 
@@ -234,6 +238,9 @@ class ExecuteLocal(Action):
 
     async def _run_once(self, context: LaunchContext) -> bool:
         """Run the process from its start to its end; return whether it could be started."""
+        from tfloom.launch.processes.local_process import LocalProcess
+        from tfloom.launch.processes.running import guard_of
+
         executable = self._process_description
         name, cmd = str(executable.final_name), executable.final_cmd or []
         logger = get_logger(name)
@@ -303,6 +310,8 @@ class ExecuteLocal(Action):
         if 0 <= self._respawn_max_retries <= self._respawn_count:
             return False
         if self._respawn_delay is not None and self._respawn_delay > 0.0:
+            import asyncio
+
             # The end of the launch ends the wait, too.
             await asyncio.wait([self._shutdown_future], timeout=self._respawn_delay)
         return not self._shutdown_future.done()
@@ -324,7 +333,7 @@ class ExecuteLocal(Action):
         if future is None or future.done() or self._completed_future is None or self._completed_future.done():
             return
         future.set_result(None)
-        loop = asyncio.get_running_loop()
+        loop = self._completed_future.get_loop()
         end_s, before = 0.0, "SIGINT"
         for number, (text, seconds) in timeouts.items():
             end_s += seconds

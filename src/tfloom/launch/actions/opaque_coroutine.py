@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-import asyncio
+import inspect
 from collections.abc import Callable, Coroutine, Iterable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from tfloom.launch.action import Action
 from tfloom.launch.event_handler import BaseEventHandler
 from tfloom.launch.event_handlers.on_shutdown import OnShutdown
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
+
+if TYPE_CHECKING:
+    import asyncio
 
 __all__ = ["OpaqueCoroutine"]
 
@@ -39,7 +42,7 @@ class OpaqueCoroutine(Action):
         **left_over_kwargs: Any,
     ) -> None:
         super().__init__(**left_over_kwargs)
-        if not asyncio.iscoroutinefunction(coroutine):
+        if not inspect.iscoroutinefunction(coroutine):
             raise TypeError(
                 "OpaqueCoroutine expected a coroutine function for 'coroutine', "
                 f"got '{coroutine}' of type '{type(coroutine)}'"

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import asyncio
 from collections.abc import Iterable, Sequence
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 from tfloom.launch.action import Action
 from tfloom.launch.event import Event
@@ -18,6 +17,9 @@ from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.logging import get_logger
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
+
+if TYPE_CHECKING:
+    import asyncio
 
 __all__ = ["TimerAction"]
 
@@ -132,6 +134,8 @@ class TimerAction(Action):
         return self._completed_future
 
     async def _wait_to_fire_event(self, context: LaunchContext) -> None:
+        import asyncio  # loaded with the first launch, and not for its arguments
+
         period_s = perform_typed_substitution(context, self._period, float)
         canceled = cast("asyncio.Future[bool]", self._canceled_future)
         await asyncio.wait([canceled], timeout=period_s)

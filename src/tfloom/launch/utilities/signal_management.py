@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import signal
 import threading
-from asyncio import AbstractEventLoop
 from collections.abc import Callable
 from types import FrameType, TracebackType
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from asyncio import AbstractEventLoop
 
 __all__ = ["AsyncSafeSignalManager"]
 
