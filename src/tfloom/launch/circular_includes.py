@@ -9,7 +9,7 @@ from typing import Any
 from tfloom.launch.invalid_launch_file_error import InvalidLaunchFileError
 from tfloom.launch.launch_context import LaunchContext
 
-__all__ = ["CircularIncludeError", "refuse_circle", "refuse_repetition"]
+__all__ = ["CircularIncludeError", "refuse_circle"]
 
 _CHAIN = "included_launch_files"
 _DEEPEST = 50
@@ -57,21 +57,6 @@ def refuse_circle(context: LaunchContext, path: str) -> None:
     if len(chain) >= _DEEPEST:
         raise CircularIncludeError([*files[-3:], path], f"launch files are included {_DEEPEST} levels deep")
     context.extend_locals({_CHAIN: (*chain, (path, state))})
-
-
-def refuse_repetition(files: Sequence[str], path: str) -> None:
-    """Check that a file isn't among those that lead to it, while files are read without launching them.
-
-    Args:
-        files: The including files, the outermost first.
-        path: The included file.
-
-    Raises:
-        CircularIncludeError: it is.
-    """
-    for number, file in enumerate(files):
-        if _is_same(file, path):
-            raise CircularIncludeError([*files[number:], path])
 
 
 def _is_same(one: str, other: str | None) -> bool:

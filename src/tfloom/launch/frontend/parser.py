@@ -79,7 +79,7 @@ class Parser:
         try:
             action: Action = instantiate_action(entity, self)
         except Exception as error:
-            place_error(error, entity)
+            place_error(error, _place(entity))
             raise
         return action
 
@@ -117,13 +117,13 @@ class Parser:
         """
         if entity.type_name != "launch":
             error = RuntimeError(f"Expected 'launch' as root tag, and it is '{entity.type_name}'")
-            place_error(error, entity)
+            place_error(error, _place(entity))
             raise error
         try:
             deprecated = entity.get_attr("deprecated", optional=True)
             children = entity.children
         except Exception as error:
-            place_error(error, entity)
+            place_error(error, _place(entity))
             raise
         return LaunchDescription(
             [self.parse_action(child) for child in children], deprecated_reason=deprecated
@@ -218,6 +218,11 @@ def _own_parser(name: str) -> type[Parser]:
 def _chosen_parsers(cls: type[Parser], name: str) -> list[type[Parser]]:
     own = _FORMATS.get(Path(name).suffix)
     return [_own_parser(own)] if own is not None else cls.get_parsers_from_filename(name)
+
+
+def _place(entity: Entity) -> str:
+    """Return an element's place, which the elements of other packages' parsers may not have."""
+    return str(getattr(entity, "place", ""))
 
 
 def _condition_text(entity: Entity, name: str) -> str | None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from tfloom.launch.frontend.entity import Entity
 from tfloom.launch.utilities.error_texts import add_to_error
 
 __all__ = ["describe_error", "place_error"]
@@ -10,16 +9,15 @@ __all__ = ["describe_error", "place_error"]
 _PLACE = "launch_file_place"
 
 
-def place_error(error: Exception, entity: Entity) -> None:
+def place_error(error: Exception, place: str) -> None:
     """Add the place of an element to an error, unless one has been added for an element inside.
 
     The error keeps its type. Its text begins with the place, if the type allows it.
 
     Args:
         error: What the element's parsing raised.
-        entity: The element. It may have no attribute `place`, as those of other packages' parsers.
+        place: File and line; "" if they aren't known.
     """
-    place = getattr(entity, "place", "")
     if place and not hasattr(error, _PLACE):
         add_to_error(error, before=f"{place}: ")
         setattr(error, _PLACE, place)

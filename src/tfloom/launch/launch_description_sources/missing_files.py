@@ -6,9 +6,12 @@ import errno
 import os
 from pathlib import Path
 
-from tfloom.launch.utilities.nearest import did_you_mean
+from tfloom.launch.utilities.nearest import nearest
 
 __all__ = ["check_file"]
+
+
+_EXTENSIONS = (".py", ".xml", ".yaml", ".yml")
 
 
 class _MissingFileError(FileNotFoundError):
@@ -20,10 +23,17 @@ class _MissingFileError(FileNotFoundError):
     def _near(self) -> str:
         path = Path(str(self.filename))
         try:
-            names = [each.name for each in path.parent.iterdir()]
+            names = sorted(each.name for each in path.parent.iterdir())
         except OSError:
-            return "" if path.parent == Path() else f" (there is no folder '{path.parent}')"
-        return did_you_mean(path.name, names)
+            return f" (there is no folder '{path.parent}')"
+        files = {_stem(name): name for name in reversed(names) if name.endswith(_EXTENSIONS)}
+        near = nearest(_stem(path.name), files)
+        return "" if near is None else f"; did you mean '{files[near]}'?"
+
+
+def _stem(name: str) -> str:
+    """Return what is before `.launch.py`, because a common ending does not make names similar."""
+    return name.partition(".")[0]
 
 
 def check_file(path: str) -> None:

@@ -4,12 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-__all__ = ["did_you_mean"]
+__all__ = ["did_you_mean", "nearest"]
+
+
+def nearest(name: str, known: Iterable[str]) -> str | None:
+    """Return the known name that is nearest to a name; None if none is near."""
+    import difflib
+
+    near = difflib.get_close_matches(name, sorted(known), 1, 0.6)
+    return near[0] if near else None
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:
     """Return "; did you mean 'x'?" with the known name that is nearest; "" if none is near."""
-    import difflib
-
-    near = difflib.get_close_matches(name, sorted(known), 1, 0.6)
-    return f"; did you mean '{near[0]}'?" if near else ""
+    near = nearest(name, known)
+    return "" if near is None else f"; did you mean '{near}'?"

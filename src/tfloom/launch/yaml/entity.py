@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from tfloom.launch.frontend.entity import Entity as BaseEntity
+from tfloom.launch.frontend.places import place_error
 from tfloom.launch.frontend.type_utils import check_is_list_entity
 from tfloom.launch.utilities.nearest import did_you_mean
 from tfloom.launch.utilities.type_utils import is_instance_of
@@ -90,8 +91,9 @@ class Entity(BaseEntity):
             child = Entity(element, type_name, parent=self)
         except TypeError as error:
             line = self.places.lines.get(id(element), self._line)
-            place = f"{self.places.file}:{line}: " if line is not None else ""
-            raise TypeError(f"{place}in `{self._type_name}`: {error}") from None
+            error.args = (f"in `{self._type_name}`: {error}",)
+            place_error(error, f"{self.places.file}:{line}" if line is not None else "")
+            raise
         child._line = self.places.lines.get(id(element), self._line)
         return child
 
