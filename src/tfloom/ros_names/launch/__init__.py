@@ -2,6 +2,34 @@
 
 from typing import TYPE_CHECKING
 
+__all__ = [
+    "Action",
+    "Condition",
+    "Event",
+    "EventHandler",
+    "InvalidLaunchFileError",
+    "LaunchContext",
+    "LaunchDescription",
+    "LaunchDescriptionEntity",
+    "LaunchDescriptionSource",
+    "LaunchIntrospector",
+    "LaunchService",
+    "SomeEntitiesType",
+    "SomeEntitiesType_types_tuple",
+    "SomeSubstitutionsType",
+    "SomeSubstitutionsType_types_tuple",
+    "Substitution",
+    "actions",
+    "conditions",
+    "descriptions",
+    "event_handlers",
+    "events",
+    "frontend",
+    "launch_description_sources",
+    "logging",
+    "substitutions",
+]
+
 if TYPE_CHECKING:
     from launch import action as action
     from launch import actions as actions

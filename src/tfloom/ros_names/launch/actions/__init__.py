@@ -2,6 +2,39 @@
 
 from typing import TYPE_CHECKING
 
+__all__ = [
+    "AppendEnvironmentVariable",
+    "DeclareLaunchArgument",
+    "EmitEvent",
+    "ExecuteLocal",
+    "ExecuteProcess",
+    "ForEach",
+    "ForLoop",
+    "GroupAction",
+    "IncludeLaunchDescription",
+    "Log",
+    "LogDebug",
+    "LogError",
+    "LogInfo",
+    "LogWarning",
+    "OpaqueCoroutine",
+    "OpaqueFunction",
+    "PopEnvironment",
+    "PopLaunchConfigurations",
+    "PushEnvironment",
+    "PushLaunchConfigurations",
+    "RegisterEventHandler",
+    "ResetEnvironment",
+    "ResetLaunchConfigurations",
+    "SetEnvironmentVariable",
+    "SetLaunchConfiguration",
+    "Shutdown",
+    "TimerAction",
+    "UnregisterEventHandler",
+    "UnsetEnvironmentVariable",
+    "UnsetLaunchConfiguration",
+]
+
 if TYPE_CHECKING:
     from launch.actions import append_environment_variable as append_environment_variable
     from launch.actions import declare_launch_argument as declare_launch_argument

@@ -2,6 +2,8 @@
 
 from typing import TYPE_CHECKING
 
+__all__ = ["Executable"]
+
 if TYPE_CHECKING:
     from launch.descriptions import executable as executable
     from tfloom.launch.descriptions.executable import Executable as Executable

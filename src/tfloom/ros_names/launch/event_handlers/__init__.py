@@ -2,6 +2,16 @@
 
 from typing import TYPE_CHECKING
 
+__all__ = [
+    "OnExecutionComplete",
+    "OnIncludeLaunchDescription",
+    "OnProcessExit",
+    "OnProcessIO",
+    "OnProcessStart",
+    "OnShutdown",
+    "event_named",
+]
+
 if TYPE_CHECKING:
     from launch.event_handlers import on_action_event_base as on_action_event_base
     from launch.event_handlers import on_execution_complete as on_execution_complete

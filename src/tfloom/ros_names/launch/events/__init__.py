@@ -2,6 +2,8 @@
 
 from typing import TYPE_CHECKING
 
+__all__ = ["ExecutionComplete", "IncludeLaunchDescription", "Shutdown", "TimerEvent", "matches_action"]
+
 if TYPE_CHECKING:
     from launch.events import execution_complete as execution_complete
     from launch.events import include_launch_description as include_launch_description

@@ -2,6 +2,16 @@
 
 from typing import TYPE_CHECKING
 
+__all__ = [
+    "LaunchConfig",
+    "LaunchLogger",
+    "get_logger",
+    "get_output_loggers",
+    "launch_config",
+    "log_launch_config",
+    "reset",
+]
+
 if TYPE_CHECKING:
     from launch.logging import handlers as handlers
     from tfloom.launch.logging import LaunchConfig as LaunchConfig

@@ -2,6 +2,18 @@
 
 from typing import TYPE_CHECKING
 
+__all__ = [
+    "AsyncSafeSignalManager",
+    "ensure_argument_type",
+    "is_a",
+    "is_a_subclass",
+    "isclassinstance",
+    "normalize_to_list_of_entities",
+    "normalize_to_list_of_substitutions",
+    "perform_substitutions",
+    "visit_all_entities_and_collect_futures",
+]
+
 if TYPE_CHECKING:
     from launch.utilities import class_tools_impl as class_tools_impl
     from launch.utilities import ensure_argument_type_impl as ensure_argument_type_impl

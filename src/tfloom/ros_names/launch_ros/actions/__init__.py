@@ -2,6 +2,23 @@
 
 from typing import TYPE_CHECKING
 
+__all__ = [
+    "ComposableNodeContainer",
+    "LifecycleNode",
+    "LifecycleTransition",
+    "LoadComposableNodes",
+    "Node",
+    "PushROSNamespace",
+    "PushRosNamespace",
+    "ROSTimer",
+    "RosTimer",
+    "SetParameter",
+    "SetParametersFromFile",
+    "SetROSLogDir",
+    "SetRemap",
+    "SetUseSimTime",
+]
+
 if TYPE_CHECKING:
     from launch_ros.actions import composable_node_container as composable_node_container
     from launch_ros.actions import lifecycle_node as lifecycle_node

@@ -2,6 +2,8 @@
 
 from typing import TYPE_CHECKING
 
+__all__ = ["ComposableNode", "Parameter", "ParameterFile", "ParameterValue"]
+
 if TYPE_CHECKING:
     from launch_ros.descriptions import composable_node as composable_node
     from tfloom.launch.ros.descriptions.composable_node import ComposableNode as ComposableNode

@@ -2,6 +2,8 @@
 
 from typing import TYPE_CHECKING
 
+__all__ = ["OnStateTransition"]
+
 if TYPE_CHECKING:
     from launch_ros.event_handlers import on_state_transition as on_state_transition
     from tfloom.launch.ros.event_handlers.on_state_transition import OnStateTransition as OnStateTransition

@@ -2,6 +2,8 @@
 
 from typing import TYPE_CHECKING
 
+__all__ = ["matches_node_name"]
+
 if TYPE_CHECKING:
     from launch_ros.events import lifecycle as lifecycle
     from launch_ros.events import matchers as matchers

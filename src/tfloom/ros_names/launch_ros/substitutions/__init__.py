@@ -2,6 +2,8 @@
 
 from typing import TYPE_CHECKING
 
+__all__ = ["ExecutableInPackage", "FindPackage", "FindPackagePrefix", "FindPackageShare", "Parameter"]
+
 if TYPE_CHECKING:
     from launch_ros.substitutions import executable_in_package as executable_in_package
     from launch_ros.substitutions import find_package as find_package

@@ -11,6 +11,20 @@ from tfloom.launch.ros.utilities.normalize_parameters import normalize_parameter
 from tfloom.launch.ros.utilities.normalize_remap_rule import normalize_remap_rule as normalize_remap_rule
 from tfloom.launch.ros.utilities.to_parameters_list import to_parameters_list as to_parameters_list
 
+__all__ = [
+    "add_node_name",
+    "evaluate_parameters",
+    "get_node_name_count",
+    "is_namespace_absolute",
+    "is_root_namespace",
+    "make_namespace_absolute",
+    "normalize_parameters",
+    "normalize_remap_rule",
+    "normalize_remap_rules",
+    "prefix_namespace",
+    "to_parameters_list",
+]
+
 if TYPE_CHECKING:
     from launch_ros.utilities import namespace_utils as namespace_utils
     from launch_ros.utilities import plugin_support as plugin_support

@@ -2,6 +2,22 @@
 
 from typing import TYPE_CHECKING
 
+__all__ = [
+    "ProcessExited",
+    "ProcessIO",
+    "ProcessStarted",
+    "ProcessStderr",
+    "ProcessStdin",
+    "ProcessStdout",
+    "ProcessTargetedEvent",
+    "RunningProcessEvent",
+    "ShutdownProcess",
+    "SignalProcess",
+    "matches_executable",
+    "matches_name",
+    "matches_pid",
+]
+
 if TYPE_CHECKING:
     from launch.events.process import process_exited as process_exited
     from launch.events.process import process_io as process_io

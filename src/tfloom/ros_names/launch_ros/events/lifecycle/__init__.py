@@ -2,6 +2,8 @@
 
 from typing import TYPE_CHECKING
 
+__all__ = ["ChangeState", "StateTransition", "matches_node_name"]
+
 if TYPE_CHECKING:
     from launch_ros.events.lifecycle import change_state as change_state
     from launch_ros.events.lifecycle import lifecycle_node_matchers as lifecycle_node_matchers
