@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import logging
 import os
-import socket
 import sys
 import time
 from collections.abc import Callable, Mapping
@@ -297,6 +296,8 @@ def _sinks(process_name: str, output_config: OutputConfig) -> dict[str, set[str]
 
 def _create_log_dir() -> str:
     """Create `<root>/<time>-<host>-<pid>` under ROS_LOG_DIR, else ROS_HOME/log, else ~/.ros/log."""
+    import socket  # which printing the arguments of a file does not need
+
     environment = os.environ
     if environment.get("ROS_LOG_DIR"):
         root = Path(environment["ROS_LOG_DIR"]).expanduser()

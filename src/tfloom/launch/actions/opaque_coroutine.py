@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 from collections.abc import Callable, Coroutine, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -42,6 +41,8 @@ class OpaqueCoroutine(Action):
         **left_over_kwargs: Any,
     ) -> None:
         super().__init__(**left_over_kwargs)
+        import inspect  # which few launch files need
+
         if not inspect.iscoroutinefunction(coroutine):
             raise TypeError(
                 "OpaqueCoroutine expected a coroutine function for 'coroutine', "

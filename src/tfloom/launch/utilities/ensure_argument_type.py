@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import inspect
 from collections.abc import Iterable
 from typing import Any
 
@@ -26,9 +25,9 @@ def ensure_argument_type(
     allowed = tuple(types) if isinstance(types, Iterable) else (types,)
     for each in allowed:
         origin = getattr(each, "__origin__", each)
-        if not inspect.isclass(origin):
+        if not isinstance(origin, type):
             raise TypeError(f"'{each!r}' in 'types' is not a type")
-        if isinstance(argument, origin) or (inspect.isclass(argument) and issubclass(argument, origin)):
+        if isinstance(argument, origin) or (isinstance(argument, type) and issubclass(argument, origin)):
             return
     named = "', '".join(each.__name__ for each in allowed)
     of_caller = f" to {caller}" if caller else ""
