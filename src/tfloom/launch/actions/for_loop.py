@@ -121,7 +121,8 @@ class ForLoop(Action):
     def parse(cls, entity: Entity, parser: ParsesActions) -> tuple[type[ForLoop], dict[str, Any]]:
         """Return the class and its arguments, read from the tag `for`: `len`, `name`, and the actions that it holds."""
         _, kwargs = super().parse(entity, parser)
-        kwargs["length"] = parser.parse_substitution(entity.get_attr("len"))
+        length = entity.get_attr("len", data_type=int, can_be_str=True)
+        kwargs["length"] = parser.parse_substitution(str(length))
         kwargs["name"] = name = entity.get_attr("name")
         children = [parser.parse_action(child) for child in entity.children]
 
