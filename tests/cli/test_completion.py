@@ -77,6 +77,38 @@ def test_verbs_and_names_are_completed(
         assert set(found) == offers
 
 
+@pytest.fixture
+def launch_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Make a folder with a launch file the current one."""
+    (tmp_path / "here" / "deeper").mkdir(parents=True)
+    (tmp_path / "here" / "a.launch.xml").write_text(
+        '<launch><arg name="mode" default="a"><choice value="a"/><choice value="b"/></arg><arg name="more"/></launch>'
+    )
+    (tmp_path / "here" / "a.txt").touch()
+    monkeypatch.chdir(tmp_path / "here")
+    return tmp_path
+
+
+@pytest.mark.parametrize(
+    ("line", "offers"),
+    [
+        ("tfloom launch turtle_tf2_p", {"turtle_tf2_py"}),
+        ("tfloom launch a.", {"a.launch.xml"}),
+        ("tfloom launch ./", {"./a.launch.xml", "./deeper/"}),
+        ("tfloom launch a.launch.xml m", {"mode:=", "more:="}),
+        ("tfloom launch -d a.launch.xml mode:=a m", {"more:="}),
+        ("tfloom launch a.launch.xml mode:=", {"mode:=a", "mode:=b"}),
+        ("tfloom launch a.launch.xml more:=", set()),
+        ("tfloom launch missing.launch.xml m", set()),
+        ("tfloom launch --show", {"--show-args", "--show-arguments", "--show-all-subprocesses-output"}),
+    ],
+)
+def test_launch_files_and_their_arguments_are_completed(
+    line: str, offers: set[str], launch_folder: Path
+) -> None:
+    assert set(complete(line, launch_folder)) == offers
+
+
 TWIST = "{linear: {x: 0.0, y: 0.0, z: 0.0}, angular: {x: 0.0, y: 0.0, z: 0.0}}"
 PUB_TWIST = "tfloom topic pub -1 /nobodys geometry_msgs/msg/Twist "
 
