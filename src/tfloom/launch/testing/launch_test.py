@@ -41,7 +41,7 @@ def parse_arguments(argv: Sequence[str] | None = None) -> tuple[argparse.Argumen
     """Return the command's parser, and the arguments that it has read."""
     parser = argparse.ArgumentParser(prog="launch_test", description="Run the tests of a launch test file.")
     add_arguments(parser)
-    return parser, parser.parse_args(argv)
+    return parser, parser.parse_intermixed_args(argv)  # options may stand among the launch arguments
 
 
 def run(
