@@ -19,7 +19,7 @@ from tfloom.launch.utilities.visit_all_entities_and_collect_futures import (
 )
 
 if TYPE_CHECKING:
-    from tfloom.launch.actions.include_launch_description import (
+    from tfloom.launch.events.include_launch_description import (
         IncludeLaunchDescription as IncludeLaunchDescription,
     )
 else:
@@ -27,5 +27,5 @@ else:
 
     __getattr__, __dir__ = deferred(
         __name__,
-        IncludeLaunchDescription="tfloom.launch.actions.include_launch_description",
+        IncludeLaunchDescription="tfloom.launch.events.include_launch_description",
     )

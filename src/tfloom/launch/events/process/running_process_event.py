@@ -47,6 +47,11 @@ class RunningProcessEvent(Event):
         return self._action
 
     @property
+    def execute_process_action(self) -> Action:
+        """The action, by a former name."""
+        return self._action
+
+    @property
     def process_name(self) -> str:
         """Name of the process, with its number."""
         return self._process_name

@@ -8,7 +8,7 @@ from tfloom.launch.event_handlers.on_include_launch_description import (
 )
 
 if TYPE_CHECKING:
-    from tfloom.launch.actions.include_launch_description import (
+    from tfloom.launch.events.include_launch_description import (
         IncludeLaunchDescription as IncludeLaunchDescription,
     )
     from tfloom.launch.utilities.class_tools import is_a_subclass as is_a_subclass
@@ -17,6 +17,6 @@ else:
 
     __getattr__, __dir__ = deferred(
         __name__,
-        IncludeLaunchDescription="tfloom.launch.actions.include_launch_description",
+        IncludeLaunchDescription="tfloom.launch.events.include_launch_description",
         is_a_subclass="tfloom.launch.utilities.class_tools",
     )

@@ -11,10 +11,10 @@ if TYPE_CHECKING:
     from launch.events import process as process
     from launch.events import shutdown as shutdown
     from launch.events import timer_event as timer_event
-    from tfloom.launch.actions.include_launch_description import (
+    from tfloom.launch.events.execution_complete import ExecutionComplete as ExecutionComplete
+    from tfloom.launch.events.include_launch_description import (
         IncludeLaunchDescription as IncludeLaunchDescription,
     )
-    from tfloom.launch.events.execution_complete import ExecutionComplete as ExecutionComplete
     from tfloom.launch.events.matchers import matches_action as matches_action
     from tfloom.launch.events.shutdown import Shutdown as Shutdown
     from tfloom.launch.events.timer_event import TimerEvent as TimerEvent
@@ -24,7 +24,7 @@ else:
     __getattr__, __dir__ = deferred(
         __name__,
         ExecutionComplete="tfloom.launch.events.execution_complete",
-        IncludeLaunchDescription="tfloom.launch.actions.include_launch_description",
+        IncludeLaunchDescription="tfloom.launch.events.include_launch_description",
         Shutdown="tfloom.launch.events.shutdown",
         TimerEvent="tfloom.launch.events.timer_event",
         execution_complete="launch.events",

@@ -6,7 +6,7 @@ from tfloom.launch.event import Event as Event
 from tfloom.launch.launch_description import LaunchDescription as LaunchDescription
 
 if TYPE_CHECKING:
-    from tfloom.launch.actions.include_launch_description import (
+    from tfloom.launch.events.include_launch_description import (
         IncludeLaunchDescription as IncludeLaunchDescription,
     )
 else:
@@ -14,5 +14,5 @@ else:
 
     __getattr__, __dir__ = deferred(
         __name__,
-        IncludeLaunchDescription="tfloom.launch.actions.include_launch_description",
+        IncludeLaunchDescription="tfloom.launch.events.include_launch_description",
     )
