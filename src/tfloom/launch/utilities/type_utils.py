@@ -10,6 +10,7 @@ from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitution import Substitution
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.utilities.plain_values import plain_value
 
 __all__ = [
     "AllowedTypesTuple",
@@ -117,7 +118,10 @@ def is_instance_of(value: Any, data_type: Any = None, *, can_be_str: bool = Fals
 
 
 def _from_yaml(text: str) -> Any:
-    from tfloom.rosidl.user_yaml import YamlError, load  # loaded with the first value that is not text
+    value = plain_value(text)
+    if value is not None:
+        return value
+    from tfloom.rosidl.user_yaml import YamlError, load  # loads yaml
 
     try:
         return load(text)

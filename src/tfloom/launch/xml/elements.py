@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import xml.etree.ElementTree as ET  # for its class Element; expat reads, with declarations refused
+from collections.abc import Iterator
 from typing import Any
 from xml.parsers import expat
 
-__all__ = ["PlacedElement", "XmlError", "read_elements"]
+__all__ = ["Element", "XmlError", "read_elements"]
 
 _DEEPEST = 100
 
@@ -24,11 +24,23 @@ class XmlError(ValueError):
         self.line = line
 
 
-class PlacedElement(ET.Element):
-    """An element with its place."""
+class Element:
+    """An element with its place, and with the attributes that entities need of those of `xml.etree`.
 
-    place = ""
-    """File and line, as `file.launch.xml:3`."""
+    Args:
+        tag: Its tag.
+        attrib: Its attributes.
+        place: File and line, as `file.launch.xml:3`.
+    """
+
+    def __init__(self, tag: str, attrib: dict[str, str], place: str) -> None:
+        self.tag = tag
+        self.attrib = attrib
+        self.place = place
+        self.children: list[Element] = []
+
+    def __iter__(self) -> Iterator[Element]:
+        return iter(self.children)
 
 
 class _Builder:
@@ -37,12 +49,10 @@ class _Builder:
     def __init__(self, file: str, parser: Any) -> None:
         self._file = file
         self._parser = parser
-        self._open: list[PlacedElement] = []
-        self.root: PlacedElement | None = None
-        parser.buffer_text = True
+        self._open: list[Element] = []
+        self.root: Element | None = None
         parser.StartElementHandler = self._start
         parser.EndElementHandler = self._end
-        parser.CharacterDataHandler = self._text
         parser.EntityDeclHandler = self._declared
         parser.SkippedEntityHandler = self._skipped
 
@@ -50,23 +60,15 @@ class _Builder:
         line = self._parser.CurrentLineNumber
         if len(self._open) >= _DEEPEST:
             raise XmlError(f"it is nested deeper than {_DEEPEST} levels", line)
-        element = PlacedElement(tag, attributes)
-        element.place = f"{self._file}:{line}"
+        element = Element(tag, attributes, f"{self._file}:{line}")
         if self._open:
-            self._open[-1].append(element)
+            self._open[-1].children.append(element)
         else:
             self.root = element
         self._open.append(element)
 
     def _end(self, _tag: str) -> None:
         self._open.pop()
-
-    def _text(self, text: str) -> None:
-        element = self._open[-1]
-        if len(element):
-            element[-1].tail = (element[-1].tail or "") + text
-        else:
-            element.text = (element.text or "") + text
 
     def _declared(self, name: str, *_rest: object) -> None:
         line = self._parser.CurrentLineNumber
@@ -76,7 +78,7 @@ class _Builder:
         raise XmlError(f"undefined entity '&{name};'", self._parser.CurrentLineNumber)
 
 
-def read_elements(text: bytes, file: str) -> PlacedElement:
+def read_elements(text: bytes, file: str) -> Element:
     """Return the root of an XML text.
 
     Args:

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import xml.etree.ElementTree as ET  # for its class Element, nothing is read here
-from collections.abc import Iterable
-from typing import Any
+from collections.abc import Iterable, Iterator
+from typing import Any, Protocol
 
 from tfloom.launch.frontend.entity import Entity as BaseEntity
 from tfloom.launch.frontend.type_utils import check_is_list_entity
@@ -12,6 +11,20 @@ from tfloom.launch.utilities.nearest import did_you_mean
 from tfloom.launch.utilities.type_utils import get_typed_value
 
 __all__ = ["Entity"]
+
+
+class ReadsAsElement(Protocol):
+    """An element, of `xml.etree` or read by tfloom."""
+
+    @property
+    def tag(self) -> str:
+        """Its tag."""
+
+    @property
+    def attrib(self) -> dict[str, str]:
+        """Its attributes."""
+
+    def __iter__(self) -> Iterator[ReadsAsElement]: ...
 
 
 class Entity(BaseEntity):
@@ -22,7 +35,7 @@ class Entity(BaseEntity):
         parent: The element that it is in.
     """
 
-    def __init__(self, xml_element: ET.Element, *, parent: Entity | None = None) -> None:
+    def __init__(self, xml_element: ReadsAsElement, *, parent: Entity | None = None) -> None:
         self._element = xml_element
         self._parent = parent
         self._asked: set[str] = set()
