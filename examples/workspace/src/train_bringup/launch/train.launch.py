@@ -1,5 +1,7 @@
 """Start turtlesim, the driver of turtle1, and ten wagons, each with a node that steers it."""
 
+from itertools import pairwise
+
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument
 from launch.substitutions import LaunchConfiguration, PathJoinSubstitution
@@ -16,7 +18,7 @@ def generate_launch_description():
     followers = [
         Node(package='turtle_train', executable='follower', name=f'{wagon}_follower',
              parameters=[config, {'wagon': wagon, 'before': before}])
-        for before, wagon in zip(turtles, turtles[1:])
+        for before, wagon in pairwise(turtles)
     ]
     return LaunchDescription([
         DeclareLaunchArgument(
