@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any, cast
 
 from tfloom.launch.action import Action
@@ -45,6 +46,8 @@ class LifecycleNode(Node):
         super().__init__(name=name, namespace=namespace, **kwargs)
         self._transition_logger = get_logger("launch_ros.actions.lifecycle_node")
         self._client: Client | None = None
+        # One thread, so that requests arrive in the order of their events.
+        self._calls = ThreadPoolExecutor(max_workers=1, thread_name_prefix="change_state")
 
     @classmethod
     def parse(
@@ -101,7 +104,7 @@ class LifecycleNode(Node):
         if loop is None:
             raise RuntimeError("a ChangeState event can only be handled while the launch runs")
         context.add_completion_future(
-            loop.run_in_executor(None, self._call_change_state, event.transition_id, context)
+            loop.run_in_executor(self._calls, self._call_change_state, event.transition_id, context)
         )
 
     def _call_change_state(self, transition_id: int, context: LaunchContext) -> None:

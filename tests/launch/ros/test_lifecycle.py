@@ -1,0 +1,166 @@
+"""Lifecycle nodes: their transitions as events, and events that request transitions; over DDS."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from tfloom.interfaces.lifecycle_msgs.msg import State, Transition, TransitionEvent
+from tfloom.launch.actions.emit_event import EmitEvent
+from tfloom.launch.actions.log import LogInfo
+from tfloom.launch.actions.register_event_handler import RegisterEventHandler
+from tfloom.launch.actions.shutdown_action import Shutdown
+from tfloom.launch.event import Event
+from tfloom.launch.ros.actions.lifecycle_node import LifecycleNode
+from tfloom.launch.ros.actions.lifecycle_transition import (
+    LifecycleTransition,
+    match_node_name_goal,
+    match_node_name_start_goal,
+)
+from tfloom.launch.ros.actions.node import Node
+from tfloom.launch.ros.event_handlers.on_state_transition import OnStateTransition
+from tfloom.launch.ros.events.lifecycle import lifecycle_node_matchers
+from tfloom.launch.ros.events.lifecycle.change_state import ChangeState
+from tfloom.launch.ros.events.lifecycle.state_transition import StateTransition
+from tfloom.launch.ros.events.matchers import matches_node_name
+
+SENSOR = Path(__file__).parents[3] / "examples" / "lifecycle" / "sensor.py"
+
+
+def sensor() -> LifecycleNode:
+    return LifecycleNode(executable=sys.executable, arguments=[str(SENSOR)], name="sensor", namespace="")
+
+
+def on(node: LifecycleNode, goal: str, *actions: object) -> RegisterEventHandler:
+    log = LogInfo(msg=f"the sensor is {goal}")
+    return RegisterEventHandler(
+        OnStateTransition(target_lifecycle_node=node, goal_state=goal, entities=[log, *actions])
+    )
+
+
+def test_events_change_the_state_and_report_it(launch: Callable[..., object], domain_id: int) -> None:
+    node = sensor()
+
+    def request(transition: int) -> EmitEvent:
+        matches = matches_node_name("/sensor")
+        return EmitEvent(event=ChangeState(lifecycle_node_matcher=matches, transition_id=transition))
+
+    ran = launch(
+        on(node, "inactive", request(Transition.TRANSITION_ACTIVATE)),
+        on(node, "active", Shutdown(reason="done")),
+        node,
+        request(Transition.TRANSITION_CONFIGURE),
+    )
+    assert ran.code == 0, ran.lines
+    reached = [line for line in ran.lines if "[launch.user]: the sensor is" in line]
+    assert reached == [f"[INFO] [launch.user]: the sensor is {state}" for state in ("inactive", "active")]
+
+
+def test_transitions_follow_one_another(launch: Callable[..., object], domain_id: int) -> None:
+    node = sensor()
+    ids = [Transition.TRANSITION_CONFIGURE, str(Transition.TRANSITION_ACTIVATE)]
+    ran = launch(
+        on(node, "active", Shutdown(reason="done")),
+        node,
+        LifecycleTransition(lifecycle_node_names=["sensor"], transition_ids=ids),
+    )
+    assert ran.code == 0, ran.lines
+    assert "[INFO] [launch.user]: the sensor is active" in ran.lines
+
+
+def test_refused_transition_is_reported(launch: Callable[..., object], domain_id: int) -> None:
+    node = sensor()
+    ran = launch(
+        on(node, "inactive", Shutdown(reason="done")),
+        node,
+        LifecycleTransition(
+            lifecycle_node_names=["/sensor"], transition_ids=[Transition.TRANSITION_ACTIVATE]
+        ),
+        LifecycleTransition(
+            lifecycle_node_names=["/sensor"], transition_ids=[Transition.TRANSITION_CONFIGURE]
+        ),
+    )
+    assert ran.code == 0, ran.lines
+    assert (
+        "[ERROR] [launch_ros.actions.lifecycle_node]: Failed to make transition 'activate' for LifecycleNode '/sensor'"
+        in ran.lines
+    )
+
+
+class Named:
+    """An action with a node's name."""
+
+    node_name = "/a/sensor"
+
+
+def event(start: str, goal: str) -> StateTransition:
+    message = TransitionEvent(timestamp=7)
+    message.start_state, message.goal_state = State(label=start), State(label=goal)
+    message.transition.label = "configure"
+    return StateTransition(action=Named(), msg=message)
+
+
+def test_event_has_what_the_node_published() -> None:
+    found = event("configuring", "inactive")
+    assert (found.start_state, found.goal_state, found.transition, found.timestamp) == (
+        *("configuring", "inactive", "configure"),
+        7,
+    )
+    assert found.name == "launch_ros.events.lifecycle.StateTransition"
+
+
+def test_matchers() -> None:
+    found = event("configuring", "inactive")
+    assert matches_node_name("a/sensor")(Named())
+    assert not matches_node_name("sensor")(Named())
+    with pytest.warns(
+        UserWarning, match=r"'launch_ros.events.lifecycle.matches_node_name' function is deprecated"
+    ):
+        assert lifecycle_node_matchers.matches_node_name("/a/sensor")(Named())
+    assert match_node_name_goal("/a/sensor", "inactive")(found)
+    assert not match_node_name_goal("/a/sensor", "active")(found)
+    assert not match_node_name_goal("/sensor", "inactive")(found)
+    assert match_node_name_start_goal("/a/sensor", "configuring", "inactive")(found)
+    assert not match_node_name_start_goal("/a/sensor", "activating", "inactive")(found)
+    assert not match_node_name_goal("/a/sensor", "inactive")(Event())
+
+
+@pytest.mark.parametrize(
+    ("options", "accepted"),
+    [
+        ({}, True),
+        ({"start_state": "configuring", "goal_state": "inactive", "transition": "configure"}, True),
+        ({"start_state": "inactive"}, False),
+        ({"goal_state": "active"}, False),
+        ({"transition": "activate"}, False),
+        ({"matcher": lambda event: event.timestamp == 8}, False),
+        ({"target_lifecycle_node": sensor()}, False),
+    ],
+)
+def test_handler_compares_what_is_given(options: dict[str, object], accepted: bool) -> None:
+    handler = OnStateTransition(entities=[], **options)
+    assert handler.matches(event("configuring", "inactive")) is accepted
+    assert not handler.matches(Event())
+    assert handler.matcher_description.startswith("event == StateTransition")
+
+
+def test_wrong_arguments_are_refused() -> None:
+    with pytest.raises(
+        RuntimeError, match="OnStateTransition requires a 'LifecycleNode' action as the target"
+    ):
+        OnStateTransition(entities=[], target_lifecycle_node=Node(executable="x"))
+    with pytest.raises(ValueError, match="transition_id 77 is no transition of a lifecycle node"):
+        ChangeState(lifecycle_node_matcher=lambda _: True, transition_id=77)
+    with pytest.raises(RuntimeError, match=r"No lifecycle_node_names provided\."):
+        LifecycleTransition(lifecycle_node_names=[], transition_ids=[1])
+    with pytest.raises(RuntimeError, match=r"No transition_ids provided\."):
+        LifecycleTransition(lifecycle_node_names=["a"], transition_ids=[])
+
+
+def test_unknown_transition_ends_the_launch(launch: Callable[..., object]) -> None:
+    ran = launch(LifecycleTransition(lifecycle_node_names=["a"], transition_ids=["configure"]))
+    assert ran.code == 1
+    assert "'configure' is no transition that LifecycleTransition can request" in ran.lines[-1]
