@@ -78,7 +78,7 @@ def test_error_names_the_parameter_and_the_remedy() -> None:
         TypeError, match=r"Got <class 'dict'> for parameter a, .*ParameterValue\(value, value_type=str\)"
     ):
         evaluated({"a": text("{b: c}")})
-    with pytest.raises(TypeError, match="Expecting list of parameters, got file.yaml"):
+    with pytest.raises(TypeError, match=r"Expecting list of parameters, got file\.yaml"):
         normalize_parameters("file.yaml")
     with pytest.raises(TypeError, match=r"got 1 of type 'int'"):
         normalize_parameters([1])

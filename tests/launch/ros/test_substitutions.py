@@ -43,7 +43,7 @@ def test_folders_of_our_own_packages_hold_their_launch_files() -> None:
 
 def test_unknown_package_is_an_error_with_the_nearest(toys: Path) -> None:
     with pytest.raises(
-        PackageNotFoundError, match="package 'toyz' not found, searching: .*did you mean 'toys'?"
+        PackageNotFoundError, match=r"package 'toyz' not found, searching: .*did you mean 'toys'\?"
     ):
         perform("$(find-pkg-share toyz)")
 

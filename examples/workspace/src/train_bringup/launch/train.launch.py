@@ -22,7 +22,7 @@ def generate_launch_description():
     ]
     return LaunchDescription([
         DeclareLaunchArgument(
-            'gap', default_value='0.6', description='Distance between two turtles [m].'),
+            'gap', default_value='0.4', description='Distance between two turtles [m].'),
         DeclareLaunchArgument(
             'speed', default_value='0.8', description='Speed of the first turtle [m/s].'),
         Node(package='turtlesim', executable='turtlesim_node', name='sim'),
