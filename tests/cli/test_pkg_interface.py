@@ -91,11 +91,9 @@ def test_bare_interface_name_gives_the_full_names() -> None:
     assert answer.text.endswith("not 'twist'\ndid you mean geometry_msgs/msg/Twist?")
 
 
-def test_turtlesim_programs_match_the_recording(deviations: dict[str, dict[str, str]]) -> None:
-    assert "turtlesim-multisim" in deviations
+def test_turtlesim_programs_match_the_recording() -> None:
     recorded = transcript.golden("pkg_executables")
-    listed = transcript.run(*recorded.command).text.splitlines()
-    assert [line for line in listed if line != "turtlesim multisim"] == recorded.text.splitlines()
+    assert transcript.run(*recorded.command).text.splitlines() == recorded.text.splitlines()
 
 
 def test_packages_of_tfloom_interfaces_are_listed_as_our_own() -> None:

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 from tests.conftest import COLCON_PYTHON
+from tests.launch.ros.user import expect_clean_end
 from tests.wheels import build_wheel
 from tests.workspace.conftest import BIN, colcon
 
@@ -30,7 +31,7 @@ def copy_sources(folder: Path) -> Path:
 def expect_train(
     folder: Path, binaries: Path, start_program: Callable[..., object], wait_until: Callable[..., None]
 ) -> None:
-    """Run the nodes of a built workspace, and wait until each wagon is behind the turtle before it."""
+    """Launch the train of a built workspace, and wait until the last wagon is behind the turtle before it."""
 
     def start(line: str) -> object:
         script = f". install/setup.bash && exec tfloom {line}"
@@ -38,13 +39,8 @@ def expect_train(
         variables = {**os.environ, **COLCON_PYTHON, "PATH": path}
         return start_program("/bin/bash", "-c", script, cwd=folder, env=variables)
 
-    start("run turtlesim turtlesim_node").wait_for("Spawning turtle [turtle1]")
-    parameters = f"--ros-args --params-file {PARAMETERS}"
-    nodes = [
-        start(f"run turtle_train {node}")
-        for node in (f"driver {parameters}", "frames", f"train {parameters}")
-    ]
-    nodes[2].wait_for(f"The train has {WAGONS} wagons")
+    train = start("launch train_bringup train.launch.yaml gap:=0.6")
+    train.wait_for(f"The train has {WAGONS} wagons")
     echo = start("topic echo --once /train_state")
     echo.wait_for(f"- wagon{WAGONS}")
     echo.wait_for("gap: 0.6")
@@ -58,10 +54,10 @@ def expect_train(
         return bool(places) and float(places[-1].split("[")[1].split(",")[0]) < 0.0
 
     wait_until(is_behind, what="the last wagon to be behind the one before it")
-    for node in nodes:
-        node.signal(2)
-        node.wait()
-        assert "Traceback" not in node.output
+    expect_clean_end(train)
+    demo = start("launch turtle_tf2_py turtle_tf2_demo.launch.py --show-args")
+    assert demo.wait() == 0
+    assert "    'target_frame':" in demo.lines
 
 
 def test_workspace_builds_and_passes_its_tests(tmp_path: Path) -> None:

@@ -53,7 +53,6 @@ PROGRAMS: dict[str, dict[str, str]] = {
     "turtlesim": {
         "draw_square": "tfloom.turtlesim.draw_square:main",
         "mimic": "tfloom.turtlesim.mimic:main",
-        "multisim": "tfloom.demos.multisim:main",
         "turtle_teleop_key": "tfloom.turtlesim.teleop_key:main",
         "turtlesim_node": "tfloom.turtlesim.node:main",
     },

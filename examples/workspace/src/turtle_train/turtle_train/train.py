@@ -1,4 +1,5 @@
-"""Spawn the wagons of a train, and have each follow the turtle before it.
+"""
+Spawn the wagons of a train, and have each follow the turtle before it.
 
 With the parameter `steers` false, a `follower` steers each wagon.
 """
