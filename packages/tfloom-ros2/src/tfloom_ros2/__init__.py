@@ -1,5 +1,5 @@
 # PYTHON_ARGCOMPLETE_OK
-"""The command `ros2`: tfloom's, unless a real ROS is there, whose name it is."""
+"""The commands `ros2` and `launch_test`: tfloom's, unless a real ROS is there, whose names they are."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import sys
 from importlib.util import find_spec
 
 from tfloom.cli.main import main as tfloom_main
+from tfloom.ros_guard import is_elsewhere
 
 
 def main() -> int:
@@ -20,3 +21,17 @@ def main() -> int:
         )
         return 1
     return tfloom_main(prog="ros2")
+
+
+def launch_test() -> int:
+    """Run a launch test file; where Python would import a real launch_testing, say so and stop."""
+    if is_elsewhere("launch_testing"):
+        print(
+            "launch_test: this is tfloom's, and it stands before that of a real ROS.\n"
+            "Type `python -m launch_testing.launch_test` for the real one.",
+            file=sys.stderr,
+        )
+        return 1
+    from tfloom.launch.testing.launch_test import main as launch_test_main
+
+    return launch_test_main()
