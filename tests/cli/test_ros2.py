@@ -1,4 +1,4 @@
-"""The command `ros2` of the distribution tfloom-ros2, which refuses to run beside a real one."""
+"""The commands `ros2` and `launch_test` of the distribution tfloom-ros2, which refuse to run beside real ones."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ SOURCE = Path(__file__).parents[2] / "packages" / "tfloom-ros2" / "src"
 START = "import sys; from tfloom_ros2 import main; sys.exit(main())"
 
 
-def run(*words: str, path: Path | None = None) -> subprocess.CompletedProcess[str]:
+def run(*words: str, path: Path | None = None, start: str = START) -> subprocess.CompletedProcess[str]:
     python_path = os.pathsep.join(map(str, [SOURCE, *([path] if path else [])]))
     return subprocess.run(
-        [sys.executable, "-c", START, *words],
+        [sys.executable, "-c", start, *words],
         capture_output=True,
         text=True,
         check=False,
@@ -38,3 +38,14 @@ def test_ros2_command_refuses_beside_a_real_one(tmp_path: Path) -> None:
     assert str(real) in result.stderr
     assert "Type `tfloom` instead" in result.stderr
     assert result.stdout == ""
+
+
+def test_launch_test_command_runs_but_beside_a_real_one(tmp_path: Path) -> None:
+    start = "import sys; from tfloom_ros2 import launch_test; sys.exit(launch_test())"
+    result = run(str(tmp_path / "none.py"), start=start)
+    assert (result.returncode, "does not exist" in result.stderr) == (2, True)
+    (tmp_path / "launch_testing").mkdir()
+    (tmp_path / "launch_testing" / "__init__.py").touch()
+    result = run("x.py", start=start, path=tmp_path)
+    assert result.returncode == 1
+    assert "Type `python -m launch_testing.launch_test`" in result.stderr

@@ -275,6 +275,27 @@ def test_pytest_tests_are_read_for_testing_only(tmp_path: Path) -> None:
     assert plan.unknown == [Remark(9, "ament_add_pytest_test(): a name and a path are expected")]
 
 
+LAUNCH_TESTS = """
+if(BUILD_TESTING)
+  find_package(launch_testing_ament_cmake)
+  add_launch_test(test/a.test.py)
+  add_launch_test(test/b.py TARGET b TIMEOUT 60 ARGS "x:=1" y:=2 ENV A=1)
+  add_launch_test(test/c.py SKIP_TEST)
+  add_launch_test()
+endif()
+"""
+
+
+def test_launch_tests_are_read(tmp_path: Path) -> None:
+    assert plan_of(tmp_path, LAUNCH_TESTS) == Plan()
+    plan = read_plan(tmp_path, tmp_path / "install", testing=True)
+    assert plan.tests == [
+        PytestTest("test_a.test.py", "test/a.test.py", "", (), (), 4),
+        PytestTest("b", "test/b.py", "", ("A=1",), (), 5, ("x:=1", "y:=2")),
+    ]
+    assert plan.unknown == [Remark(7, "add_launch_test(): a path is expected")]
+
+
 @pytest.mark.parametrize(
     ("part", "expected"),
     [("NAME", "x.launch.py"), ("NAME_WE", "x"), ("NAME_WLE", "x.launch"), ("DIRECTORY", "a/b")],

@@ -66,7 +66,7 @@ class Resource(NamedTuple):
 
 
 class PytestTest(NamedTuple):
-    """One `ament_add_pytest_test` command."""
+    """One `ament_add_pytest_test` or `add_launch_test` command."""
 
     name: str
     path: str
@@ -78,6 +78,8 @@ class PytestTest(NamedTuple):
     appended_variables: tuple[str, ...]
     """`NAME=value` of APPEND_ENV."""
     line: int
+    launch_arguments: tuple[str, ...] = ()
+    """`name:=value` of the ARGS of `add_launch_test`."""
 
 
 @dataclass
@@ -298,6 +300,23 @@ def _add_pytest_test(plan: Plan, values: Sequence[str], line: int) -> None:
     plan.tests.append(PytestTest(name, path, folder, given, appended, line))
 
 
+def _add_launch_test(plan: Plan, values: Sequence[str], line: int) -> None:
+    options = ("TARGET", "TIMEOUT", "PYTHON_EXECUTABLE", "RUNNER", "RESULT_FILE", "WORKING_DIRECTORY")
+    words = _words(
+        values, ("SKIP_TEST", "ARGS", "ENV", "APPEND_ENV", "APPEND_LIBRARY_DIRS", "LABELS", *options)
+    )
+    if "SKIP_TEST" in words:
+        return
+    if len(words[""]) != 1:
+        plan.unknown.append(Remark(line, "add_launch_test(): a path is expected"))
+        return
+    (path,) = words[""]
+    name = next(iter(words.get("TARGET", ())), path.replace("/", "_"))
+    folder = next(iter(words.get("WORKING_DIRECTORY", ())), "")
+    given, appended, arguments = (tuple(words.get(key, ())) for key in ("ENV", "APPEND_ENV", "ARGS"))
+    plan.tests.append(PytestTest(name, path, folder, given, appended, line, arguments))
+
+
 def _compiles(name: str) -> Action:
     def action(plan: Plan, values: Sequence[str], line: int) -> None:
         plan.compiled.append(Remark(line, f"{name}({next(iter(values), '')} …)"))
@@ -371,6 +390,8 @@ _ACTIONS: dict[str, Action] = {
     "ament_python_install_package": _python_package,
     "ament_python_install_module": _python_module,
     "ament_add_pytest_test": _add_pytest_test,
+    "add_launch_test": _add_launch_test,
+    "add_ros_test": _add_launch_test,
     "ament_index_register_resource": _register_resource,
     "ament_auto_package": _auto_package,
     "install": _install,

@@ -1,4 +1,4 @@
-"""The tests that a CMakeLists.txt names by `ament_add_pytest_test`, run without CTest."""
+"""The tests that a CMakeLists.txt names by `ament_add_pytest_test` or `add_launch_test`, run without CTest."""
 
 from __future__ import annotations
 
@@ -50,6 +50,7 @@ async def run_pytest_tests(context: Any, tests: Sequence[PytestTest]) -> int:
         write_file(result, _MISSING.format(name=escape(f"{name}.{test.name}")))
         words = [
             *(str(Path(args.path, test.path)), "--tb=short", "-o", f"cache_dir={build / '.pytest_cache'}"),
+            *(f"--launch-args={argument}" for argument in test.launch_arguments),
             *(f"--junit-xml={result}", f"--junit-prefix={name}", *(getattr(args, "pytest_args", None) or ())),
         ]
         ended = await run(

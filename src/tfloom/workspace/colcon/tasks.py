@@ -132,7 +132,7 @@ class BrokenTask(Task):
 
 
 class TestTask(Task):
-    """Run the tests that a CMakeLists.txt names by `ament_add_pytest_test`; the others are CTest's."""
+    """Run the tests of `ament_add_pytest_test` and `add_launch_test`; the others of a CMakeLists.txt are CTest's."""
 
     __test__ = False  # for pytest
 
