@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -142,6 +143,15 @@ def test_reset(text: str, visit: Visit) -> None:
 )
 def test_for(text: str, visit: Visit) -> None:
     assert visit(text) == {f"at_{i}{j}": "1" for i in range(2) for j in range(2)}
+
+
+def test_a_process_in_a_loop_is_started_in_each_iteration(launch: Callable[..., Any], tmp_path: Path) -> None:
+    path = tmp_path / "a.launch.xml"
+    path.write_text(
+        '<launch><for len="2" name="i"><executable cmd="echo $(index i)" output="screen"/></for></launch>'
+    )
+    lines = launch(IncludeLaunchDescription(str(path))).lines
+    assert {"[echo-1] 0", "[echo-2] 1"} <= set(lines)
 
 
 @in_both(

@@ -74,6 +74,23 @@ def test_environment_is_scoped() -> None:
     assert seen == ["inner", None]
 
 
+def test_a_group_without_forwarding_starts_with_the_first_environment(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setenv(NAME, "first")
+    context = LaunchContext()
+    seen: list[str | None] = []
+
+    def see(context: LaunchContext) -> None:
+        seen.append(context.environment.get(NAME))
+
+    SetEnvironmentVariable(NAME, "outer").visit(context)
+    group = GroupAction([OpaqueFunction(function=see)], forwarding=False)
+    visit_all_entities_and_collect_futures(group, context)
+    see(context)
+    assert seen == ["first", "outer"]
+
+
 def test_condition_holds_for_all_actions() -> None:
     context = LaunchContext()
     group = GroupAction(

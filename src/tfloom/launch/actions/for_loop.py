@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from copy import deepcopy
 from typing import Any
 
 from tfloom.launch.action import Action
@@ -56,10 +55,10 @@ class ForEach(Action):
         """Return the class and its arguments, read from the tag `for_each`: `values`, and the actions that it holds."""
         _, kwargs = super().parse(entity, parser)
         kwargs["input_values"] = parser.parse_substitution(entity.get_attr("values"))
-        children = [parser.parse_action(child) for child in entity.children]
+        actions = _Actions(entity, parser)
 
         def once(**values: Any) -> Entities:
-            return _with_values(children, values)
+            return actions.with_values(values)
 
         kwargs["function"] = once
         return cls, kwargs
@@ -124,10 +123,10 @@ class ForLoop(Action):
         length = entity.get_attr("len", data_type=int, can_be_str=True)
         kwargs["length"] = parser.parse_substitution(str(length))
         kwargs["name"] = name = entity.get_attr("name")
-        children = [parser.parse_action(child) for child in entity.children]
+        actions = _Actions(entity, parser)
 
         def once(i: int) -> Entities:
-            return _with_values(children, {name: i})
+            return actions.with_values({name: i})
 
         kwargs["function"] = once
         return cls, kwargs
@@ -184,15 +183,31 @@ def _read_sets(text: str) -> list[dict[str, Any]]:
     return sets
 
 
-def _with_values(children: Entities, values: Mapping[str, Any]) -> Entities:
-    """Return copies of actions, to be visited while the values are variables of the context."""
-    variables = {ForEachVar.get_local_arg_name(name): str(value) for name, value in values.items()}
+class _Actions:
+    """The actions in an element, made anew for each iteration, because one of a process can't be executed twice.
 
-    def push(context: LaunchContext) -> None:
-        context._push_locals()  # noqa: SLF001  # of this room
-        context.extend_locals(variables)
+    Args:
+        entity: The element; its actions are also made at once, to find their errors.
+        parser: The parser of its file.
+    """
 
-    def pop(context: LaunchContext) -> None:
-        context._pop_locals()  # noqa: SLF001  # of this room
+    def __init__(self, entity: Entity, parser: ParsesActions) -> None:
+        self._entity = entity
+        self._parser = parser
+        self._make()
 
-    return [OpaqueFunction(function=push), *deepcopy(list(children)), OpaqueFunction(function=pop)]
+    def _make(self) -> list[LaunchDescriptionEntity]:
+        return [self._parser.parse_action(child) for child in self._entity.children]
+
+    def with_values(self, values: Mapping[str, Any]) -> Entities:
+        """Return the actions, to be visited while the values are variables of the context."""
+        variables = {ForEachVar.get_local_arg_name(name): str(value) for name, value in values.items()}
+
+        def push(context: LaunchContext) -> None:
+            context._push_locals()  # noqa: SLF001  # of this room
+            context.extend_locals(variables)
+
+        def pop(context: LaunchContext) -> None:
+            context._pop_locals()  # noqa: SLF001  # of this room
+
+        return [OpaqueFunction(function=push), *self._make(), OpaqueFunction(function=pop)]
