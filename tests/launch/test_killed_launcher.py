@@ -38,15 +38,11 @@ def generate_launch_description():
 
 
 def alive(mark: str) -> list[str]:
-    found = []
-    for process in psutil.process_iter():
-        try:
-            words = process.cmdline()
-            if process.status() != psutil.STATUS_ZOMBIE and mark in words:
-                found.append(" ".join(words))
-        except psutil.Error:
-            continue
-    return found
+    return [
+        " ".join(process.info["cmdline"])
+        for process in psutil.process_iter(["cmdline", "status"])
+        if process.info["status"] != psutil.STATUS_ZOMBIE and mark in (process.info["cmdline"] or [])
+    ]
 
 
 def kill_launchers(

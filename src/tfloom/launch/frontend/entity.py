@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeVar
 
 from tfloom.launch.condition import Condition
 from tfloom.launch.substitution import Substitution
 
-__all__ = ["Entity", "ParsesActions"]
+__all__ = ["Entity", "ParsesActions", "TargetType"]
+
+TargetType = TypeVar("TargetType")
 
 
 class Entity:

@@ -17,13 +17,20 @@ __all__ = [
     "AllowedTypesType",
     "AllowedValueType",
     "ListTypesTuple",
+    "ListTypesType",
     "ListValueType",
+    "NormalizedScalarType",
+    "NormalizedSequenceType",
     "NormalizedValueType",
     "ScalarTypesTuple",
     "ScalarTypesType",
     "ScalarValueType",
-    "SomeListType",
+    "SequenceValueType",
+    "SomeScalarType",
+    "SomeSequenceType",
     "SomeValueType",
+    "StrSomeScalarType",
+    "StrSomeSequenceType",
     "StrSomeValueType",
     "coerce_list",
     "coerce_to_type",
@@ -45,12 +52,19 @@ AllowedTypesTuple = (*ScalarTypesTuple, *ListTypesTuple)
 
 AllowedTypesType = Any
 ScalarTypesType = Any
+ListTypesType = Any
 ScalarValueType = Union[int, float, bool, str]
-ListValueType = Sequence[ScalarValueType]
-AllowedValueType = Union[ScalarValueType, ListValueType]
-StrSomeValueType = Union[SomeSubstitutionsType, int, float, bool]
-SomeListType = Sequence[StrSomeValueType]
-SomeValueType = Union[StrSomeValueType, SomeListType]
+ListValueType = Union[list[int], list[float], list[bool], list[str]]
+SequenceValueType = Sequence[ScalarValueType]
+AllowedValueType = Union[ScalarValueType, SequenceValueType]
+SomeScalarType = Union[SomeSubstitutionsType, int, float, bool]
+StrSomeScalarType = SomeScalarType
+SomeSequenceType = Sequence[SomeScalarType]
+StrSomeSequenceType = SomeSequenceType
+SomeValueType = Union[SomeScalarType, SomeSequenceType]
+StrSomeValueType = SomeValueType
+NormalizedScalarType = Union[list[Substitution], int, float, bool, str]
+NormalizedSequenceType = list[NormalizedScalarType]
 NormalizedValueType = Any
 
 

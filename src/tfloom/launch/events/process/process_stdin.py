@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 from tfloom.launch.events.process.process_targeted_event import ProcessTargetedEvent
@@ -15,13 +14,13 @@ class ProcessStdin(ProcessTargetedEvent):
 
     Args:
         text: What is written, as octets or text.
-        process_matcher: Returns whether it is written to the process of an action.
+        kwargs: As for ProcessTargetedEvent.
     """
 
     name = "launch.events.process.ProcessStdin"
 
-    def __init__(self, *, text: bytes | str, process_matcher: Callable[[Any], bool]) -> None:
-        super().__init__(process_matcher=process_matcher)
+    def __init__(self, *, text: bytes | str, **kwargs: Any) -> None:
+        super().__init__(**kwargs)
         self._text = text.encode() if isinstance(text, str) else text
 
     @property
