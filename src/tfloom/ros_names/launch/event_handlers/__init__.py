@@ -2,6 +2,10 @@
 
 from typing import TYPE_CHECKING
 
+# Imported before the function of the same name, because a later import of the module would replace the function.
+import launch.event_handlers.event_named
+from tfloom.launch.event_handlers.event_named import event_named as event_named
+
 __all__ = [
     "OnExecutionComplete",
     "OnIncludeLaunchDescription",
@@ -20,7 +24,6 @@ if TYPE_CHECKING:
     from launch.event_handlers import on_process_io as on_process_io
     from launch.event_handlers import on_process_start as on_process_start
     from launch.event_handlers import on_shutdown as on_shutdown
-    from tfloom.launch.event_handlers.event_named import event_named as event_named
     from tfloom.launch.event_handlers.on_execution_complete import OnExecutionComplete as OnExecutionComplete
     from tfloom.launch.event_handlers.on_include_launch_description import (
         OnIncludeLaunchDescription as OnIncludeLaunchDescription,
@@ -40,7 +43,6 @@ else:
         OnProcessIO="tfloom.launch.event_handlers.on_process_io",
         OnProcessStart="tfloom.launch.event_handlers.on_process_start",
         OnShutdown="tfloom.launch.event_handlers.on_shutdown",
-        event_named="tfloom.launch.event_handlers.event_named",
         on_action_event_base="launch.event_handlers",
         on_execution_complete="launch.event_handlers",
         on_include_launch_description="launch.event_handlers",
