@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from tests.conftest import wait_until
 from tests.launch.testing.conftest import Run, run_pytest
+from tests.launch.testing.users import LAUNCH
 
 HEAD = '''\
 import sys
@@ -439,8 +440,28 @@ def test_never():
 """
 
 
-def test_interrupt_ends_pytest_and_the_processes(tmp_path: Path) -> None:
-    (tmp_path / "test_interrupted.py").write_text(HEAD + INTERRUPTED)
+INTERRUPTED_LAUNCH_TEST = """
+
+def generate_test_description():
+    return launch.LaunchDescription([counter(), launch_testing.actions.ReadyToTest()])
+
+
+class TestIt(unittest.TestCase):
+    def test_it(self, proc_info, proc_output):
+        proc_output.assertWaitFor("Loop", timeout=60, stream="stdout")
+        open("pid", "w").write(str(next(iter(proc_info)).pid))
+        proc_info.assertWaitForShutdown("counter", timeout=60)
+        proc_output.assertWaitFor("never", timeout=60)
+"""
+NEVER = "def test_never():\n    open('never', 'w')\n"
+
+
+@pytest.mark.parametrize(
+    "text", [HEAD + INTERRUPTED, LAUNCH + INTERRUPTED_LAUNCH_TEST], ids=["launch_pytest", "launch_testing"]
+)
+def test_interrupt_ends_pytest_and_the_processes(text: str, tmp_path: Path) -> None:
+    (tmp_path / "test_interrupted.py").write_text(text)
+    (tmp_path / "test_never.py").write_text(NEVER)
     program = subprocess.Popen(
         [sys.executable, "-m", "pytest", "-p", "no:cacheprovider"],
         cwd=tmp_path,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import io
 import re
 import unittest
@@ -55,6 +56,11 @@ def test_part_of_the_output_is_enough_unless_strict() -> None:
     assert expect_output(expected_text=listener, text=TEXT)
     assert not expect_output(expected_text=listener, text=TEXT, strict=True)
     assert expect_output(expected_lines=["talker", "blue"], text=TEXT)
+    assert functools.partial(expect_output, expected_lines=["blue"])(TEXT)
+    assert expect_output("\x1b[1mred\x1b[0m", expected_text="red", strict=True)
+    assert not expect_output(
+        "\x1b[1mred\x1b[0m", expected_text="red", strict=True, strip_ansi_escape_sequences=False
+    )
     assert not expect_output(expected_lines=["blue", "red"], text=TEXT)
     assert not expect_output(expected_lines=LINES[:3], text=TEXT, strict=True)
     with pytest.raises(ValueError, match="one of expected_text and expected_lines"):

@@ -16,6 +16,7 @@ except KeyboardInterrupt:
 """
 
 LAUNCH = f"""\
+import functools
 import sys
 import time
 import unittest
@@ -73,7 +74,8 @@ class TestDuringLaunch(unittest.TestCase):
 
         ls = launch.actions.ExecuteProcess(cmd=[sys.executable, "-c", "print('listed')"], name="ls")
         with launch_process(launch_service, ls, proc_info, proc_output) as proxy:
-            assert proxy.wait_for_output(lambda text: "listed" in text, timeout=30)
+            expected = functools.partial(launch_testing.tools.expect_output, expected_lines=["listed"], strict=True)
+            assert proxy.wait_for_output(expected, timeout=30)
             assert proxy.wait_for_shutdown(timeout=30)
         assert proxy.exit_code == 0 and proxy.stdout == "listed\\n"
 

@@ -7,7 +7,12 @@ import re
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
-from tfloom.launch.testing.text import Expected, build_line_match, build_text_match
+from tfloom.launch.testing.text import (
+    Expected,
+    build_line_match,
+    build_text_match,
+    remove_ansi_escape_sequences,
+)
 
 __all__ = [
     "basic_output_filter",
@@ -53,20 +58,23 @@ def basic_output_filter(
 
 
 def expect_output(
-    *,
-    expected_text: str | re.Pattern[str] | None = None,
-    expected_lines: Sequence[str | re.Pattern[str]] | None = None,
     text: str | None = None,
+    *,
     lines: Sequence[str] | None = None,
+    expected_text: Expected | None = None,
+    expected_lines: Expected | None = None,
+    strip_ansi_escape_sequences: bool = True,
     strict: bool = False,
 ) -> bool:
     """Return whether a text, or lines, have what is expected.
 
     Args:
-        expected_text: What is expected, as a text or a pattern; in place of `expected_lines`.
-        expected_lines: What is expected, each in a line after that of the one before.
         text: The text; in place of `lines`.
         lines: The lines.
+        expected_text: What is expected, as a text, a pattern or several that follow one another; in place of
+            `expected_lines`.
+        expected_lines: What is expected, each in a line after that of the one before.
+        strip_ansi_escape_sequences: Whether codes for colours are removed first.
         strict: Whether there is nothing but what is expected.
 
     Raises:
@@ -76,27 +84,28 @@ def expect_output(
         raise ValueError("give one of expected_text and expected_lines")
     if (text is None) == (lines is None):
         raise ValueError("give one of text and lines")
-    if expected_lines is not None:
-        given = text.splitlines() if text is not None else list(lines or ())
-        return build_line_match(expected_lines, strict=strict)(given) is not None
     whole = text if text is not None else os.linesep.join(lines or ())
+    if strip_ansi_escape_sequences:
+        whole = remove_ansi_escape_sequences(whole)
+    if expected_lines is not None:
+        return build_line_match(expected_lines, strict=strict)(whole.splitlines()) is not None
     expected: Expected = expected_text if expected_text is not None else ""
     return build_text_match(expected, strict=strict)(whole) is not None
 
 
-def expected_output_from_file(path: str | Path, encoding: str = "utf-8") -> list[str | re.Pattern[str]]:
+def expected_output_from_file(path: str | Path, encoding: str | None = None) -> list[str | re.Pattern[str]]:
     """Return the lines of `PATH.txt`, or those of `PATH.regex` as patterns.
 
     Args:
         path: The file, without its suffix.
-        encoding: Of the file.
+        encoding: Of the file; None for UTF-8.
 
     Raises:
         RuntimeError: there is neither file.
     """
     text, patterns = Path(f"{path}.txt"), Path(f"{path}.regex")
     if text.is_file():
-        return list(text.read_bytes().decode(encoding).splitlines())
+        return list(text.read_bytes().decode(encoding or "utf-8").splitlines())
     if patterns.is_file():
-        return [re.compile(line) for line in patterns.read_bytes().decode(encoding).splitlines()]
+        return [re.compile(line) for line in patterns.read_bytes().decode(encoding or "utf-8").splitlines()]
     raise RuntimeError(f"could not find output check file: neither {text} nor {patterns} is there")

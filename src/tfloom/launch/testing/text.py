@@ -64,19 +64,19 @@ def build_text_match(expected_text: Expected, *, strict: bool = False) -> Callab
 
 
 def build_line_match(
-    expected_line: Expected, *, strict: bool = False
+    expected_lines: Expected, *, strict: bool = False
 ) -> Callable[[Sequence[str]], Match | None]:
     """Return a function that takes lines, and returns the numbers of the first and after the last that match, or None.
 
     Args:
-        expected_line: A text, a pattern, or several: each is found in a line after that of the one before.
+        expected_lines: A text, a pattern, or several: each is found in a line after that of the one before.
         strict: Whether each line is matched as a whole, and there are no other lines.
 
     Raises:
-        ValueError: `expected_line` is of another type.
+        ValueError: `expected_lines` is of another type.
     """
-    single = isinstance(expected_line, (str, re.Pattern))
-    parts = [expected_line] if single else list(expected_line)  # type: ignore[arg-type]  # one or several
+    single = isinstance(expected_lines, (str, re.Pattern))
+    parts = [expected_lines] if single else list(expected_lines)  # type: ignore[arg-type]  # one or several
     matches = [build_text_match(part, strict=strict) for part in parts]
 
     def match_strictly(actual_lines: Sequence[str]) -> Match | None:
