@@ -1,0 +1,92 @@
+"""Logs: formats, levels, the folder, and errors."""
+
+from __future__ import annotations
+
+import logging
+import os
+import re
+import socket
+from pathlib import Path
+
+import pytest
+
+from tfloom.launch import logging as launch_logging
+from tfloom.launch.logging import get_logger, get_output_loggers, launch_config
+
+
+def lines(capsys: pytest.CaptureFixture[str]) -> list[str]:
+    return capsys.readouterr().out.splitlines()
+
+
+def test_a_record_is_on_the_screen_and_in_the_log(capsys: pytest.CaptureFixture[str]) -> None:
+    get_logger("launch.user").warning("%d wheels", 3)
+    assert lines(capsys) == ["[WARNING] [launch.user]: 3 wheels"]
+    path = Path(launch_config.get_log_file_path())
+    assert path.name == "launch.log"
+    assert re.fullmatch(r"\d+\.\d{7} \[WARNING\] \[launch\.user\]: 3 wheels\n", path.read_text("utf-8"))
+
+
+def test_the_folder_is_named_after_time_host_and_process() -> None:
+    folder = Path(launch_config.log_dir)
+    assert folder.parent == Path(os.environ["ROS_LOG_DIR"])
+    stamp = r"\d{4}-\d\d-\d\d-\d\d-\d\d-\d\d-\d{6}"
+    assert re.fullmatch(f"{stamp}-{re.escape(socket.gethostname())}-{os.getpid()}", folder.name)
+    assert launch_config.log_dir == str(folder)
+    with pytest.raises(ValueError, match="Cannot set log directory"):
+        launch_config.log_dir = "/elsewhere"
+
+
+def test_ros_home_holds_the_logs_otherwise(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.delenv("ROS_LOG_DIR")
+    monkeypatch.setenv("ROS_HOME", str(tmp_path))
+    assert Path(launch_config.log_dir).parent == tmp_path / "log"
+
+
+def test_nothing_is_written_before_the_first_record() -> None:
+    get_logger("launch.quiet").debug("not logged")
+    assert list(Path(os.environ["ROS_LOG_DIR"]).iterdir()) == []
+
+
+def test_the_level_applies_to_all_loggers(capsys: pytest.CaptureFixture[str]) -> None:
+    early = get_logger("early")
+    early.debug("no")
+    launch_config.level = "DEBUG"
+    early.debug("yes")
+    get_logger("late").debug("yes")
+    launch_config.level = logging.ERROR
+    early.warning("no")
+    assert lines(capsys) == ["[DEBUG] [early]: yes", "[DEBUG] [late]: yes"]
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("default_with_timestamp", r"\d+\.\d{7} \[INFO\] \[a\]: hi"),
+        ("{name}/{levelname}/{msg}", "a/INFO/hi"),
+        ("{wrong}", "INFO a: hi"),
+    ],
+)
+def test_the_screen_has_the_format_of_the_environment(
+    text: str, line: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("OVERRIDE_LAUNCH_SCREEN_FORMAT", text)
+    launch_logging.reset()
+    get_logger("a").info("hi")
+    (printed,) = lines(capsys)
+    assert re.fullmatch(line, printed)
+
+
+@pytest.mark.parametrize("config", ["file", {"stdin": "screen"}, {"both": ["screen", "disk"]}])
+def test_an_output_that_does_not_exist_is_named(config: object) -> None:
+    with pytest.raises(ValueError, match="'talker-1'"):
+        get_output_loggers("talker-1", config)
+
+
+def test_a_traceback_is_logged_with_its_record(capsys: pytest.CaptureFixture[str]) -> None:
+    try:
+        {}["wheel"]
+    except KeyError:
+        get_logger("a").exception("lost")
+    printed = lines(capsys)
+    assert printed[0] == "[ERROR] [a]: lost"
+    assert printed[-1] == "KeyError: 'wheel'"
