@@ -191,13 +191,10 @@ def _substitutions_of_path(path: FilePath | SomeSubstitutionsType) -> list[Subst
 
 
 def _file_with_substitutions(context: LaunchContext, path: Path) -> Path:
-    import tempfile
-
     from tfloom.launch.frontend.parse_substitution import parse_substitution
-    from tfloom.launch.ros.temporary_files import folder_of
+    from tfloom.launch.ros.temporary_files import write_temporary_file
     from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
     from tfloom.rosidl.user_yaml import YamlError, load
-    from tfloom.whole_files import write_file
 
     try:
         text = perform_substitutions(context, parse_substitution(path.read_text("utf-8")))
@@ -209,7 +206,4 @@ def _file_with_substitutions(context: LaunchContext, path: Path) -> Path:
         raise SubstitutionFailure(
             f"The substituted parameter file is not a valid yaml file: {path}: {error}"
         ) from error
-    descriptor, name = tempfile.mkstemp(".yaml", "launch_params_", folder_of(context))
-    os.close(descriptor)
-    write_file(name, text)
-    return Path(name)
+    return write_temporary_file(context, text, prefix="launch_params_", suffix=".yaml")

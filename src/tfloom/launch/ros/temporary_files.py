@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import tempfile
 import weakref
 from pathlib import Path
 
 from tfloom.launch.launch_context import LaunchContext
+from tfloom.whole_files import write_file
 
-__all__ = ["folder_of"]
+__all__ = ["folder_of", "write_temporary_file"]
 
 _folders: weakref.WeakKeyDictionary[LaunchContext, Path] = weakref.WeakKeyDictionary()
 
@@ -25,3 +27,11 @@ def folder_of(context: LaunchContext) -> Path:
         weakref.finalize(context, shutil.rmtree, folder, ignore_errors=True)
         _folders[context] = folder
     return _folders[context]
+
+
+def write_temporary_file(context: LaunchContext, text: str, *, prefix: str, suffix: str = "") -> Path:
+    """Write a file of a new name in the folder of a launch's temporary files, and return its path."""
+    descriptor, path = tempfile.mkstemp(suffix, prefix, folder_of(context))
+    os.close(descriptor)
+    write_file(path, text)
+    return Path(path)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import tempfile
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
@@ -16,30 +14,19 @@ from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.logging import get_logger
 from tfloom.launch.ros import configurations
-from tfloom.launch.ros.actions.node_extensions import NodeActionExtension, get_extensions
 from tfloom.launch.ros.parameter_descriptions import Parameter
-from tfloom.launch.ros.parameter_files import warn_of_unmatched
 from tfloom.launch.ros.parameters_type import SomeParameters
 from tfloom.launch.ros.remap_rule_type import SomeRemapRules
 from tfloom.launch.ros.substitutions.executable_in_package import ExecutableInPackage
-from tfloom.launch.ros.temporary_files import folder_of
-from tfloom.launch.ros.utilities.evaluate_parameters import evaluate_parameters
 from tfloom.launch.ros.utilities.namespace_utils import make_namespace_absolute, prefix_namespace
 from tfloom.launch.ros.utilities.normalize_parameters import normalize_parameters
 from tfloom.launch.ros.utilities.normalize_remap_rule import normalize_remap_rules
-from tfloom.launch.ros.utilities.parameter_text import parameter_file_text, parameter_rule
-from tfloom.launch.ros.utilities.parse_node_tags import (
-    parse_nested_parameters,
-    parse_parameters,
-    parse_remappings,
-)
 from tfloom.launch.ros.utilities.track_node_names import add_node_name, get_node_name_count
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitutions.local_substitution import LocalSubstitution
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 from tfloom.launch.utilities.perform_substitutions import perform_substitutions
-from tfloom.whole_files import write_file
 
 __all__ = ["Node"]
 
@@ -102,6 +89,8 @@ class Node(ExecuteProcess):
     @staticmethod
     def parse_nested_parameters(params: list[Entity], parser: ParsesActions) -> list[Any]:
         """Return what the tags `param` stand for, as the argument `parameters` takes it."""
+        from tfloom.launch.ros.utilities.parse_node_tags import parse_nested_parameters
+
         return parse_nested_parameters(params, parser)
 
     @classmethod
@@ -109,6 +98,8 @@ class Node(ExecuteProcess):
         cls, entity: Entity, parser: ParsesActions, ignore: list[str] | None = None
     ) -> tuple[type[Action], dict[str, Any]]:
         """Return the class, and the arguments that the element of a launch file gives its constructor."""
+        from tfloom.launch.ros.utilities.parse_node_tags import parse_parameters, parse_remappings
+
         _, kwargs = super().parse(entity, parser, ignore=["cmd", *(ignore or ())])
         for attribute, argument in (("args", "arguments"), ("ros_args", "ros_arguments")):
             if (text := entity.get_attr(attribute, optional=True)) is not None:
@@ -232,6 +223,9 @@ class Node(ExecuteProcess):
         self._final_node_name = prefix_namespace(self._expanded_namespace, self._expanded_name)
 
     def _perform_parameters(self, context: LaunchContext) -> None:
+        from tfloom.launch.ros.utilities.evaluate_parameters import evaluate_parameters
+        from tfloom.launch.ros.utilities.parameter_text import parameter_rule
+
         files: list[Path] = []
         for each in configurations.global_parameters(context):
             if isinstance(each, tuple):
@@ -245,7 +239,9 @@ class Node(ExecuteProcess):
                 self._add_words("-p", parameter_rule(*parameters.evaluate(context)))
             else:
                 self._add_words("--params-file", self._write_file(context, parameters))
-        if self._given_name is not None:
+        if files and self._given_name is not None:
+            from tfloom.launch.ros.parameter_files import warn_of_unmatched
+
             for path in files:
                 warn_of_unmatched(path, self._assumed_name())
 
@@ -257,11 +253,12 @@ class Node(ExecuteProcess):
             get_logger("launch_ros.actions.node").warning(f"Parameter file path is not a file: {path}")
 
     def _write_file(self, context: LaunchContext, parameters: Any) -> str:
-        descriptor, path = tempfile.mkstemp(prefix="launch_params_", dir=folder_of(context))
-        os.close(descriptor)
+        from tfloom.launch.ros.temporary_files import write_temporary_file
+        from tfloom.launch.ros.utilities.parameter_text import parameter_file_text
+
         node = self.node_name if self.is_node_name_fully_specified() else "/**"
-        write_file(path, parameter_file_text(node, parameters))
-        return path
+        text = parameter_file_text(node, parameters)
+        return str(write_temporary_file(context, text, prefix="launch_params_"))
 
     def _perform_remappings(self, context: LaunchContext) -> None:
         self._expanded_remappings = configurations.remappings(context) + [
@@ -290,5 +287,7 @@ class Node(ExecuteProcess):
             )
 
 
-def _extensions() -> list[NodeActionExtension]:
+def _extensions() -> list[Any]:
+    from tfloom.launch.ros.actions.node_extensions import get_extensions
+
     return list(get_extensions(get_logger("launch_ros.actions.node")).values())

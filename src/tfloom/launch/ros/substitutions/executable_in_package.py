@@ -8,8 +8,6 @@ from typing import Any
 
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.ros.nearest import nearest_programs
-from tfloom.launch.ros.own_programs import script_for
 from tfloom.launch.ros.substitutions.find_package import FindPackagePrefix
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitution import Substitution
@@ -78,6 +76,8 @@ def _own_program(context: LaunchContext, package: str, program: str, folder: Pat
     own = index.PROGRAMS.get(package, {})
     if program not in own:
         raise SubstitutionFailure(_not_found(program, folder, own))
+    from tfloom.launch.ros.own_programs import script_for
+
     return script_for(context, package, program, own[program])
 
 
@@ -100,4 +100,6 @@ def _installed_program(package: str, program: str, prefix: str) -> str:
 
 
 def _not_found(program: str, folder: Path, known: Any) -> str:
+    from tfloom.launch.ros.nearest import nearest_programs
+
     return f"executable '{program}' not found on the libexec directory '{folder}'{nearest_programs(program, known)}"

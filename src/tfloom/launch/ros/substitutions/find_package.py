@@ -7,7 +7,6 @@ from typing import Any
 
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.ros.nearest import nearest_packages
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitution import Substitution
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
@@ -63,6 +62,8 @@ class FindPackage(Substitution):
         try:
             return self.find(package)
         except PackageNotFoundError as error:
+            from tfloom.launch.ros.nearest import nearest_packages
+
             raise PackageNotFoundError(f"{error}{nearest_packages(package)}") from error
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, cast
@@ -22,6 +23,10 @@ from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 
 __all__ = ["normalize_parameter_dict", "normalize_parameters"]
+
+_PLAIN = re.compile(r"[A-Za-z_/][A-Za-z0-9_/]*")
+_WORDS = {"y", "yes", "n", "no", "true", "false", "on", "off", "null"}
+"""Texts of letters that YAML reads as other values; the module yaml need not be imported for any other."""
 
 
 def normalize_parameters(parameters: SomeParameters) -> Parameters:
@@ -94,6 +99,8 @@ def _normalize_value(name: Any, value: Any) -> ParameterValue:
 
 
 def _as_yaml(text: str) -> str:
+    if _PLAIN.fullmatch(text) and text.lower() not in _WORDS:
+        return text
     from tfloom.launch.ros.utilities.parameter_text import as_yaml
 
     return as_yaml(text)
