@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+import os
 import signal
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -40,11 +42,17 @@ def test_multisim_starts_two_turtlesims(
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGKILL])
 def test_demo_ends_without_orphans(
-    user: User, start_program: Callable[..., Any], wait_until: Callable[..., None], number: int
+    user: User,
+    start_program: Callable[..., Any],
+    wait_until: Callable[..., None],
+    number: int,
+    tmp_path: Path,
 ) -> None:
-    program = start_program("tfloom", "launch", DEMO, "turtle_tf2_demo.launch.py")
+    environment = {**os.environ, "TMPDIR": str(tmp_path)}
+    program = start_program("tfloom", "launch", DEMO, "turtle_tf2_demo.launch.py", env=environment)
     names = {"/sim", "/broadcaster1", "/broadcaster2", "/listener"}
     wait_until(user.sees(lambda: user.nodes() == names), what=str(names))
+    assert list(tmp_path.glob("launch_*"))
     pids = pids_of(program)
     assert len(pids) == len(names)
     if number == signal.SIGKILL:
@@ -53,6 +61,7 @@ def test_demo_ends_without_orphans(
     else:
         expect_clean_end(program, number)
     wait_until(lambda: not any(map(is_running, pids)))
+    wait_until(lambda: not list(tmp_path.glob("launch_*")), what="the end of the temporary files")
 
 
 def test_demo_follows_the_given_frame(
@@ -101,8 +110,6 @@ def test_demo_starts_its_nodes(
     ],
 )
 def test_arguments_match_the_recording(file: str) -> None:
-    from pathlib import Path
-
     recorded = Path(__file__).parents[2] / "golden" / "cli" / "launch_show_args.txt"
     done = subprocess.run(
         [sys.executable, "-m", "tfloom.cli", "launch", DEMO, file, "--show-args"],

@@ -26,6 +26,7 @@ class Guard:
         self._launch_id = uuid.uuid4().hex
         self._since_s = time.time()
         self._groups: set[int] = set()
+        self._folders: list[str] = []
         self._guardian: subprocess.Popen[bytes] | None = None
 
     def environment(self, environment: Mapping[str, str]) -> dict[str, str]:
@@ -46,14 +47,24 @@ class Guard:
                 env=untagged(os.environ),
                 start_new_session=True,
             )
+            for folder in self._folders:
+                self._send(f"remove {folder.encode().hex()}")
         return tagged(environment, self._launch_id)
 
     def add(self, pid: int) -> None:
         """Add the process group of a process that has started."""
         self._groups.add(pid)
+        self._send(str(pid))
+
+    def add_folder(self, folder: str) -> None:
+        """Add a folder of temporary files, which is removed if the launch is killed."""
+        self._folders.append(folder)
+        self._send(f"remove {folder.encode().hex()}")
+
+    def _send(self, line: str) -> None:
         if self._guardian is not None and self._guardian.stdin is not None:
             with suppress(BrokenPipeError):  # a guardian that was killed
-                self._guardian.stdin.write(f"{pid}\n".encode())
+                self._guardian.stdin.write(f"{line}\n".encode())
                 self._guardian.stdin.flush()
 
     def close(self) -> list[str]:

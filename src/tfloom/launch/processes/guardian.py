@@ -13,15 +13,24 @@ STEPS = {"SIGINT": 3.0, "SIGTERM": 2.0}
 
 
 def main(arguments: list[str]) -> int:
-    """Read the ids of process groups until the launch has ended, and end what is left of it."""
+    """Read lines until the launch has ended, and end and remove what is left of it.
+
+    A line is the id of a process group, or `remove` and the path of a folder in hexadecimal digits.
+    """
     for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT"):
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), signal.SIG_IGN)
     launch_id, since_s = arguments[0], float(arguments[1])
-    groups = [int(line) for line in sys.stdin.buffer if line.strip().isdigit()]
-    from tfloom.launch.processes import family  # not needed before
+    lines = [line.split() for line in sys.stdin.buffer]
+    groups = [int(words[0]) for words in lines if len(words) == 1 and words[0].isdigit()]
+    folders = [bytes.fromhex(words[1].decode()) for words in lines if len(words) == 2]
+    import shutil  # not needed before, as the next
+
+    from tfloom.launch.processes import family
 
     family.end(launch_id, groups, since_s, {signal.Signals[name]: wait_s for name, wait_s in STEPS.items()})
+    for folder in folders:
+        shutil.rmtree(folder.decode(), ignore_errors=True)
     return 0
 
 

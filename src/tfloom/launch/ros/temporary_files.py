@@ -9,6 +9,7 @@ import weakref
 from pathlib import Path
 
 from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.processes.running import guard_of
 from tfloom.whole_files import write_file
 
 __all__ = ["folder_of", "write_temporary_file"]
@@ -20,11 +21,12 @@ def folder_of(context: LaunchContext) -> Path:
     """Return the folder of a launch's temporary files.
 
     It is removed with the context, at the latest when Python ends, because a node that is started again reads its files
-    again.
+    again; if the launch is killed, its guardian removes it.
     """
     if context not in _folders:
         folder = Path(tempfile.mkdtemp(prefix="launch_"))
         weakref.finalize(context, shutil.rmtree, folder, ignore_errors=True)
+        guard_of(context).add_folder(str(folder))
         _folders[context] = folder
     return _folders[context]
 
