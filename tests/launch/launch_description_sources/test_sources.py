@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from tfloom.launch.actions.declare_launch_argument import DeclareLaunchArgument
+from tfloom.launch.actions.include_launch_description import IncludeLaunchDescription
 from tfloom.launch.circular_includes import CircularIncludeError, refuse_circle
 from tfloom.launch.frontend.parser import InvalidFrontendLaunchFileError
 from tfloom.launch.invalid_launch_file_error import InvalidLaunchFileError
@@ -250,8 +253,33 @@ def test_file_may_include_itself_with_other_arguments() -> None:
         include(context, "/a")
 
 
-def test_files_that_include_each_other(tmp_path: Path) -> None:
-    """Launch them, and read their arguments without launching them."""
+def test_launched_files_that_include_each_other(tmp_path: Path, launch: Callable[..., Any]) -> None:
+    a, b = tmp_path / "a.launch.xml", tmp_path / "b.launch.yaml"
+    a.write_text('<launch><include file="$(dirname)/b.launch.yaml"/></launch>')
+    b.write_text("launch: [{include: {file: $(dirname)/a.launch.xml}}]")
+    ran = launch(IncludeLaunchDescription(str(a)))
+    assert ran.code == 1
+    assert f"launch files include each other in a circle: {a} -> {b} -> {a}" in ran.lines[-1]
+
+
+def test_launched_file_ends_the_inclusion_of_itself(tmp_path: Path, launch: Callable[..., Any]) -> None:
+    (tmp_path / "a.launch.xml").write_text(
+        '<launch><arg name="n" default="3"/><log message="n = $(var n)"/>'
+        '<include file="$(filename)" unless="$(equals $(var n) 1)">'
+        '<arg name="n" value="$(eval \'$(var n) - 1\')"/></include></launch>'
+    )
+    ran = launch(IncludeLaunchDescription(str(tmp_path / "a.launch.xml")))
+    assert (ran.code, ran.lines) == (0, [f"[INFO] [launch.user]: n = {n}" for n in (3, 2, 1)])
+
+
+def test_actions_of_a_timer_know_their_launch_file(tmp_path: Path, launch: Callable[..., Any]) -> None:
+    path = tmp_path / "a.launch.yaml"
+    path.write_text("launch: [{timer: {period: 0.01, children: [{log: {message: $(dirname) $(filename)}}]}}]")
+    ran = launch(IncludeLaunchDescription(str(path)))
+    assert (ran.code, ran.lines) == (0, [f"[INFO] [launch.user]: {tmp_path} {path}"])
+
+
+def test_arguments_of_files_that_include_each_other(tmp_path: Path) -> None:
     (tmp_path / "a.launch.xml").write_text(
         '<launch><arg name="x"/><include file="$(dirname)/b.launch.yaml"/></launch>'
     )

@@ -54,6 +54,7 @@ class TimerAction(Action):
         self._canceled = False
         self._canceled_future: asyncio.Future[bool] | None = None
         self._handlers: list[BaseEventHandler] = []
+        self._variables: dict[str, Any] = {}
         self._logger = get_logger("launch.timer_action")
 
     @classmethod
@@ -103,8 +104,11 @@ class TimerAction(Action):
         self._completed_future = None
 
     def handle(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Return the actions, with the timer as `context.locals.timer_action`; None if it was canceled."""
-        context.extend_locals({"timer_action": self})
+        """Return the actions, with the timer as `context.locals.timer_action`; None if it was canceled.
+
+        They have the variables of the timer's execution, such as the path of its launch file.
+        """
+        context.extend_locals({**self._variables, "timer_action": self})
         return None if self._canceled else self._actions
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
@@ -119,6 +123,7 @@ class TimerAction(Action):
             raise RuntimeError("a timer can't be started: no LaunchService runs")
         if self._canceled:
             return None
+        self._variables = context.get_locals_as_dict()
         self._canceled_future = loop.create_future()
         self._completed_future = loop.create_future()
         self._handlers = [_OnTimer(self)]
