@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import signal
 import threading
+import time
 
 import pytest
 
@@ -214,12 +215,14 @@ def test_waits_end_with_the_launch(one: Process) -> None:
     output, info = ActiveIoHandler(), ActiveProcInfoHandler()
     info.append(one.started())
     threads = [threading.Timer(0.05, each.close) for each in (output, info)]
+    begin = time.monotonic()
     for thread in threads:
         thread.start()
     with pytest.raises(AssertionError, match="Waiting for output the launch ended"):
         output.assertWaitFor("never", timeout=60)
     with pytest.raises(AssertionError, match="The launch ended, waiting for process to exit"):
         info.assertWaitForShutdown(one.action, timeout=60)
+    assert time.monotonic() - begin < 50
     for thread in threads:
         thread.join()
 

@@ -87,8 +87,19 @@ def test_loaded():
 
 
 def test_other_tests_load_the_plugin_alone(tmp_path: Path) -> None:
-    run = run_pytest(tmp_path, {"test_probe.py": PROBE})
+    """The distribution with tfloom's files stands for a wheel's, all of whose packages pytest would rewrite."""
+    wheel = tmp_path / "wheel"
+    files = {
+        "wheel/other_plugin.py": "",
+        "wheel/other-1.0.dist-info/METADATA": "Metadata-Version: 2.1\nName: other\nVersion: 1.0\n",
+        "wheel/other-1.0.dist-info/entry_points.txt": "[pytest11]\nother = other_plugin\n",
+        "wheel/other-1.0.dist-info/RECORD": "other_plugin.py,,\ntfloom/__init__.py,,\n",
+        "test_probe.py": PROBE,
+    }
+    run = run_pytest(tmp_path, files, "test_probe.py", PYTHONPATH=str(wheel))
     assert run.code == 0, run.output
+    assert "plugins:" in run.output
+    assert "other-1.0" in run.output
 
 
 def test_plugin_leaves_a_real_ros_alone(tmp_path: Path) -> None:

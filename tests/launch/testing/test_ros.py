@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from tests.conftest import wait_until
+from tests.launch.testing.conftest import run_pytest
 
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.launch.testing.ros.data_republisher import DataRepublisher
@@ -110,3 +111,43 @@ def test_lines_of_a_wire_are_left_out(tmp_path: Path, monkeypatch: pytest.Monkey
     keep = basic_output_filter(filtered_rmw_implementation="rmw_wire")
     assert keep("[wire] x\nsome noise\npid 7\nhello\n") == "hello\n"
     assert basic_output_filter()("[wire] x\n") == "[wire] x\n"
+
+
+TALKER = """\
+import unittest
+
+import launch
+import launch_ros.actions
+import launch_testing
+import launch_testing.actions
+import launch_testing_ros
+import pytest
+from std_msgs.msg import String
+
+
+@pytest.mark.rostest
+def generate_test_description():
+    talker = launch_ros.actions.Node(
+        package="demo_nodes_py", executable="talker", namespace="there", remappings=[("chatter", "said")]
+    )
+    return launch.LaunchDescription([talker, launch_testing.actions.ReadyToTest()]), {"talker": talker}
+
+
+class TestTalker(unittest.TestCase):
+    def test_topic(self, proc_output, talker):
+        with launch_testing_ros.WaitForTopics([("/there/said", String)], timeout=60) as topics:
+            assert "Hello World" in topics.received_messages("/there/said")[0].data
+        proc_output.assertWaitFor("Publishing", process=talker, timeout=60)
+
+
+@launch_testing.post_shutdown_test()
+class TestEnd(unittest.TestCase):
+    def test_exit_code(self, proc_info, talker):
+        launch_testing.asserts.assertExitCodes(proc_info, process=talker)
+"""
+
+
+def test_topic_of_a_launched_node(domain_id: int, tmp_path: Path) -> None:
+    run = run_pytest(tmp_path, {"test_talker.py": TALKER}, ROS_DOMAIN_ID=str(domain_id))
+    assert run.code == 0, run.output
+    assert run.outcome("test_talker::test_talker") == "passed"
