@@ -380,3 +380,18 @@ def test_a_described_program_runs_without_its_own_action(launch: Launch) -> None
 def test_a_signal_that_does_not_exist_is_refused(number: object) -> None:
     with pytest.raises(ValueError, match=str(number)):
         SignalProcess(signal_number=number, process_matcher=lambda _: True)
+
+
+def test_a_frozen_program_has_no_guardian(launch: Launch, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its `sys.executable` is the program itself."""
+    monkeypatch.setattr(sys, "frozen", True, raising=False)
+    monkeypatch.setattr(sys, "executable", "/no/such/python")
+    ran = launch(shell("setsid sleep 4322 & sleep 0.1; echo ran"))
+    assert "[bash-1] ran" in ran.lines
+    assert any("left: sleep [pid" in line for line in ran.lines)
+
+
+def test_the_guardian_ends_with_the_launch(launch: Launch) -> None:
+    ran = launch(shell("true"), ExecuteProcess(cmd=["no_such_program"]))
+    assert ran.code == 0
+    assert not [each for each in psutil.Process().children() if "guardian" in " ".join(each.cmdline())]

@@ -31,7 +31,8 @@ class Guard:
 
     def environment(self, environment: Mapping[str, str]) -> dict[str, str]:
         """Return the environment variables for a process that is started next. Before the first, start the guardian."""
-        if self._guardian is None:
+        # A frozen program has no Python that could run the guardian: its executable is the program itself.
+        if self._guardian is None and not getattr(sys, "frozen", False):
             self._guardian = subprocess.Popen(  # ours
                 [
                     sys.executable,
@@ -69,11 +70,12 @@ class Guard:
 
     def close(self) -> list[str]:
         """End what is left of the launch's processes, and the guardian; return those that were alive, as texts."""
-        guardian, self._guardian = self._guardian, None
-        if guardian is None:
+        if self._guardian is None and not self._groups:
             return []
         named = end(self._launch_id, self._groups, self._since_s, LEFTOVERS)
         self._groups.clear()
-        guardian.kill()  # it has nothing left to do
-        guardian.communicate()
+        if self._guardian is not None:
+            self._guardian.kill()  # it has nothing left to do
+            self._guardian.communicate()
+            self._guardian = None
         return named
