@@ -41,7 +41,6 @@ def launch(*words: str, **environment: str) -> transcript.Transcript:
         "launch_debug",
         "launch_need_given",
         "launch_py_args",
-        "launch_py_choice_bad",
         "launch_py_print",
         "launch_xml_args",
         "launch_yaml_print",
@@ -61,9 +60,9 @@ PARSE_ERRORS = {
     "badtag_launch_yaml": "badtag.launch.yaml:2: Unrecognized entity of the type: nod; did you mean 'node'?",
     "broken_launch_xml": "broken.launch.xml:1: it is not well-formed XML: unclosed token: line 1, column 8",
     "nogen_launch_py": "launch file at 'nogen.launch.py' does not contain the required function",
-    "badinclude_launch_py": "[Errno 2] No such file or directory: 'nowhere.launch.py'",
-    "badexec_launch_yaml": "executable 'nope' not found",
-    "badpkg_launch_yaml": "package 'no_such_package' not found",
+    "badinclude_launch_py": "badinclude.launch.py:5: [Errno 2] No such file or directory: 'nowhere.launch.py'",
+    "badexec_launch_yaml": "badexec.launch.yaml:4: executable 'nope' not found",
+    "badpkg_launch_yaml": "badpkg.launch.yaml:4: package 'no_such_package' not found",
 }
 """What the error of each broken file begins with."""
 
@@ -81,6 +80,49 @@ def test_error_of_a_broken_file_has_the_place_and_the_reason(
     assert error.lstrip("\"'").startswith(PARSE_ERRORS[name])
     assert "Traceback" not in error
     assert ours.exit_code == recorded.exit_code == 1
+
+
+def test_choice_that_does_not_exist_has_the_place_of_the_argument() -> None:
+    recorded = transcript.golden("launch_py_choice_bad")
+    ours = launch(*recorded.command[1:])
+    assert masked(ours.text) == masked(recorded.text).replace("traceback): ", "traceback): ok.launch.py:12: ")
+    assert ours.exit_code == recorded.exit_code
+
+
+@pytest.mark.parametrize(
+    ("lines", "error"),
+    [
+        (
+            ["def visit(context):", "    return {}['nope']", "entity = OpaqueFunction(function=visit)"],
+            "3: KeyError: 'nope'",
+        ),
+        (
+            ["entity = LogInfo(msg=LaunchConfiguration('nope'))"],
+            "2: launch configuration 'nope' does not exist",
+        ),
+        (
+            ["entity = LogInfo(msg='', condition=IfCondition('perhaps'))"],
+            "2: ",
+        ),
+    ],
+)
+def test_error_of_an_action_has_the_place_in_the_file(lines: list[str], error: str, tmp_path: Path) -> None:
+    path = tmp_path / "a.launch.py"
+    imports = (
+        "from launch import LaunchDescription; from launch.actions import LogInfo, OpaqueFunction; "
+        "from launch.conditions import IfCondition; from launch.substitutions import LaunchConfiguration"
+    )
+    end = ["def generate_launch_description():", "    return LaunchDescription([entity])", ""]
+    path.write_text("\n".join([imports, *lines, *end]))
+    ours = launch(str(path))
+    assert f"traceback): {path}:{error}" in ours.text
+    assert ours.exit_code == 1
+
+
+def test_error_of_a_tag_has_its_line(tmp_path: Path) -> None:
+    path = tmp_path / "a.launch.xml"
+    path.write_text('<launch>\n<group>\n<log message="$(var nope)"/></group></launch>')
+    assert f"traceback): {path}:3: launch configuration 'nope' does not exist" in launch(str(path)).text
 
 
 @pytest.mark.parametrize("name", ["file_in_package", "package"])

@@ -10,6 +10,7 @@ from tfloom.launch.events.execution_complete import ExecutionComplete
 from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.utilities.error_places import keep_place, place_of_construction
 
 __all__ = ["Action"]
 
@@ -23,6 +24,7 @@ class Action(LaunchDescriptionEntity):
 
     def __init__(self, *, condition: Condition | None = None) -> None:
         self._condition = condition
+        self._launch_place = place_of_construction()
 
     @staticmethod
     def parse(entity: Entity, parser: ParsesActions) -> tuple[type[Action], dict[str, Any]]:
@@ -60,9 +62,13 @@ class Action(LaunchDescriptionEntity):
 
     def visit(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Execute the action if its condition holds."""
-        if self._condition is not None and not self._condition.evaluate(context):
-            return None
-        following = self.execute(context)
+        try:
+            if self._condition is not None and not self._condition.evaluate(context):
+                return None
+            following = self.execute(context)
+        except Exception as error:
+            keep_place(error, getattr(self, "_launch_place", ""))
+            raise
         complete = ExecutionComplete(action=self)
         if context.would_handle_event(complete):
             future = self.get_asyncio_future()

@@ -27,6 +27,7 @@ from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.logging import get_logger, launch_config, log_launch_config
 from tfloom.launch.processes.running import guard_of
+from tfloom.launch.utilities.error_places import describe_failure
 from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
 from tfloom.launch.utilities.signal_management import AsyncSafeSignalManager
 from tfloom.launch.utilities.visit_all_entities_and_collect_futures import visit_all_entities
@@ -212,7 +213,7 @@ class LaunchService:
     def _fail(self, error: BaseException) -> None:
         """Log an error, and end the launch."""
         self._logger.debug("%s", "".join(traceback.format_exception(error)))
-        text = str(error) or type(error).__name__
+        text = describe_failure(error)
         self._logger.error("Caught exception in launch (see debug for traceback): %s", text)
         self._return_code = 1
         self._shut_down(f"Caught exception in launch: {text}")

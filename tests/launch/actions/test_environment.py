@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
 
 import pytest
 
@@ -18,15 +17,6 @@ from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
 
 NAME = "TFLOOM_LAUNCH_TEST"
-
-
-@pytest.fixture(autouse=True)
-def _environment() -> Iterator[None]:
-    before = dict(os.environ)
-    os.environ.pop(NAME, None)
-    yield
-    os.environ.clear()
-    os.environ.update(before)
 
 
 def test_variable_is_set_for_later_processes_and_removed() -> None:

@@ -130,7 +130,7 @@ def described(value: Any) -> Any:
     if isinstance(value, TextSubstitution):
         return value.text
     if type(value).__module__.startswith("tfloom.launch"):
-        held = vars(value).items()
+        held = [(name, each) for name, each in vars(value).items() if name != "_launch_place"]
         return type(value).__name__, {
             name: described(each) for name, each in sorted(held) if "log" not in name
         }

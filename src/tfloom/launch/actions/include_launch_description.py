@@ -57,7 +57,6 @@ class IncludeLaunchDescription(Action):
             launch_description_source = AnyLaunchDescriptionSource(launch_description_source)
         self.__source = launch_description_source
         self.__arguments = tuple(launch_arguments or ())
-        self._including: str | None = None
 
     @classmethod
     def parse(
@@ -121,11 +120,7 @@ class IncludeLaunchDescription(Action):
             Exception: the description can't be loaded.
         """
         before = context.get_locals_as_dict()
-        self._including = before.get(_FILE)
-        try:
-            description = self.__source.get_launch_description(context)
-        except FileNotFoundError as error:
-            raise FileNotFoundError(f"{error}{self._place()}") from error
+        description = self.__source.get_launch_description(context)
         location = self.__source.location
         path = _absolute(location)
         is_file = Path(path).exists()  # otherwise it is the name of a script's description
@@ -159,14 +154,8 @@ class IncludeLaunchDescription(Action):
             if argument.name not in given and argument.name not in inner:
                 raise RuntimeError(
                     f"Included launch description missing required argument '{argument.name}' "
-                    f"(description: '{argument.description}'), given: [{', '.join(given)}]{self._place()}"
+                    f"(description: '{argument.description}'), given: [{', '.join(given)}]"
                 )
-
-    def _place(self) -> str:
-        """Return, for errors, where the description is included, unless a command line or a script includes it."""
-        if self._including is None:
-            return ""
-        return f" (in '{self._including}', which includes '{self.__source.location}')"
 
     def known_argument_names(self) -> list[str]:
         """Return the names of the arguments that need no context."""
