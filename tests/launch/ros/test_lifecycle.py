@@ -14,6 +14,7 @@ from tfloom.launch.actions.log import LogInfo
 from tfloom.launch.actions.register_event_handler import RegisterEventHandler
 from tfloom.launch.actions.shutdown_action import Shutdown
 from tfloom.launch.event import Event
+from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.ros.actions.lifecycle_node import LifecycleNode
 from tfloom.launch.ros.actions.lifecycle_transition import (
     LifecycleTransition,
@@ -145,6 +146,47 @@ def test_handler_compares_what_is_given(options: dict[str, object], accepted: bo
     assert handler.matches(event("configuring", "inactive")) is accepted
     assert not handler.matches(Event())
     assert handler.matcher_description.startswith("event == StateTransition")
+
+
+@pytest.mark.parametrize(
+    ("states", "requested", "reported"),
+    [
+        ([("configuring", "inactive")], [Transition.TRANSITION_ACTIVATE], ""),
+        (
+            [("configuring", "inactive"), ("inactive", "activating"), ("activating", "active")],
+            [Transition.TRANSITION_ACTIVATE],
+            "",
+        ),
+        (
+            [("configuring", "unconfigured")],
+            [],
+            "'/a/sensor' is unconfigured after the transition 'configure'",
+        ),
+        ([("configuring", "errorprocessing")], [], ""),
+        (
+            [("configuring", "errorprocessing"), ("errorprocessing", "finalized")],
+            [],
+            "so that the transitions after it are not requested: activate",
+        ),
+    ],
+    ids=str,
+)
+def test_next_transition_needs_the_success_of_the_one_before(
+    states: list[tuple[str, str]], requested: list[int], reported: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    context = LaunchContext()
+    ids = [Transition.TRANSITION_CONFIGURE, Transition.TRANSITION_ACTIVATE]
+    action = LifecycleTransition(lifecycle_node_names=["/a/sensor"], transition_ids=ids)
+    (first,) = action.execute(context)
+    assert first.event.transition_id == Transition.TRANSITION_CONFIGURE
+    followed = []
+    for start, goal in states:
+        happened = event(start, goal)
+        for handler in [each for each in context._event_handlers if each.matches(happened)]:
+            for entity in handler.handle(happened, context):
+                followed += entity.execute(context) or []
+    assert [each.event.transition_id for each in followed] == requested
+    assert reported in capsys.readouterr().out
 
 
 def test_wrong_arguments_are_refused() -> None:
