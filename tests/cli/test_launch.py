@@ -6,6 +6,7 @@ import os
 import re
 from collections.abc import Callable
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 import transcript
@@ -250,3 +251,23 @@ def test_arguments_of_inclusions_and_conditions_are_shown(tmp_path: Path) -> Non
     assert launch(str(empty), "-s").text == (
         "Arguments (pass arguments as '<name>:=<value>'):\n\n  No arguments."
     )
+
+
+def test_functions_under_ros_names(
+    package: Callable[[str, str], Path], capsys: pytest.CaptureFixture[str]
+) -> None:
+    from ros2launch import api
+
+    path = package(
+        "launch/a.launch.xml", '<launch><arg name="x" default="1"/><log message="$(var x)"/></launch>'
+    )
+    assert api.get_share_file_path_from_package(package_name="my_pkg", file_name="a.launch.xml") == str(path)
+    assert api.is_launch_file(str(path))
+    assert not api.is_launch_file(str(path.parent))
+    assert api.LaunchFileNameCompleter()("a", SimpleNamespace(package_name="my_pkg")) == ["a.launch.xml"]
+    api.print_arguments_of_launch_file(launch_file_path=str(path))
+    assert "'x':" in capsys.readouterr().out
+    api.print_a_launch_file(launch_file_path=str(path))
+    assert "LogInfo(LaunchConfig('x'))" in capsys.readouterr().out
+    assert api.launch_a_launch_file(launch_file_path=str(path), launch_file_arguments=["x:=2"]) == 0
+    assert "[INFO] [launch.user]: 2" in capsys.readouterr().out
