@@ -9,7 +9,7 @@ import time
 from collections.abc import Callable, Mapping
 from datetime import datetime
 from pathlib import Path
-from typing import Any, Union
+from typing import TYPE_CHECKING, Any, Union
 
 from tfloom.launch.terminal_colors import colors_of
 from tfloom.terminal_text import is_terminal, shown_in_colors, unescaped
@@ -77,7 +77,13 @@ class _BraceFormatter(logging.Formatter):
         return self._colors(line, record.levelname, record.name) if self._colors else line
 
 
-class _StdoutHandler(logging.StreamHandler[Any]):
+if TYPE_CHECKING:
+    _StreamHandler = logging.StreamHandler[Any]
+else:
+    _StreamHandler = logging.StreamHandler  # Python 3.10 has no subscript of it
+
+
+class _StdoutHandler(_StreamHandler):
     """Writes on the `sys.stdout` of the moment, which tests and notebooks replace."""
 
     def __init__(self) -> None:
