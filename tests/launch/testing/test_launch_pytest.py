@@ -363,7 +363,7 @@ FAULTS = {
     "test_two_ready": ("error", "only one ReadyToTest action"),
     "test_failing_launch": (
         "error",
-        "before the ReadyToTest action of its description: Caught exception in launch: of an action",
+        "the launch ended before the ReadyToTest action of its description: ",
     ),
     "test_assertion": ("failure", "At index 0 diff: 'one' != 'two'"),
     "test_output": ("failure", "the output will not do: "),

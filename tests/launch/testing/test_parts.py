@@ -255,6 +255,15 @@ def run_cases(*cases: type[unittest.TestCase]) -> unittest.TestResult:
     return unittest.TextTestRunner(io.StringIO(), resultclass=TestResult).run(unittest.TestSuite(suites))
 
 
+def test_skipped_test_that_never_started_is_a_result() -> None:
+    """Python 3.12.1 reports skipped tests so."""
+    result, case = TestResult(unittest.runner._WritelnDecorator(io.StringIO())), Mixed("test_skip")
+    result.addSkip(case, "of no use")
+    result.stopTest(case)
+    (suite,) = unittestResultsToXml(test_results={"one": result}).getroot()
+    assert [element.get("name") for element in suite] == ["test_skip"]
+
+
 def test_results_as_xml() -> None:
     results = {
         "tests": run_cases(Mixed, BadSetUp),

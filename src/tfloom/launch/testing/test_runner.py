@@ -102,6 +102,7 @@ class _Launch:
         self._shutdown: Shutdown | None = None
         self._tests_are_done = False
         self._result: TestResult | None = None
+        self._error: BaseException | None = None
         self._preamble = preamble
         self._context: dict[str, Any] = {}
 
@@ -121,6 +122,8 @@ class _Launch:
         tests.join()
         if self._shutdown is not None and self._shutdown.due_to_sigint:
             raise KeyboardInterrupt
+        if self._error is not None:
+            raise self._error
         if self._result is None or early or code:
             return self._failure(code)
         self._result.append(
@@ -164,6 +167,8 @@ class _Launch:
                     self._proc_output,
                     {"launch_service": self._service},
                 )
+        except BaseException as error:  # noqa: BLE001  # it is raised on the thread of the launch
+            self._error = error
         finally:
             self._tests_are_done = self._is_ready
             self._service.shutdown()
