@@ -1,7 +1,6 @@
 """A plug-in of pytest: the markers in the tests that `ros2 pkg create` generates, which pytest would warn of.
 
-`colcon test` names it in PYTEST_PLUGINS. As an entry point it would have pytest rewrite
-all of tfloom's modules.
+`colcon test` names it in PYTEST_PLUGINS, because other runs of pytest do not need it.
 """
 
 from __future__ import annotations
