@@ -132,6 +132,7 @@ ARGUMENTS = {
     "find-pkg-prefix": ["turtlesim"],
     "find-pkg-share": ["turtlesim"],
     "exec-in-package": ["talker", "demo_nodes_py"],
+    "exec-in-pkg": ["talker", "demo_nodes_py"],
     "if": ["true", "a", "b"],
     "not-equals": ["a", "b"],
     "or": ["true", "false"],

@@ -23,6 +23,7 @@ def perform(text: str, context: LaunchContext | None = None) -> str:
 def test_folders_of_a_package(toys: Path) -> None:
     assert perform("$(find-pkg-prefix toys)/x") == f"{toys}/x"
     assert perform("$(find-pkg-share toys)") == f"{toys}/share/toys"
+    assert perform("$(exec-in-pkg show toys)") == f"{toys}/lib/toys/show"
     assert perform("$(exec-in-package show toys)") == f"{toys}/lib/toys/show"
     assert FindPackageShare("toys").perform(LaunchContext()) == f"{toys}/share/toys"
     assert FindPackagePrefix(["to", "ys"]).perform(LaunchContext()) == str(toys)

@@ -59,6 +59,7 @@ SUBSTITUTION_MODULES: dict[str, str] = {
     "equals": _SUBSTITUTIONS + "equals_substitution",
     "eval": _SUBSTITUTIONS + "python_expression",
     "exec-in-package": _ROS_SUBSTITUTIONS + "executable_in_package",
+    "exec-in-pkg": _ROS_SUBSTITUTIONS + "executable_in_package",
     "file-content": _SUBSTITUTIONS + "file_content",
     "filename": _SUBSTITUTIONS + "this_launch_file",
     "find-exec": _SUBSTITUTIONS + "find_executable",

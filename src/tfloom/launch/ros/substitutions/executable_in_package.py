@@ -1,4 +1,4 @@
-"""A program of a package as a substitution: `$(exec-in-package PROGRAM PACKAGE)`."""
+"""A program of a package as a substitution: `$(exec-in-pkg PROGRAM PACKAGE)`."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ from tfloom.workspace import index
 __all__ = ["ExecutableInPackage"]
 
 
+@expose_substitution("exec-in-pkg")
 @expose_substitution("exec-in-package")
 class ExecutableInPackage(FindPackagePrefix):
     """The path of a program: in `PREFIX/lib/NAME` of a package, or a script that starts one of tfloom's own.
@@ -40,7 +41,7 @@ class ExecutableInPackage(FindPackagePrefix):
             AttributeError: there are not exactly two arguments.
         """
         if len(data) != 2:
-            raise AttributeError(f"exec-in-package substitution expects 2 arguments, got {len(data)}")
+            raise AttributeError(f"exec-in-pkg substitution expects 2 arguments, got {len(data)}")
         return cls, {"executable": data[0], "package": data[1]}
 
     @property

@@ -1,4 +1,4 @@
-"""A program of a package as a substitution: `$(exec-in-package PROGRAM PACKAGE)`."""
+"""A program of a package as a substitution: `$(exec-in-pkg PROGRAM PACKAGE)`."""
 
 from typing import TYPE_CHECKING
 
