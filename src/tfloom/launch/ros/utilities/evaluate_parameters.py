@@ -102,9 +102,7 @@ def _read(name: str, text: str) -> Any:
 
 def _checked_array(name: str, items: list[Any]) -> list[Any]:
     kinds = {type(item) for item in items}
-    if kinds == {int, float}:
-        return [float(item) for item in items]
-    if len(kinds) > 1 or not kinds <= set(_SCALARS):
+    if len(kinds) != 1 or not kinds <= set(_SCALARS):
         raise TypeError(
             "Expected a non-empty sequence, with items of uniform type. Allowed sequence item types are bool, int, "
             f"float, str. Got {items!r} for parameter {name}. {_WRAP}"
