@@ -49,7 +49,11 @@ def refuse_circle(context: LaunchContext, path: str) -> None:
     chain: list[tuple[str, Any]] = list(variables.get(_CHAIN, ()))
     while chain and not _is_same(chain[-1][0], including):
         chain.pop()  # of a file that has been visited completely
-    state = (frozenset(context.launch_configurations.items()), frozenset(context.environment.items()))
+    configurations: dict[str, Any] = dict(context.launch_configurations)
+    for key, value in configurations.items():
+        if isinstance(value, list):  # parameters and remappings, to which later actions add
+            configurations[key] = list(value)
+    state = (configurations, dict(context.environment))
     files = [file for file, _ in chain]
     for number, (file, earlier) in enumerate(chain):
         if _is_same(file, path) and earlier == state:

@@ -16,6 +16,8 @@ from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.launch_description_source import LaunchDescriptionSource
+from tfloom.launch.ros.actions.set_parameter import SetParameter
+from tfloom.launch.ros.actions.set_remap import SetRemap
 from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration
 from tfloom.launch.utilities.visit_all_entities_and_collect_futures import (
     visit_all_entities_and_collect_futures,
@@ -146,6 +148,13 @@ def test_a_file_may_include_itself_while_its_arguments_change(tmp_path: Path) ->
     )
     found = visited(IncludeLaunchDescription(path, launch_arguments=[("n", "3")]))
     assert found == {"n": "0", "at_3": "yes", "at_2": "yes", "at_1": "yes", "at_0": "yes"}
+
+
+def test_a_file_may_be_included_where_parameters_and_remappings_are_set(tmp_path: Path) -> None:
+    path = write(tmp_path / "a.launch.xml", '<let name="seen" value="yes"/>')
+    again = SetParameter("p", 1), SetRemap("a", "b"), IncludeLaunchDescription(path)
+    found = visited(*again, *again)
+    assert found["seen"] == "yes"
 
 
 def test_a_path_may_have_substitutions(tmp_path: Path) -> None:
