@@ -17,6 +17,7 @@ from tfloom.launch import logging as launch_logging
 from tfloom.launch.actions.emit_event import EmitEvent
 from tfloom.launch.actions.execute_local import ExecuteLocal
 from tfloom.launch.actions.execute_process import ExecuteProcess
+from tfloom.launch.actions.group_action import GroupAction
 from tfloom.launch.actions.opaque_function import OpaqueFunction
 from tfloom.launch.actions.register_event_handler import RegisterEventHandler
 from tfloom.launch.actions.shutdown_action import Shutdown
@@ -32,6 +33,7 @@ from tfloom.launch.events.process.shutdown_process import ShutdownProcess
 from tfloom.launch.events.process.signal_process import SignalProcess
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.processes.family import TAG
+from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="the programs are of a POSIX shell")
@@ -232,6 +234,12 @@ def test_respawn_waits_as_told_and_ends_with_the_launch(launch: Launch) -> None:
     action = shell("true", respawn=True, respawn_delay=600.0)
     ran = launch(RegisterEventHandler(OnProcessExit(target_action=action, on_exit=[Shutdown()])), action)
     assert sum("process started" in line for line in ran.lines) == 1
+
+
+def test_respawn_may_be_a_configuration_of_a_group(launch: Launch) -> None:
+    action = shell("true", respawn=LaunchConfiguration("again"), respawn_max_retries=1)
+    ran = launch(GroupAction([action], launch_configurations={"again": "true"}))
+    assert sum("process started" in line for line in ran.lines) == 2
 
 
 @pytest.mark.parametrize(

@@ -208,8 +208,10 @@ class ExecuteLocal(Action):
         }
         self._completed_future = loop.create_future()
         self._shutdown_future = loop.create_future()
+        # Now, because the configurations of an enclosing group or include are gone when the process ends.
+        respawns = perform_typed_substitution(context, self._respawn, bool)
         self._register_handlers(context, timeouts)
-        self._task = loop.create_task(self._run(context))
+        self._task = loop.create_task(self._run(context, respawns=respawns))
         return None
 
     def _register_handlers(self, context: LaunchContext, timeouts: dict[str, tuple[str, float]]) -> None:
@@ -228,10 +230,10 @@ class ExecuteLocal(Action):
             # It stays, because the event of the process's end is handled after the process is gone.
             context.register_event_handler(OnProcessExit(target_action=self, on_exit=self._on_exit))
 
-    async def _run(self, context: LaunchContext) -> None:
+    async def _run(self, context: LaunchContext, *, respawns: bool) -> None:
         """Run the process, again as often as `respawn` says."""
         try:
-            while await self._run_once(context) and await self._respawns(context):
+            while await self._run_once(context) and respawns and await self._waits_to_respawn(context):
                 self._respawn_count += 1
         finally:
             self._clean_up(context)
@@ -297,15 +299,9 @@ class ExecuteLocal(Action):
         await context.emit_event(ProcessExited(returncode=code, **self._details))
         return True
 
-    async def _respawns(self, context: LaunchContext) -> bool:
+    async def _waits_to_respawn(self, context: LaunchContext) -> bool:
         """Wait as told; return whether the process is to be started again."""
-        is_wanted = perform_typed_substitution(context, self._respawn, bool)
-        if (
-            not is_wanted
-            or context.is_shutdown
-            or self._shutdown_future is None
-            or self._shutdown_future.done()
-        ):
+        if context.is_shutdown or self._shutdown_future is None or self._shutdown_future.done():
             return False
         if 0 <= self._respawn_max_retries <= self._respawn_count:
             return False
