@@ -56,21 +56,13 @@ class LaunchDescription(LaunchDescriptionEntity):
     def visit(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Return the entities, to be visited in order."""
         if self._deprecated_reason is not None:
-            location = (
-                getattr(context.locals, "current_launch_file_path", None)
-                if ("current_launch_file_path" in context.get_locals_as_dict())
-                else None
-            )
+            location = context.get_locals_as_dict().get("current_launch_file_path")
             get_logger("launch").warning(
                 f"launch file [{location}] is deprecated: {self._deprecated_reason}"
                 if location
                 else f"deprecated launch description: {self._deprecated_reason}"
             )
         return self._entities
-
-    def describe(self) -> str:
-        """Return a description for people."""
-        return repr(self)
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
         """Return the entities."""

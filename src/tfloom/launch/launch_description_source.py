@@ -7,6 +7,7 @@ from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.logging import get_logger
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitution import Substitution
+from tfloom.launch.substitutions.described import described
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 from tfloom.launch.utilities.perform_substitutions import perform_substitutions
 
@@ -38,7 +39,7 @@ class LaunchDescriptionSource:
         """Path of the file; before it is loaded, the description of its substitutions."""
         if self._expanded_location is not None:
             return self._expanded_location
-        return " + ".join(part.describe() for part in self._location)
+        return described(self._location)
 
     @property
     def method(self) -> str:
@@ -50,7 +51,7 @@ class LaunchDescriptionSource:
         if self._expanded_location is None:
             self._expanded_location = perform_substitutions(context, self._location)
         if self._launch_description is None:
-            self._launch_description = self._load(self._expanded_location)
+            self._launch_description = self._get_launch_description(self._expanded_location)
         return self._launch_description
 
     def try_get_launch_description_without_context(self) -> LaunchDescription | None:
@@ -58,14 +59,11 @@ class LaunchDescriptionSource:
         if self._launch_description is None:
             try:
                 location = perform_substitutions(LaunchContext(), self._location)
-                self._launch_description = self._load(location)
+                self._launch_description = self._get_launch_description(location)
             except Exception as error:  # noqa: BLE001  # of a user's file
                 get_logger("launch").debug(f"not known before the launch: {self.location}: {error}")
         return self._launch_description
 
-    def _load(self, location: str) -> LaunchDescription:
-        """Return the description of a file. Derived classes implement it, as `_get_launch_description`."""
-        return self._get_launch_description(location)
-
     def _get_launch_description(self, location: str) -> LaunchDescription:
+        """Return the description of a file; derived classes implement it."""
         raise NotImplementedError(f"{type(self).__name__} has no method '_get_launch_description'")

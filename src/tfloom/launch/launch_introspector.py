@@ -13,6 +13,7 @@ from tfloom.launch.event_handler import BaseEventHandler
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+from tfloom.launch.substitutions.described import described
 from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 
@@ -59,7 +60,7 @@ def format_entities(entities: Iterable[LaunchDescriptionEntity]) -> list[str]:
 
 def format_substitutions(substitutions: SomeSubstitutionsType) -> str:
     """Return the text of substitutions, with ` + ` between."""
-    return " + ".join(each.describe() for each in normalize_to_list_of_substitutions(substitutions))
+    return described(normalize_to_list_of_substitutions(substitutions))
 
 
 def format_event_handler(event_handler: BaseEventHandler) -> list[str]:

@@ -20,8 +20,7 @@ from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.launch_description_source import LaunchDescriptionSource
 from tfloom.launch.launch_description_sources.any_launch_description_source import AnyLaunchDescriptionSource
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.utilities.perform_substitutions import perform_some_substitutions, perform_substitutions
 
 __all__ = ["IncludeLaunchDescription"]
 
@@ -143,7 +142,7 @@ class IncludeLaunchDescription(Action):
 
     def _check_arguments(self, context: LaunchContext, description: LaunchDescription) -> None:
         """Raise RuntimeError if an argument that is certainly used has no value; others may fail when they are used."""
-        given = [_perform(context, name) for name, _ in self.__arguments]
+        given = [perform_some_substitutions(context, name) for name, _ in self.__arguments]
         found = description.get_launch_arguments_with_include_launch_description_actions()
         for argument, inclusions in found:
             is_optional = argument._conditionally_included  # noqa: SLF001  # of this room
@@ -163,13 +162,9 @@ class IncludeLaunchDescription(Action):
         names = []
         for name, _ in self.__arguments:
             with suppress(Exception):  # any that a substitution raises without a context
-                names.append(_perform(context, name))
+                names.append(perform_some_substitutions(context, name))
         return names
 
 
 def _absolute(path: str) -> str:
     return os.path.abspath(path)  # noqa: PTH100  # symbolic links are not resolved: they lead to a file's neighbours
-
-
-def _perform(context: LaunchContext, text: SomeSubstitutionsType) -> str:
-    return perform_substitutions(context, normalize_to_list_of_substitutions(text))

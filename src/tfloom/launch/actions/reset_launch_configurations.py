@@ -11,8 +11,7 @@ from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitution import Substitution
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.utilities.perform_substitutions import perform_some_substitutions
 
 __all__ = ["ResetLaunchConfigurations", "parse_kept"]
 
@@ -69,12 +68,8 @@ class ResetLaunchConfigurations(Action):
     def execute(self, context: LaunchContext) -> None:
         """Remove and set them."""
         kept = {
-            _perform(context, name): _perform(context, value)
+            perform_some_substitutions(context, name): perform_some_substitutions(context, value)
             for name, value in self.__launch_configurations.items()
         }
         context.launch_configurations.clear()
         context.launch_configurations.update(kept)
-
-
-def _perform(context: LaunchContext, text: SomeSubstitutionsType) -> str:
-    return perform_substitutions(context, normalize_to_list_of_substitutions(text))

@@ -77,10 +77,6 @@ class TimerAction(Action):
         """Actions that are executed then."""
         return self._actions
 
-    def describe(self) -> str:
-        """Return a description for people."""
-        return f"Action('{self!r}')"
-
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
         """Return the actions."""
         return []
@@ -172,8 +168,5 @@ class _OnTimer(BaseEventHandler):
 
 def _as_substitution(period: Any) -> Any:
     """Return whole numbers and texts of numbers as floats."""
-    if isinstance(period, int) and not isinstance(period, bool):
-        return float(period)
-    if isinstance(period, str):
-        return float(period)
-    return period
+    is_number = isinstance(period, (int, str)) and not isinstance(period, bool)
+    return float(period) if is_number else period

@@ -6,6 +6,7 @@ from tfloom.launch.condition import Condition
 from tfloom.launch.conditions.evaluate_condition_expression_impl import evaluate_condition_expression
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
+from tfloom.launch.substitutions.described import described
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 
 __all__ = ["IfCondition"]
@@ -27,4 +28,4 @@ class IfCondition(Condition):
 
     def describe(self) -> str:
         """Return a description for people."""
-        return f"{type(self).__name__}({' + '.join(each.describe() for each in self._predicate_expression)})"
+        return f"{type(self).__name__}({described(self._predicate_expression)})"

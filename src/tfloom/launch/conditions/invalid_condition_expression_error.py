@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from tfloom.launch.substitution import Substitution
+from tfloom.launch.substitutions.described import described
 
 __all__ = ["InvalidConditionExpressionError"]
 
@@ -21,8 +22,7 @@ class InvalidConditionExpressionError(ValueError):
     def __init__(
         self, expression: str, unexpanded_expression: Sequence[Substitution], valid_expressions: Sequence[str]
     ) -> None:
-        unexpanded = " + ".join(each.describe() for each in unexpanded_expression)
         super().__init__(
             f"invalid condition expression, expected one of [{', '.join(valid_expressions)}] "
-            f"but got '{expression}', expanded from '{unexpanded}'"
+            f"but got '{expression}', expanded from '{described(unexpanded_expression)}'"
         )

@@ -40,7 +40,3 @@ class LaunchConfigurationEquals(Condition):
         if self._expected_value is None:
             return value is None
         return value == perform_substitutions(context, self._expected_value)
-
-    def describe(self) -> str:
-        """Return a description for people."""
-        return repr(self)

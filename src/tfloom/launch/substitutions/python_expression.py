@@ -13,7 +13,7 @@ from tfloom.launch.substitutions.described import described
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
 from tfloom.launch.utilities.error_texts import add_to_error
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.utilities.perform_substitutions import perform_some_substitutions, perform_substitutions
 
 __all__ = ["PythonExpression"]
 
@@ -51,8 +51,7 @@ class PythonExpression(Substitution):
             raise TypeError("eval substitution expects 1 or 2 arguments")
         kwargs: dict[str, Any] = {"expression": data[0]}
         if len(data) == 2:
-            context = LaunchContext()
-            names = perform_substitutions(context, normalize_to_list_of_substitutions(data[1]))
+            names = perform_some_substitutions(LaunchContext(), data[1])
             kwargs["python_modules"] = [name.strip() for name in names.split(",") if name.strip()]
         return cls, kwargs
 

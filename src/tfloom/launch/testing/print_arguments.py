@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from tfloom.launch.launch_description import LaunchDescription
+from tfloom.launch.substitutions.described import described
 
 __all__ = ["print_arguments_of_launch_description"]
 
@@ -18,5 +19,4 @@ def print_arguments_of_launch_description(*, launch_description: LaunchDescripti
         description = action.description or "no description given"
         print("        " + "\n        ".join(str(description).splitlines()))
         if action.default_value is not None:
-            default = " + ".join(each.describe() for each in action.default_value)
-            print(f"        (default: {default})")
+            print(f"        (default: {described(action.default_value)})")

@@ -26,7 +26,7 @@ from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitutions.local_substitution import LocalSubstitution
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
-from tfloom.launch.utilities.perform_substitutions import perform_substitutions
+from tfloom.launch.utilities.perform_substitutions import perform_some_substitutions, perform_substitutions
 
 __all__ = ["Node"]
 
@@ -207,14 +207,12 @@ class Node(ExecuteProcess):
         from tfloom.node.values.names import validate_namespace, validate_node_name
 
         if self._given_name is not None:
-            name = perform_substitutions(context, normalize_to_list_of_substitutions(self._given_name))
+            name = perform_some_substitutions(context, self._given_name)
             validate_node_name(name)
             self._expanded_name = name
         namespace = None
         if self._given_namespace is not None:
-            namespace = perform_substitutions(
-                context, normalize_to_list_of_substitutions(self._given_namespace)
-            )
+            namespace = perform_some_substitutions(context, self._given_namespace)
         joined = prefix_namespace(configurations.namespace(context), namespace)
         if joined is not None:
             self._expanded_namespace = make_namespace_absolute(joined)

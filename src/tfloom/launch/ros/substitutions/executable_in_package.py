@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +11,9 @@ from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.ros.substitutions.find_package import FindPackagePrefix
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitution import Substitution
+from tfloom.launch.substitutions.described import described
 from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
+from tfloom.launch.utilities.nearest import did_you_mean
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 from tfloom.launch.utilities.perform_substitutions import perform_substitutions
 from tfloom.workspace import index
@@ -51,11 +53,7 @@ class ExecutableInPackage(FindPackagePrefix):
 
     def describe(self) -> str:
         """Return a description for people."""
-        package, executable = (
-            " + ".join(each.describe() for each in substitutions)
-            for substitutions in (self.package, self._executable)
-        )
-        return f"ExecInPkg(pkg={package}, exec={executable})"
+        return f"ExecInPkg(pkg={described(self.package)}, exec={described(self._executable)})"
 
     def perform(self, context: LaunchContext) -> str:
         """Return the path.
@@ -100,7 +98,13 @@ def _installed_program(package: str, program: str, prefix: str) -> str:
     return str(min(found, key=lambda path: len(path.parts)))
 
 
-def _not_found(program: str, folder: Path, known: Any) -> str:
-    from tfloom.launch.ros.nearest import nearest_programs
+def _not_found(program: str, folder: Path, known: Iterable[str]) -> str:
+    hint = _nearest_program(program, sorted(set(known)))
+    return f"executable '{program}' not found on the libexec directory '{folder}'{hint}"
 
-    return f"executable '{program}' not found on the libexec directory '{folder}'{nearest_programs(program, known)}"
+
+def _nearest_program(program: str, known: list[str]) -> str:
+    """Return the program of the nearest name as a text, else all of the package."""
+    if near := did_you_mean(program, known):
+        return near
+    return f"; its programs are {', '.join(known)}" if known else "; it has no programs"

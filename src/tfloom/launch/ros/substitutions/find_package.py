@@ -9,6 +9,8 @@ from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitution import Substitution
+from tfloom.launch.substitutions.described import described
+from tfloom.launch.utilities.nearest import did_you_mean
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 from tfloom.launch.utilities.perform_substitutions import perform_substitutions
 from tfloom.workspace.ament import PackageNotFoundError, get_package_prefix, get_package_share_directory
@@ -45,7 +47,7 @@ class FindPackage(Substitution):
 
     def describe(self) -> str:
         """Return a description for people."""
-        return f"Pkg(pkg={' + '.join(each.describe() for each in self._package)})"
+        return f"Pkg(pkg={described(self._package)})"
 
     def find(self, package_name: str) -> str:
         """Return the folder of a package; derived classes implement it."""
@@ -62,9 +64,17 @@ class FindPackage(Substitution):
         try:
             return self.find(package)
         except PackageNotFoundError as error:
-            from tfloom.launch.ros.nearest import nearest_packages
+            raise PackageNotFoundError(f"{error}{_nearest_package(package)}") from error
 
-            raise PackageNotFoundError(f"{error}{nearest_packages(package)}") from error
+
+def _nearest_package(package: str) -> str:
+    """Return the package of the nearest name as a text; empty if none is near, or a workspace here has the package."""
+    from tfloom.workspace import index
+    from tfloom.workspace.unsourced import how_to_find
+
+    if how_to_find(package):
+        return ""  # the error says how already
+    return did_you_mean(package, {*index.workspace_packages(), *index.own_packages()})
 
 
 @expose_substitution("find-pkg-prefix")

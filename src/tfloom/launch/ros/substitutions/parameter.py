@@ -10,6 +10,7 @@ from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.ros.configurations import global_parameters
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitution import Substitution
+from tfloom.launch.substitutions.described import described
 from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 from tfloom.launch.utilities.perform_substitutions import perform_substitutions
@@ -49,7 +50,7 @@ class Parameter(Substitution):
 
     def describe(self) -> str:
         """Return a description for people."""
-        return f"Parameter({' + '.join(each.describe() for each in self._name)})"
+        return f"Parameter({described(self._name)})"
 
     def perform(self, context: LaunchContext) -> str:
         """Return the value as a text.

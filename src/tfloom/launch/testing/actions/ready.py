@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from tfloom.launch.action import Action
 from tfloom.launch.event import Event
 from tfloom.launch.launch_context import LaunchContext
@@ -20,9 +18,6 @@ class TestsCanBegin(Event):
 
 class ReadyToTest(Action):
     """Lets the tests of a launch begin; by itself, or where a handler of events has it, once that event has come."""
-
-    def __init__(self, **kwargs: Any) -> None:
-        super().__init__(**kwargs)
 
     def describe(self) -> str:
         """Return the class name."""
