@@ -6,6 +6,7 @@ import os
 from typing import Any
 
 from tfloom.launch.action import Action
+from tfloom.launch.actions.named_value import NamedValue
 from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.launch_context import LaunchContext
@@ -23,7 +24,7 @@ __all__ = ["AppendEnvironmentVariable"]
 
 
 @expose_action("append_env")
-class AppendEnvironmentVariable(Action):
+class AppendEnvironmentVariable(NamedValue):
     """Append to an environment variable when it is executed, or set it if there is none.
 
     Args:
@@ -42,23 +43,17 @@ class AppendEnvironmentVariable(Action):
         separator: SomeSubstitutionsType = os.pathsep,
         **kwargs: Any,
     ) -> None:
-        super().__init__(**kwargs)
-        self.__name = normalize_to_list_of_substitutions(name)
-        self.__value = normalize_to_list_of_substitutions(value)
+        super().__init__(name, value, **kwargs)
         self.__prepend = normalize_typed_substitution(prepend, bool)
         self.__separator = normalize_to_list_of_substitutions(separator)
 
     @classmethod
-    def parse(
-        cls, entity: Entity, parser: ParsesActions
-    ) -> tuple[type[AppendEnvironmentVariable], dict[str, Any]]:
+    def parse(cls, entity: Entity, parser: ParsesActions) -> tuple[type[Action], dict[str, Any]]:
         """Return the class and its arguments, read from the tag `append_env`.
 
         It has `name` and `value`, and may have `prepend` and `separator`.
         """
         _, kwargs = super().parse(entity, parser)
-        kwargs["name"] = parser.parse_substitution(entity.get_attr("name"))
-        kwargs["value"] = parser.parse_substitution(entity.get_attr("value"))
         prepend = entity.get_attr("prepend", optional=True, data_type=bool, can_be_str=True)
         if prepend is not None:
             kwargs["prepend"] = parser.parse_if_substitutions(prepend)
@@ -66,16 +61,6 @@ class AppendEnvironmentVariable(Action):
         if separator is not None:
             kwargs["separator"] = parser.parse_substitution(separator)
         return cls, kwargs
-
-    @property
-    def name(self) -> list[Substitution]:
-        """The name."""
-        return self.__name
-
-    @property
-    def value(self) -> list[Substitution]:
-        """The text to append."""
-        return self.__value
 
     @property
     def prepend(self) -> NormalizedValueType:
@@ -89,8 +74,8 @@ class AppendEnvironmentVariable(Action):
 
     def execute(self, context: LaunchContext) -> None:
         """Append to it."""
-        name = perform_substitutions(context, self.__name)
-        parts = [perform_substitutions(context, self.__value)]
+        name = perform_substitutions(context, self.name)
+        parts = [perform_substitutions(context, self.value)]
         if name in context.environment:
             is_first = perform_typed_substitution(context, self.__prepend, bool)
             parts.insert(1 if is_first else 0, context.environment[name])

@@ -83,8 +83,18 @@ class Log(Action):
         self.__logger.log(_LEVELS[level], "%s", perform_substitutions(context, self.__msg))
 
 
+class _LogOfLevel(Log):
+    """Log a message of the class's level when it is executed."""
+
+    _level_name = ""
+
+    def __init__(self, *, msg: SomeSubstitutionsType, **kwargs: Any) -> None:
+        kwargs.pop("level", None)
+        super().__init__(msg=msg, level=self._level_name, **kwargs)
+
+
 @expose_action("log_debug")
-class LogDebug(Log):
+class LogDebug(_LogOfLevel):
     """Log a message of level DEBUG when it is executed.
 
     Args:
@@ -92,13 +102,11 @@ class LogDebug(Log):
         kwargs: Arguments of `Action`.
     """
 
-    def __init__(self, *, msg: SomeSubstitutionsType, **kwargs: Any) -> None:
-        kwargs.pop("level", None)
-        super().__init__(msg=msg, level="DEBUG", **kwargs)
+    _level_name = "DEBUG"
 
 
 @expose_action("log_info")
-class LogInfo(Log):
+class LogInfo(_LogOfLevel):
     """Log a message of level INFO when it is executed.
 
     Args:
@@ -106,13 +114,11 @@ class LogInfo(Log):
         kwargs: Arguments of `Action`.
     """
 
-    def __init__(self, *, msg: SomeSubstitutionsType, **kwargs: Any) -> None:
-        kwargs.pop("level", None)
-        super().__init__(msg=msg, level="INFO", **kwargs)
+    _level_name = "INFO"
 
 
 @expose_action("log_warning")
-class LogWarning(Log):
+class LogWarning(_LogOfLevel):
     """Log a message of level WARNING when it is executed.
 
     Args:
@@ -120,13 +126,11 @@ class LogWarning(Log):
         kwargs: Arguments of `Action`.
     """
 
-    def __init__(self, *, msg: SomeSubstitutionsType, **kwargs: Any) -> None:
-        kwargs.pop("level", None)
-        super().__init__(msg=msg, level="WARNING", **kwargs)
+    _level_name = "WARNING"
 
 
 @expose_action("log_error")
-class LogError(Log):
+class LogError(_LogOfLevel):
     """Log a message of level ERROR when it is executed.
 
     Args:
@@ -134,6 +138,4 @@ class LogError(Log):
         kwargs: Arguments of `Action`.
     """
 
-    def __init__(self, *, msg: SomeSubstitutionsType, **kwargs: Any) -> None:
-        kwargs.pop("level", None)
-        super().__init__(msg=msg, level="ERROR", **kwargs)
+    _level_name = "ERROR"
