@@ -11,6 +11,7 @@ from tfloom.launch.actions.execute_local import ExecuteLocal
 from tfloom.launch.descriptions.executable import Executable
 from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.frontend.expose import expose_action
+from tfloom.launch.frontend.pairs import parse_pairs
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitution import Substitution
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
@@ -124,7 +125,7 @@ class ExecuteProcess(ExecuteLocal):
         if "env" not in ignored and (
             variables := entity.get_attr("env", data_type=list[Entity], optional=True)
         ):
-            kwargs["additional_env"] = dict(_variable(each, parser) for each in variables)
+            kwargs["additional_env"] = dict(parse_pairs(variables, parser))
         return cls, kwargs
 
     @classmethod
@@ -154,11 +155,3 @@ class ExecuteProcess(ExecuteLocal):
 
 def _as_text(value: Any) -> Any:
     return str(value) if isinstance(value, float) else value
-
-
-def _variable(entity: Entity, parser: ParsesActions) -> tuple[Any, list[Substitution]]:
-    """Return an environment variable's name and value."""
-    name = tuple(parser.parse_substitution(entity.get_attr("name")))
-    value = parser.parse_substitution(entity.get_attr("value"))
-    entity.assert_entity_completely_parsed()
-    return name, value

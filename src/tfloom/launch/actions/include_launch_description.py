@@ -14,6 +14,7 @@ from tfloom.launch.actions.set_launch_configuration import SetLaunchConfiguratio
 from tfloom.launch.circular_includes import refuse_circle
 from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.frontend.expose import expose_action
+from tfloom.launch.frontend.pairs import parse_pairs
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
@@ -71,15 +72,7 @@ class IncludeLaunchDescription(Action):
         for tag in ("arg", "let"):
             given += entity.get_attr(tag, data_type=list[Entity], optional=True) or []
         if given:
-            kwargs["launch_arguments"] = [
-                (
-                    parser.parse_substitution(each.get_attr("name")),
-                    parser.parse_substitution(each.get_attr("value")),
-                )
-                for each in given
-            ]
-            for each in given:
-                each.assert_entity_completely_parsed()
+            kwargs["launch_arguments"] = parse_pairs(given, parser)
         return cls, kwargs
 
     @property

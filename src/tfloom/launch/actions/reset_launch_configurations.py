@@ -8,6 +8,7 @@ from typing import Any
 from tfloom.launch.action import Action
 from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.frontend.expose import expose_action
+from tfloom.launch.frontend.pairs import parse_pairs
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitution import Substitution
@@ -21,17 +22,7 @@ def parse_kept(
 ) -> dict[tuple[Substitution, ...], list[Substitution]] | None:
     """Return the configurations that the tags `keep` of an entity name, or None if it has none."""
     kept = entity.get_attr("keep", data_type=list[Entity], optional=True)
-    if kept is None:
-        return None
-    configurations = {
-        tuple(parser.parse_substitution(each.get_attr("name"))): parser.parse_substitution(
-            each.get_attr("value")
-        )
-        for each in kept
-    }
-    for each in kept:
-        each.assert_entity_completely_parsed()
-    return configurations
+    return None if kept is None else dict(parse_pairs(kept, parser))
 
 
 @expose_action("reset")

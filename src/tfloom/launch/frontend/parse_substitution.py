@@ -18,7 +18,7 @@ from typing import Any
 from tfloom.launch.frontend.expose import instantiate_substitution
 from tfloom.launch.substitution import Substitution
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
-from tfloom.launch.utilities.error_texts import add_to_error
+from tfloom.launch.utilities.error_places import add_to_error
 
 __all__ = [
     "SubstitutionSyntaxError",

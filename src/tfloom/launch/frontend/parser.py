@@ -20,10 +20,10 @@ from tfloom.launch.frontend.parse_substitution import (
     parse_substitution,
     replace_escaped_characters,
 )
-from tfloom.launch.frontend.places import describe_error, place_error
 from tfloom.launch.invalid_launch_file_error import InvalidLaunchFileError
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.substitution import Substitution
+from tfloom.launch.utilities.error_places import describe_error, place_error
 from tfloom.launch.utilities.nearest import did_you_mean
 
 __all__ = ["InvalidFrontendLaunchFileError", "Parser"]

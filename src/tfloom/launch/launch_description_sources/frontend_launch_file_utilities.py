@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from tfloom.launch.frontend.parser import InvalidFrontendLaunchFileError, Parser
-from tfloom.launch.frontend.places import describe_error
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_description_sources.missing_files import check_file
+from tfloom.launch.utilities.error_places import describe_error
 
 __all__ = ["get_launch_description_from_frontend_launch_file"]
 

@@ -11,7 +11,7 @@ from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitution import Substitution
 from tfloom.launch.substitutions.described import described
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
-from tfloom.launch.utilities.error_texts import add_to_error
+from tfloom.launch.utilities.error_places import add_to_error
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 from tfloom.launch.utilities.perform_substitutions import perform_some_substitutions, perform_substitutions
 

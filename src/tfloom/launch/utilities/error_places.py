@@ -1,4 +1,7 @@
-"""Where an error of a launch comes from: a file and a line of the user's."""
+"""Where an error of a launch comes from: a file and a line of the user's.
+
+An error keeps the place that it is given first, which is the innermost one.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +13,14 @@ from types import FrameType
 
 from tfloom.launch.invalid_launch_file_error import InvalidLaunchFileError
 
-__all__ = ["describe_failure", "keep_place", "place_of_construction"]
+__all__ = [
+    "add_to_error",
+    "describe_error",
+    "describe_failure",
+    "keep_place",
+    "place_error",
+    "place_of_construction",
+]
 
 _OURS = str(Path(__file__).parents[2]) + os.sep
 _PYTHONS = str(Path(os.__file__).parent) + os.sep
@@ -36,6 +46,46 @@ def keep_place(error: Exception, place: str) -> None:
         setattr(error, _PLACE, place)
 
 
+def place_error(error: Exception, place: str) -> None:
+    """Note on an error the place of an element of a launch file, unless one inside has done so, and add it to the text.
+
+    The error keeps its type. Its text begins with the place, if the type allows it.
+
+    Args:
+        error: What the element's parsing raised.
+        place: File and line; "" if they aren't known.
+    """
+    if place and not hasattr(error, _PLACE):
+        add_to_error(error, before=f"{place}: ")
+        setattr(error, _PLACE, place)
+
+
+def add_to_error(error: Exception, *, before: str = "", after: str = "") -> None:
+    """Add to an error's text, if its first argument is its whole text, as it is with most types.
+
+    Args:
+        error: The error.
+        before: What stands before its text.
+        after: What stands after it.
+    """
+    if isinstance(error, SyntaxError):
+        error.msg = f"{before}{error.msg}{after}"
+    elif len(error.args) == 1 and isinstance(error.args[0], str) and str(error) == error.args[0]:
+        error.args = (f"{before}{error.args[0]}{after}",)
+
+
+def describe_error(error: Exception, path: str) -> str:
+    """Return what is wrong with a launch file, beginning with the place.
+
+    Args:
+        error: What its parsing raised.
+        path: Path of the file, for errors without a place.
+    """
+    place = getattr(error, _PLACE, path)
+    text = str(error)
+    return text if text.startswith(place) else f"{place}: {type(error).__name__}: {text}"
+
+
 def describe_failure(error: BaseException) -> str:
     """Return the text of an error that ends a launch: its place, if it is known, and what is wrong.
 
@@ -46,7 +96,7 @@ def describe_failure(error: BaseException) -> str:
     if frames and not isinstance(error, InvalidLaunchFileError):
         return f"{frames[-1].filename}:{frames[-1].lineno}: {type(error).__name__}: {error}"
     place = getattr(error, _PLACE, "")
-    return f"{place}: {text}" if place else text
+    return f"{place}: {text}" if place and not text.startswith(place) else text
 
 
 def _is_users(path: str) -> bool:

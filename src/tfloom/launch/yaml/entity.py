@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from tfloom.launch.frontend.entity import Entity as BaseEntity
-from tfloom.launch.frontend.places import place_error
 from tfloom.launch.frontend.type_utils import check_is_list_entity
+from tfloom.launch.utilities.error_places import place_error
 from tfloom.launch.utilities.nearest import did_you_mean
 from tfloom.launch.utilities.type_utils import is_instance_of
 

@@ -10,7 +10,7 @@ from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.ros.actions.node import Node
-from tfloom.launch.ros.descriptions.composable_node import ComposableNode
+from tfloom.launch.ros.descriptions.composable_node import ComposableNode, parse_composable_nodes
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 
 __all__ = ["NEEDS_CPP", "ComposableNodeContainer"]
@@ -51,11 +51,7 @@ class ComposableNodeContainer(Node):
         _, kwargs = super().parse(entity, parser, ignore)
         elements = entity.get_attr("composable_node", data_type=List[Entity], optional=True)  # noqa: UP006
         if elements is not None:
-            nodes = []
-            for each in elements:
-                node_class, arguments = ComposableNode.parse(parser, each)
-                nodes.append(node_class(**arguments))
-            kwargs["composable_node_descriptions"] = nodes
+            kwargs["composable_node_descriptions"] = parse_composable_nodes(elements, parser)
         return cls, kwargs
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:

@@ -10,7 +10,7 @@ from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.ros.actions.composable_node_container import NEEDS_CPP, ComposableNodeContainer
-from tfloom.launch.ros.descriptions.composable_node import ComposableNode
+from tfloom.launch.ros.descriptions.composable_node import ComposableNode, parse_composable_nodes
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
 from tfloom.launch.utilities.ensure_argument_type import ensure_argument_type
 
@@ -49,11 +49,8 @@ class LoadComposableNodes(Action):
         """Return the class, and the arguments that the element of a launch file gives its constructor."""
         _, kwargs = super().parse(entity, parser)
         kwargs["target_container"] = parser.parse_substitution(entity.get_attr("target"))
-        nodes = []
-        for each in entity.get_attr("composable_node", data_type=List[Entity]):  # noqa: UP006
-            node_class, arguments = ComposableNode.parse(parser, each)
-            nodes.append(node_class(**arguments))
-        kwargs["composable_node_descriptions"] = nodes
+        elements = entity.get_attr("composable_node", data_type=List[Entity])  # noqa: UP006
+        kwargs["composable_node_descriptions"] = parse_composable_nodes(elements, parser)
         return cls, kwargs
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:

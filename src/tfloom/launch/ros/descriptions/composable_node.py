@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 from tfloom.launch.condition import Condition
-from tfloom.launch.conditions.if_condition import IfCondition
-from tfloom.launch.conditions.unless_condition import UnlessCondition
 from tfloom.launch.frontend.entity import Entity, ParsesActions
 from tfloom.launch.ros.parameters_type import Parameters, SomeParameters
 from tfloom.launch.ros.remap_rule_type import RemapRules, SomeRemapRules
@@ -17,7 +16,7 @@ from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitution import Substitution
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 
-__all__ = ["ComposableNode"]
+__all__ = ["ComposableNode", "parse_composable_nodes"]
 
 
 class ComposableNode:
@@ -65,7 +64,7 @@ class ComposableNode:
         }
         if (namespace := entity.get_attr("namespace", optional=True)) is not None:
             kwargs["namespace"] = parser.parse_substitution(namespace)
-        if (condition := _parse_condition(parser, entity)) is not None:
+        if (condition := parser.parse_condition(entity)) is not None:
             kwargs["condition"] = condition
         if (parameters := parse_parameters(entity, parser)) is not None:
             kwargs["parameters"] = parameters
@@ -116,12 +115,10 @@ class ComposableNode:
         return self._condition
 
 
-def _parse_condition(parser: ParsesActions, entity: Entity) -> Condition | None:
-    if_text, unless_text = (entity.get_attr(name, optional=True) for name in ("if", "unless"))
-    if if_text is not None and unless_text is not None:
-        raise RuntimeError("if and unless conditions can't be used simultaneously")
-    if if_text is not None:
-        return IfCondition(predicate_expression=parser.parse_substitution(if_text))
-    if unless_text is not None:
-        return UnlessCondition(predicate_expression=parser.parse_substitution(unless_text))
-    return None
+def parse_composable_nodes(elements: Iterable[Entity], parser: ParsesActions) -> list[ComposableNode]:
+    """Return the nodes of the tags `composable_node`."""
+    nodes = []
+    for each in elements:
+        node_class, arguments = ComposableNode.parse(parser, each)
+        nodes.append(node_class(**arguments))
+    return nodes

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any, List  # noqa: UP035  # the type that `Entity.get_attr` takes for children
 
 from tfloom.launch.frontend.entity import Entity, ParsesActions
+from tfloom.launch.frontend.pairs import Pair, parse_pairs
 from tfloom.launch.frontend.type_utils import get_data_type_from_identifier
 from tfloom.launch.ros.parameter_descriptions import ParameterFile, ParameterValue
 
@@ -13,21 +14,10 @@ __all__ = ["parse_nested_parameters", "parse_parameters", "parse_remappings"]
 _Elements = List[Entity]  # noqa: UP006
 
 
-def parse_remappings(entity: Entity, parser: ParsesActions) -> list[tuple[Any, Any]] | None:
+def parse_remappings(entity: Entity, parser: ParsesActions) -> list[Pair] | None:
     """Return the pairs of the tags `remap` in an element; None if there are none."""
     elements = entity.get_attr("remap", data_type=_Elements, optional=True)
-    if elements is None:
-        return None
-    pairs = []
-    for each in elements:
-        pairs.append(
-            (
-                parser.parse_substitution(each.get_attr("from")),
-                parser.parse_substitution(each.get_attr("to")),
-            )
-        )
-        each.assert_entity_completely_parsed()
-    return pairs
+    return None if elements is None else parse_pairs(elements, parser, "from", "to")
 
 
 def parse_parameters(entity: Entity, parser: ParsesActions, tag: str = "param") -> list[Any] | None:
