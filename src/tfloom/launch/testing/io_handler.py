@@ -10,6 +10,7 @@ from typing import Any, cast
 from tfloom.launch.action import Action
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.events.process.process_io import ProcessIO
+from tfloom.launch.testing.active_record import ActiveRecord
 from tfloom.launch.testing.assert_output import assertInStream
 from tfloom.launch.testing.proc_lookup import (
     CmdArgs,
@@ -66,24 +67,17 @@ class IoHandler:
         return list(self._by_action.get(key) or self._by_name[process_name(key)])
 
 
-class ActiveIoHandler:
+class ActiveIoHandler(ActiveRecord[ProcessIO, list[ProcessIO]]):
     """The output of processes that still run: all methods can be called on any thread."""
 
     def __init__(self) -> None:
-        self._changed = threading.Condition()
         self._handler = IoHandler()  # guarded by _changed
-        self._is_closed = False  # guarded by _changed
+        super().__init__(self._handler)
 
     @property
     def recorded(self) -> IoHandler:
         """The record itself, for the time when no process runs any more."""
         return self._handler
-
-    def close(self) -> None:
-        """End all waits, because no more output can come."""
-        with self._changed:
-            self._is_closed = True
-            self._changed.notify_all()
 
     @property
     def io_event(self) -> threading.Condition:
@@ -95,31 +89,6 @@ class ActiveIoHandler:
         with self._changed:
             self._handler.track(process_name)
             self._changed.notify_all()
-
-    def append(self, process_io: ProcessIO) -> None:
-        """Record an event, and wake all that wait."""
-        with self._changed:
-            self._handler.append(process_io)
-            self._changed.notify_all()
-
-    def __iter__(self) -> Iterator[ProcessIO]:
-        with self._changed:
-            return iter(self._handler)
-
-    def processes(self) -> list[ExecuteProcess]:
-        """Return the actions of all processes that have printed something, each once."""
-        with self._changed:
-            return self._handler.processes()
-
-    def process_names(self) -> list[str]:
-        """Return the names of all known processes."""
-        with self._changed:
-            return self._handler.process_names()
-
-    def __getitem__(self, key: ExecuteProcess | str) -> list[ProcessIO]:
-        """Return the events of a process, by its action or its name."""
-        with self._changed:
-            return self._handler[key]
 
     def waitFor(  # noqa: N802  # launch_testing's name
         self,

@@ -7,12 +7,11 @@ from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
 from tfloom.launch.testing.output import (
-    basic_output_filter,
     expected_output_from_file,
     get_default_filtered_patterns,
     get_default_filtered_prefixes,
 )
-from tfloom.launch.testing.ros.output import get_rmw_output_filter
+from tfloom.launch.testing.ros.output import basic_output_filter, get_rmw_output_filter
 
 __all__ = [
     "create_output_lines_filter",
@@ -33,12 +32,7 @@ def create_output_lines_filter(
     filtered_rmw_implementation: str | None = None,
 ) -> Callable[[str], str]:
     """Return a function that takes a text, and returns it without the lines that are ignored."""
-    prefixes = list(get_default_filtered_prefixes() if filtered_prefixes is None else filtered_prefixes)
-    patterns = list(get_default_filtered_patterns() if filtered_patterns is None else filtered_patterns)
-    if filtered_rmw_implementation:
-        prefixes += get_rmw_output_filter(filtered_rmw_implementation, "prefixes")
-        patterns += get_rmw_output_filter(filtered_rmw_implementation, "patterns")
-    return basic_output_filter(prefixes, patterns)
+    return basic_output_filter(filtered_prefixes, filtered_patterns, filtered_rmw_implementation)
 
 
 def create_output_lines_test(expected_lines: Sequence[str]) -> tuple[Check, list[str]]:

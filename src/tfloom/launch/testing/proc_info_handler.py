@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Iterator
 from typing import TypeAlias, cast
 
@@ -10,6 +9,7 @@ from tfloom.launch.action import Action
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.events.process.process_exited import ProcessExited
 from tfloom.launch.events.process.process_started import ProcessStarted
+from tfloom.launch.testing.active_record import ActiveRecord
 from tfloom.launch.testing.proc_lookup import (
     CmdArgs,
     NoMatchingProcessException,
@@ -58,49 +58,17 @@ class ProcInfoHandler:
         raise KeyError(key)
 
 
-class ActiveProcInfoHandler:
+class ActiveProcInfoHandler(ActiveRecord[Info, Info]):
     """The starts and ends of processes that still run: all methods can be called on any thread."""
 
     def __init__(self) -> None:
-        self._changed = threading.Condition()
         self._handler = ProcInfoHandler()  # guarded by _changed
-        self._is_closed = False  # guarded by _changed
+        super().__init__(self._handler)
 
     @property
     def recorded(self) -> ProcInfoHandler:
         """The record itself, for the time when no process runs any more."""
         return self._handler
-
-    def close(self) -> None:
-        """End all waits, because no more processes can start or end."""
-        with self._changed:
-            self._is_closed = True
-            self._changed.notify_all()
-
-    def append(self, process_info: Info) -> None:
-        """Record an event, and wake all that wait."""
-        with self._changed:
-            self._handler.append(process_info)
-            self._changed.notify_all()
-
-    def __iter__(self) -> Iterator[Info]:
-        with self._changed:
-            return iter(self._handler)
-
-    def processes(self) -> list[ExecuteProcess]:
-        """Return the actions of all processes."""
-        with self._changed:
-            return self._handler.processes()
-
-    def process_names(self) -> list[str]:
-        """Return the names of all processes."""
-        with self._changed:
-            return self._handler.process_names()
-
-    def __getitem__(self, key: ExecuteProcess | str) -> Info:
-        """Return the last event of a process, by its action or its name."""
-        with self._changed:
-            return self._handler[key]
 
     def assertWaitForShutdown(  # noqa: N802  # launch_testing's name
         self, process: Process, cmd_args: CmdArgs = None, *, timeout: float | None = 10

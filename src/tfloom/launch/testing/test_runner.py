@@ -11,13 +11,10 @@ import unittest
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from tfloom.launch.event import Event
-from tfloom.launch.event_handler import BaseEventHandler
 from tfloom.launch.event_handlers.on_process_io import OnProcessIO
 from tfloom.launch.events.process.process_exited import ProcessExited
 from tfloom.launch.events.process.process_started import ProcessStarted
 from tfloom.launch.events.shutdown import Shutdown
-from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.launch_service import LaunchService
@@ -30,6 +27,7 @@ from tfloom.launch.testing.loader import TestRun
 from tfloom.launch.testing.parse_arguments import parse_launch_arguments
 from tfloom.launch.testing.proc_info_handler import ActiveProcInfoHandler
 from tfloom.launch.testing.test_result import FailResult, SkipResult, TestResult
+from tfloom.launch.testing.watcher import Watcher
 
 __all__ = ["LaunchTestRunner"]
 
@@ -135,10 +133,10 @@ class _Launch:
 
     def _whole(self, description: LaunchDescription) -> LaunchDescription:
         handlers = [
-            _Watcher(TestsCanBegin, lambda _: self._on_ready()),
-            _Watcher(Shutdown, self._on_shutdown),
-            _Watcher(ProcessStarted, self._on_start),
-            _Watcher(ProcessExited, self._proc_info.append),
+            Watcher(TestsCanBegin, lambda _: self._on_ready()),
+            Watcher(Shutdown, self._on_shutdown),
+            Watcher(ProcessStarted, self._on_start),
+            Watcher(ProcessExited, self._proc_info.append),
             OnProcessIO(on_stdout=self._proc_output.append, on_stderr=self._proc_output.append),
         ]
         for handler in handlers:
@@ -216,16 +214,3 @@ class _Launch:
             f"##### output of {each.process_name} #####\n{text_of(self._proc_output[each.process_name], '')}"
             for each in failed
         ]
-
-
-class _Watcher(BaseEventHandler):
-    """Handler that calls a function with each event of a kind, and leaves the events to the other handlers."""
-
-    def __init__(self, kind: type[Event], function: Any) -> None:
-        super().__init__(matcher=lambda event: isinstance(event, kind))
-        self._function = function
-
-    def handle(self, event: Event, context: LaunchContext) -> None:
-        """Call the function."""
-        super().handle(event, context)
-        self._function(event)

@@ -1,0 +1,30 @@
+"""The handler that passes events on to tests."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from tfloom.launch.event import Event
+from tfloom.launch.event_handler import BaseEventHandler
+from tfloom.launch.launch_context import LaunchContext
+
+__all__ = ["Watcher"]
+
+
+class Watcher(BaseEventHandler):
+    """Calls a function with each event of a kind, and leaves the events to the other handlers.
+
+    Args:
+        kind: The kind of events.
+        function: Takes the event.
+    """
+
+    def __init__(self, kind: type[Event], function: Callable[[Any], object]) -> None:
+        super().__init__(matcher=lambda event: isinstance(event, kind))
+        self._function = function
+
+    def handle(self, event: Event, context: LaunchContext) -> None:
+        """Call the function."""
+        super().handle(event, context)
+        self._function(event)
