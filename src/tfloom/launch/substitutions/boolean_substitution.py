@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from tfloom.launch.frontend.expose import expose_substitution
@@ -90,7 +90,10 @@ class NotSubstitution(Substitution):
 class _OfTwo(Substitution):
     """Logic on two values, both of which are always performed."""
 
-    _word = ""
+    _word: str
+    """Name of the substitution in launch files."""
+    _join: Callable[[Iterable[bool]], bool]
+    """Takes the truth values, and returns that of the whole."""
 
     def __init__(self, left: SomeSubstitutionsType, right: SomeSubstitutionsType) -> None:
         super().__init__()
@@ -122,8 +125,13 @@ class _OfTwo(Substitution):
         """Return a description for people."""
         return f"{type(self).__name__}({described(self._left)} {described(self._right)})"
 
-    def _both(self, context: LaunchContext) -> list[bool]:
-        return [perform_boolean(context, self._left), perform_boolean(context, self._right)]
+    def perform(self, context: LaunchContext) -> str:
+        """Return `true` or `false`.
+
+        Raises:
+            SubstitutionFailure: a value is neither true nor false.
+        """
+        return _text(self._join([perform_boolean(context, each) for each in (self._left, self._right)]))
 
 
 @expose_substitution("and")
@@ -136,14 +144,7 @@ class AndSubstitution(_OfTwo):
     """
 
     _word = "and"
-
-    def perform(self, context: LaunchContext) -> str:
-        """Return `true` or `false`.
-
-        Raises:
-            SubstitutionFailure: a value is neither true nor false.
-        """
-        return _text(all(self._both(context)))
+    _join = staticmethod(all)
 
 
 @expose_substitution("or")
@@ -156,18 +157,14 @@ class OrSubstitution(_OfTwo):
     """
 
     _word = "or"
-
-    def perform(self, context: LaunchContext) -> str:
-        """Return `true` or `false`.
-
-        Raises:
-            SubstitutionFailure: a value is neither true nor false.
-        """
-        return _text(any(self._both(context)))
+    _join = staticmethod(any)
 
 
 class _OfMany(Substitution):
     """Logic on any number of values, all of which are always performed."""
+
+    _join: Callable[[Iterable[bool]], bool]
+    """Takes the truth values, and returns that of the whole."""
 
     def __init__(self, *args: SomeSubstitutionsType) -> None:
         super().__init__()
@@ -187,8 +184,13 @@ class _OfMany(Substitution):
         """Return a description for people."""
         return f"{type(self).__name__}({' '.join(described(each) for each in self._args)})"
 
-    def _each(self, context: LaunchContext) -> list[bool]:
-        return [perform_boolean(context, each) for each in self._args]
+    def perform(self, context: LaunchContext) -> str:
+        """Return `true` or `false`.
+
+        Raises:
+            SubstitutionFailure: a value is neither true nor false.
+        """
+        return _text(self._join([perform_boolean(context, each) for each in self._args]))
 
 
 @expose_substitution("any")
@@ -199,13 +201,7 @@ class AnySubstitution(_OfMany):
         args: The values.
     """
 
-    def perform(self, context: LaunchContext) -> str:
-        """Return `true` or `false`.
-
-        Raises:
-            SubstitutionFailure: a value is neither true nor false.
-        """
-        return _text(any(self._each(context)))
+    _join = staticmethod(any)
 
 
 @expose_substitution("all")
@@ -216,10 +212,4 @@ class AllSubstitution(_OfMany):
         args: The values.
     """
 
-    def perform(self, context: LaunchContext) -> str:
-        """Return `true` or `false`.
-
-        Raises:
-            SubstitutionFailure: a value is neither true nor false.
-        """
-        return _text(all(self._each(context)))
+    _join = staticmethod(all)
