@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 
 from tfloom.launch.event import Event
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.some_entities_type import SomeEntitiesType
+from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
 
 __all__ = ["BaseEventHandler", "EventHandler"]
 
@@ -77,11 +78,7 @@ class EventHandler(BaseEventHandler):
         handle_once: bool = False,
     ) -> None:
         super().__init__(matcher=matcher, handle_once=handle_once)
-        self._entities: list[LaunchDescriptionEntity] | None = None
-        if isinstance(entities, Iterable):
-            self._entities = list(entities)
-        elif entities is not None:
-            self._entities = [entities]
+        self._entities = None if entities is None else normalize_to_list_of_entities([entities])
 
     @property
     def entities(self) -> list[LaunchDescriptionEntity] | None:

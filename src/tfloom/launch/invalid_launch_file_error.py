@@ -17,7 +17,6 @@ class InvalidLaunchFileError(Exception):
 
     def __init__(self, extension: str = "", *, likely_errors: Sequence[Exception] | None = None) -> None:
         super().__init__()
-        self._extension = extension
         self._likely_errors = list(likely_errors or [])
         if not extension or not self._likely_errors:
             self._error_message = "The launch file may have a syntax error, or its format is unknown"
@@ -37,7 +36,7 @@ class InvalidLaunchFileError(Exception):
             cause: The error that shows it.
         """
         error = cls()
-        error._likely_errors = [cause] if cause is not None else []  # its own class
+        error._likely_errors = [cause] if cause is not None else []
         error._error_message = message
         error.__cause__ = cause
         return error

@@ -194,7 +194,7 @@ class LaunchConfig:
             logger.setLevel(self._level)
 
     def close(self) -> None:
-        """Close the log files, and let every logger begin anew."""
+        """Close the log files, and remove the handlers of all loggers."""
         for handler in self._file_handlers.values():
             handler.close()
         for logger in self._loggers:
@@ -213,8 +213,8 @@ def get_logger(name: str | None = None) -> logging.Logger:
     if not logger.handlers:
         launch_config.add_logger(logger)
         logger.propagate = False
-        logger.addHandler(_Later(launch_config.get_screen_handler))
-        logger.addHandler(_Later(launch_config.get_log_file_handler))
+        logger.addHandler(_DeferredHandler(launch_config.get_screen_handler))
+        logger.addHandler(_DeferredHandler(launch_config.get_log_file_handler))
     return logger
 
 
@@ -263,7 +263,7 @@ def reset() -> None:
     launch_config.reset()
 
 
-class _Later(logging.Handler):
+class _DeferredHandler(logging.Handler):
     """Passes records on to a handler that exists from the first record on: most commands log nothing."""
 
     def __init__(self, make: Callable[[], logging.Handler]) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -27,6 +27,7 @@ from tfloom.launch.logging import OutputConfig, get_logger
 from tfloom.launch.some_entities_type import SomeEntitiesType
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration
+from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 from tfloom.launch.utilities.perform_substitutions import perform_substitutions
 from tfloom.launch.utilities.type_utils import normalize_typed_substitution, perform_typed_substitution
@@ -112,7 +113,7 @@ class ExecuteLocal(Action):
         self._return_code: int | None = None
         self._logger = get_logger("launch.execute_local")
 
-    # What programs ask
+    # Properties
 
     @property
     def process_description(self) -> Executable:
@@ -164,11 +165,9 @@ class ExecuteLocal(Action):
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
         """Return the entities that are visited when it ends."""
-        if isinstance(self._on_exit, LaunchDescriptionEntity):
-            return [self._on_exit]
-        if isinstance(self._on_exit, Iterable):
-            return list(self._on_exit)
-        return []
+        if self._on_exit is None or callable(self._on_exit):
+            return []
+        return normalize_to_list_of_entities([self._on_exit])
 
     def get_asyncio_future(self) -> asyncio.Future[None] | None:
         """Return a future that is done when the process has ended for good."""
@@ -300,7 +299,7 @@ class ExecuteLocal(Action):
         return True
 
     async def _waits_to_respawn(self, context: LaunchContext) -> bool:
-        """Wait as told; return whether the process is to be started again."""
+        """Wait for `respawn_delay`; return whether the process is to be started again."""
         if context.is_shutdown or self._shutdown_future is None or self._shutdown_future.done():
             return False
         if 0 <= self._respawn_max_retries <= self._respawn_count:

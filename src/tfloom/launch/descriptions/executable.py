@@ -129,7 +129,7 @@ class Executable:
         if not cmd or not cmd[0]:
             raise ValueError("a command line is empty: its first word is the program to start")
         name = Path(cmd[0]).name if self._name is None else perform_substitutions(context, self._name)
-        self._final_name = f"{name}-{context._next_process_number()}"  # noqa: SLF001  # ours
+        self._final_name = f"{name}-{context._next_process_number()}"  # noqa: SLF001  # of this room
         prefix = shlex.split(perform_substitutions(context, self._prefix))
         if prefix and self._is_filtered:
             pattern = perform_substitutions(context, self._prefix_filter)

@@ -11,6 +11,7 @@ from tfloom.launch.event_handler import BaseEventHandler
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.some_entities_type import SomeEntitiesType
+from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
 
 __all__ = ["OnActionEventBase"]
 
@@ -61,7 +62,7 @@ class OnActionEventBase(BaseEventHandler):
         self._on_event = on_event
         self._actions: list[LaunchDescriptionEntity] | None = None
         if not callable(on_event):
-            self._actions = list(on_event) if isinstance(on_event, Iterable) else [on_event]
+            self._actions = normalize_to_list_of_entities([on_event])
         super().__init__(matcher=self._is_meant, **kwargs)
 
     def _is_meant(self, event: Any) -> bool:

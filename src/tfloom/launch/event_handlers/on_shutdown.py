@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from typing import Any
 
 from tfloom.launch.event import Event
 from tfloom.launch.event_handler import BaseEventHandler
 from tfloom.launch.events.shutdown import Shutdown
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.some_entities_type import SomeEntitiesType
+from tfloom.launch.utilities.normalize_to_list_of_entities import normalize_to_list_of_entities
 
 __all__ = ["OnShutdown"]
 
@@ -51,9 +51,5 @@ class OnShutdown(BaseEventHandler):
 
     def describe(self) -> tuple[str, list[SomeEntitiesType]]:
         """Return a description for people, and the entities to visit, as far as they are known."""
-        entities: list[SomeEntitiesType] = []
-        if isinstance(self._on_shutdown, LaunchDescriptionEntity):
-            entities = [self._on_shutdown]
-        elif isinstance(self._on_shutdown, Iterable):
-            entities = list(self._on_shutdown)
-        return super().describe()[0], entities
+        known = [] if callable(self._on_shutdown) else [self._on_shutdown]
+        return super().describe()[0], list(normalize_to_list_of_entities(known))

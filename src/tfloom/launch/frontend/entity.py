@@ -31,7 +31,7 @@ class Entity:
         raise NotImplementedError
 
     def assert_entity_completely_parsed(self) -> None:
-        """Raise ValueError if the element has attributes or children that nobody has read."""
+        """Raise ValueError if the element has attributes or children that have not been read."""
         raise NotImplementedError
 
     def get_attr(

@@ -98,7 +98,7 @@ def expose_action(name: str) -> Callable[[_Exposed], _Exposed]:
 
 
 def _parse_method(name: str, methods: Mapping[str, Any], modules: Mapping[str, str]) -> Any:
-    """Return the method of a name, for which modules are imported if it has not been exposed yet; None: nobody has."""
+    """Return the method of a name, or None; modules are imported if it has not been exposed yet."""
     if name not in methods:
         if name in modules:
             importlib.import_module(modules[name])

@@ -20,7 +20,7 @@ LEFTOVERS = {signal.SIGTERM: 1.0}
 
 
 class Guard:
-    """Knows the processes of a launch, and ends them with it. Used on the launch's thread alone."""
+    """The processes of a launch, which are ended with it. Used on the launch's thread alone."""
 
     def __init__(self) -> None:
         self._launch_id = uuid.uuid4().hex
@@ -33,7 +33,7 @@ class Guard:
         """Return the environment variables for a process that is started next. Before the first, start the guardian."""
         # A frozen program has no Python that could run the guardian: its executable is the program itself.
         if self._guardian is None and not getattr(sys, "frozen", False):
-            self._guardian = subprocess.Popen(  # ours
+            self._guardian = subprocess.Popen(
                 [
                     sys.executable,
                     "-m",
@@ -49,7 +49,7 @@ class Guard:
                 start_new_session=True,
             )
             for folder in self._folders:
-                self._send(f"remove {folder.encode().hex()}")
+                self._send_folder(folder)
         return tagged(environment, self._launch_id)
 
     def add(self, pid: int) -> None:
@@ -60,6 +60,9 @@ class Guard:
     def add_folder(self, folder: str) -> None:
         """Add a folder of temporary files, which is removed if the launch is killed."""
         self._folders.append(folder)
+        self._send_folder(folder)
+
+    def _send_folder(self, folder: str) -> None:
         self._send(f"remove {folder.encode().hex()}")
 
     def _send(self, line: str) -> None:

@@ -11,6 +11,7 @@ from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitution import Substitution
 from tfloom.launch.substitutions.described import described
 from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
+from tfloom.launch.substitutions.two_values import TwoValues
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 from tfloom.launch.utilities.perform_substitutions import perform_substitutions
 from tfloom.launch.utilities.type_utils import perform_typed_substitution
@@ -87,43 +88,14 @@ class NotSubstitution(Substitution):
         return _text(not perform_boolean(context, self._value))
 
 
-class _OfTwo(Substitution):
+class _OfTwo(TwoValues):
     """Logic on two values, both of which are always performed."""
 
-    _word: str
-    """Name of the substitution in launch files."""
     _join: Callable[[Iterable[bool]], bool]
     """Takes the truth values, and returns that of the whole."""
 
     def __init__(self, left: SomeSubstitutionsType, right: SomeSubstitutionsType) -> None:
-        super().__init__()
-        self._left = normalize_to_list_of_substitutions(left)
-        self._right = normalize_to_list_of_substitutions(right)
-
-    @classmethod
-    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[_OfTwo], dict[str, Any]]:
-        """Return the class and the arguments.
-
-        Raises:
-            TypeError: there are not exactly two arguments.
-        """
-        if len(data) != 2:
-            raise TypeError(f"{cls._word} substitution expects 2 arguments")
-        return cls, {"left": data[0], "right": data[1]}
-
-    @property
-    def left(self) -> list[Substitution]:
-        """First value."""
-        return self._left
-
-    @property
-    def right(self) -> list[Substitution]:
-        """Second value."""
-        return self._right
-
-    def describe(self) -> str:
-        """Return a description for people."""
-        return f"{type(self).__name__}({described(self._left)} {described(self._right)})"
+        super().__init__(normalize_to_list_of_substitutions(left), normalize_to_list_of_substitutions(right))
 
     def perform(self, context: LaunchContext) -> str:
         """Return `true` or `false`.

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import Any
 
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitution import Substitution
-from tfloom.launch.substitutions.described import described
+from tfloom.launch.substitutions.two_values import TwoValues
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 from tfloom.launch.utilities.perform_substitutions import perform_substitutions
 from tfloom.launch.utilities.type_utils import is_substitution
@@ -46,7 +45,7 @@ def _are_equal(left: str, right: str) -> bool:
 
 
 @expose_substitution("equals")
-class EqualsSubstitution(Substitution):
+class EqualsSubstitution(TwoValues):
     """`true` if two values are equal, as booleans, as numbers (within a relative 1e-9) or as texts; else `false`.
 
     Args:
@@ -54,35 +53,10 @@ class EqualsSubstitution(Substitution):
         right: Second value.
     """
 
+    _word = "equals"
+
     def __init__(self, left: Any | Iterable[Any] | None, right: Any | Iterable[Any] | None) -> None:
-        super().__init__()
-        self._left = _normalized(left)
-        self._right = _normalized(right)
-
-    @classmethod
-    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[EqualsSubstitution], dict[str, Any]]:
-        """Return the class and the arguments of `$(equals left right)`.
-
-        Raises:
-            TypeError: there are not exactly two arguments.
-        """
-        if len(data) != 2:
-            raise TypeError("equals substitution expects 2 arguments")
-        return cls, {"left": data[0], "right": data[1]}
-
-    @property
-    def left(self) -> list[Substitution]:
-        """First value."""
-        return self._left
-
-    @property
-    def right(self) -> list[Substitution]:
-        """Second value."""
-        return self._right
-
-    def describe(self) -> str:
-        """Return a description for people."""
-        return f"{type(self).__name__}({described(self._left)} {described(self._right)})"
+        super().__init__(_normalized(left), _normalized(right))
 
     def perform(self, context: LaunchContext) -> str:
         """Return `true` or `false`."""

@@ -34,6 +34,6 @@ class LaunchLogDir(Substitution):
         """Return a description for people."""
         return "LaunchLogDir()"
 
-    def perform(self, context: LaunchContext) -> str:  # the interface has it
+    def perform(self, context: LaunchContext) -> str:
         """Return the path."""
         return launch_config.log_dir

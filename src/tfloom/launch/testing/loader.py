@@ -1,4 +1,4 @@
-"""The launches that a test file asks for, and the tests of each."""
+"""The launches of a test file, and the tests of each."""
 
 from __future__ import annotations
 
@@ -150,7 +150,7 @@ class TestRun:
 
 
 def LoadTestsFromPythonModule(module: Any, *, name: str = "launch_tests") -> list[TestRun]:  # noqa: N802  # launch_testing's name
-    """Return the launches of a test file: one, or as many as `parametrize` asks for.
+    """Return the launches of a test file: one, or one for each set of arguments of `parametrize`.
 
     Args:
         module: The imported file.

@@ -27,8 +27,7 @@ class ROSTimer(TimerAction):
         canceled = cast("asyncio.Future[bool]", self._canceled_future)
         fired: asyncio.Future[None] = loop.create_future()
 
-        def fire() -> None:
-            """Called on the thread of the launch's node."""
+        def fire() -> None:  # called on the thread of the launch's node
             loop.call_soon_threadsafe(_set, fired)
 
         period_s = perform_typed_substitution(context, self._period, float)
