@@ -104,6 +104,7 @@ class LaunchContext:
     def add_completion_future(self, completion_future: Future[Any]) -> None:
         """Keep the launch running until a future is done."""
         self._completion_futures.append(completion_future)
+        completion_future.add_done_callback(lambda _: self._post())
 
     def _next_process_number(self) -> int:
         self._process_count += 1

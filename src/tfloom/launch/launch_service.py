@@ -2,8 +2,15 @@
 
 A launch is a queue of events. To include a description is an event; its handler returns the description, which is a
 tree of entities. A visit of an entity does what it stands for and returns the entities to visit next, depth first. An
-entity that goes on after its visit, as a process does, has a future. When no event waits and no future is open, the
-launch is idle, which emits the event Shutdown; after that one is handled and all is idle again, the launch has ended.
+entity that goes on after its visit, as a process does, has a future, and emits events meanwhile; handlers of these
+return more entities. When no event waits and no future is open, the launch is idle, which emits the event Shutdown.
+
+Each action handles Shutdown itself: that of a process sends SIGINT, then SIGTERM, then SIGKILL (see
+`actions/execute_local.py`), and a timer ends its wait. Ctrl-C, an error, and the cancellation of the launch's task emit
+Shutdown, too. After it has been handled and all is idle again, the launch has ended; processes that its processes have
+left behind are ended last.
+
+Read `run_async` first; what it calls follows in that order, and after it what other threads call.
 """
 
 from __future__ import annotations
@@ -38,6 +45,7 @@ ENDING_SIGNALS = ("SIGTERM", "SIGHUP", "SIGQUIT")
 """Signals that end the launch as Ctrl-C does."""
 
 CLOSE_S = 0.05
+"""Time for the rest of the output of processes that were left behind [s]."""
 
 
 class LaunchService:
@@ -84,39 +92,6 @@ class LaunchService:
         """Task that runs the launch; None while it doesn't run."""
         return self._task
 
-    # From any thread
-
-    def include_launch_description(self, launch_description: LaunchDescription) -> None:
-        """Add a description to the launch, before it runs or while it does."""
-        self.emit_event(IncludeLaunchDescription(launch_description))
-
-    def emit_event(self, event: Event) -> None:
-        """Add an event to those that are handled, before the launch runs or while it does."""
-        with self._lock:
-            loop, is_own = self._loop, self._thread in (None, threading.get_ident())
-        if loop is None or is_own:
-            self._context.emit_event_sync(event)
-        else:
-            loop.call_soon_threadsafe(self._context.emit_event_sync, event)
-
-    def shutdown(self, force_sync: bool = False) -> Coroutine[Any, Any, None] | None:
-        """End the launch, and all its processes. `run` returns after their end.
-
-        Args:
-            force_sync: Whether nothing is returned, also on the launch's own thread.
-
-        Returns:
-            On the launch's own thread, a coroutine that emits the event when it is awaited; else None, it has been
-            emitted.
-        """
-        event = Shutdown(reason="LaunchService.shutdown() called")
-        if self._loop is None or self._is_shutting_down:
-            return None
-        if not force_sync and self._thread == threading.get_ident():
-            return self._context.emit_event(event)
-        self.emit_event(event)
-        return None
-
     # The run
 
     def run(self, *, shutdown_when_idle: bool = True) -> int:
@@ -143,7 +118,7 @@ class LaunchService:
             finally:
                 left = guard_of(self._context).close()
                 if left:
-                    await asyncio.sleep(CLOSE_S)  # their output ends, which closes the pipes
+                    await asyncio.sleep(CLOSE_S)
                     self._logger.warning(
                         "ended processes that others had started and left: %s", ", ".join(left)
                     )
@@ -153,7 +128,7 @@ class LaunchService:
         """Handle events in order, until the launch is idle after its shutdown."""
         context = self._context
         while True:
-            if context._events:  # noqa: SLF001  # ours
+            if context._events:  # noqa: SLF001  # of this room
                 try:
                     self._handle(context._events.popleft())  # noqa: SLF001
                 except Exception as error:  # noqa: BLE001  # of a user's description
@@ -186,19 +161,13 @@ class LaunchService:
             pair[1].add_done_callback(lambda _: self._wake.set())
 
     def _has_open_futures(self) -> bool:
-        """Forget the futures that are done, and return whether any is open."""
+        """Drop the futures that are done, end the launch if one failed, and return whether any is open."""
         for _, future in self._open:
             if future.done() and not future.cancelled() and (error := future.exception()) is not None:
                 self._fail(error)
         self._open = [pair for pair in self._open if not pair[1].done()]
         waiting = self._context._completion_futures  # noqa: SLF001
-        for future in waiting:
-            future.remove_done_callback(self._on_completion)
-            future.add_done_callback(self._on_completion)
         return bool(self._open) or any(not future.done() for future in waiting)
-
-    def _on_completion(self, _: asyncio.Future[Any]) -> None:
-        self._wake.set()
 
     # Its end
 
@@ -262,3 +231,36 @@ class LaunchService:
                 signals.handle(getattr(signal, name), self._on_ending_signal)
         with signals:
             yield
+
+    # From any thread
+
+    def include_launch_description(self, launch_description: LaunchDescription) -> None:
+        """Add a description to the launch, before it runs or while it does."""
+        self.emit_event(IncludeLaunchDescription(launch_description))
+
+    def emit_event(self, event: Event) -> None:
+        """Add an event to those that are handled, before the launch runs or while it does."""
+        with self._lock:
+            loop, is_own = self._loop, self._thread in (None, threading.get_ident())
+        if loop is None or is_own:
+            self._context.emit_event_sync(event)
+        else:
+            loop.call_soon_threadsafe(self._context.emit_event_sync, event)
+
+    def shutdown(self, force_sync: bool = False) -> Coroutine[Any, Any, None] | None:
+        """End the launch, and all its processes. `run` returns after their end.
+
+        Args:
+            force_sync: Whether nothing is returned, also on the launch's own thread.
+
+        Returns:
+            On the launch's own thread, a coroutine that emits the event when it is awaited; else None, it has been
+            emitted.
+        """
+        event = Shutdown(reason="LaunchService.shutdown() called")
+        if self._loop is None or self._is_shutting_down:
+            return None
+        if not force_sync and self._thread == threading.get_ident():
+            return self._context.emit_event(event)
+        self.emit_event(event)
+        return None
