@@ -25,14 +25,14 @@ __all__ = ["AppendEnvironmentVariable"]
 
 @expose_action("append_env")
 class AppendEnvironmentVariable(NamedValue):
-    """Append to an environment variable when it is executed, or set it if there is none.
+    """Appends to an environment variable when it is executed, or sets it if there is none.
 
     Args:
         name: Name of the variable; it may have substitutions.
         value: Text to append; it may have substitutions.
         prepend: Whether to put the text first instead; it may have substitutions, whose text is read as YAML.
         separator: Text between the two: by default what the system puts between two paths.
-        kwargs: Arguments of `Action`.
+        kwargs: As for Action.
     """
 
     def __init__(

@@ -22,7 +22,7 @@ _LOGGER_NAME = "launch.actions.declare_launch_argument"
 
 @expose_action("arg")
 class DeclareLaunchArgument(Action):
-    """Declare an argument of the launch description, which becomes a launch configuration of the same name.
+    """Declares an argument of the launch description, which becomes a launch configuration of the same name.
 
     A command line (`name:=value`) or an `IncludeLaunchDescription` gives its value. A declaration that is inside a
     condition, or an event handler's, is found as far as the description can be read without running it.
@@ -32,7 +32,7 @@ class DeclareLaunchArgument(Action):
         default_value: Value if none is given; it may have substitutions. None: a value must be given.
         description: What the argument is for.
         choices: The valid values; None: any.
-        kwargs: Arguments of `Action`.
+        kwargs: As for Action.
 
     Raises:
         RuntimeError: there are no choices in `choices`, or `default_value` is a text that isn't one of them.

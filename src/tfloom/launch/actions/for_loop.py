@@ -25,7 +25,7 @@ Entities = Sequence[LaunchDescriptionEntity]
 
 @expose_action("for_each")
 class ForEach(Action):
-    """Visit entities once for each of several sets of values, when it is executed.
+    """Visits entities once for each of several sets of values, when it is executed.
 
     In a launch file, the tag `for_each` has the sets in `values`, and holds actions, in which `$(for-var name)` is a
     value.
@@ -34,7 +34,7 @@ class ForEach(Action):
         input_values: The sets: YAML mappings with semicolons between, such as `{name: a, id: 1};{name: b, id: 2}`. It
             may have substitutions. There may be no sets; an empty mapping is one.
         function: Called with the values of each set by keyword; returns the entities to visit, or None.
-        kwargs: Arguments of `Action`.
+        kwargs: As for Action.
     """
 
     SEPARATOR = ";"
@@ -91,7 +91,7 @@ class ForEach(Action):
 
 @expose_action("for")
 class ForLoop(Action):
-    """Visit entities a number of times, when it is executed.
+    """Visits entities a number of times, when it is executed.
 
     In a launch file, the tag `for` has the number in `len` and a `name`, and holds actions, in which `$(index name)` is
     the index.
@@ -100,7 +100,7 @@ class ForLoop(Action):
         length: The number of times; it may have substitutions.
         function: Called with the index by the keyword `i`, from 0; returns the entities to visit, or None.
         name: Name of the index, for `ForLoopIndex`.
-        kwargs: Arguments of `Action`.
+        kwargs: As for Action.
     """
 
     def __init__(

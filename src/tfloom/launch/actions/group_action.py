@@ -24,7 +24,7 @@ __all__ = ["GroupAction"]
 
 @expose_action("group")
 class GroupAction(Action):
-    """Execute actions together: under one condition, in a scope of launch configurations and environment variables.
+    """Executes actions together: under one condition, in a scope of launch configurations and environment variables.
 
     Args:
         actions: The actions, in order.
@@ -33,7 +33,7 @@ class GroupAction(Action):
             with no configuration and the variables of the launch's start.
         launch_configurations: Value of each configuration to set for the actions, by its name; both may have
             substitutions, which are performed outside of the group.
-        left_over_kwargs: Arguments of `Action`.
+        left_over_kwargs: As for Action.
     """
 
     def __init__(

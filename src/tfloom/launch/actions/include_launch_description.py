@@ -33,7 +33,7 @@ Argument = tuple[SomeSubstitutionsType, SomeSubstitutionsType]
 
 @expose_action("include")
 class IncludeLaunchDescription(Action):
-    """Visit the entities of another launch description, with arguments, when it is executed.
+    """Visits the entities of another launch description, with arguments, when it is executed.
 
     The arguments become launch configurations, also those that the description doesn't declare. They last to the end of
     the scope that includes it, as do those that the description sets.
@@ -42,7 +42,7 @@ class IncludeLaunchDescription(Action):
         launch_description_source: The source of the description, or the path of a launch file, of any format, which
             may have substitutions.
         launch_arguments: Name and value of each argument; both may have substitutions.
-        kwargs: Arguments of `Action`.
+        kwargs: As for Action.
     """
 
     def __init__(

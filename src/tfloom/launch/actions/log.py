@@ -31,12 +31,12 @@ _LEVELS = {
 
 @expose_action("log")
 class Log(Action):
-    """Log a message by the logger `launch.user` when it is executed.
+    """Logs a message by the logger `launch.user` when it is executed.
 
     Args:
         msg: The message; it may have substitutions.
         level: Name of its level, in any case: debug, info, warning, error or critical; it may have substitutions.
-        kwargs: Arguments of `Action`.
+        kwargs: As for Action.
     """
 
     def __init__(self, *, msg: SomeSubstitutionsType, level: SomeSubstitutionsType, **kwargs: Any) -> None:
@@ -84,7 +84,7 @@ class Log(Action):
 
 
 class _LogOfLevel(Log):
-    """Log a message of the class's level when it is executed."""
+    """Logs a message of the class's level when it is executed."""
 
     _level_name = ""
 
@@ -95,11 +95,11 @@ class _LogOfLevel(Log):
 
 @expose_action("log_debug")
 class LogDebug(_LogOfLevel):
-    """Log a message of level DEBUG when it is executed.
+    """Logs a message of level DEBUG when it is executed.
 
     Args:
         msg: The message; it may have substitutions.
-        kwargs: Arguments of `Action`.
+        kwargs: As for Action.
     """
 
     _level_name = "DEBUG"
@@ -107,11 +107,11 @@ class LogDebug(_LogOfLevel):
 
 @expose_action("log_info")
 class LogInfo(_LogOfLevel):
-    """Log a message of level INFO when it is executed.
+    """Logs a message of level INFO when it is executed.
 
     Args:
         msg: The message; it may have substitutions.
-        kwargs: Arguments of `Action`.
+        kwargs: As for Action.
     """
 
     _level_name = "INFO"
@@ -119,11 +119,11 @@ class LogInfo(_LogOfLevel):
 
 @expose_action("log_warning")
 class LogWarning(_LogOfLevel):
-    """Log a message of level WARNING when it is executed.
+    """Logs a message of level WARNING when it is executed.
 
     Args:
         msg: The message; it may have substitutions.
-        kwargs: Arguments of `Action`.
+        kwargs: As for Action.
     """
 
     _level_name = "WARNING"
@@ -131,11 +131,11 @@ class LogWarning(_LogOfLevel):
 
 @expose_action("log_error")
 class LogError(_LogOfLevel):
-    """Log a message of level ERROR when it is executed.
+    """Logs a message of level ERROR when it is executed.
 
     Args:
         msg: The message; it may have substitutions.
-        kwargs: Arguments of `Action`.
+        kwargs: As for Action.
     """
 
     _level_name = "ERROR"

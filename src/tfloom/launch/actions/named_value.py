@@ -14,12 +14,12 @@ __all__ = ["NamedValue"]
 
 
 class NamedValue(Action):
-    """Set a value by its name when it is executed, as derived classes define.
+    """Sets a value by its name when it is executed, as derived classes define.
 
     Args:
         name: The name; it may have substitutions.
         value: The value; it may have substitutions.
-        kwargs: Arguments of `Action`.
+        kwargs: As for Action.
     """
 
     def __init__(self, name: SomeSubstitutionsType, value: SomeSubstitutionsType, **kwargs: Any) -> None:

@@ -9,7 +9,7 @@ __all__ = ["PopEnvironment"]
 
 
 class PopEnvironment(Action):
-    """End a scope: restore the environment variables of the last `PushEnvironment`."""
+    """Ends a scope: restores the environment variables of the last `PushEnvironment`."""
 
     def execute(self, context: LaunchContext) -> None:
         """Restore the variables."""

@@ -9,7 +9,7 @@ __all__ = ["PopLaunchConfigurations"]
 
 
 class PopLaunchConfigurations(Action):
-    """End a scope: restore the launch configurations of the last `PushLaunchConfigurations`."""
+    """Ends a scope: restores the launch configurations of the last `PushLaunchConfigurations`."""
 
     def execute(self, context: LaunchContext) -> None:
         """Restore the configurations."""

@@ -9,7 +9,7 @@ __all__ = ["PushEnvironment"]
 
 
 class PushEnvironment(Action):
-    """Begin a scope: what is set from now on is undone by the next `PopEnvironment`."""
+    """Begins a scope: what is set from now on is undone by the next `PopEnvironment`."""
 
     def execute(self, context: LaunchContext) -> None:
         """Save a copy of the variables."""

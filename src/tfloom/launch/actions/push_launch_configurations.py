@@ -9,7 +9,7 @@ __all__ = ["PushLaunchConfigurations"]
 
 
 class PushLaunchConfigurations(Action):
-    """Begin a scope: what is set from now on is undone by the next `PopLaunchConfigurations`."""
+    """Begins a scope: what is set from now on is undone by the next `PopLaunchConfigurations`."""
 
     def execute(self, context: LaunchContext) -> None:
         """Save a copy of the configurations."""

@@ -14,7 +14,7 @@ __all__ = ["ResetEnvironment"]
 
 @expose_action("reset_env")
 class ResetEnvironment(Action):
-    """Restore, when it is executed, the environment variables that the context was created with."""
+    """Restores, when it is executed, the environment variables that the context was created with."""
 
     @classmethod
     def parse(cls, entity: Entity, parser: ParsesActions) -> tuple[type[ResetEnvironment], dict[str, Any]]:

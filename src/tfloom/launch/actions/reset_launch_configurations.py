@@ -27,12 +27,12 @@ def parse_kept(
 
 @expose_action("reset")
 class ResetLaunchConfigurations(Action):
-    """Remove all launch configurations when it is executed, and set the given ones.
+    """Removes all launch configurations when it is executed, and sets the given ones.
 
     Args:
         launch_configurations: Value of each configuration to set, by its name. Both may have substitutions, which are
             performed before the others are removed.
-        kwargs: Arguments of `Action`.
+        kwargs: As for Action.
     """
 
     resets_arguments = True

@@ -12,12 +12,12 @@ __all__ = ["SetEnvironmentVariable"]
 
 @expose_action("set_env")
 class SetEnvironmentVariable(NamedValue):
-    """Set an environment variable, when it is executed, for the processes that are started later in the scope.
+    """Sets an environment variable, when it is executed, for the processes that are started later in the scope.
 
     Args:
         name: Name of the variable; it may have substitutions.
         value: Its value; it may have substitutions.
-        kwargs: Arguments of `Action`.
+        kwargs: As for Action.
     """
 
     def execute(self, context: LaunchContext) -> None:

@@ -12,7 +12,7 @@ __all__ = ["SetLaunchConfiguration"]
 
 @expose_action("let")
 class SetLaunchConfiguration(NamedValue):
-    """Set a launch configuration when it is executed; an earlier value is replaced.
+    """Sets a launch configuration when it is executed; an earlier value is replaced.
 
     The configuration is a value of the running launch, which `LaunchConfiguration` substitutes. It lasts to the end of
     the scope: of the scoped group or else of the whole launch.
@@ -20,7 +20,7 @@ class SetLaunchConfiguration(NamedValue):
     Args:
         name: Name of the configuration; it may have substitutions.
         value: Its value; it may have substitutions.
-        kwargs: Arguments of `Action`.
+        kwargs: As for Action.
     """
 
     def execute(self, context: LaunchContext) -> None:

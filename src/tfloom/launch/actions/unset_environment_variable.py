@@ -18,11 +18,11 @@ __all__ = ["UnsetEnvironmentVariable"]
 
 @expose_action("unset_env")
 class UnsetEnvironmentVariable(Action):
-    """Remove an environment variable, when it is executed; one that isn't set is no error.
+    """Removes an environment variable, when it is executed; one that isn't set is no error.
 
     Args:
         name: Name of the variable; it may have substitutions.
-        kwargs: Arguments of `Action`.
+        kwargs: As for Action.
     """
 
     def __init__(self, name: SomeSubstitutionsType, **kwargs: Any) -> None:

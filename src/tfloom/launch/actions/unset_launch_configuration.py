@@ -15,11 +15,11 @@ __all__ = ["UnsetLaunchConfiguration"]
 
 
 class UnsetLaunchConfiguration(Action):
-    """Remove a launch configuration when it is executed; one that isn't set is no error.
+    """Removes a launch configuration when it is executed; one that isn't set is no error.
 
     Args:
         name: Name of the configuration; it may have substitutions.
-        kwargs: Arguments of `Action`.
+        kwargs: As for Action.
     """
 
     def __init__(self, name: SomeSubstitutionsType, **kwargs: Any) -> None:

@@ -138,7 +138,7 @@ def launch_process(
         process_action: The action.
         proc_info: The starts and ends of the launch's processes.
         proc_output: The output of the launch's processes.
-        kwargs: Those of ProcessProxy.
+        kwargs: As for ProcessProxy.
 
     Raises:
         TypeError: `process_action` is no ExecuteProcess action.

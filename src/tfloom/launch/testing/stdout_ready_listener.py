@@ -21,7 +21,7 @@ class StdoutReadyListener(OnProcessIO):
         target_action: The process, or None for any.
         ready_txt: The text, or a part of it.
         actions: What is run.
-        kwargs: Those of OnProcessIO.
+        kwargs: As for OnProcessIO.
     """
 
     def __init__(

@@ -29,7 +29,7 @@ class ComposableNodeContainer(Node):
         name: Name of the container.
         namespace: Namespace of the container.
         composable_node_descriptions: The nodes to load into it.
-        **kwargs: See Node.
+        kwargs: As for Node.
     """
 
     def __init__(

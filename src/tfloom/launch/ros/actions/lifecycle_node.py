@@ -37,7 +37,7 @@ class LifecycleNode(Node):
     Args:
         name: Name of the node.
         namespace: Namespace of the node.
-        **kwargs: See Node.
+        kwargs: As for Node.
     """
 
     def __init__(

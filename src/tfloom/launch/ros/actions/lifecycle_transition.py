@@ -48,7 +48,7 @@ class LifecycleTransition(Action):
     Args:
         lifecycle_node_names: Full names of the nodes, or substitutions for them.
         transition_ids: Constants of lifecycle_msgs/msg/Transition, or substitutions for them.
-        **kwargs: See Action.
+        kwargs: As for Action.
 
     Raises:
         RuntimeError: there are no nodes, or no transitions.

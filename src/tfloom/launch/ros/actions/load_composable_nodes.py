@@ -24,7 +24,7 @@ class LoadComposableNodes(Action):
     Args:
         composable_node_descriptions: The nodes.
         target_container: The container, or its name.
-        **kwargs: See Action.
+        kwargs: As for Action.
     """
 
     def __init__(

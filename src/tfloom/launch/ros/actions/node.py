@@ -48,7 +48,7 @@ class Node(ExecuteProcess):
         remappings: Pairs of a name and its replacement.
         ros_arguments: ROS arguments, without `--ros-args`.
         arguments: Other arguments of the program.
-        **kwargs: See ExecuteProcess.
+        kwargs: As for ExecuteProcess.
     """
 
     UNSPECIFIED_NODE_NAME = "<node_name_unspecified>"

@@ -26,7 +26,7 @@ class PushROSNamespace(Action):
 
     Args:
         namespace: The namespace, or substitutions for it; one with a slash at its start replaces the other.
-        **kwargs: See Action.
+        kwargs: As for Action.
     """
 
     def __init__(self, namespace: SomeSubstitutionsType, **kwargs: Any) -> None:

@@ -25,7 +25,7 @@ class SetParameter(Action):
     Args:
         name: Name of the parameter, or substitutions for it.
         value: The value, or substitutions for it.
-        **kwargs: See Action.
+        kwargs: As for Action.
     """
 
     def __init__(self, name: SomeSubstitutionsType, value: SomeParameterValue, **kwargs: Any) -> None:

@@ -22,7 +22,7 @@ class SetParametersFromFile(Action):
 
     Args:
         filename: Path of the file, or substitutions for it.
-        **kwargs: See Action.
+        kwargs: As for Action.
     """
 
     def __init__(self, filename: SomeSubstitutionsType, **kwargs: Any) -> None:

@@ -24,7 +24,7 @@ class SetRemap(Action):
     Args:
         src: The name, or substitutions for it.
         dst: Its replacement, or substitutions for it.
-        **kwargs: See Action.
+        kwargs: As for Action.
     """
 
     def __init__(self, src: SomeSubstitutionsType, dst: SomeSubstitutionsType, **kwargs: Any) -> None:

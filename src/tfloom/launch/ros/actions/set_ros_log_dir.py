@@ -23,7 +23,7 @@ class SetROSLogDir(Action):
 
     Args:
         new_log_dir: The folder, or substitutions for it; a relative path is one within the present folder.
-        **kwargs: See Action.
+        kwargs: As for Action.
     """
 
     def __init__(self, new_log_dir: SomeSubstitutionsType, **kwargs: Any) -> None:

@@ -21,7 +21,7 @@ class SetUseSimTime(Action):
 
     Args:
         value: Whether it does.
-        **kwargs: See Action.
+        kwargs: As for Action.
     """
 
     def __init__(self, value: bool, **kwargs: Any) -> None:

@@ -25,7 +25,7 @@ class OnStateTransition(EventHandler):
         start_state: Name of the state before.
         goal_state: Name of the state after.
         matcher: Called with the event, for a condition of one's own.
-        **kwargs: See EventHandler.
+        kwargs: As for EventHandler.
 
     Raises:
         RuntimeError: the target is no LifecycleNode.

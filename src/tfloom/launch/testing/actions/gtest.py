@@ -16,7 +16,7 @@ class GTest(Test):
     Args:
         path: Of the program.
         timeout: Time after which it is shut down [s]; None for no limit.
-        kwargs: Those of ExecuteProcess.
+        kwargs: As for ExecuteProcess.
     """
 
     def __init__(self, *, path: SomeSubstitutionsType, timeout: float | None = None, **kwargs: Any) -> None:

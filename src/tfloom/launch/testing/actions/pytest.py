@@ -17,7 +17,7 @@ class PyTest(Test):
     Args:
         path: Of the file or the folder with tests.
         timeout: Time after which it is shut down [s]; None for no limit.
-        kwargs: Those of ExecuteProcess.
+        kwargs: As for ExecuteProcess.
     """
 
     def __init__(self, *, path: SomeSubstitutionsType, timeout: float | None = None, **kwargs: Any) -> None:

@@ -22,7 +22,7 @@ class Test(ExecuteProcess):
 
     Args:
         timeout: Time after which the process is shut down [s]; None for no limit.
-        kwargs: Those of ExecuteProcess.
+        kwargs: As for ExecuteProcess.
     """
 
     __test__ = False  # for pytest
