@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import errno
+import io
 import logging
 import os
 import re
 import socket
+import sys
 from pathlib import Path
 
 import pytest
@@ -90,3 +93,40 @@ def test_a_traceback_is_logged_with_its_record(capsys: pytest.CaptureFixture[str
     printed = lines(capsys)
     assert printed[0] == "[ERROR] [a]: lost"
     assert printed[-1] == "KeyError: 'wheel'"
+
+
+def test_a_screen_that_nobody_reads_any_more_is_no_error(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    class Closed(io.StringIO):
+        def write(self, _: str) -> int:
+            raise BrokenPipeError
+
+    with monkeypatch.context() as patch:
+        patch.setattr(sys, "stdout", Closed())
+        get_logger("launch.user").warning("unread")
+    assert capsys.readouterr().err == ""
+    assert "unread" in Path(launch_config.get_log_file_path()).read_text("utf-8")
+
+
+def test_a_full_disk_is_said_once_and_not_by_tracebacks(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    class Full(io.StringIO):
+        def write(self, _: str) -> int:
+            raise OSError(errno.ENOSPC, "No space left on device")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(sys, "stdout", Full())
+        get_logger("launch.user").warning("unread")
+        get_logger("launch.user").warning("unread, too")
+    assert capsys.readouterr().err == "[launch]: lines of stdout are lost: No space left on device\n"
+
+
+def test_a_log_folder_that_cannot_be_created_is_named(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    (tmp_path / "file").write_text("")
+    monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "file" / "log"))
+    with pytest.raises(OSError, match="set ROS_LOG_DIR"):
+        get_logger("launch.user").warning("nowhere")

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import logging
 import os
 import sys
 import time
+import weakref
 from collections.abc import Callable, Mapping
 from datetime import datetime
 from pathlib import Path
@@ -95,6 +97,11 @@ class _StdoutHandler(_StreamHandler):
         if self.stream is not None:
             super().emit(record)
 
+    def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802  # of the base class
+        """Print one line on stderr, once, if stdout can't be written."""
+        if not _is_full(self, "stdout"):
+            super().handleError(record)
+
     def format(self, record: logging.LogRecord) -> str:
         """Return the line of a record; on a terminal, colors are the only control sequences in it."""
         lines = super().format(record)
@@ -103,8 +110,34 @@ class _StdoutHandler(_StreamHandler):
         return "\n".join(map(shown_in_colors, lines.split("\n")))
 
 
+class _FileHandler(logging.FileHandler):
+    """Writes to a log file."""
+
+    def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802  # of the base class
+        """Print one line on stderr, once, if the file can't be written."""
+        if not _is_full(self, self.baseFilename):
+            super().handleError(record)
+
+
+_full: weakref.WeakSet[logging.Handler] = weakref.WeakSet()
+"""Handlers whose files could not be written: the next line says no more."""
+
+
+def _is_full(handler: logging.Handler, name: str) -> bool:
+    """Return whether the error that is handled is one of the file; print it if it is the first one."""
+    error = sys.exc_info()[1]
+    if not isinstance(error, OSError):
+        return False
+    # After `| head -1` nobody reads stdout any more, and the log files have every line.
+    if not isinstance(error, BrokenPipeError) and handler not in _full and sys.stderr is not None:
+        _full.add(handler)
+        with contextlib.suppress(OSError):
+            sys.stderr.write(f"[launch]: lines of {name} are lost: {error.strerror}\n")
+    return True
+
+
 def _file_handler(path: str) -> logging.Handler:
-    return logging.FileHandler(path, encoding="utf-8")
+    return _FileHandler(path, encoding="utf-8")
 
 
 class LaunchConfig:
@@ -309,7 +342,13 @@ def _create_log_dir() -> str:
         root = Path(environment["ROS_LOG_DIR"]).expanduser()
     else:
         root = Path(environment.get("ROS_HOME") or "~/.ros").expanduser() / "log"
-    root.mkdir(parents=True, exist_ok=True)
+    try:
+        root.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        error.strerror = (
+            f"{error.strerror}: no folder for the logs; set ROS_LOG_DIR to one that can be written"
+        )
+        raise
     for _ in range(MOST_FOLDERS):
         stamp = datetime.now().astimezone().strftime("%Y-%m-%d-%H-%M-%S-%f")
         folder = root / f"{stamp}-{socket.gethostname()}-{os.getpid()}"
