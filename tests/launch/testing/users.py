@@ -98,6 +98,7 @@ class TestAfterLaunch(unittest.TestCase):
                 checker.assertInStdout("Loop 1")
 """,
     "test_parametrized.py": """
+@pytest.mark.launch_test
 @launch_testing.parametrize("word", ["red", "green"])
 def generate_test_description(word):
     return launch.LaunchDescription([counter(word), launch_testing.actions.ReadyToTest()])

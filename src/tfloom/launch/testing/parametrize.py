@@ -27,6 +27,10 @@ class Parametrized:
     def __iter__(self) -> Iterator[tuple[Callable[..., Any], dict[str, Any]]]:
         return iter(self._runs)
 
+    def __call__(self) -> Iterator[tuple[Callable[..., Any], dict[str, Any]]]:
+        """Return the functions and the arguments; pytest's marks can be set only on what can be called."""
+        return iter(self)
+
 
 def parametrize(
     argnames: str | Sequence[str], argvalues: Iterable[Any]
