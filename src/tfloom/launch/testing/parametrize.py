@@ -15,7 +15,7 @@ class Parametrized:
     __parametrized__ = True
 
     def __init__(self, function: Callable[..., Any], sets: Sequence[dict[str, Any]]) -> None:
-        functools.update_wrapper(self, function)  # type: ignore[arg-type]  # its name and its docstring
+        functools.update_wrapper(self, function)  # its name and its docstring
         self._runs = [(self._bind(function, each), each) for each in sets]
 
     @staticmethod
