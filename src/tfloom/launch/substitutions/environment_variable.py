@@ -8,33 +8,23 @@ from typing import Any
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution
 from tfloom.launch.substitutions.described import described
+from tfloom.launch.substitutions.named_value import NamedValue
 from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
 from tfloom.launch.utilities.nearest import did_you_mean
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 from tfloom.launch.utilities.perform_substitutions import perform_substitutions
 
 __all__ = ["EnvironmentVariable"]
 
 
 @expose_substitution("env")
-class EnvironmentVariable(Substitution):
+class EnvironmentVariable(NamedValue):
     """The value of a variable in the context's environment.
 
     Args:
         name: Name of the variable.
         default_value: Text where there is no such variable; None: that is an error.
     """
-
-    def __init__(
-        self, name: SomeSubstitutionsType, *, default_value: SomeSubstitutionsType | None = None
-    ) -> None:
-        super().__init__()
-        self._name = normalize_to_list_of_substitutions(name)
-        self._default_value = (
-            None if default_value is None else normalize_to_list_of_substitutions(default_value)
-        )
 
     @classmethod
     def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[EnvironmentVariable], dict[str, Any]]:
@@ -46,16 +36,6 @@ class EnvironmentVariable(Substitution):
         if len(data) not in {1, 2}:
             raise TypeError("env substitution expects 1 or 2 arguments")
         return cls, dict(zip(("name", "default_value"), data, strict=False))
-
-    @property
-    def name(self) -> list[Substitution]:
-        """Name of the variable."""
-        return self._name
-
-    @property
-    def default_value(self) -> list[Substitution] | None:
-        """Text where there is no such variable."""
-        return self._default_value
 
     def describe(self) -> str:
         """Return a description for people."""

@@ -8,31 +8,21 @@ from typing import Any
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
-from tfloom.launch.substitution import Substitution
 from tfloom.launch.substitutions.described import described
-from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
+from tfloom.launch.substitutions.named_value import NamedValue
 from tfloom.launch.utilities.perform_substitutions import perform_substitutions
 
 __all__ = ["ForEachVar", "ForLoopIndex"]
 
 
 @expose_substitution("for-var")
-class ForEachVar(Substitution):
+class ForEachVar(NamedValue):
     """The value that a variable of `ForEach` has in an iteration.
 
     Args:
         name: Name of the variable.
         default_value: Text in iterations that give it no value; None: that is an error.
     """
-
-    def __init__(
-        self, name: SomeSubstitutionsType, *, default_value: SomeSubstitutionsType | None = None
-    ) -> None:
-        super().__init__()
-        self._name = normalize_to_list_of_substitutions(name)
-        self._default_value = (
-            None if default_value is None else normalize_to_list_of_substitutions(default_value)
-        )
 
     @classmethod
     def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[ForEachVar], dict[str, Any]]:
@@ -49,16 +39,6 @@ class ForEachVar(Substitution):
     def get_local_arg_name(cls, name: str) -> str:
         """Return the name of the context's variable that holds the value."""
         return f"ForEachVar__{name}"
-
-    @property
-    def name(self) -> list[Substitution]:
-        """Name of the variable."""
-        return self._name
-
-    @property
-    def default_value(self) -> list[Substitution] | None:
-        """Text in iterations that give the variable no value."""
-        return self._default_value
 
     def describe(self) -> str:
         """Return a description for people."""
