@@ -157,6 +157,11 @@ def test_a_file_may_be_included_where_parameters_and_remappings_are_set(tmp_path
     assert found["seen"] == "yes"
 
 
+def test_a_dictionary_of_arguments_is_an_error_that_says_what_to_give() -> None:
+    with pytest.raises(TypeError, match=r"launch_arguments=\{...\}\.items\(\)"):
+        IncludeLaunchDescription("a.launch.xml", launch_arguments={"ab": "c"})  # type: ignore[dict-item]
+
+
 def test_a_path_may_have_substitutions(tmp_path: Path) -> None:
     write(tmp_path / "a.launch.xml", '<let name="seen" value="yes"/>')
     context = LaunchContext()

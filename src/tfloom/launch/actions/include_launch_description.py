@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os.path
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -43,6 +43,9 @@ class IncludeLaunchDescription(Action):
             may have substitutions.
         launch_arguments: Name and value of each argument; both may have substitutions.
         kwargs: As for Action.
+
+    Raises:
+        TypeError: `launch_arguments` is a dictionary, whose items would be needed.
     """
 
     def __init__(
@@ -56,6 +59,10 @@ class IncludeLaunchDescription(Action):
         if not isinstance(launch_description_source, LaunchDescriptionSource):
             launch_description_source = AnyLaunchDescriptionSource(launch_description_source)
         self.__source = launch_description_source
+        if isinstance(launch_arguments, Mapping):
+            raise TypeError(
+                "launch_arguments is a dictionary: give its items, `launch_arguments={...}.items()`"
+            )
         self.__arguments = tuple(launch_arguments or ())
 
     @classmethod
