@@ -60,4 +60,5 @@ def test_a_busy_wait_keeps_its_timeout(writer: Writer) -> None:
         begin_ns = time.perf_counter_ns()
         queue.wait(10_000)
         times_ns.append(time.perf_counter_ns() - begin_ns)
-    assert median(times_ns) < 90_000
+    # The fastest tenth, because others' work on the machine lengthens most waits; one that is too long lengthens all.
+    assert sorted(times_ns)[WAITS // 10] < 90_000
