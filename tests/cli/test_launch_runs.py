@@ -45,7 +45,11 @@ def test_processes_that_crash_respawn_and_ignore_signals(start_program: StartPro
     program = start(start_program, recorded.command)
     for text in ("err", "[deaf-3]: process started", "[re-2]: process has finished"):
         program.wait_for(text)
-    wait_until(lambda: program.lines.count("[re-2] again") > 1, what="a process that is started again")
+
+    def ends() -> int:
+        return sum(line.startswith("[INFO] [re-2]: process has finished") for line in program.lines)
+
+    wait_until(lambda: ends() > 1, what="the end of a process that was started again")  # the third start is in 1 s
     program.signal(signal.SIGINT)
     assert program.wait() == 0
     assert masked_lines(program.output) == masked_lines(recorded.text)

@@ -51,7 +51,7 @@ def description(process):
 
 @pytest.mark.launch(fixture=description)
 def wait_for_hello(process, launch_context):
-    tools.assert_output_sync(launch_context, process, lambda text: "hello" in text, timeout=60)
+    tools.assert_output_sync(launch_context, process, lambda text: "hello\\n" in text, timeout=60)
 
 '''
 
@@ -97,7 +97,7 @@ def test_generator(process, launch_context):
 
 @pytest.mark.launch(fixture=description)
 async def test_asynchronous_generator(process, launch_context):
-    await tools.assert_output(launch_context, process, lambda text: "hello" in text, timeout=60)
+    await tools.assert_output(launch_context, process, lambda text: "hello\\n" in text, timeout=60)
     yield
     assert process.return_code == 0
 
