@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import shlex
 import signal
 import sys
 from collections.abc import Callable
@@ -49,7 +50,9 @@ def test_processes_that_crash_respawn_and_ignore_signals(start_program: StartPro
     def ends() -> int:
         return sum(line.startswith("[INFO] [re-2]: process has finished") for line in program.lines)
 
-    wait_until(lambda: ends() > 1, what="the end of a process that was started again")  # the third start is in 1 s
+    wait_until(
+        lambda: ends() > 1, what="the end of a process that was started again"
+    )  # the third start is in 1 s
     program.signal(signal.SIGINT)
     assert program.wait() == 0
     assert masked_lines(program.output) == masked_lines(recorded.text)
@@ -81,7 +84,7 @@ LOGGED = '<launch><executable cmd="{} -c \'print(41 + 1)\'" output="log"/></laun
 
 def test_all_output_is_shown_on_request(start_program: StartProgram, tmp_path: Path) -> None:
     path = tmp_path / "a.launch.xml"
-    path.write_text(LOGGED.format(sys.executable))
+    path.write_text(LOGGED.format(shlex.quote(sys.executable)))
     quiet = start(start_program, ["launch", str(path)])
     assert quiet.wait() == 0
     assert not any(line.endswith("-1] 42") for line in quiet.lines)

@@ -87,7 +87,8 @@ def user(domain_id: int) -> Iterator[User]:
 def test_ten_wagons_come_to_follow(
     prefix: Path, user: User, start_program: Callable[..., Any], wait_until: Callable[..., None]
 ) -> None:
-    programs = {name: f"#!{sys.executable}\nfrom turtle_train.{name} import main\nmain()\n" for name in NODES}
+    program_of = "#!/bin/sh\nexec '{}' -c 'from turtle_train.{} import main; main()' \"$@\"\n"
+    programs = {name: program_of.format(sys.executable, name) for name in NODES}
     make_package(prefix, "turtle_train", **programs)
     path = f"{SOURCE / 'turtle_train'}{os.pathsep}{os.environ.get('PYTHONPATH', '')}".rstrip(os.pathsep)
     begin = time.monotonic()

@@ -397,7 +397,7 @@ def test_script_works_where_pythons_path_has_a_space(tmp_path: Path, monkeypatch
     folder = tmp_path / "a space"
     folder.mkdir()
     python = folder / "python"
-    python.write_text(f'#!/bin/sh\nexec {sys.executable} "$@"\n', "utf-8")
+    python.write_text(f"#!/bin/sh\nexec '{sys.executable}' \"$@\"\n", "utf-8")
     python.chmod(0o755)
     monkeypatch.setattr(sys, "executable", str(python))
     context = LaunchContext()
