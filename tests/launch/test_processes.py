@@ -403,3 +403,24 @@ def test_the_guardian_ends_with_the_launch(launch: Launch) -> None:
     ran = launch(shell("true"), ExecuteProcess(cmd=["no_such_program"]))
     assert ran.code == 0
     assert not [each for each in psutil.Process().children() if "guardian" in " ".join(each.cmdline())]
+
+
+def test_a_script_runs_whose_interpreter_has_a_space_in_its_path(
+    launch: Launch, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Setuptools writes such first lines, which the kernel cuts at the space."""
+    folder = tmp_path / "a space"
+    folder.mkdir()
+    interpreter = folder / "sh"
+    interpreter.symlink_to("/bin/sh")
+    script = folder / "program"
+    script.write_text(f"#!{interpreter}\necho ran $1\n", "utf-8")
+    script.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{folder}{os.pathsep}{os.environ['PATH']}")
+    assert (
+        "[program-1] ran by-path"
+        in launch(ExecuteProcess(cmd=[str(script), "by-path"], output="screen")).lines
+    )
+    assert (
+        "[program-1] ran by-name" in launch(ExecuteProcess(cmd=["program", "by-name"], output="screen")).lines
+    )

@@ -114,27 +114,7 @@ def _why_not_found(package: str, prefix: str, program: str) -> str:
 def _command_of(path: Path) -> list[str]:
     if os.name == "nt" and path.suffix.lower() == ".py":
         return [sys.executable, str(path)]
-    return [*_interpreter_with_space(path), str(path)]
-
-
-def _interpreter_with_space(path: Path) -> list[str]:
-    """Return the interpreter in a script's first line with its options, if there is a space in its path; else nothing.
-
-    The kernel cuts the line at the space. Setuptools writes such lines, in quotes, for an environment whose path has
-    a space, and adds the option -x where it has other letters than ASCII's.
-    """
-    try:
-        with path.open("rb") as script:
-            line = os.fsdecode(script.readline(4096))
-    except OSError:
-        return []
-    if not line.startswith("#!"):
-        return []
-    named = line.removeprefix("#!").strip()
-    options = ""
-    if named.startswith('"'):
-        named, _, options = named[1:].partition('"')
-    return [named, *options.split()] if " " in named and Path(named).is_file() else []
+    return [*index.interpreter_with_space(path), str(path)]
 
 
 def run_here(target: str, name: str, argv: list[str]) -> int:

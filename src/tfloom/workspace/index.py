@@ -141,6 +141,26 @@ def find_unmarked_program(package: str, prefix: str, program: str) -> Path | Non
     )
 
 
+def interpreter_with_space(path: Path) -> list[str]:
+    """Return the interpreter in a script's first line with its options, if there is a space in its path; else nothing.
+
+    The kernel cuts the line at the space. Setuptools writes such lines, in quotes, for an environment whose path has
+    a space, and adds the option -x where it has other letters than ASCII's.
+    """
+    try:
+        with path.open("rb") as script:
+            line = os.fsdecode(script.readline(4096))
+    except OSError:
+        return []
+    if not line.startswith("#!"):
+        return []
+    named = line.removeprefix("#!").strip()
+    options = ""
+    if named.startswith('"'):
+        named, _, options = named[1:].partition('"')
+    return [named, *options.split()] if " " in named and Path(named).is_file() else []
+
+
 def program_name(path: Path) -> str:
     """Return the command for a program's file: its name, on Windows without the extension."""
     return path.stem if os.name == "nt" else path.name

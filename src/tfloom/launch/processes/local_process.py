@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import asyncio
 import os
+import shutil
 import signal
 import subprocess
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
+from pathlib import Path
 from typing import Any, cast
+
+from tfloom.workspace.index import interpreter_with_space
 
 __all__ = ["LocalProcess"]
 
@@ -66,7 +70,8 @@ class LocalProcess:
             if shell:
                 started = await loop.subprocess_shell(lambda: self._protocol, " ".join(cmd), **options)
             else:
-                started = await loop.subprocess_exec(lambda: self._protocol, *cmd, **options)
+                words = _executable(cmd, env)
+                started = await loop.subprocess_exec(lambda: self._protocol, *words, **options)
         except BaseException:
             for ours, _ in ends:
                 os.close(ours)
@@ -123,6 +128,13 @@ class LocalProcess:
         # At once if it is silent; else when those have ended to which it has passed its output on.
         self._protocol.silent.add_done_callback(lambda _, close=self._transport.close: close())  # type: ignore[misc]
         return code if code is not None else 255
+
+
+def _executable(cmd: Sequence[str], env: Mapping[str, str]) -> Sequence[str]:
+    """Return a command line; for a script whose interpreter has a space in its path, one that begins with that."""
+    path = shutil.which(cmd[0], path=env.get("PATH"))
+    interpreter = [] if path is None else interpreter_with_space(Path(path))
+    return [*interpreter, str(path), *cmd[1:]] if interpreter else cmd
 
 
 def _own_group() -> dict[str, Any]:
