@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 from collections.abc import Callable
+from contextlib import suppress
 from importlib import import_module
 from pathlib import Path
 
@@ -201,14 +202,21 @@ def test_ctrl_c_at_the_terminal_reaches_the_program_once(
         stdin=subprocess.PIPE,
     )
     terminal.wait_for("ready")
-    terminal.process.stdin.write("\x03")
-    terminal.process.stdin.flush()
-    terminal.wait_for("got SIGINT")
-    # Passed on after the grace period, within which a second SIGINT would have been passed on.
-    os.kill(int(terminal.lines[0]), signal.SIGTERM)
-    terminal.wait_for("got SIGTERM")
-    assert terminal.output.count("got SIGINT") == 1
-    terminal.process.stdin.close()
+    command = int(terminal.lines[0])
+    try:
+        terminal.process.stdin.write("\x03")
+        terminal.process.stdin.flush()
+        terminal.wait_for("got SIGINT")
+        # Passed on after the grace period, within which a second SIGINT would have been passed on.
+        os.kill(command, signal.SIGTERM)
+        terminal.wait_for("got SIGTERM")
+        assert terminal.output.count("got SIGINT") == 1
+        terminal.process.stdin.close()
+    finally:
+        with suppress(ProcessLookupError):
+            os.kill(
+                command, signal.SIGKILL
+            )  # the terminal's session is its own, and its end does not end them
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux ends a child with its parent")

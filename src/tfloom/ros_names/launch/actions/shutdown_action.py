@@ -10,6 +10,16 @@ from tfloom.launch.frontend.entity import Entity as Entity
 from tfloom.launch.frontend.expose import expose_action as expose_action
 from tfloom.launch.launch_context import LaunchContext as LaunchContext
 
+__all__ = [
+    "EmitEvent",
+    "Entity",
+    "LaunchContext",
+    "ProcessExited",
+    "Shutdown",
+    "ShutdownEvent",
+    "expose_action",
+]
+
 if TYPE_CHECKING:
     from tfloom.launch.frontend.parser import Parser as Parser
 else:
