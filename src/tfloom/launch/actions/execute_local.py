@@ -214,13 +214,10 @@ class ExecuteLocal(Action):
         return None
 
     def _register_handlers(self, context: LaunchContext, timeouts: dict[str, tuple[str, float]]) -> None:
-        def handles(kind: type[Event], handle: Callable[[Any, LaunchContext], None]) -> EventHandler:
-            return _Targeted(self, kind, handle)
-
         self._handlers = [
-            handles(ShutdownProcess, lambda _, context: self._shut_down(context, timeouts)),
-            handles(SignalProcess, lambda event, _: self._send_signal(event.signal)),
-            handles(ProcessStdin, lambda event, _: self._write(event.text)),
+            _Targeted(self, ShutdownProcess, lambda _, context: self._shut_down(context, timeouts)),
+            _Targeted(self, SignalProcess, lambda event, _: self._send_signal(event.signal)),
+            _Targeted(self, ProcessStdin, lambda event, _: self._write(event.text)),
             OnShutdown(on_shutdown=lambda _, context: self._shut_down(context, timeouts)),
         ]
         for handler in self._handlers:
