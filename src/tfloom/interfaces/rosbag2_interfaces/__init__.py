@@ -1,0 +1,1 @@
+"""The interfaces of rosbag2_interfaces."""
