@@ -69,6 +69,7 @@ NATIVE_ROOMS = {
     "core": set[str](),
     "tf2": {"core"},
     "cdr": {"core", "tf2"},
+    "bag": {"core", "tf2", "cdr"},
     "rtps": {"core"},
     "dds": {"core", "rtps"},
 }

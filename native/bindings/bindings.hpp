@@ -9,5 +9,6 @@ void bind_core(nanobind::module_& m);
 void bind_dds(nanobind::module_& m);
 void bind_cdr(nanobind::module_& m);
 void bind_tf2(nanobind::module_& m);
+void bind_bag(nanobind::module_& m);
 
 }  // namespace tfloom::bindings

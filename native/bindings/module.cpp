@@ -10,4 +10,5 @@ NB_MODULE(_native, m) {
   tfloom::bindings::bind_dds(m);
   tfloom::bindings::bind_cdr(m);
   tfloom::bindings::bind_tf2(m);
+  tfloom::bindings::bind_bag(m);
 }

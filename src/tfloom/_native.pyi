@@ -758,3 +758,106 @@ class TfSink(Sink):
         """
         Drop what is held, and forget all publishers' stamps, after a jump in time.
         """
+
+class Chunk:
+    """
+    Messages as MCAP message records, in the order in which they were pushed.
+    """
+
+    @property
+    def start_ns(self) -> int:
+        """Smallest log time [ns since epoch]."""
+
+    @property
+    def end_ns(self) -> int:
+        """Greatest log time [ns since epoch]."""
+
+    @property
+    def message_count(self) -> int:
+        """Number of messages; at least one."""
+
+    @property
+    def ends_file(self) -> bool:
+        """Whether the next chunk belongs to a new file."""
+
+    @property
+    def records(self) -> bytes:
+        """The records."""
+
+    def counts(self) -> list[tuple[int, int]]:
+        """
+        Return (channel, number of messages) for each channel that has messages, in order of channels.
+        """
+
+    def index(self, channel: int, shift: int) -> bytes:
+        """
+        Return a channel's entries of MCAP's message index, in order, with `shift` added to each offset.
+        """
+
+    def messages(self) -> list[tuple[int, int, int, bytes]]:
+        """
+        Return each message as (channel, log time [ns], publish time [ns], data).
+        """
+
+class ChunkSink(Sink):
+    """A sink that pushes the samples of a topic into a ChunkQueue."""
+
+class ChunkQueue:
+    """
+    Messages of a recording, gathered into chunks: any thread pushes, one takes.
+
+    A full queue drops messages and counts them; a ring drops its oldest chunks instead.
+    """
+
+    def __init__(self, chunk_size: int, cache_size: int, duration_ns: int = 0, ring: bool = False) -> None: ...
+
+    def push(self, channel: int, data: bytes, log_time_ns: int, publish_time_ns: int) -> bool:
+        """Append a message; return False if the queue is paused, closed or full."""
+
+    def take(self, timeout_ns: int) -> Chunk | None:
+        """
+        Remove and return the oldest complete chunk, or after the timeout the unfinished one; None if there is no message.
+        """
+
+    def seal(self) -> None:
+        """Complete the unfinished chunk."""
+
+    def end_file(self) -> None:
+        """Complete the unfinished chunk, as the last one of its file."""
+
+    def restart_file(self) -> None:
+        """
+        Let the next message be the first one of a file, from which its duration counts.
+        """
+
+    def close(self) -> None:
+        """Store nothing more; `take` then returns what is left, without waiting."""
+
+    def set_paused(self, paused: bool) -> None:
+        """Set whether messages are discarded, uncounted."""
+
+    def set_simulated_time(self, now_ns: int | None) -> None:
+        """
+        Set the log time of samples [ns since epoch]; 0: unknown, none is stored; None: their time of receipt.
+        """
+
+    def sink(self, channel: int) -> ChunkSink:
+        """
+        Return a sink for `Reader.feed` that pushes a topic's samples with a channel's number.
+        """
+
+    @property
+    def has_chunk(self) -> bool:
+        """Whether a complete chunk is waiting."""
+
+    @property
+    def message_count(self) -> int:
+        """Number of messages that were stored."""
+
+    @property
+    def dropped_count(self) -> int:
+        """Number of messages that a full queue dropped."""
+
+    @property
+    def size(self) -> int:
+        """Size of what has not been taken [bytes]."""

@@ -1,0 +1,159 @@
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/unique_ptr.h>
+
+#include <chrono>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "bag/chunk_queue.hpp"
+#include "bindings/bindings.hpp"
+#include "bindings/gil.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace tfloom::bindings {
+namespace {
+
+using bag::Chunk;
+using bag::ChunkQueue;
+using bag::ChunkSink;
+
+// Shares the queue with sinks, which use it on other threads without Python.
+struct QueueHandle {
+  std::shared_ptr<ChunkQueue> queue;
+};
+
+constexpr std::size_t head_size = 31;  // of a message record: opcode, length, channel, sequence, two stamps
+constexpr std::size_t publish_time_at = 23;
+
+std::uint64_t read_u64(const std::byte* place) {
+  std::uint64_t value = 0;
+  for (std::size_t i = 0; i < 8; ++i) value |= std::to_integer<std::uint64_t>(place[i]) << (8 * i);
+  return value;
+}
+
+// Return a channel's entries as MCAP's message index holds them: pairs of log time and offset.
+nb::bytes index_of(const Chunk& chunk, std::size_t channel, std::uint64_t shift) {
+  const auto& entries = chunk.index[channel];
+  std::vector<std::uint8_t> octets;
+  octets.reserve(entries.size() * 16);
+  const auto put = [&octets](std::uint64_t value) {
+    for (std::size_t i = 0; i < 8; ++i) octets.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
+  };
+  for (const auto& entry : entries) {
+    put(static_cast<std::uint64_t>(entry.log_time));
+    put(entry.offset + shift);
+  }
+  return nb::bytes(octets.data(), octets.size());
+}
+
+nb::list counts(const Chunk& chunk) {
+  nb::list result;
+  for (std::size_t channel = 0; channel < chunk.index.size(); ++channel) {
+    if (!chunk.index[channel].empty()) result.append(nb::make_tuple(channel, chunk.index[channel].size()));
+  }
+  return result;
+}
+
+nb::list messages(const Chunk& chunk) {
+  nb::list result;
+  const std::byte* at = chunk.records.data();
+  const std::byte* const end = at + chunk.records.size();
+  while (at < end) {
+    const std::uint64_t size = read_u64(at + 1);
+    const auto channel = std::to_integer<unsigned>(at[9]) | (std::to_integer<unsigned>(at[10]) << 8);
+    const auto log_time = static_cast<std::int64_t>(read_u64(at + publish_time_at - 8));
+    const auto publish_time = static_cast<std::int64_t>(read_u64(at + publish_time_at));
+    result.append(nb::make_tuple(channel, log_time, publish_time,
+                                 nb::bytes(at + head_size, static_cast<std::size_t>(size) - (head_size - 9))));
+    at += 9 + size;
+  }
+  return result;
+}
+
+std::unique_ptr<Chunk> take(QueueHandle& self, std::int64_t timeout_ns) {
+  const ReleasedGil release;
+  return self.queue->take(std::chrono::nanoseconds(timeout_ns));
+}
+
+bool push(QueueHandle& self, std::uint16_t channel, const nb::bytes& data, std::int64_t log_time_ns,
+          std::int64_t publish_time_ns) {
+  const std::span octets(static_cast<const std::byte*>(data.data()), data.size());
+  return self.queue->push(channel, octets, log_time_ns, publish_time_ns);
+}
+
+// Wrap a method of the queue without an argument, or with one.
+template <auto method>
+auto call(QueueHandle& self) {
+  return ((*self.queue).*method)();
+}
+template <auto method, typename Argument>
+void call_with(QueueHandle& self, Argument argument) {
+  ((*self.queue).*method)(argument);
+}
+
+void bind_chunk(nb::module_& m) {
+  nb::class_<Chunk>(m, "Chunk", "Messages as MCAP message records, in the order in which they were pushed.")
+      .def_ro("start_ns", &Chunk::start, "Smallest log time [ns since epoch].")
+      .def_ro("end_ns", &Chunk::end, "Greatest log time [ns since epoch].")
+      .def_ro("message_count", &Chunk::message_count, "Number of messages; at least one.")
+      .def_ro("ends_file", &Chunk::ends_file, "Whether the next chunk belongs to a new file.")
+      .def_prop_ro(
+          "records",
+          [](const Chunk& self) { return nb::bytes(self.records.data(), self.records.size()); }, "The records.")
+      .def("counts", &counts, nb::sig("def counts(self) -> list[tuple[int, int]]"),
+           "Return (channel, number of messages) for each channel that has messages, in order of channels.")
+      .def("index", &index_of, "channel"_a, "shift"_a,
+           "Return a channel's entries of MCAP's message index, in order, with `shift` added to each offset.")
+      .def("messages", &messages, nb::sig("def messages(self) -> list[tuple[int, int, int, bytes]]"),
+           "Return each message as (channel, log time [ns], publish time [ns], data).");
+}
+
+}  // namespace
+
+void bind_bag(nb::module_& m) {
+  bind_chunk(m);
+  nb::class_<ChunkSink, Sink>(m, "ChunkSink", "A sink that pushes the samples of a topic into a ChunkQueue.");
+  using SimulatedTime = std::optional<std::int64_t>;
+  nb::class_<QueueHandle>(m, "ChunkQueue",
+                          "Messages of a recording, gathered into chunks: any thread pushes, one takes.\n\n"
+                          "A full queue drops messages and counts them; a ring drops its oldest chunks instead.")
+      .def(
+          "__init__",
+          [](QueueHandle* self, std::size_t chunk_size, std::size_t cache_size, std::int64_t duration_ns, bool ring) {
+            const ChunkQueue::Limits limits{chunk_size, cache_size, duration_ns, ring};
+            new (self) QueueHandle{std::make_shared<ChunkQueue>(limits)};
+          },
+          "chunk_size"_a, "cache_size"_a, "duration_ns"_a = 0, "ring"_a = false)
+      .def("push", &push, "channel"_a, "data"_a, "log_time_ns"_a, "publish_time_ns"_a,
+           "Append a message; return False if the queue is paused, closed or full.")
+      .def("take", &take, "timeout_ns"_a, nb::sig("def take(self, timeout_ns: int) -> Chunk | None"),
+           "Remove and return the oldest complete chunk, or after the timeout the unfinished one; None if there is no "
+           "message.")
+      .def("seal", &call<&ChunkQueue::seal>, "Complete the unfinished chunk.")
+      .def("end_file", &call<&ChunkQueue::end_file>, "Complete the unfinished chunk, as the last one of its file.")
+      .def("restart_file", &call<&ChunkQueue::restart_file>,
+           "Let the next message be the first one of a file, from which its duration counts.")
+      .def("close", &call<&ChunkQueue::close>,
+           "Store nothing more; `take` then returns what is left, without waiting.")
+      .def("set_paused", &call_with<&ChunkQueue::set_paused, bool>, "paused"_a,
+           "Set whether messages are discarded, uncounted.")
+      .def("set_simulated_time", &call_with<&ChunkQueue::set_simulated_time, SimulatedTime>, "now_ns"_a.none(),
+           "Set the log time of samples [ns since epoch]; 0: unknown, none is stored; None: their time of receipt.")
+      .def(
+          "sink",
+          [](const QueueHandle& self, std::uint16_t channel) {
+            return std::make_unique<ChunkSink>(self.queue, channel);
+          },
+          "channel"_a, "Return a sink for `Reader.feed` that pushes a topic's samples with a channel's number.")
+      .def_prop_ro("has_chunk", &call<&ChunkQueue::has_chunk>, "Whether a complete chunk is waiting.")
+      .def_prop_ro("message_count", &call<&ChunkQueue::message_count>, "Number of messages that were stored.")
+      .def_prop_ro("dropped_count", &call<&ChunkQueue::dropped_count>, "Number of messages that a full queue dropped.")
+      .def_prop_ro("size", &call<&ChunkQueue::size>, "Size of what has not been taken [bytes].");
+}
+
+}  // namespace tfloom::bindings
