@@ -454,6 +454,7 @@ void bind_tf2(nb::module_& m) {
   bind_tf2_frozen(type);
   bind_tf2_messages(type);
   bind_tf2_wire(m, type);
+  bind_tf2_observer(m);
 }
 
 }  // namespace tfloom::bindings

@@ -19,5 +19,6 @@ void bind_tf2_batch(nanobind::module_& m, nanobind::class_<BufferHandle>& type);
 void bind_tf2_messages(nanobind::class_<BufferHandle>& type);
 void bind_tf2_frozen(nanobind::class_<BufferHandle>& type);
 void bind_tf2_wire(nanobind::module_& m, nanobind::class_<BufferHandle>& type);
+void bind_tf2_observer(nanobind::module_& m);
 
 }  // namespace tfloom::bindings

@@ -759,6 +759,329 @@ class TfSink(Sink):
         Drop what is held, and forget all publishers' stamps, after a jump in time.
         """
 
+class Spread:
+    """
+    Number, mean, deviation and extremes of values; all are 0 without a value.
+    """
+
+    @property
+    def count(self) -> int:
+        """Number of values."""
+
+    @property
+    def mean(self) -> float:
+        """Their mean."""
+
+    @property
+    def least(self) -> float:
+        """The least."""
+
+    @property
+    def greatest(self) -> float:
+        """The greatest."""
+
+    @property
+    def deviation(self) -> float:
+        """Their standard deviation, of the population."""
+
+class Step:
+    """
+    The motion between two consecutive transforms, in order of their stamps.
+    """
+
+    @property
+    def stamp_ns(self) -> int:
+        """Stamp of the later one [ns since epoch]."""
+
+    @property
+    def elapsed_ns(self) -> int:
+        """Time between their stamps [ns]; 0: there was no step, or it is static."""
+
+    @property
+    def distance(self) -> float:
+        """Translation between them [m]."""
+
+    @property
+    def angle_rad(self) -> float:
+        """Rotation between them, 0 to pi [rad]."""
+
+    @property
+    def speed(self) -> float:
+        """Distance by time [m/s]; 0 if `elapsed_ns` is 0."""
+
+class EdgeStatistics:
+    """
+    What is known of the transforms that one publisher has sent for one edge.
+
+    Stamps and times of receipt are [ns since epoch].
+    """
+
+    @property
+    def count(self) -> int:
+        """Number of transforms."""
+
+    @property
+    def first_stamp_ns(self) -> int:
+        """The stamp received first."""
+
+    @property
+    def last_stamp_ns(self) -> int:
+        """The stamp received last."""
+
+    @property
+    def oldest_stamp_ns(self) -> int:
+        """The oldest stamp."""
+
+    @property
+    def newest_stamp_ns(self) -> int:
+        """The newest stamp."""
+
+    @property
+    def first_received_ns(self) -> int:
+        """Time of the first receipt."""
+
+    @property
+    def last_received_ns(self) -> int:
+        """Time of the last receipt."""
+
+    @property
+    def stamp_period(self) -> Spread:
+        """
+        Times from the newest stamp to a newer one [s]; steps back and repetitions are not counted.
+        """
+
+    @property
+    def receipt_period(self) -> Spread:
+        """Times between receipts [s]."""
+
+    @property
+    def delay(self) -> Spread:
+        """
+        Times from the stamp to now, at receipt [s]; negative: stamped ahead of now. Zero stamps are not counted.
+        """
+
+    @property
+    def out_of_order(self) -> int:
+        """Number of transforms older than the newest one."""
+
+    @property
+    def repeated(self) -> int:
+        """Number of moving transforms with the same stamp as the newest one."""
+
+    @property
+    def too_old(self) -> int:
+        """
+        Number of transforms older than the child's newest, from any publisher, by more than the cache time: a buffer rejects them.
+        """
+
+    @property
+    def ahead(self) -> int:
+        """Number of transforms stamped ahead of now."""
+
+    @property
+    def zero_stamps(self) -> int:
+        """Number of transforms with the stamp 0."""
+
+    @property
+    def largest_step_back_ns(self) -> int:
+        """
+        The longest time by which a stamp was older than the newest one before it [ns].
+        """
+
+    @property
+    def non_finite(self) -> int:
+        """
+        Number of transforms with a NaN or an infinity; they are in none of the figures that follow.
+        """
+
+    @property
+    def worst_norm_error(self) -> float:
+        """The greatest difference of a quaternion's length from 1."""
+
+    @property
+    def changes(self) -> int:
+        """Number of transforms that differ from the one before."""
+
+    @property
+    def translation(self) -> tuple[float, float, float]:
+        """
+        Translation x, y, z of the newest transform [m]; of a static one, of the last.
+        """
+
+    @property
+    def rotation_xyzw(self) -> tuple[float, float, float, float]:
+        """Rotation x, y, z, w of the same transform."""
+
+    @property
+    def distance(self) -> Spread:
+        """Distances of the steps [m]."""
+
+    @property
+    def longest(self) -> Step:
+        """The step of the greatest distance."""
+
+    @property
+    def widest(self) -> Step:
+        """The step of the greatest angle."""
+
+    @property
+    def fastest(self) -> Step:
+        """The step of the greatest speed."""
+
+class TfTraffic:
+    """What one publisher has sent on /tf, or on /tf_static."""
+
+    @property
+    def gid(self) -> bytes:
+        """Its gid: 16 octets."""
+
+    @property
+    def is_static(self) -> bool:
+        """Whether this is on /tf_static."""
+
+    @property
+    def has_left(self) -> bool:
+        """Whether it has left."""
+
+    @property
+    def messages(self) -> int:
+        """Number of messages."""
+
+    @property
+    def transforms(self) -> int:
+        """Number of transforms."""
+
+    @property
+    def bytes(self) -> int:
+        """Octets of the messages."""
+
+    @property
+    def unreadable(self) -> int:
+        """Number of messages that are no TFMessage."""
+
+    @property
+    def most_transforms(self) -> int:
+        """The greatest number of transforms in one message."""
+
+    @property
+    def first_received_ns(self) -> int:
+        """Time of the first receipt [ns since epoch]."""
+
+    @property
+    def last_received_ns(self) -> int:
+        """Time of the last receipt [ns since epoch]."""
+
+    @property
+    def period(self) -> Spread:
+        """Times between receipts of its messages [s]."""
+
+    @property
+    def transit(self) -> Spread:
+        """
+        Times from writing, by the publisher's clock, to receipt, by this machine's [s].
+        """
+
+class TfEdge:
+    """One edge of one publisher."""
+
+    @property
+    def child(self) -> str:
+        """The child frame."""
+
+    @property
+    def parent(self) -> str:
+        """The parent frame."""
+
+    @property
+    def gid(self) -> bytes:
+        """The publisher's gid: 16 octets."""
+
+    @property
+    def is_static(self) -> bool:
+        """Whether it came on /tf_static."""
+
+    @property
+    def statistics(self) -> EdgeStatistics:
+        """Its figures."""
+
+class TfChild:
+    """A frame that was a child, on either topic and from any publisher."""
+
+    @property
+    def child(self) -> str:
+        """The frame."""
+
+    @property
+    def parent(self) -> str:
+        """Its parent in the transform received last."""
+
+    @property
+    def reparented(self) -> int:
+        """
+        Number of transforms whose parent was another than that of the child's former one.
+        """
+
+    @property
+    def newest_stamp_ns(self) -> int:
+        """Newest stamp of its moving transforms; 0: none."""
+
+class TfSnapshot:
+    """What an observer has recorded; each list is in order of first receipt."""
+
+    @property
+    def publishers(self) -> list[TfTraffic]:
+        """The publishers."""
+
+    @property
+    def edges(self) -> list[TfEdge]:
+        """The edges."""
+
+    @property
+    def children(self) -> list[TfChild]:
+        """The child frames."""
+
+    @property
+    def unrecorded(self) -> int:
+        """Number of transforms beyond the observer's limits."""
+
+class TfObserverSink(Sink):
+    """Passes the samples of one topic to an observer."""
+
+    def accept_only(self, publishers: Sequence[bytes] | None) -> None:
+        """
+        Ignore the samples of all publishers but these, given by their gids; None: of none.
+        """
+
+class TfObserver:
+    """
+    Statistics of all transforms on /tf and /tf_static, by publisher and edge.
+    """
+
+    def __init__(self, cache_time_ns: int = 10000000000) -> None: ...
+
+    def sink(self, static: bool, buffer: Buffer | None = None) -> TfObserverSink:
+        """
+        Return a sink for `Reader.feed` that records samples of `tf2_msgs/msg/TFMessage` here.
+
+        It also stores the transforms in `buffer`, if there is one, with the publisher's gid in hexadecimal as authority.
+        """
+
+    def record(self, data: bytes, publisher_gid: bytes, received_ns: int, source_stamp_ns: int = 0, static: bool = False) -> bool:
+        """
+        Record a message, given as encapsulation header and CDR; return whether it was readable.
+        """
+
+    def snapshot(self) -> TfSnapshot:
+        """Return a copy of all that is recorded."""
+
+    def clear(self) -> None:
+        """Forget everything."""
+
+    def set_simulated_time(self, now_ns: int | None) -> None:
+        """
+        Set the time with which stamps are compared [ns since epoch]; 0: unknown, delays are not recorded; None: the time of receipt.
+        """
+
 class Chunk:
     """
     Messages as MCAP message records, in the order in which they were pushed.

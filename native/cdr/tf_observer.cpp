@@ -1,0 +1,201 @@
+#include "cdr/tf_observer.hpp"
+
+#include "cdr/cursor.hpp"
+#include "cdr/tf_message.hpp"
+
+namespace tfloom::cdr {
+namespace {
+
+// Stamps on the wire are below 2.2e18 ns in magnitude. With this bound, no difference of two times overflows.
+constexpr tf2::Stamp most_time = 2'300'000'000'000'000'000;
+
+tf2::Stamp bounded(tf2::Stamp time) { return std::clamp(time, -most_time, most_time); }
+
+double seconds(tf2::Stamp ns) { return 1e-9 * static_cast<double>(ns); }
+
+std::string hexadecimal(const Gid& gid) {
+  static constexpr char digits[] = "0123456789abcdef";
+  std::string text;
+  text.reserve(2 * gid.size());
+  for (const std::uint8_t octet : gid) {
+    text += digits[octet >> 4];
+    text += digits[octet & 15];
+  }
+  return text;
+}
+
+bool read(std::span<const std::byte> data, std::vector<tf2::Entry>& entries) {
+  try {
+    read_tf_message(data, entries);
+    return true;
+  } catch (const DecodeError&) {
+    entries.clear();
+    return false;
+  }
+}
+
+}  // namespace
+
+bool TfObserver::record(std::span<const std::byte> data, const SampleInfo& info, bool is_static,
+                        std::vector<tf2::Entry>& entries) {
+  const bool is_readable = read(data, entries);
+  const tf2::Stamp received = bounded(info.received_stamp_ns);
+  const std::lock_guard lock(mutex_);
+  const auto id = find_publisher(info.publisher_gid, is_static);
+  if (!id) {
+    unrecorded_ += entries.size();
+    return is_readable;
+  }
+  TfTraffic& traffic = publishers_[*id];
+  if (traffic.messages == 0) {
+    traffic.first_received = received;
+  } else {
+    traffic.period.add(seconds(received - traffic.last_received));
+  }
+  traffic.has_left = false;
+  traffic.last_received = received;
+  ++traffic.messages;
+  traffic.bytes += data.size();
+  if (!is_readable) ++traffic.unreadable;
+  traffic.transforms += entries.size();
+  traffic.most_transforms = std::max<std::uint64_t>(traffic.most_transforms, entries.size());
+  if (info.source_stamp_ns != 0) traffic.transit.add(seconds(received - bounded(info.source_stamp_ns)));
+  const tf2::Stamp now = bounded(simulated_time_.value_or(received));
+  for (const tf2::Entry& entry : entries) add(*id, entry, received, now);
+  return is_readable;
+}
+
+void TfObserver::add(Id publisher, const tf2::Entry& entry, tf2::Stamp received, tf2::Stamp now) {
+  Edge* edge = find_edge(publisher, entry);
+  if (edge == nullptr) {
+    ++unrecorded_;
+    return;
+  }
+  const bool is_static = publishers_[publisher].is_static;
+  Child& child = children_[edge->key.child];
+  edge->statistics.add(entry.stamp, entry.value, received, now, is_static, child.newest_stamp, cache_time_);
+  if (child.parent != tf2::NameIndex::none && child.parent != edge->key.parent) ++child.reparented;
+  child.parent = edge->key.parent;
+  if (!is_static) child.newest_stamp = std::max(child.newest_stamp, entry.stamp);
+}
+
+std::optional<TfObserver::Id> TfObserver::find_publisher(const Gid& gid, bool is_static) {
+  const PublisherKey key{gid, is_static};
+  if (const auto found = publisher_ids_.find(key); found != publisher_ids_.end()) return found->second;
+  if (publishers_.size() >= most_publishers || edges_.size() >= most_edges) drop_left();
+  if (publishers_.size() >= most_publishers) return std::nullopt;
+  const auto id = static_cast<Id>(publishers_.size());
+  publishers_.emplace_back().gid = gid;
+  publishers_.back().is_static = is_static;
+  publisher_ids_.emplace(key, id);
+  return id;
+}
+
+TfObserver::Id TfObserver::intern(std::string_view name) {
+  const Id found = name_ids_.find(name, [this](Id id) -> std::string_view { return names_[id]; });
+  if (found != tf2::NameIndex::none) return found;
+  const auto id = static_cast<Id>(names_.size());
+  names_.emplace_back(name);
+  children_.emplace_back();
+  name_ids_.add(name, id);
+  return id;
+}
+
+TfObserver::Edge* TfObserver::find_edge(Id publisher, const tf2::Entry& entry) {
+  if (std::max(entry.child_frame_id.size(), entry.frame_id.size()) > most_name_size) return nullptr;
+  // Two names at most are new with each transform, so that they are bounded if there may be no more of them.
+  if (names_.size() >= 2 * most_edges) return nullptr;
+  const EdgeKey key{publisher, intern(entry.child_frame_id), intern(entry.frame_id)};
+  if (const auto found = edge_ids_.find(key); found != edge_ids_.end()) return &edges_[found->second];
+  if (edges_.size() >= most_edges) return nullptr;
+  edge_ids_.emplace(key, static_cast<Id>(edges_.size()));
+  edges_.emplace_back().key = key;
+  return &edges_.back();
+}
+
+void TfObserver::drop_left() {
+  std::vector<Id> new_ids(publishers_.size(), tf2::NameIndex::none);
+  std::vector<TfTraffic> publishers;
+  publisher_ids_.clear();
+  for (std::size_t i = 0; i < publishers_.size(); ++i) {
+    if (publishers_[i].has_left) continue;
+    new_ids[i] = static_cast<Id>(publishers.size());
+    publisher_ids_.emplace(PublisherKey{publishers_[i].gid, publishers_[i].is_static}, new_ids[i]);
+    publishers.push_back(publishers_[i]);
+  }
+  std::vector<Edge> edges;
+  edge_ids_.clear();
+  for (Edge& edge : edges_) {
+    edge.key.publisher = new_ids[edge.key.publisher];
+    if (edge.key.publisher == tf2::NameIndex::none) continue;
+    edge_ids_.emplace(edge.key, static_cast<Id>(edges.size()));
+    edges.push_back(edge);
+  }
+  publishers_ = std::move(publishers);
+  edges_ = std::move(edges);
+}
+
+void TfObserver::mark_left(const Gid& publisher, bool is_static) {
+  const std::lock_guard lock(mutex_);
+  const auto found = publisher_ids_.find({publisher, is_static});
+  if (found != publisher_ids_.end()) publishers_[found->second].has_left = true;
+}
+
+void TfObserver::set_simulated_time(std::optional<tf2::Stamp> now) {
+  const std::lock_guard lock(mutex_);
+  simulated_time_ = now;
+}
+
+void TfObserver::clear() {
+  const std::lock_guard lock(mutex_);
+  publishers_.clear();
+  publisher_ids_.clear();
+  names_.clear();
+  children_.clear();
+  name_ids_.clear();
+  edges_.clear();
+  edge_ids_.clear();
+  unrecorded_ = 0;
+}
+
+TfSnapshot TfObserver::snapshot() const {
+  TfSnapshot snapshot;
+  const std::lock_guard lock(mutex_);
+  snapshot.unrecorded = unrecorded_;
+  snapshot.publishers = publishers_;
+  snapshot.edges.reserve(edges_.size());
+  for (const auto& [key, statistics] : edges_) {
+    const TfTraffic& publisher = publishers_[key.publisher];
+    snapshot.edges.push_back(
+        {names_[key.child], names_[key.parent], publisher.gid, publisher.is_static, statistics});
+  }
+  for (std::size_t i = 0; i < children_.size(); ++i) {
+    const Child& child = children_[i];
+    if (child.parent == tf2::NameIndex::none) continue;
+    snapshot.children.push_back({names_[i], names_[child.parent], child.reparented, child.newest_stamp});
+  }
+  return snapshot;
+}
+
+void TfObserverSink::push(std::span<const std::byte> data, const SampleInfo& info) noexcept {
+  try {
+    if (!accepts(info.publisher_gid)) return;
+    std::vector<tf2::Entry> entries;
+    observer_->record(data, info, is_static_, entries);
+    if (buffer_ != nullptr && !entries.empty()) buffer_->set(entries, hexadecimal(info.publisher_gid), is_static_);
+    signal_push();
+  } catch (...) {  // out of memory: the message is dropped
+  }
+}
+
+void TfObserverSink::accept_only(std::optional<std::vector<Gid>> publishers) {
+  const std::lock_guard lock(mutex_);
+  accepted_ = std::move(publishers);
+}
+
+bool TfObserverSink::accepts(const Gid& publisher) const {
+  const std::lock_guard lock(mutex_);
+  return !accepted_ || std::ranges::find(*accepted_, publisher) != accepted_->end();
+}
+
+}  // namespace tfloom::cdr

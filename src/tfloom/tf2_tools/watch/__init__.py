@@ -1,0 +1,1 @@
+"""Transforms as they are published: by which node, how often, how late, and what is wrong with them."""
