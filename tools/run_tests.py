@@ -1,7 +1,7 @@
 """Run a tier of the tests: `python tools/run_tests.py [--slow | --ros] [PYTEST'S ARGUMENTS]`.
 
-A tier runs in two parts: first the few tests that measure time (marked `timing`), alone; then the others, in parallel
-in several processes, because they wait more than they compute.
+A tier runs in two parts: first the few tests that measure time (marked `timing`), one on each of at most two cores;
+then the others, in parallel in several processes, because they wait more than they compute.
 """
 
 from __future__ import annotations
@@ -17,7 +17,8 @@ ROOT = Path(__file__).resolve().parents[1]
 WORKERS_PER_CORE = 2
 MOST_WORKERS = 16
 """Limited because all workers use DDS domains from the same 70."""
-ROS_TESTS = (ROOT / "tests" / "ros_peer", ROOT / "tests" / "drop_in")
+TESTS = ROOT / "tests"
+ROS_TESTS = (TESTS / "ros_peer", TESTS / "drop_in")
 NOTHING_SELECTED = 5
 """pytest's exit code when it ran no test."""
 
@@ -25,6 +26,13 @@ NOTHING_SELECTED = 5
 def workers() -> int:
     """Return the number of processes that run tests in parallel."""
     return min(MOST_WORKERS, WORKERS_PER_CORE * (os.cpu_count() or 1))
+
+
+def timing_files() -> list[str]:
+    """Return the files with tests that measure time, because collecting all files takes longer than these tests."""
+    return [
+        str(path) for path in sorted(TESTS.rglob("test_*.py")) if "mark.timing" in path.read_text("utf-8")
+    ]
 
 
 def tier_of(*, slow: bool, ros: bool) -> str:
@@ -57,10 +65,12 @@ def main() -> int:
     if options.ros and not any(folder.name in each for folder in ROS_TESTS for each in rest):
         rest.extend(map(str, ROS_TESTS))  # named, so that the process that reports loads their conftest, too
     marks = f"{tier} and ({options.marks})" if options.marks else tier
-    side_by_side = [f"--numprocesses={workers()}", "--dist=loadfile", "--no-loadscope-reorder"]
+    by_file = ["--dist=loadfile", "--no-loadscope-reorder"]
+    pair = [f"--numprocesses={min(2, os.cpu_count() or 1)}", *by_file]
+    files = [] if any(Path(each.partition("::")[0]).exists() for each in rest) else timing_files()
     parts = {
-        "alone": run(f"{marks} and timing", rest),
-        "side by side": run(f"{marks} and not timing", [*side_by_side, *rest]),
+        "measuring time": run(f"{marks} and timing", [*pair, *rest, *files]),
+        "others": run(f"{marks} and not timing", [f"--numprocesses={workers()}", *by_file, *rest]),
     }
     times = ", ".join(f"{name} {seconds:.0f} s" for name, (_, seconds) in parts.items())
     print(f"Tests that are {tier}: {times}")

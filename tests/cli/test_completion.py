@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 import transcript
 from test_usage import VERBS
+from tests.each import for_each
 
 from tfloom.cli.completion import find_offer
 from tfloom.cli.interfaces import action_class, fill_message, message_class, parse_yaml, service_class
@@ -184,7 +185,7 @@ def test_programs_of_a_workspace_are_completed(tmp_path: Path, monkeypatch: pyte
 FREE = {"value", "argv", "parameter_file", "folder", "launch_file_name", "launch_arguments"}
 
 
-@pytest.mark.parametrize("verb", VERBS)
+@for_each(VERBS)
 def test_each_argument_has_completions_or_is_free_text(verb: str) -> None:
     for action in VERBS[verb]._actions:
         if (

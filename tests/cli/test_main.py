@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 import transcript
+from tests.each import for_each
 
 from tfloom.cli import main as cli
 from tfloom.cli.parser import Group, VerbParser
@@ -28,7 +29,7 @@ def verb_modules() -> list[str]:
     return modules
 
 
-@pytest.mark.parametrize("module", verb_modules())
+@for_each(verb_modules())
 def test_each_verb_of_the_table_has_a_file_with_both_functions(module: str) -> None:
     verb = import_module(module)
     assert callable(verb.add_arguments)

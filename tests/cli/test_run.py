@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 import transcript
+from tests.each import for_each
 
 from tfloom.cli import main as cli
 from tfloom.cli import run
@@ -263,15 +264,13 @@ def test_exit_codes_of_own_programs(
     assert capsys.readouterr() == ("['a', '--b']\n", printed)
 
 
-@pytest.mark.parametrize(
-    "target", sorted({target for programs in index.PROGRAMS.values() for target in programs.values()})
-)
+@for_each(sorted({target for programs in index.PROGRAMS.values() for target in programs.values()}))
 def test_each_own_program_exists(target: str) -> None:
     module, _, function = target.partition(":")
     assert callable(getattr(import_module(module), function))
 
 
-@pytest.mark.parametrize("package", index.PROGRAMS)
+@for_each(index.PROGRAMS)
 def test_own_programs_are_sorted(package: str) -> None:
     assert list(index.PROGRAMS[package]) == sorted(index.PROGRAMS[package])
 

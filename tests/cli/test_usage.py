@@ -6,7 +6,7 @@ import json
 import re
 from pathlib import Path
 
-import pytest
+from tests.each import for_each
 
 from tfloom.cli.main import COMMANDS
 from tfloom.cli.parser import VerbParser, build_parser
@@ -42,7 +42,7 @@ def test_each_ros2_verb_exists_or_has_a_stated_reason() -> None:
     assert set(USAGES) - set(VERBS) == set(NOT_HERE)
 
 
-@pytest.mark.parametrize("verb", RECORDED)
+@for_each(RECORDED)
 def test_each_ros2_flag_is_accepted(verb: str) -> None:
     usage = USAGES[verb]
     assert usage is not None
@@ -50,7 +50,7 @@ def test_each_ros2_flag_is_accepted(verb: str) -> None:
     assert flags <= VERBS[verb]._option_string_actions.keys()
 
 
-@pytest.mark.parametrize("verb", RECORDED)
+@for_each(RECORDED)
 def test_each_positional_argument_is_accepted(verb: str) -> None:
     usage = USAGES[verb]
     assert usage is not None
@@ -62,7 +62,7 @@ def test_each_positional_argument_is_accepted(verb: str) -> None:
     assert ("..." in positional) == ("..." in ours)
 
 
-@pytest.mark.parametrize("verb", VERBS)
+@for_each(VERBS)
 def test_each_argument_has_help(verb: str) -> None:
     for action in VERBS[verb]._actions:
         assert action.help, f"{verb}: {action.dest} has no help"

@@ -7,6 +7,7 @@ import re
 from pathlib import Path
 
 import pytest
+from tests.each import for_each
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 README = (EXAMPLES / "README.md").read_text("utf-8")
@@ -18,7 +19,7 @@ PROGRAMS = [
 ]
 
 
-@pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.relative_to(EXAMPLES).as_posix())
+@for_each(PROGRAMS, name=lambda path: path.relative_to(EXAMPLES).as_posix())
 def test_each_program_has_a_row(program: Path) -> None:
     name = program.relative_to(EXAMPLES).as_posix()
     first_line = ast.get_docstring(ast.parse(program.read_text("utf-8"))).splitlines()[0]

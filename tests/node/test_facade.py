@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from tests.each import for_each
 
 FACADE = Path(__file__).parents[2] / "src" / "tfloom" / "ros_names" / "rclpy"
 MODULES = sorted(
@@ -17,7 +18,7 @@ MODULES = sorted(
 
 
 @pytest.mark.filterwarnings("ignore:importing 'qos_event'")
-@pytest.mark.parametrize("name", MODULES)
+@for_each(MODULES)
 def test_each_facade_module_re_exports_its_room(name: str) -> None:
     module = importlib.import_module(name)
     for each in getattr(module, "__all__", [each for each in dir(module) if not each.startswith("_")]):

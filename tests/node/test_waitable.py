@@ -160,11 +160,11 @@ def test_call_between_two_waitables(make_node: MakeNode, executor: Executor) -> 
 
 
 def test_a_timer_in_a_waitable_is_called_once_a_period(node: Node, executor: Executor) -> None:
+    start = time.monotonic()
     timer = _rclpy.Timer(node.get_clock().handle, node.context.handle, 10_000_000)
     waitable = Collects("timer", timer, timer.call_timer)
     node.add_waitable(waitable)
     executor.add_node(node)
-    start = time.monotonic()
     while len(waitable.collected) < 3:
         executor.spin_once(timeout_sec=1)
         assert time.monotonic() < start + 10

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from tests.each import for_each
 
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.example_interfaces.msg import WString
@@ -280,7 +281,7 @@ SAMPLES = {
 }
 
 
-@pytest.mark.parametrize("name", SAMPLES)
+@for_each(SAMPLES)
 def test_damaged_bytes_are_decoded_or_rejected(name: str) -> None:
     cls, generator = get_message_class(name), random.Random(name)
     for _ in range(60):

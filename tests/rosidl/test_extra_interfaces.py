@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 from rosbags.typesys.store import Typestore
+from tests.each import for_each
 from tests.test_facades import ROS_NAMES, RULES, Rule
 
 from tfloom.rosidl import cdr, class_table, definition_files, generate, spec
@@ -25,7 +26,7 @@ SPECS = {message.name: message for each in (OWN | EXTRA).values() for message in
 HASHES = json.loads((ROOT / "tests" / "golden" / "interface_hashes.json").read_text("utf-8"))["hashes"]
 
 
-@pytest.mark.parametrize("path", FILES)
+@for_each(FILES)
 def test_regenerates_without_difference(path: str) -> None:
     assert (HOME / path).read_text("utf-8") == FILES[path], "run python -m tfloom.rosidl.generate"
 
@@ -59,7 +60,7 @@ def test_each_facade_keeps_the_rules_of_facades(rule: Rule) -> None:
     assert not broken, "\n".join(broken)
 
 
-@pytest.mark.parametrize("name", sorted(EXTRA))
+@for_each(sorted(EXTRA))
 def test_each_is_found_by_name_and_by_import(name: str) -> None:
     package, kind, base = name.split("/")
     cls = find_class(name)
@@ -107,7 +108,7 @@ def add_to(store: Typestore, message: spec.Message) -> None:
     store.register(get_types_from_msg(text, message.name))
 
 
-@pytest.mark.parametrize("message", written_parts(), ids=lambda each: each.name)
+@for_each(written_parts(), name=lambda each: each.name)
 def test_hashes_are_those_of_rosbags(message: spec.Message) -> None:
     store = get_typestore(Stores.EMPTY)
     add_to(store, message)

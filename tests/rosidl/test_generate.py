@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import pytest
+from tests.each import for_each
 
 import tfloom.rosidl
 from tfloom.rosidl import cdr, generate, sources, spec
@@ -15,7 +15,7 @@ HOME = Path(tfloom.rosidl.__file__).parents[1]
 FILES = generate.generate_all()
 
 
-@pytest.mark.parametrize("path", FILES)
+@for_each(FILES)
 def test_regenerated_files_are_identical(path: str) -> None:
     assert (HOME / path).read_text("utf-8") == FILES[path], "run python -m tfloom.rosidl.generate"
 

@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-import pytest
+from tests.each import for_each
 
 from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
@@ -33,7 +33,7 @@ def _field(type_: Any, value: Any) -> Any:
     return float(value) if type_.base.startswith("float") else value
 
 
-@pytest.mark.parametrize("golden", MESSAGES, ids=lambda each: each["type"])
+@for_each(MESSAGES, name=lambda each: each["type"])
 def test_golden_bytes_are_encoded_and_decoded(golden: dict[str, Any]) -> None:
     cls = get_message_class(golden["type"])
     for sample in golden["samples"]:
@@ -51,6 +51,6 @@ def test_golden_file_has_all_samples() -> None:
     assert sum(len(each["samples"]) for each in TYPES) == 969
 
 
-@pytest.mark.parametrize("golden", MESSAGES, ids=lambda each: each["type"])
+@for_each(MESSAGES, name=lambda each: each["type"])
 def test_type_hash_matches_the_golden(golden: dict[str, Any]) -> None:
     assert golden["type_hash"] == get_message_class(golden["type"])._TYPE_HASH

@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tests.each import for_each
 
 from tfloom.interfaces.geometry_msgs import msg as geometry_msgs
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped, Twist, Vector3
@@ -54,7 +55,7 @@ def snake(name: str) -> str:
     return re.sub(r"([a-z0-9])([A-Z])", r"\1_\2", name).lower()
 
 
-@pytest.mark.parametrize("name", FACES)
+@for_each(FACES)
 def test_public_attributes_match_the_golden(name: str) -> None:
     golden, cls = FACES[name], get_message_class(name)
     message = cls()
@@ -70,7 +71,7 @@ def test_public_attributes_match_the_golden(name: str) -> None:
     assert cls.__name__ == golden["class"].rpartition(".")[2]
 
 
-@pytest.mark.parametrize("name", FACES)
+@for_each(FACES)
 def test_repr_is_the_source_of_the_message(name: str) -> None:
     text = FACES[name]["repr_filled"]
     names: dict[str, Any] = {

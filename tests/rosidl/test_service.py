@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from tests.each import for_each
 
 from tfloom.interfaces.action_msgs.msg import GoalStatusArray
 from tfloom.interfaces.action_msgs.srv import CancelGoal
@@ -24,7 +25,7 @@ GOLDEN = Path(__file__).parents[1] / "golden" / "jazzy_types.jsonl"
 HASHES = {each["type"]: each["type_hash"] for each in map(json.loads, GOLDEN.read_text("utf-8").splitlines())}
 
 
-@pytest.mark.parametrize("name", HASHES)
+@for_each(HASHES)
 def test_hashes_of_all_services_and_actions_match(name: str) -> None:
     assert HASHES[name] == find_class(name)._TYPE_HASH
     assert name == find_class(name)._TYPE_NAME

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import platform
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -43,8 +44,9 @@ def test_wide_vectors_are_used_where_the_processor_has_them() -> None:
     assert not use_wide_vectors(False)
 
 
+@cache
 def filled(half_angle_rad: float) -> tuple[Buffer, OracleBuffer]:
-    """Return a - b - c - d, sampled at three rates; c - d is static."""
+    """Return a - b - c - d, sampled at three rates; c - d is static. Tests don't change them."""
     random = np.random.default_rng(6)
     buffer, oracle = Buffer(None), OracleBuffer(100 * SECOND)
     for parent, child, count in (("a", "b", 700), ("b", "c", 40), ("e", "a", 300)):

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import pytest
+from tests.each import for_each
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "api_tf2.json"
 API: dict[str, dict[str, Any]] = json.loads(GOLDEN.read_text("utf-8"))
@@ -70,7 +70,7 @@ def find(place: str) -> Any:
 CALLS = dict(calls())
 
 
-@pytest.mark.parametrize("place", CALLS)
+@for_each(CALLS)
 def test_signatures_accept_the_arguments_of_the_reference(place: str) -> None:
     theirs, mine = recorded(CALLS[place]), ours(find(place))
     names = [name for name, _ in theirs]

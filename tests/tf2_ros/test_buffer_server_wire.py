@@ -116,7 +116,7 @@ def test_missing_and_killed_server(start: Callable[..., Program]) -> None:
         "from action_msgs.msg import GoalStatusArray",
         "print('asking', flush=True)",
         "ask('world', 'robot', Time(), 0.5)",
-        "ask('world', 'robot', Time(), 0.5)",
+        "ask('world', 'robot', Time(), 2)",
     )
     asker.wait_for("TimeoutException Timed out after 0.5 s")  # a second query is waiting
     server.signal(signal.SIGKILL)

@@ -83,7 +83,11 @@ def test_missing_network_gives_the_remedy(environment: Path) -> None:
     ("record", "said"),
     [
         ({"unfinished": "demo"}, "the one that is there was left unfinished"),
-        ({"folder": "/elsewhere/.venv"}, "the one that is there was made in another folder"),
+        pytest.param(
+            {"folder": "/elsewhere/.venv"},
+            "the one that is there was made in another folder",
+            marks=pytest.mark.slow,
+        ),
     ],
 )
 def test_interrupted_or_moved_environment_is_recreated(
@@ -97,6 +101,7 @@ def test_interrupted_or_moved_environment_is_recreated(
     assert json.loads((environment / set_up.RECORD).read_text("utf-8")) == {"folder": str(environment)}
 
 
+@pytest.mark.slow
 def test_environment_of_a_too_old_python_is_recreated(tmp_path: Path) -> None:
     write_program(tmp_path / "bin" / "python", "echo 3 9")
     (tmp_path / "pyvenv.cfg").touch()
