@@ -20,6 +20,7 @@ SHELVES = [
     ["rmw"],
     ["node"],
     ["tf2_ros", "workspace"],
+    ["bag"],
     ["tf2_tools", "turtlesim", "sensing", "demos", "drop_in", "launch"],
     ["cli", "pyinstaller"],
 ]
@@ -50,6 +51,9 @@ DOORS = {
     "psutil": ("launch/processes/",),
     "transforms3d": ("tf2_ros/transformations.py",),
     "cv2": ("sensing/opencv.py",),
+    "lz4": ("bag/compression.py",),
+    "zstandard": ("bag/compression.py",),
+    "rosbags": ("bag/ros1_reader.py",),
     "PyInstaller": ("pyinstaller/",),
     "pytest": ("launch/testing/",),
     "catkin_pkg": ("workspace/colcon/",),

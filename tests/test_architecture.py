@@ -170,8 +170,8 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
     ),
     (
         architecture.each_room_has_its_place,
-        {"bag/reader.py": "", "node/helpers/x.py": ""},
-        ["bag/ stands on no shelf", "node/helpers/ has no place"],
+        {"stage/reader.py": "", "node/helpers/x.py": ""},
+        ["node/helpers/ has no place", "stage/ stands on no shelf"],
     ),
     (
         architecture.the_command_line_starts_without_the_rooms,
@@ -218,12 +218,12 @@ def test_planted_violation_is_found(
 
 def test_name_of_a_missing_room_or_library_is_found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     house = sound_house(tmp_path)
-    monkeypatch.setattr(architecture, "SHELVES", [*SHELVES, ["bag"]])
+    monkeypatch.setattr(architecture, "SHELVES", [*SHELVES, ["stage"]])
     monkeypatch.setattr(architecture, "NODE_ROOMS", [*NODE_ROOMS, "helpers"])
     monkeypatch.setattr(architecture, "DOORS", architecture.DOORS | {"viser": ("viewer/",)})
     monkeypatch.setattr(architecture, "EVERYWHERE", architecture.EVERYWHERE | {"scipy"})
     assert architecture.nothing_is_named_that_does_not_exist(house) == [
-        "SHELVES names bag",
+        "SHELVES names stage",
         "NODE_ROOMS names helpers",
         "DOORS names viser",
         "EVERYWHERE names scipy",

@@ -10,5 +10,6 @@ void bind_dds(nanobind::module_& m);
 void bind_cdr(nanobind::module_& m);
 void bind_tf2(nanobind::module_& m);
 void bind_bag(nanobind::module_& m);
+void bind_bag_reading(nanobind::module_& m);
 
 }  // namespace tfloom::bindings

@@ -11,4 +11,5 @@ NB_MODULE(_native, m) {
   tfloom::bindings::bind_cdr(m);
   tfloom::bindings::bind_tf2(m);
   tfloom::bindings::bind_bag(m);
+  tfloom::bindings::bind_bag_reading(m);
 }

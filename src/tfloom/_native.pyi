@@ -1,6 +1,6 @@
 """The compiled core of tfloom: numbers, ids and bytes."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Annotated, Any
 
 import numpy
@@ -1184,3 +1184,47 @@ class ChunkQueue:
     @property
     def size(self) -> int:
         """Size of what has not been taken [bytes]."""
+
+def list_mcap_messages(data: bytes, channels: Iterable[int] | None, start_ns: int, end_ns: int) -> list[tuple[int, int, int, int, int]]:
+    """
+    Return the messages among the MCAP records in `data`, of `channels` (None: all) and with log times from `start_ns` to `end_ns`.
+
+    Each is log time [ns], channel, publish time [ns], and the offset and size of its bytes in `data`. Raises ValueError, with the record's `offset`, if a record is not whole.
+    """
+
+def summarise_mcap(data: bytes, begin: int) -> tuple[dict[int, int], int, int, list[tuple[int, int, int]], int]:
+    """
+    Return what the messages, schemas and channels are that follow each other in `data` from `begin` on.
+
+    They are: the count of messages by channel; the least and the greatest log time [ns]; opcode, offset and size of each other record's content; and the offset of the first record that is of another kind or not whole. Raises ValueError, with the record's `offset`, if a message record is too short.
+    """
+
+class TfRecords:
+    """
+    Stores recorded TFMessages in a buffer, without message objects. It must be used by one thread at a time.
+    """
+
+    def __init__(self, buffer: Buffer) -> None: ...
+
+    def add_topic(self, name: str, static: bool, ros1: bool) -> int:
+        """
+        Return the number of a topic, whose name becomes the authority of its transforms.
+        """
+
+    def insert(self, topic: int, data: bytes) -> None:
+        """Store a message of a topic."""
+
+    def insert_mcap(self, data: bytes, channels: Sequence[tuple[int, int]], start_ns: int, end_ns: int) -> int:
+        """
+        Store the messages among the MCAP records in `data`. Return where the first record begins that is not whole, or the length of `data`.
+
+        `channels` are pairs of a channel and a topic's number. Messages of moving transforms are stored if their log time is from `start_ns` to `end_ns`. Raises ValueError, with the record's `offset`, if a message record is too short.
+        """
+
+    @property
+    def message_count(self) -> int:
+        """Number of messages."""
+
+    @property
+    def dropped_count(self) -> int:
+        """Number of unreadable messages, which were logged."""

@@ -1,0 +1,35 @@
+"""Recordings: rosbag2 of MCAP and sqlite3, and ROS 1 bags for their transforms.
+
+from tfloom.bag import frames, open_bag
+
+buffer = frames("my_bag")
+with open_bag("my_bag") as bag:
+for message in bag.messages("/scan"): …
+"""
+
+from __future__ import annotations
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from tfloom.bag.bag import Bag as Bag
+    from tfloom.bag.errors import BagError as BagError
+    from tfloom.bag.errors import BagWarning as BagWarning
+    from tfloom.bag.opening import open_bag as open_bag
+    from tfloom.bag.tf_frames import frames as frames
+    from tfloom.bag.values import Definition as Definition
+    from tfloom.bag.values import RawMessage as RawMessage
+    from tfloom.bag.values import Topic as Topic
+else:
+    from tfloom.ros_modules import deferred
+
+    __getattr__, __dir__ = deferred(
+        __name__,
+        Bag="tfloom.bag.bag",
+        BagError="tfloom.bag.errors",
+        BagWarning="tfloom.bag.errors",
+        Definition="tfloom.bag.values",
+        RawMessage="tfloom.bag.values",
+        Topic="tfloom.bag.values",
+        frames="tfloom.bag.tf_frames",
+        open_bag="tfloom.bag.opening",
+    )

@@ -1,0 +1,183 @@
+"""A recording: its topics, and its messages in the order of log times, across its files."""
+
+from __future__ import annotations
+
+import heapq
+from collections.abc import Collection, Iterator
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from tfloom.bag.bag_file import BagFile
+from tfloom.bag.errors import BagError
+from tfloom.bag.metadata import Metadata
+from tfloom.bag.values import EARLIEST, LATEST, RawMessage, Topic
+
+__all__ = ["Bag"]
+
+
+class Bag:
+    """A recording, which `open_bag` returns. It is a context manager; files are open while they are read only.
+
+    Args:
+        path: The folder or the file.
+        files: Its files, in the order of recording.
+        metadata: What metadata.yaml says; None if there is none.
+
+    Attributes:
+        path: The folder or the file.
+        files: Its files.
+        metadata: What metadata.yaml says; None for a single file.
+    """
+
+    def __init__(self, path: Path, files: list[BagFile], metadata: Metadata | None) -> None:
+        self.path = path
+        self.files = files
+        self.metadata = metadata
+
+    def __enter__(self) -> Bag:  # noqa: PYI034  # not to be derived from
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Remove the temporary files that were made to read compressed ones."""
+        for each in self.files:
+            each.close()
+
+    @cached_property
+    def topics(self) -> dict[str, Topic]:
+        """The topics by name.
+
+        Raises:
+            BagError: a file can't be read.
+        """
+        listed = {each.name: each for each in self.metadata.topics} if self.metadata else {}
+        found = listed.copy() if self._knows_all else {}
+        for file in self.files[:1] if self._knows_all else self.files:
+            for topic in file.topics:
+                found[topic.name] = _joined(found.get(topic.name), topic, self._knows_all)
+        return {**listed, **found}
+
+    @property
+    def _knows_all(self) -> bool:
+        """Whether files are compressed, so that metadata.yaml is read rather than all files."""
+        return self.metadata is not None and any(each.is_compressed for each in self.files)
+
+    @cached_property
+    def start_ns(self) -> int:
+        """The least log time [ns since epoch]; 0 without messages."""
+        if self._knows_all and self.metadata:
+            return self.metadata.start_ns
+        return min((each.start_ns for each in self._filled), default=0)
+
+    @cached_property
+    def end_ns(self) -> int:
+        """The greatest log time [ns since epoch]; 0 without messages."""
+        if self._knows_all and self.metadata:
+            return self.metadata.start_ns + self.metadata.duration_ns
+        return max((each.end_ns for each in self._filled), default=0)
+
+    @cached_property
+    def message_count(self) -> int:
+        """Number of messages."""
+        if self._knows_all and self.metadata:
+            return self.metadata.message_count
+        return sum(each.message_count for each in self.files)
+
+    @property
+    def size(self) -> int:
+        """The sizes of the files together [bytes]."""
+        return sum(each.path.stat().st_size for each in self.files if each.path.exists())
+
+    @property
+    def _filled(self) -> list[BagFile]:
+        return [each for each in self.files if each.message_count]
+
+    def topic(self, name: str) -> Topic:
+        """Return a topic.
+
+        Raises:
+            BagError: there is none of this name.
+        """
+        if name not in self.topics:
+            known = ", ".join(sorted(self.topics)) or "none"
+            raise BagError(self.path, f"there is no topic '{name}'; the topics are: {known}")
+        return self.topics[name]
+
+    def messages(
+        self,
+        topics: str | Collection[str] | None = None,
+        start_ns: int | None = None,
+        end_ns: int | None = None,
+    ) -> Iterator[RawMessage]:
+        """Return the messages in the order of log times; those of one time in the order of recording.
+
+        Args:
+            topics: A name, or several; None: all.
+            start_ns: The least log time [ns since epoch]; None: no bound.
+            end_ns: The greatest one [ns since epoch]; None: no bound.
+
+        Raises:
+            BagError: there is no such topic; while they are read: a file can't be read.
+        """
+        names = [topics] if isinstance(topics, str) else topics
+        wanted = None if names is None else {self.topic(each).name for each in names}
+        start = EARLIEST if start_ns is None else max(EARLIEST, start_ns)
+        end = LATEST if end_ns is None else end_ns
+        return self._messages(wanted, start, end)
+
+    def _messages(self, topics: Collection[str] | None, start_ns: int, end_ns: int) -> Iterator[RawMessage]:
+        for group in _overlapping(self.files):
+            if group[0].start_ns > end_ns or max(each.end_ns for each in group) < start_ns:
+                continue
+            parts = [each.messages(topics, start_ns, end_ns) for each in group]
+            yield from parts[0] if len(parts) == 1 else heapq.merge(*parts, key=lambda found: found[1])
+
+    def read(
+        self, topic: str, start_ns: int | None = None, end_ns: int | None = None
+    ) -> Iterator[tuple[RawMessage, Any]]:
+        """Return the messages of a topic, each with the message that its bytes decode to.
+
+        The class is tfloom's where the definition is the same, else it is made from the recording's definition.
+
+        Args:
+            topic: Its name.
+            start_ns: The least log time [ns since epoch]; None: no bound.
+            end_ns: The greatest one [ns since epoch]; None: no bound.
+
+        Raises:
+            BagError: there is no such topic, or its type has no definition, here or in the recording; while they are
+                read: a file can't be read, or a message can't be decoded.
+        """
+        from tfloom.bag.message_classes import decoder
+
+        decode = decoder(self.path, self.topic(topic))
+        return ((raw, decode(raw)) for raw in self.messages(topic, start_ns, end_ns))
+
+
+def _joined(before: Topic | None, topic: Topic, is_counted: bool) -> Topic:
+    """Return what is known of a topic from files, or from metadata.yaml, and from one more file."""
+    if before is None:
+        return topic
+    count = before.message_count if is_counted else before.message_count + topic.message_count
+    return topic._replace(
+        type=topic.type or before.type,
+        type_hash=topic.type_hash or before.type_hash,
+        offered_qos=before.offered_qos or topic.offered_qos,
+        definition=topic.definition or before.definition,
+        message_count=count,
+    )
+
+
+def _overlapping(files: list[BagFile]) -> Iterator[list[BagFile]]:
+    """Yield groups of files, in the order of time; files of different groups don't overlap in time."""
+    group: list[BagFile] = []
+    for file in sorted(files, key=lambda each: each.start_ns):
+        if group and file.start_ns > max(each.end_ns for each in group):
+            yield group
+            group = []
+        group.append(file)
+    if group:
+        yield group

@@ -1,0 +1,140 @@
+"""Decompression, limited by the sizes that a file declares. The one place that imports lz4 and zstandard."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, BinaryIO
+
+__all__ = ["CompressionError", "DamagedError", "copy_decompressed", "decompress", "decompress_part"]
+
+MOST = 1 << 30
+"""The greatest size of a chunk or message that is decompressed [bytes]."""
+INSTALL = "install it by `pip install 'tfloom[bag]'`"
+
+
+class CompressionError(ValueError):
+    """Bytes can't be decompressed, because the method is unknown or its library isn't installed."""
+
+
+class DamagedError(CompressionError):
+    """Compressed bytes are damaged, cut off, or of another size than declared."""
+
+
+def decompress(method: str, data: bytes, size: int) -> bytes:
+    """Return decompressed bytes.
+
+    Args:
+        method: `lz4` or `zstd`; empty: the bytes are not compressed.
+        data: The compressed bytes.
+        size: The declared size [bytes].
+
+    Raises:
+        CompressionError: the method is unknown, or its library isn't installed.
+        DamagedError: the bytes are damaged, or they don't have the declared size.
+    """
+    found = decompress_part(method, data, size)
+    if len(found) != size:
+        raise DamagedError(f"{size} bytes are declared, and {len(found)} are there")
+    return found
+
+
+def decompress_part(method: str, data: bytes, size: int) -> bytes:
+    """Return the first `size` decompressed bytes; fewer if the bytes end before, because the file is unfinished.
+
+    Raises:
+        CompressionError: the method is unknown, or its library isn't installed.
+        DamagedError: the bytes are damaged.
+    """
+    if size > MOST:
+        raise DamagedError(f"{size} bytes are declared, more than the {MOST} that are accepted")
+    if not method:
+        return data[:size]
+    if method == "lz4":
+        return _part_of_lz4(data, size)
+    if method == "zstd":
+        return _part_of_zstd(data, size)
+    raise CompressionError(f"the compression is '{method[:40]}', which is none of lz4 and zstd")
+
+
+def decompress_message(data: bytes) -> bytes:
+    """Return a message that is compressed by itself, as zstd.
+
+    Raises:
+        DamagedError: the bytes are damaged, or too many.
+    """
+    size = zstd().frame_content_size(data) if data[:4] == ZSTD_MAGIC else None
+    if size is None:
+        raise DamagedError("the message isn't compressed by zstd")
+    return decompress_part("zstd", data, MOST) if size < 0 else decompress("zstd", data, size)
+
+
+ZSTD_MAGIC = b"\x28\xb5\x2f\xfd"
+
+
+def zstd() -> Any:
+    """Return the module zstandard.
+
+    Raises:
+        CompressionError: it isn't installed.
+    """
+    try:
+        import zstandard
+    except ImportError:
+        raise CompressionError(f"zstandard is needed for zstd: {INSTALL}") from None
+    return zstandard
+
+
+def lz4_frame() -> Any:
+    """Return the module lz4.frame.
+
+    Raises:
+        CompressionError: it isn't installed.
+    """
+    try:
+        import lz4.frame
+    except ImportError:
+        raise CompressionError(f"lz4 is needed for lz4: {INSTALL}") from None
+    return lz4.frame
+
+
+def _part_of_lz4(data: bytes, size: int) -> bytes:
+    module = lz4_frame()
+    try:
+        found: bytes = module.LZ4FrameDecompressor().decompress(data, max_length=size) if size else b""
+    except (RuntimeError, EOFError, MemoryError) as error:
+        raise DamagedError(f"the lz4 data is damaged: {error}") from None
+    return found
+
+
+def _part_of_zstd(data: bytes, size: int) -> bytes:
+    module = zstd()
+    try:
+        with module.ZstdDecompressor().stream_reader(data) as reader:
+            found: bytes = reader.read(size) if size else b""
+    except (module.ZstdError, MemoryError) as error:
+        raise DamagedError(f"the zstd data is damaged: {error}") from None
+    return found
+
+
+def copy_decompressed(source: Path, target: BinaryIO) -> None:
+    """Write the content of a zstd file into another file.
+
+    Raises:
+        CompressionError: zstandard isn't installed.
+        DamagedError: the file is damaged or cut off.
+        OSError: a file can't be read or written.
+    """
+    module = zstd()
+    count = 0
+    try:
+        with source.open("rb") as file:
+            size = module.frame_content_size(file.read(32))
+            file.seek(0)
+            with module.ZstdDecompressor().stream_reader(file) as reader:
+                while block := reader.read(1 << 20):
+                    target.write(block)
+                    count += len(block)
+    except module.ZstdError as error:
+        raise DamagedError(f"the zstd data is damaged: {error}") from None
+    if 0 <= size != count:
+        raise DamagedError(f"the file is cut off: {size} bytes are declared, and {count} are there")

@@ -1,0 +1,120 @@
+"""Where the messages of an MCAP file are."""
+
+from __future__ import annotations
+
+import io
+import warnings
+from collections import Counter
+from pathlib import Path
+from typing import NamedTuple
+
+from tfloom.bag import mcap_records as records
+from tfloom.bag.compression import CompressionError, DamagedError, decompress, decompress_part
+from tfloom.bag.errors import BagError, BagWarning
+from tfloom.bag.mcap_records import Opcode
+
+__all__ = ["Layout", "Span", "decompressed", "read_at", "warn_of_damage"]
+
+BLOCK = 1 << 22
+"""How much is read at once of messages outside of chunks [bytes]."""
+
+
+class Span(NamedTuple):
+    """A part of a file that has messages: a chunk, or messages outside of chunks."""
+
+    start_ns: int
+    """The least log time [ns since epoch]."""
+    end_ns: int
+    """The greatest one [ns since epoch]."""
+    offset: int
+    """Of the stored bytes in the file."""
+    stored_size: int
+    """How many there are [bytes]."""
+    compression: str
+    size: int
+    """Decompressed [bytes]."""
+    index_offsets: dict[int, int]
+    """Offset of the message index of each channel; empty if there is none."""
+    channels: frozenset[int] | None
+    """The channels of the messages; None if they aren't known."""
+    is_whole: bool = True
+    """Whether the file has all of it; False for what is at the end of an unfinished file."""
+
+
+class Layout:
+    """What an MCAP file consists of.
+
+    Attributes:
+        schemas: By id.
+        channels: By id.
+        counts: Messages by channel.
+        start_ns: The least log time [ns since epoch]; 0 without messages.
+        end_ns: The greatest one [ns since epoch].
+        spans: The parts that have messages, in the order of the file; None if they aren't known yet.
+        metadata_offsets: Where the metadata records are, with their names.
+    """
+
+    def __init__(self, header: records.Header) -> None:
+        self.header = header
+        self.schemas: dict[int, records.Schema] = {}
+        self.channels: dict[int, records.Channel] = {}
+        self.counts: Counter[int] = Counter()
+        self.start_ns = 0
+        self.end_ns = 0
+        self.spans: list[Span] | None = None
+        self.metadata_offsets: list[tuple[str, int]] = []
+
+    def add(self, opcode: int, content: bytes) -> None:
+        """Add a schema or a channel.
+
+        Raises:
+            RecordError: its content isn't as its kind requires.
+        """
+        if opcode == Opcode.SCHEMA:
+            schema = records.Schema.read(content)
+            self.schemas[schema.id] = schema
+        elif opcode == Opcode.CHANNEL:
+            channel = records.Channel.read(content)
+            self.channels[channel.id] = channel
+
+
+def read_at(file: io.FileIO, offset: int, size: int) -> bytes:
+    """Return bytes of a file; fewer at its end."""
+    file.seek(offset)
+    data: bytes = file.read(size) or b""
+    while len(data) < size and (more := file.read(size - len(data))):
+        data += more
+    return data
+
+
+def decompressed(file: io.FileIO, path: Path, span: Span, size: int | None = None) -> bytes | None:
+    """Return the records of a span.
+
+    Args:
+        file: The open file.
+        path: Its path, for errors.
+        span: The part of the file.
+        size: How many bytes are needed; None: all.
+
+    Returns:
+        The bytes; None, after a warning, if they are damaged.
+
+    Raises:
+        BagError: they can't be decompressed, because the compression is unknown, or its library isn't installed.
+    """
+    stored = read_at(file, span.offset, span.stored_size)
+    try:
+        if not span.is_whole or size is not None:
+            return decompress_part(span.compression, stored, span.size if size is None else size)
+        return decompress(span.compression, stored, span.size)
+    except DamagedError as error:
+        warn_of_damage(path, span, str(error))
+        return None
+    except CompressionError as error:
+        raise BagError(path, str(error), span.offset) from None
+
+
+def warn_of_damage(path: Path, span: Span, reason: str) -> None:
+    """Warn that a span is left out."""
+    text = f"{path}: byte {span.offset}: a chunk of messages is damaged, and left out: {reason}"
+    warnings.warn(BagWarning(text), stacklevel=2)

@@ -1,0 +1,200 @@
+"""Messages and transforms of an MCAP file."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Callable, Collection, Iterator, Mapping
+from functools import cached_property
+from pathlib import Path
+
+from tfloom import _native
+from tfloom.bag import mcap_records as records
+from tfloom.bag.errors import BagError
+from tfloom.bag.mcap_layout import Layout, Span, decompressed, read_at, warn_of_damage
+from tfloom.bag.mcap_scan import Scan
+from tfloom.bag.mcap_summary import read_layout
+from tfloom.bag.values import Definition, Progress, RawMessage, Topic
+
+__all__ = ["McapFile"]
+
+_Found = tuple[int, int, int, bytes]
+"""A message: log time, channel, publish time, bytes."""
+
+
+class McapFile:
+    """A file of a recording. It is open while it is read only.
+
+    Args:
+        path: The file.
+        is_message_compressed: Whether each message is compressed by itself, by zstd.
+
+    Raises:
+        BagError: it is no MCAP file, or damaged.
+        OSError: it can't be read.
+    """
+
+    def __init__(self, path: Path, is_message_compressed: bool = False) -> None:
+        self.path = path
+        self._is_compressed = is_message_compressed
+        with self._open() as file:
+            self._layout = read_layout(file, path)
+        self.start_ns, self.end_ns = self._layout.start_ns, self._layout.end_ns
+        self.message_count = self._layout.counts.total()
+
+    def _open(self) -> io.FileIO:
+        return io.FileIO(self.path)
+
+    @property
+    def layout(self) -> Layout:
+        """What the file consists of."""
+        return self._layout
+
+    @cached_property
+    def topics(self) -> list[Topic]:
+        """The topics; one for each name, with the type of its first channel."""
+        found: dict[str, Topic] = {}
+        for channel in self._layout.channels.values():
+            topic = self._topic(channel)
+            before = found.get(topic.name)
+            if before is not None:
+                topic = before._replace(message_count=before.message_count + topic.message_count)
+            found[topic.name] = topic
+        return list(found.values())
+
+    def _topic(self, channel: records.Channel) -> Topic:
+        schema = self._layout.schemas.get(channel.schema_id)
+        definition = None
+        if schema and schema.data:
+            definition = Definition(schema.encoding, schema.data.decode(errors="replace"))
+        return Topic(
+            channel.topic,
+            schema.name if schema else "",
+            channel.encoding,
+            channel.metadata.get("topic_type_hash", ""),
+            channel.metadata.get("offered_qos_profiles", ""),
+            definition,
+            self._layout.counts[channel.id],
+        )
+
+    def metadata(self, name: str) -> dict[str, str] | None:
+        """Return the last metadata record of a name, or None.
+
+        Raises:
+            BagError: it is damaged.
+        """
+        for each, offset in reversed(self._layout.metadata_offsets):
+            if each == name:
+                with self._open() as file:
+                    return self._read_metadata(file, offset)
+        return None
+
+    def _read_metadata(self, file: io.FileIO, offset: int) -> dict[str, str]:
+        try:
+            opcode, length = records.record_header(read_at(file, offset, records.RECORD_HEADER.size))
+            content = offset + records.RECORD_HEADER.size
+            if opcode == records.Opcode.METADATA and content + length <= file.seek(0, io.SEEK_END):
+                fields = records.Fields(read_at(file, content, length))
+                _ = fields.text()
+                return fields.texts()
+        except (records.RecordError, OverflowError):
+            pass
+        raise BagError(self.path, "the metadata is damaged", offset)
+
+    def messages(self, topics: Collection[str] | None, start_ns: int, end_ns: int) -> Iterator[RawMessage]:
+        """Yield the messages of topics (None: all) with log times in [start, end], in the order of log times.
+
+        Raises:
+            BagError: the file can't be decompressed.
+        """
+        names = {each.id: each.topic for each in self._layout.channels.values()}
+        if topics is not None:
+            names = {number: name for number, name in names.items() if name in topics}
+        with self._open() as file:
+            spans = self._wanted(file, names, start_ns, end_ns)
+            for log, channel, publish, data in _in_order(
+                spans, lambda span: self._read(file, span, names, start_ns, end_ns)
+            ):
+                yield RawMessage(names[channel], log, publish, data)
+
+    def _wanted(self, file: io.FileIO, channels: Collection[int], start_ns: int, end_ns: int) -> list[Span]:
+        """Return the spans that may have messages of these channels and times, by their first log time."""
+        spans = [
+            span
+            for span in self._spans(file)
+            if span.start_ns <= end_ns
+            and span.end_ns >= start_ns
+            and (span.channels is None or not span.channels.isdisjoint(channels))
+        ]
+        return sorted(spans, key=lambda span: span.start_ns)
+
+    def _spans(self, file: io.FileIO) -> list[Span]:
+        if self._layout.spans is None:  # messages are outside of chunks
+            scan = Scan(file, self.path, Layout(self._layout.header))
+            scan.run()
+            self._layout.spans = scan.layout.spans or []
+        return self._layout.spans
+
+    def _read(
+        self, file: io.FileIO, span: Span, channels: Collection[int], start_ns: int, end_ns: int
+    ) -> list[_Found]:
+        data = self._records(file, span)
+        try:
+            found = _native.list_mcap_messages(data, channels, start_ns, end_ns)
+        except ValueError as error:
+            warn_of_damage(self.path, span, str(error))
+            return []
+        return [(log, channel, publish, data[at : at + size]) for log, channel, publish, at, size in found]
+
+    def _records(self, file: io.FileIO, span: Span) -> bytes:
+        """Return the whole records of a span; none, after a warning, if they are damaged."""
+        data = decompressed(file, self.path, span) or b""
+        return data if span.is_whole else data[: _native.summarise_mcap(data, 0)[-1]]
+
+    def insert_transforms(
+        self,
+        into: _native.TfRecords,
+        topics: Mapping[str, int],
+        start_ns: int,
+        end_ns: int,
+        progress: Progress,
+    ) -> None:
+        """Store the transforms of topics, whose numbers `into` has given.
+
+        Those of static transforms are stored whatever their log time. Only what has messages of these topics is read.
+
+        Raises:
+            BagError: the file can't be decompressed.
+        """
+        channels = [
+            (each.id, topics[each.topic]) for each in self._layout.channels.values() if each.topic in topics
+        ]
+        with self._open() as file:
+            spans = self._wanted(file, [number for number, _ in channels], 0, _MOST)
+            for span in spans:
+                data = self._records(file, span)
+                try:
+                    end = into.insert_mcap(data, channels, start_ns, end_ns)
+                except ValueError as error:
+                    warn_of_damage(self.path, span, str(error))
+                else:
+                    if end != len(data):
+                        warn_of_damage(self.path, span, f"the record at byte {end} does not fit into it")
+                progress(span.stored_size)
+
+
+_MOST = 2**64 - 1
+
+
+def _in_order(spans: list[Span], read: Callable[[Span], list[_Found]]) -> Iterator[_Found]:
+    """Yield the messages of spans, which may overlap in time, in the order of log times.
+
+    Messages of one log time are yielded in the order of the file.
+    """
+    waiting: list[_Found] = []
+    for index, span in enumerate(spans):
+        waiting += read(span)
+        waiting.sort(key=lambda found: found[0])
+        limit = spans[index + 1].start_ns if index + 1 < len(spans) else _MOST
+        count = next((at for at, found in enumerate(waiting) if found[0] >= limit), len(waiting))
+        yield from waiting[:count]
+        del waiting[:count]

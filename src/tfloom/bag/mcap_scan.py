@@ -1,0 +1,127 @@
+"""The layout of an MCAP file without a summary: a walk over its records, up to the last whole one."""
+
+from __future__ import annotations
+
+import io
+import warnings
+from pathlib import Path
+
+from tfloom import _native
+from tfloom.bag import mcap_records as records
+from tfloom.bag.errors import BagWarning
+from tfloom.bag.mcap_layout import BLOCK, Layout, Span, decompressed, read_at, warn_of_damage
+from tfloom.bag.mcap_records import RECORD_HEADER, Opcode, RecordError
+
+__all__ = ["Scan"]
+
+LOOSE = (Opcode.SCHEMA, Opcode.CHANNEL, Opcode.MESSAGE)
+CHUNK_HEADER_SIZE = 256
+"""Enough for a chunk's numbers and the name of its compression [bytes]."""
+
+
+class Scan:
+    """A walk over all records of a file.
+
+    Args:
+        file: The open file.
+        path: Its path, for warnings.
+        layout: What is found is added to it.
+    """
+
+    def __init__(self, file: io.FileIO, path: Path, layout: Layout) -> None:
+        self.layout = layout
+        self._file = file
+        self._path = path
+        self._size = file.seek(0, io.SEEK_END)
+        self._spans: list[Span] = []
+        self._times: list[int] = []
+        self._is_ended = False
+        self._chunk: Span | None = None
+
+    def run(self) -> None:
+        """Walk from the header to the end of the messages."""
+        at = len(records.MAGIC)
+        try:
+            while not self._is_ended and self._size - at >= RECORD_HEADER.size:
+                at = self._read(at)
+        except RecordError as error:
+            self._warn(f"is read up to byte {at}, because what follows is damaged: {error}")
+        else:
+            if not self._is_ended:
+                self._warn("has no end, because it is still being written or its recorder was killed")
+        self.layout.spans = self._spans
+        if self._times:
+            self.layout.start_ns, self.layout.end_ns = min(self._times), max(self._times)
+
+    def _warn(self, reason: str) -> None:
+        count = self.layout.counts.total()
+        text = f"{self._path}: the file {reason}; {count} messages are read, to the last whole one"
+        warnings.warn(BagWarning(text), stacklevel=2)
+
+    def _read(self, at: int) -> int:
+        """Read the record at an offset; return that of the next one."""
+        opcode, length = records.record_header(read_at(self._file, at, RECORD_HEADER.size))
+        if opcode in LOOSE:
+            return self._read_loose(at, length)
+        content = at + RECORD_HEADER.size
+        if opcode == Opcode.CHUNK:
+            self._read_chunk(content, min(length, self._size - content))
+        elif opcode in {Opcode.DATA_END, Opcode.FOOTER}:
+            self._is_ended = True
+        elif opcode == Opcode.METADATA and content + length <= self._size:
+            name = records.Fields(read_at(self._file, content, length)).text()
+            self.layout.metadata_offsets.append((name, at))
+        elif opcode == Opcode.MESSAGE_INDEX and self._chunk and content + length <= self._size:
+            channel = records.Fields(read_at(self._file, content, min(length, 2))).number("H")
+            self._chunk.index_offsets[channel] = at
+        elif opcode == 0:
+            raise RecordError("there is no record of kind 0")
+        return content + length
+
+    def _read_loose(self, at: int, length: int) -> int:
+        """Read messages, schemas and channels that aren't in a chunk, of one block; return the offset after them."""
+        if length > self._size - at - RECORD_HEADER.size:
+            return self._size  # the last record isn't whole
+        data = read_at(self._file, at, max(BLOCK, RECORD_HEADER.size + length))
+        found = self._add_records(data, Span(0, 0, at, 0, "", 0, {}, None))
+        if found.size:
+            self._chunk = None
+        return at + found.size
+
+    def _add_records(self, data: bytes, span: Span) -> Span:
+        """Add the records of a span; return it with what is known of them."""
+        try:
+            counts, first, last, others, end = _native.summarise_mcap(data, 0)
+        except ValueError as error:
+            raise RecordError(str(error)) from None
+        for opcode, offset, size in others:
+            self.layout.add(opcode, data[offset : offset + size])
+        if not span.size:
+            span = span._replace(stored_size=end, size=end)
+        span = span._replace(start_ns=first, end_ns=last, channels=frozenset(counts))
+        if counts:
+            self.layout.counts.update(counts)
+            self._times += [first, last]
+            self._spans.append(span)
+        return span
+
+    def _read_chunk(self, at: int, left: int) -> None:
+        """Read a chunk whose record has its content at an offset, and this many bytes of it in the file."""
+        self._chunk = None
+        try:
+            header = records.ChunkHeader.read(read_at(self._file, at, min(left, CHUNK_HEADER_SIZE)))
+        except RecordError:
+            if left < CHUNK_HEADER_SIZE:
+                return  # the file ends in it
+            raise
+        stored = min(header.stored_size, left - header.data_offset)
+        is_whole = stored == header.stored_size
+        offset = at + header.data_offset
+        span = Span(0, 0, offset, stored, header.compression, header.size, {}, None, is_whole)
+        data = decompressed(self._file, self._path, span)
+        if not data:
+            return
+        try:
+            self._chunk = self._add_records(data, span)
+        except RecordError as error:
+            warn_of_damage(self._path, span, str(error))

@@ -1,0 +1,111 @@
+"""The layout of an MCAP file by its summary, or by a walk over its records where it has none."""
+
+from __future__ import annotations
+
+import io
+import warnings
+from collections import Counter
+from pathlib import Path
+
+from tfloom.bag import mcap_records as records
+from tfloom.bag.errors import BagError, BagWarning
+from tfloom.bag.mcap_layout import Layout, Span, read_at
+from tfloom.bag.mcap_records import Opcode, RecordError
+from tfloom.bag.mcap_scan import Scan
+
+__all__ = ["read_layout"]
+
+INDEX_OF_CHUNK = 49
+"""From the beginning of a chunk record to its compressed bytes, without the compression's name [bytes]."""
+
+
+def read_layout(file: io.FileIO, path: Path) -> Layout:
+    """Return the layout of a file, by its summary if it has one.
+
+    Raises:
+        BagError: it is no MCAP file, or damaged.
+        OSError: it can't be read.
+    """
+    size = file.seek(0, io.SEEK_END)
+    header = _read_header(file, path, size)
+    end = read_at(file, max(0, size - records.FOOTER_SIZE), records.FOOTER_SIZE)
+    is_finished = end.endswith(records.MAGIC) and end[:9] == records.RECORD_HEADER.pack(Opcode.FOOTER, 20)
+    try:
+        summary = records.Footer.read(end[9:29]).summary_start if is_finished else 0
+        if summary and (layout := _read_summary(file, header, summary, size)):
+            return layout
+    except RecordError as error:
+        warnings.warn(BagWarning(f"{path}: the summary is damaged, and isn't used: {error}"), stacklevel=2)
+    found = Scan(file, path, Layout(header))
+    found.run()
+    return found.layout
+
+
+def _read_header(file: io.FileIO, path: Path, size: int) -> records.Header:
+    start = read_at(file, 0, 1 << 16)
+    if not start:
+        raise BagError(path, "the file is empty: its recorder ended before it wrote anything")
+    if not start.startswith(records.MAGIC):
+        if records.MAGIC.startswith(start):
+            raise BagError(path, f"the file ends after {size} bytes, within the first bytes of an MCAP file")
+        raise BagError(path, f"this is no MCAP file: it begins with {start[:8]!r}", 0)
+    try:
+        fields = records.Fields(start[len(records.MAGIC) :])
+        opcode, length = fields.numbers("BQ")
+        if opcode != Opcode.HEADER:
+            raise BagError(
+                path, f"the first record of an MCAP file is its header, not one of kind {opcode}", 8
+            )
+        return records.Header.read(fields.take(length))
+    except RecordError as error:
+        raise BagError(path, f"the header is damaged or cut off: {error}", 8) from None
+
+
+def _read_summary(file: io.FileIO, header: records.Header, start: int, size: int) -> Layout | None:
+    """Return what the summary says; None if it isn't enough to read the messages.
+
+    Raises:
+        RecordError: it is damaged.
+    """
+    layout = Layout(header)
+    statistics: records.Statistics | None = None
+    spans: list[Span] = []
+    fields = records.Fields(read_at(file, start, size - len(records.MAGIC) - start))
+    while not fields.is_at_end:
+        opcode, length = fields.numbers("BQ")
+        content = fields.take(length)
+        if opcode == Opcode.CHUNK_INDEX:
+            spans.append(_span_of_index(records.ChunkIndex.read(content), start))
+        elif opcode == Opcode.STATISTICS:
+            statistics = records.Statistics.read(content)
+        elif opcode == Opcode.METADATA_INDEX:
+            metadata = records.MetadataIndex.read(content)
+            layout.metadata_offsets.append((metadata.name, metadata.offset))
+        else:
+            layout.add(opcode, content)
+    if statistics is None or len(spans) != statistics.chunk_count:
+        return None
+    if statistics.message_count and not layout.channels:
+        return None
+    layout.counts = Counter(statistics.counts)
+    layout.start_ns, layout.end_ns = statistics.start_ns, statistics.end_ns
+    if spans or not statistics.message_count:
+        layout.spans = spans
+    return layout
+
+
+def _span_of_index(index: records.ChunkIndex, limit: int) -> Span:
+    offset = index.offset + INDEX_OF_CHUNK + len(index.compression.encode())
+    if offset + index.stored_size > limit:
+        raise RecordError(f"a chunk at byte {index.offset} would end after the messages")
+    channels = frozenset(index.index_offsets) if index.index_offsets else None
+    return Span(
+        index.start_ns,
+        index.end_ns,
+        offset,
+        index.stored_size,
+        index.compression,
+        index.size,
+        index.index_offsets,
+        channels,
+    )

@@ -1,0 +1,142 @@
+"""metadata.yaml of a recording, of versions 1 to 9."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from tfloom.bag.errors import BagError
+from tfloom.bag.values import Topic
+
+__all__ = ["METADATA_FILE", "FileInformation", "Metadata", "parse_metadata", "read_metadata"]
+
+METADATA_FILE = "metadata.yaml"
+ROOT = "rosbag2_bagfile_information"
+
+
+class FileInformation(NamedTuple):
+    """A file of a recording, as metadata.yaml describes it."""
+
+    path: str
+    start_ns: int
+    duration_ns: int
+    message_count: int
+
+
+class Metadata(NamedTuple):
+    """The content of metadata.yaml."""
+
+    version: int
+    storage_identifier: str
+    """`mcap` or `sqlite3`."""
+    duration_ns: int
+    start_ns: int
+    """The least log time [ns since epoch]."""
+    message_count: int
+    topics: list[Topic]
+    compression_format: str
+    """`zstd`; empty if files and messages are not compressed as a whole."""
+    compression_mode: str
+    """`FILE` or `MESSAGE`, in any case; empty without compression."""
+    relative_file_paths: list[str]
+    files: list[FileInformation]
+    """Empty before version 5, and after reindexing."""
+    custom_data: dict[str, str]
+    ros_distro: str
+
+
+def read_metadata(folder: Path) -> Metadata:
+    """Return the metadata of a folder.
+
+    Raises:
+        BagError: it has none, or the file isn't as it must be.
+        OSError: it can't be read.
+    """
+    path = folder / METADATA_FILE
+    try:
+        text = path.read_text("utf-8")
+    except FileNotFoundError:
+        raise BagError(
+            folder,
+            f"the folder has no {METADATA_FILE}: `ros2 bag reindex {folder}` writes one from its files",
+        ) from None
+    except UnicodeDecodeError:
+        raise BagError(path, "this isn't UTF-8 text") from None
+    return parse_metadata(text, path)
+
+
+def parse_metadata(text: str, path: Path) -> Metadata:
+    """Return the metadata in a YAML text.
+
+    Args:
+        text: The content of metadata.yaml, or the `serialized_metadata` of a file of a recording.
+        path: Its file, for errors.
+
+    Raises:
+        BagError: it isn't as it must be.
+    """
+    from tfloom.rosidl import user_yaml
+
+    try:
+        document = user_yaml.load(text)
+    except user_yaml.YamlError as error:
+        raise BagError(path, str(error)) from None
+    if isinstance(document, dict):
+        document = document.get(ROOT, document)
+    try:
+        return _metadata(document)
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        what = f"{error.args[0]!r} is missing" if isinstance(error, KeyError) else str(error)
+        raise BagError(
+            path, f"this is no metadata of a recording: {what}; `ros2 bag reindex` writes it anew"
+        ) from None
+
+
+def _metadata(document: dict[str, Any]) -> Metadata:
+    return Metadata(
+        version=int(document["version"]),
+        storage_identifier=str(document["storage_identifier"]),
+        duration_ns=int(document["duration"]["nanoseconds"]),
+        start_ns=int(document["starting_time"]["nanoseconds_since_epoch"]),
+        message_count=int(document["message_count"]),
+        topics=[_topic(each) for each in document["topics_with_message_count"] or []],
+        compression_format=str(document.get("compression_format") or ""),
+        compression_mode=str(document.get("compression_mode") or ""),
+        relative_file_paths=[str(each) for each in document["relative_file_paths"] or []],
+        files=[_file(each) for each in document.get("files") or []],
+        custom_data={str(key): str(value) for key, value in (document.get("custom_data") or {}).items()},
+        ros_distro=str(document.get("ros_distro") or ""),
+    )
+
+
+def _topic(entry: dict[str, Any]) -> Topic:
+    about = entry["topic_metadata"]
+    return Topic(
+        name=str(about["name"]),
+        type=str(about["type"]),
+        serialization_format=str(about["serialization_format"]),
+        type_hash=str(about.get("type_description_hash") or ""),
+        offered_qos=_qos_text(about.get("offered_qos_profiles")),
+        message_count=int(entry["message_count"]),
+    )
+
+
+def _qos_text(profiles: Any) -> str:
+    """Return profiles as storages have them; metadata has a list from version 9 on, and a text of YAML before."""
+    if not profiles:
+        return ""
+    if isinstance(profiles, str):
+        return profiles
+    import yaml
+
+    text: str = yaml.safe_dump(profiles, sort_keys=False, default_flow_style=False)
+    return text.rstrip("\n")
+
+
+def _file(entry: dict[str, Any]) -> FileInformation:
+    return FileInformation(
+        path=str(entry["path"]),
+        start_ns=int(entry["starting_time"]["nanoseconds_since_epoch"]),
+        duration_ns=int(entry["duration"]["nanoseconds"]),
+        message_count=int(entry["message_count"]),
+    )

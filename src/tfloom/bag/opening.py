@@ -1,0 +1,72 @@
+"""Open a recording by its path."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from tfloom.bag.bag import Bag
+from tfloom.bag.bag_file import BagFile
+from tfloom.bag.errors import BagError
+from tfloom.bag.metadata import FileInformation, Metadata, read_metadata
+
+__all__ = ["open_bag"]
+
+
+def open_bag(path: str | os.PathLike[str]) -> Bag:
+    """Open a recording.
+
+    Args:
+        path: A folder of rosbag2, with its metadata.yaml; or a file: .mcap, .db3, .mcap.zstd, .db3.zstd, or .bag of
+            ROS 1.
+
+    Returns:
+        The recording. A file that is unfinished is read up to its last whole record, with a `BagWarning`.
+
+    Raises:
+        BagError: there is no such recording, or it is damaged; the text has the file, the place and what to do.
+    """
+    place = Path(path)
+    try:
+        if place.is_dir():
+            return _open_folder(place)
+        if not place.exists():
+            raise BagError(path, "there is no such file or folder")
+        bag = Bag(place, [BagFile(place)], None)
+        _ = bag.files[0].storage
+    except OSError as error:
+        raise BagError(path, f"it can't be read: {error.strerror}") from None
+    return bag
+
+
+def _open_folder(folder: Path) -> Bag:
+    metadata = read_metadata(folder)
+    is_message_compressed = metadata.compression_mode.upper() == "MESSAGE"
+    if is_message_compressed and metadata.compression_format != "zstd":
+        raise BagError(
+            folder, f"the messages' compression is '{metadata.compression_format}', which isn't zstd"
+        )
+    if not metadata.relative_file_paths:
+        raise BagError(folder, f"metadata.yaml names no files: `ros2 bag reindex {folder}` writes it anew")
+    files = [
+        BagFile(_path(folder, name), is_message_compressed, _information(metadata, name))
+        for name in metadata.relative_file_paths
+    ]
+    for each in files:
+        if not each.is_compressed:
+            _ = each.storage
+        elif not each.path.exists():
+            raise BagError(each.path, "there is no such file, which metadata.yaml names")
+    return Bag(folder, files, metadata)
+
+
+def _path(folder: Path, name: str) -> Path:
+    """Return the path of a file; early versions wrote it with the folder's name before it."""
+    path = folder / name
+    inside = folder / Path(name).name
+    return inside if not path.exists() and inside.exists() else path
+
+
+def _information(metadata: Metadata, name: str) -> FileInformation | None:
+    bare = name.removesuffix(".zstd")
+    return next((each for each in metadata.files if each.path in {name, bare}), None)

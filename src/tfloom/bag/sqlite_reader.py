@@ -1,0 +1,196 @@
+"""Messages and transforms of an sqlite3 file, of schema versions 1 to 4."""
+
+from __future__ import annotations
+
+import shutil
+import sqlite3
+import tempfile
+from collections.abc import Collection, Iterator, Mapping
+from contextlib import closing, contextmanager
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from tfloom._native import TfRecords
+from tfloom.bag.compression import CompressionError, decompress_message
+from tfloom.bag.errors import BagError
+from tfloom.bag.values import Definition, Progress, RawMessage, Topic
+
+__all__ = ["SqliteFile"]
+
+SIGNATURE = b"SQLite format 3\0"
+AT_ONCE = 500
+"""Messages that are fetched at once."""
+
+
+class SqliteFile:
+    """A file of a recording. It is open while it is read only.
+
+    Args:
+        path: The file.
+        is_message_compressed: Whether each message is compressed by itself, by zstd.
+
+    Raises:
+        BagError: it is no recording of sqlite3, or damaged.
+        OSError: it can't be read.
+    """
+
+    def __init__(self, path: Path, is_message_compressed: bool = False) -> None:
+        self.path = path
+        self._is_compressed = is_message_compressed
+        _check_signature(path)
+        with self._open() as database:
+            tables = {name for (name,) in database.execute("SELECT name FROM sqlite_master")}
+            if not {"topics", "messages"} <= tables:
+                raise BagError(path, "the database has no tables of a recording: topics, messages")
+            rows = database.execute(
+                "SELECT topic_id, COUNT(*), MIN(timestamp), MAX(timestamp) FROM messages GROUP BY topic_id"
+            ).fetchall()
+            self._counts = {row[0]: row[1] for row in rows}
+            self._topics = _topics(database, self._counts)
+            definitions = _definitions(database) if "message_definitions" in tables else {}
+        self._definitions = definitions
+        self.message_count = sum(self._counts.values())
+        self.start_ns = min((row[2] for row in rows), default=0)
+        self.end_ns = max((row[3] for row in rows), default=0)
+
+    @cached_property
+    def topics(self) -> list[Topic]:
+        """The topics, one for each name."""
+        return [
+            topic._replace(definition=self._definitions.get(topic.type)) for topic in self._topics.values()
+        ]
+
+    @contextmanager
+    def _open(self) -> Iterator[sqlite3.Connection]:
+        """Open the database for the block; raise BagError for errors of sqlite3."""
+        try:
+            with _connected(self.path) as database:
+                yield database
+        except sqlite3.Error as error:
+            raise BagError(self.path, f"the database can't be read: {error}") from None
+
+    def messages(self, topics: Collection[str] | None, start_ns: int, end_ns: int) -> Iterator[RawMessage]:
+        """Yield the messages of topics (None: all) with log times in [start, end], in the order of log times.
+
+        Raises:
+            BagError: the file is damaged.
+        """
+        names = {
+            key: each.name for key, each in self._topics.items() if topics is None or each.name in topics
+        }
+        with self._open() as database:
+            for topic, stamp, data in _rows(database, names, start_ns, end_ns):
+                yield RawMessage(names[topic], stamp, stamp, self._message(data))
+
+    def _message(self, data: Any) -> bytes:
+        if not isinstance(data, bytes):
+            raise BagError(self.path, f"a message is no blob but {type(data).__name__}")
+        if not self._is_compressed:
+            return data
+        try:
+            return decompress_message(data)
+        except CompressionError as error:
+            raise BagError(self.path, str(error)) from None
+
+    def insert_transforms(
+        self,
+        into: TfRecords,
+        topics: Mapping[str, int],
+        start_ns: int,
+        end_ns: int,
+        progress: Progress,
+    ) -> None:
+        """Store the transforms of topics, whose numbers `into` has given.
+
+        Raises:
+            BagError: the file is damaged.
+        """
+        numbers = {key: topics[each.name] for key, each in self._topics.items() if each.name in topics}
+        with self._open() as database:
+            for topic, _, data in _rows(database, numbers, start_ns, end_ns):
+                into.insert(numbers[topic], self._message(data))
+                progress(len(data))
+
+
+def _check_signature(path: Path) -> None:
+    with path.open("rb") as file:
+        start = file.read(len(SIGNATURE))
+    if not start:
+        raise BagError(path, "the file is empty: its recorder ended before it wrote anything")
+    if start != SIGNATURE:
+        raise BagError(path, f"this is no sqlite3 file: it begins with {start!r}", 0)
+
+
+@contextmanager
+def _connected(path: Path) -> Iterator[sqlite3.Connection]:
+    """Open a database for the block, in a folder that needn't be writable.
+
+    Messages that a recorder has not yet moved into the file are in `…-wal` beside it. To read them, sqlite3 writes
+    another file beside both, so both are copied where it can't.
+    """
+    with _opened(path, "mode=ro") as database:
+        try:
+            database.execute("SELECT name FROM sqlite_master").fetchone()
+        except sqlite3.OperationalError:
+            pass
+        else:
+            yield database
+            return
+    log = path.with_name(f"{path.name}-wal")
+    if not log.exists() or not log.stat().st_size:
+        with _opened(path, "immutable=1") as database:
+            yield database
+        return
+    with tempfile.TemporaryDirectory(prefix="tfloom-bag-") as folder:
+        for each in (path, log):
+            shutil.copy(each, folder)
+        with _opened(Path(folder) / path.name, "mode=rw") as database:
+            yield database
+
+
+@contextmanager
+def _opened(path: Path, mode: str) -> Iterator[sqlite3.Connection]:
+    with closing(sqlite3.connect(f"{path.absolute().as_uri()}?{mode}", uri=True)) as database:
+        yield database
+
+
+def _columns(database: sqlite3.Connection, table: str) -> list[str]:
+    return [row[1] for row in database.execute(f"PRAGMA table_info({table})")]
+
+
+def _topics(database: sqlite3.Connection, counts: Mapping[int, int]) -> dict[int, Topic]:
+    """Return the topics by their ids; early versions lack some columns."""
+    found = {}
+    columns = _columns(database, "topics")
+    for row in database.execute("SELECT * FROM topics"):
+        values = dict(zip(columns, row, strict=False))
+        found[values["id"]] = Topic(
+            str(values["name"]),
+            str(values["type"]),
+            str(values["serialization_format"]),
+            str(values.get("type_description_hash") or ""),
+            str(values.get("offered_qos_profiles") or ""),
+            message_count=counts.get(values["id"], 0),
+        )
+    return found
+
+
+def _definitions(database: sqlite3.Connection) -> dict[str, Definition]:
+    rows = database.execute(
+        "SELECT topic_type, encoding, encoded_message_definition FROM message_definitions"
+    )
+    return {str(name): Definition(str(encoding), str(text)) for name, encoding, text in rows if text}
+
+
+def _rows(
+    database: sqlite3.Connection, topics: Collection[int], start_ns: int, end_ns: int
+) -> Iterator[tuple[int, int, Any]]:
+    ids = ",".join(str(int(each)) for each in topics)
+    cursor = database.execute(
+        f"SELECT topic_id, timestamp, data FROM messages WHERE topic_id IN ({ids}) "  # noqa: S608  # integers
+        "AND timestamp BETWEEN ? AND ? ORDER BY timestamp, id",
+        (start_ns, end_ns),
+    )
+    while rows := cursor.fetchmany(AT_ONCE):
+        yield from rows

@@ -1,0 +1,86 @@
+"""What a recording consists of: topics, their definitions, and messages as bytes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Mapping
+from typing import TYPE_CHECKING, NamedTuple, Protocol
+
+if TYPE_CHECKING:
+    from tfloom._native import TfRecords
+
+__all__ = ["EARLIEST", "LATEST", "Definition", "Progress", "RawMessage", "Storage", "Topic"]
+
+EARLIEST = 0
+LATEST = 2**63 - 1
+"""The bounds of log times [ns since epoch]."""
+
+
+class Definition(NamedTuple):
+    """The definition of a type, as a recording has it."""
+
+    encoding: str
+    """`ros2msg`, `ros2idl`, or `ros1msg`; empty if the recording has none."""
+    text: str
+    """The definition, and those of all types in it, separated by lines of `=`."""
+
+
+class Topic(NamedTuple):
+    """A topic of a recording."""
+
+    name: str
+    type: str
+    """`package/msg/Name`."""
+    serialization_format: str = "cdr"
+    """`cdr`; `ros1` in recordings of ROS 1."""
+    type_hash: str = ""
+    """`RIHS01_…`; empty if the recording doesn't have it."""
+    offered_qos: str = ""
+    """The publishers' profiles as YAML, as storages have it; empty if the recording doesn't have them."""
+    definition: Definition | None = None
+    message_count: int = 0
+
+
+class RawMessage(NamedTuple):
+    """A recorded message."""
+
+    topic: str
+    log_time_ns: int
+    """When it was received [ns since epoch]."""
+    publish_time_ns: int
+    """When it was published [ns since epoch]; the log time where the recording doesn't have it."""
+    data: bytes
+    """Its serialized bytes; for CDR, with the encapsulation header."""
+
+
+Progress = Callable[[int], object]
+"""Called with the number of bytes that were read since the call before."""
+
+
+class Storage(Protocol):
+    """A file of a recording."""
+
+    @property
+    def topics(self) -> list[Topic]:
+        """The topics, one for each name."""
+
+    start_ns: int
+    """The least log time [ns since epoch]; 0 without messages."""
+    end_ns: int
+    """The greatest one [ns since epoch]."""
+    message_count: int
+
+    def messages(self, topics: Collection[str] | None, start_ns: int, end_ns: int) -> Iterator[RawMessage]:
+        """Yield the messages of topics (None: all) with log times in [start, end], in the order of log times."""
+
+    def insert_transforms(
+        self,
+        into: TfRecords,
+        topics: Mapping[str, int],
+        start_ns: int,
+        end_ns: int,
+        progress: Progress,
+    ) -> None:
+        """Store the transforms of topics, whose numbers `into` has given.
+
+        Those of static transforms are stored whatever their log time.
+        """
