@@ -109,6 +109,14 @@ COMMANDS: dict[str, str | Group] = {
         },
         hidden="services",
     ),
+    "tf": Group(
+        "Explain and compare transforms, and keep static ones in files",
+        {
+            "diff": "Compare the transforms of two bags, files or graphs",
+            "publish": "Publish the static transforms of a file",
+            "save": "Write the static transforms of a live graph or a bag to a file",
+        },
+    ),
     "topic": Group(
         "Inspect topics, subscribe and publish",
         {

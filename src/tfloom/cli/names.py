@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterable, Sequence
 
 from tfloom.cli.errors import CommandError
+from tfloom.rmw.base import NodeName
 
 
 def full_topic_name(name: str, what: str = "topic") -> str:
@@ -41,3 +42,18 @@ def way_to_package(package: str, known: Iterable[str]) -> str:
 def or_list(names: Sequence[str]) -> str:
     """Return names joined as in a sentence: `a, b or c`."""
     return " or ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
+
+
+def named_node(name: str) -> NodeName:
+    """Return a node of this name in the root namespace.
+
+    Raises:
+        CommandError: it is not a valid name of a node.
+    """
+    from tfloom.node.values.names import InvalidNodeNameException, validate_node_name
+
+    try:
+        validate_node_name(name)
+    except InvalidNodeNameException as error:
+        raise CommandError(str(error)) from None
+    return NodeName("/", name)

@@ -22,6 +22,18 @@ def seconds(text: str) -> float:
     return min(value, FOREVER_S)
 
 
+def tolerance(text: str) -> float:
+    """Return a distance or an angle that isn't negative.
+
+    Raises:
+        argparse.ArgumentTypeError: it is not a number, or negative.
+    """
+    value = _number(text)
+    if not value >= 0.0:
+        raise argparse.ArgumentTypeError(f"must be a number that isn't negative, not {text!r}")
+    return value
+
+
 def rate(text: str) -> float:
     """Return a rate [Hz]; the verb itself rejects one that isn't above zero, in the reference's words.
 

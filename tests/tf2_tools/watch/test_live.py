@@ -122,12 +122,14 @@ def test_simulated_time_replaces_that_of_receipt() -> None:
         opened.add_node(ROBOT)
         opened.add_node(WATCHER)
         writer = open_writer(opened, "/tf", QoS())
-        with closing(LiveWatch(opened, WATCHER)) as watch:
-            watch.set_simulated_time(0)
+        now = [0]
+        with closing(LiveWatch(opened, WATCHER, simulated_ns=lambda: now[0])) as watch:
             writer.write(message("odom", "base"))
             (edge,) = watch.observation().edges
             assert edge.statistics.delay.count == 0
-            watch.set_simulated_time(time.time_ns() + 5_000_000_000)
+            now[0] = time.time_ns() + 5_000_000_000
+            watch.observation()
             writer.write(message("odom", "base"))
             (edge,) = watch.observation().edges
             assert edge.statistics.delay.greatest == pytest.approx(5.0, abs=0.5)
+            assert watch.observation().started_ns == watch.now_ns() == now[0]

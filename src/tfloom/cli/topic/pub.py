@@ -13,10 +13,10 @@ from tfloom.cli import graph, qos
 from tfloom.cli.errors import CommandError, standard_input
 from tfloom.cli.interfaces import fill_message, message_class, parse_yaml, set_stamps, yaml_documents
 from tfloom.cli.listen import HINT_S, cli_node, shown_node, unmet, warn_of_mismatch
-from tfloom.cli.names import full_topic_name
+from tfloom.cli.names import full_topic_name, named_node
 from tfloom.cli.numbers import count, rate, seconds
 from tfloom.cli.sim_time import NowNs, clock, wait_until_known
-from tfloom.rmw.base import NodeName, Writer
+from tfloom.rmw.base import Writer
 from tfloom.rmw.qos import QoS
 from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
@@ -77,7 +77,7 @@ def main(args: argparse.Namespace) -> int:
         if args.stdin
         else repeat(_Draft(cls, args.values))
     )
-    node = cli_node() if args.node_name is None else _named_node(args.node_name)
+    node = cli_node() if args.node_name is None else named_node(args.node_name)
     with graph.joined_participant() as participant, shown_node(participant, node):
         topic = topic_of(cls, name)
         writer = participant.create_writer(node, topic, quality)
@@ -109,16 +109,6 @@ class _Draft:
         if self._stamp_setters:
             wait_until_known(now_ns)
             set_stamps(self._stamp_setters, now_ns())
-
-
-def _named_node(name: str) -> NodeName:
-    from tfloom.node.values.names import InvalidNodeNameException, validate_node_name
-
-    try:
-        validate_node_name(name)
-    except InvalidNodeNameException as error:
-        raise CommandError(str(error)) from None
-    return NodeName("/", name)
 
 
 def _wait_for_subscriptions(

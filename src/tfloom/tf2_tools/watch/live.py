@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 
 from tfloom._native import ReadyQueue, TfObserver, TfObserverSink
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
@@ -22,8 +23,8 @@ REQUESTED_QOS = (
 """Of the readers of moving and of static transforms: as a transform listener requests, but for the depth."""
 LOOSE_QOS = QoS(ReliabilityPolicy.BEST_EFFORT, DurabilityPolicy.VOLATILE, depth=1000)
 """Of the readers of publishers that offer less, from which a transform listener receives nothing."""
-LOOK_S = 0.1
-"""Period at which a wait reads the graph, for publishers whose quality does not match [s]."""
+LOOK_S = 0.05
+"""Period at which a wait reads the graph, for publishers of another quality, and the simulated time [s]."""
 
 
 class LiveWatch:
@@ -38,6 +39,7 @@ class LiveWatch:
         buffer: A buffer to fill as well, in the same pass; authorities are the publishers' gids in hexadecimal.
         topics: The topics of moving and of static transforms.
         cache_time_ns: Age beyond a frame's newest stamp above which a transform counts as too old [ns].
+        simulated_ns: Returns a simulated time [ns], 0 before it is known; None: time is this machine's.
     """
 
     def __init__(
@@ -48,8 +50,10 @@ class LiveWatch:
         buffer: Buffer | None = None,
         topics: tuple[str, str] = TOPICS,
         cache_time_ns: int = 10_000_000_000,
+        simulated_ns: Callable[[], int] | None = None,
     ) -> None:
         self.buffer = buffer
+        self._simulated_ns = simulated_ns
         self._participant = participant
         self._node = node
         self._topics = topics
@@ -61,10 +65,11 @@ class LiveWatch:
         self._readers: list[Reader] = []
         self._sinks: list[TfObserverSink] = []
         self._loose: dict[bool, TfObserverSink] = {}
-        self._started_ns = time.time_ns()
+        self._started_ns = 0
+        self._pass_time()
         for is_static, qos in enumerate(REQUESTED_QOS):
             self._read(qos, static=bool(is_static))
-        self.refresh()
+        self._look()
 
     def _read(self, qos: QoS, *, static: bool, only: list[bytes] | None = None) -> TfObserverSink:
         topic = topic_of(TFMessage, self._topics[static])
@@ -77,8 +82,9 @@ class LiveWatch:
         reader.feed(sink)
         return sink
 
-    def refresh(self) -> None:
-        """Read the graph if it has changed: names of publishers, and those whose quality does not match."""
+    def _look(self) -> None:
+        """Pass the time, and read the graph if it has changed: publishers' names, and those of another quality."""
+        self._pass_time()
         graph = self._participant.graph
         if (changes := graph.changes()) == self._changes:
             return
@@ -105,25 +111,32 @@ class LiveWatch:
         elif gids:
             self._loose[is_static] = self._read(LOOSE_QOS, static=is_static, only=gids)
 
-    def set_simulated_time(self, now_ns: int | None) -> None:
-        """Compare stamps with this time [ns]; 0: it is unknown yet; None: with that of this machine."""
-        self._observer.set_simulated_time(now_ns)
+    def now_ns(self) -> int:
+        """Return the time [ns since epoch]: this machine's, or the simulated one, 0 before it is known."""
+        return time.time_ns() if self._simulated_ns is None else self._simulated_ns()
+
+    def _pass_time(self) -> None:
+        """Pass a simulated time to the observer; the observation began at the first time that is known."""
+        now_ns = self.now_ns()
+        self._started_ns = self._started_ns or now_ns
+        if self._simulated_ns is not None:
+            self._observer.set_simulated_time(now_ns)
 
     def wait(self, end_s: float) -> None:
         """Wait for a transform until `end_s` on the monotonic clock [s]; return at once if one came since last time."""
         while not any(sink.take_pushed() for sink in self._sinks):
-            self.refresh()
+            self._look()
             left_s = end_s - time.monotonic()
             if left_s <= 0 or self._queue.wait(int(min(left_s, LOOK_S) * 1e9) + 1, quiet=True):
                 return
 
     def observation(self) -> Observation:
         """Return all that is known now."""
-        self.refresh()
+        self._look()
         return observation_of(
             self._observer.snapshot(),
             self._described,
-            (self._started_ns, time.time_ns()),
+            (self._started_ns, self.now_ns()),
             topics=self._topics,
             endpoints=self._endpoints,
             is_live=True,

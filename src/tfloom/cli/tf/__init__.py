@@ -1,0 +1,1 @@
+"""`tf`: explain, compare and keep transforms."""

@@ -1,0 +1,46 @@
+"""Write the static transforms of a live graph or a bag to a file."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+from tfloom.cli.errors import CommandError
+from tfloom.cli.tf import source
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the arguments of `tf save`."""
+    parser.add_argument("file", help="the file to write, in YAML; - is standard output")
+    source.add_arguments(parser)
+
+
+def main(args: argparse.Namespace) -> int:
+    """Write the file; fail if there is no static transform."""
+    from tfloom.tf2_tools.static_file import file_text
+    from tfloom.tf2_tools.watch.statics import last_statics, quarrels
+    from tfloom.whole_files import write_file
+
+    with source.open_source(args) as opened:
+        seen = source.settled(opened, args.wait, only_static=True)
+    transforms = last_statics(seen)
+    if not transforms:
+        raise CommandError(_why_none(args))
+    for sentence in quarrels(seen):
+        print(f"WARNING: {sentence}", file=sys.stderr)
+    for publisher in seen.publishers:
+        if publisher.is_static and publisher.traffic is None:
+            print(f"WARNING: nothing came from {publisher.label} on {publisher.topic}", file=sys.stderr)
+    text = file_text(transforms)
+    if args.file == "-":
+        print(text, end="")
+        return 0
+    write_file(args.file, text)
+    print(f"{args.file}: {len(transforms)} static transform{'' if len(transforms) == 1 else 's'}")
+    return 0
+
+
+def _why_none(args: argparse.Namespace) -> str:
+    if not source.is_live(args.bag):
+        return f"{args.bag}: there is no static transform in it"
+    return f"no static transform on {args.tf_static_topic}: waited {args.wait:g} s"

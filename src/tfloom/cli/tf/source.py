@@ -1,0 +1,144 @@
+"""The flags for a source of transforms, common to the verbs of `tf`, and the source they name."""
+
+from __future__ import annotations
+
+import argparse
+import time
+from collections.abc import Callable, Iterator
+from contextlib import closing, contextmanager
+from pathlib import Path
+
+from tfloom.cli import graph
+from tfloom.cli.errors import CommandError
+from tfloom.cli.listen import cli_node, shown_node
+from tfloom.cli.names import full_topic_name
+from tfloom.cli.numbers import seconds
+from tfloom.tf2.buffer import Buffer
+from tfloom.tf2_tools.static_file import StaticFileError
+from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC, Observation
+from tfloom.tf2_tools.watch.sources import LIVE, Source, open_path
+
+__all__ = ["add_arguments", "add_topics", "is_live", "open_source", "opened", "settled", "wait_for"]
+
+WAIT_S = 3.0
+"""The longest wait for transforms of a live graph, without --wait [s]."""
+SETTLED_S = 0.5
+"""A live graph's edges are all known when no new one has come for this time [s]."""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the flags of a verb that takes transforms from one source."""
+    parser.add_argument(
+        "-b",
+        "--bag",
+        metavar="PATH",
+        default=LIVE,
+        help="a bag, or a .yaml file of static transforms, in place of the live graph",
+    )
+    add_topics(parser)
+
+
+def add_topics(parser: argparse.ArgumentParser) -> None:
+    """Add the flags that the live graph needs."""
+    parser.add_argument("--tf-topic", default=TF_TOPIC, help=f"topic of transforms (default: {TF_TOPIC})")
+    parser.add_argument(
+        "--tf-static-topic",
+        default=STATIC_TOPIC,
+        help=f"topic of static transforms (default: {STATIC_TOPIC})",
+    )
+    parser.add_argument(
+        "--wait",
+        metavar="S",
+        type=seconds,
+        default=WAIT_S,
+        help=f"longest wait for transforms of a live graph in seconds (default: {WAIT_S:g})",
+    )
+    parser.add_argument(
+        "--spin-time", type=seconds, default=graph.MOST_S, help="longest time of discovery in seconds"
+    )
+    parser.add_argument(
+        "-s", "--use-sim-time", action="store_true", help="compare stamps with the time on /clock"
+    )
+
+
+def is_live(name: str) -> bool:
+    """Return whether a source's name is the word for the live graph."""
+    return name == LIVE
+
+
+@contextmanager
+def open_source(args: argparse.Namespace, *, buffer: Buffer | None = None) -> Iterator[Source]:
+    """Open the source of --bag, or the live graph, for the block; see `opened`."""
+    with opened(args.bag, args, buffer=buffer) as source:
+        yield source
+
+
+@contextmanager
+def opened(name: str, args: argparse.Namespace, *, buffer: Buffer | None = None) -> Iterator[Source]:
+    """Open a source for the block; discovery of a live graph is complete.
+
+    Args:
+        name: `live`, or the path of a bag or of a file of static transforms.
+        args: The flags of `add_topics`.
+        buffer: A buffer to fill as well.
+
+    Raises:
+        CommandError: the file is no such file.
+    """
+    if not is_live(name):
+        try:
+            yield open_path(Path(name), buffer=buffer)
+        except StaticFileError as error:
+            raise CommandError(str(error)) from None
+        return
+    from tfloom.cli.sim_time import clock, wait_until_known
+    from tfloom.tf2_tools.watch.live import LiveWatch
+
+    topics = full_topic_name(args.tf_topic), full_topic_name(args.tf_static_topic)
+    with (
+        graph.joined_participant() as participant,
+        shown_node(participant, cli_node()) as node,
+        clock(participant, node, simulated=args.use_sim_time) as now_ns,
+    ):
+        simulated_ns = now_ns if args.use_sim_time else None
+        with closing(
+            LiveWatch(participant, node, buffer=buffer, topics=topics, simulated_ns=simulated_ns)
+        ) as watch:
+            graph.wait_until_quiet(participant.graph, args.spin_time)
+            if args.use_sim_time:
+                wait_until_known(now_ns)
+            yield watch
+
+
+def wait_for(source: Source, is_enough: Callable[[Observation], bool], timeout_s: float) -> Observation:
+    """Wait until an observation is enough; return it, or the last one after `timeout_s` [s]."""
+    end_s = time.monotonic() + timeout_s
+    while not is_enough(seen := source.observation()) and time.monotonic() < end_s:
+        source.wait(end_s)
+    return seen
+
+
+def settled(source: Source, timeout_s: float, *, only_static: bool = False) -> Observation:
+    """Wait until each publisher has sent something and no new edge has come for `SETTLED_S`; return what is known.
+
+    Args:
+        source: The source; there is no wait for one that isn't live.
+        timeout_s: The longest wait [s].
+        only_static: Whether publishers of moving transforms, and the time without new edges, don't matter.
+    """
+    count, since_s = -1, time.monotonic()
+
+    def is_enough(seen: Observation) -> bool:
+        nonlocal count, since_s
+        if not seen.is_live:
+            return True
+        if len(seen.edges) != count:
+            count, since_s = len(seen.edges), time.monotonic()
+        awaited = [each for each in seen.publishers if each.is_static or not only_static]
+        return (
+            count > 0
+            and all(each.traffic is not None for each in awaited)
+            and (only_static or time.monotonic() >= since_s + SETTLED_S)
+        )
+
+    return wait_for(source, is_enough, timeout_s)

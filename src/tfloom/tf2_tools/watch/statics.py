@@ -1,0 +1,37 @@
+"""The static transforms of an observation."""
+
+from __future__ import annotations
+
+from tfloom.tf2_tools.static_file import StaticTransform
+from tfloom.tf2_tools.watch.model import Edge, Observation
+
+__all__ = ["last_statics", "quarrels"]
+
+
+def last_statics(seen: Observation) -> list[StaticTransform]:
+    """Return the static transform of each child that came last, in order of the children's names."""
+    last: dict[str, Edge] = {}
+    for edge in sorted(seen.edges, key=lambda edge: edge.statistics.last_received_ns):
+        if edge.is_static and not edge.statistics.non_finite:
+            last[edge.child] = edge
+    return [
+        StaticTransform(edge.parent, edge.child, edge.statistics.translation, edge.statistics.rotation_xyzw)
+        for _, edge in sorted(last.items())
+    ]
+
+
+def quarrels(seen: Observation) -> list[str]:
+    """Return a sentence for each child whose static transforms differ, by publisher or by parent."""
+    by_child: dict[str, list[Edge]] = {}
+    for edge in seen.edges:
+        if edge.is_static:
+            by_child.setdefault(edge.child, []).append(edge)
+    found = []
+    for child, edges in sorted(by_child.items()):
+        values = {(edge.parent, edge.statistics.translation, edge.statistics.rotation_xyzw) for edge in edges}
+        if len(values) > 1:
+            texts = [f"{edge.publisher.label} (parent {edge.parent!r})" for edge in edges]
+            found.append(
+                f"{child!r} has different static transforms, from {' and '.join(texts)}; the last one is used"
+            )
+    return found
