@@ -182,7 +182,17 @@ def test_programs_of_a_workspace_are_completed(tmp_path: Path, monkeypatch: pyte
     assert complete("tfloom run my_pkg my", tmp_path) == ["my_program"]
 
 
-FREE = {"value", "argv", "parameter_file", "folder", "launch_file_name", "launch_arguments"}
+FREE = {
+    "value",
+    "argv",
+    "parameter_file",
+    "folder",
+    "file",
+    "before",
+    "after",
+    "launch_file_name",
+    "launch_arguments",
+}
 
 
 @for_each(VERBS)
