@@ -16,7 +16,7 @@ from tests.import_graph import Import, Kind, imports_of_package, rings
 
 SHELVES = [
     ["_native"],
-    ["rosidl", "interfaces", "tf2"],
+    ["rosidl", "interfaces", "tf2", "kdl"],
     ["rmw"],
     ["node"],
     ["tf2_ros", "workspace"],
@@ -72,6 +72,7 @@ ANNOTATIONS_ONLY = "typing_extensions"
 NATIVE_ROOMS = {
     "core": set[str](),
     "tf2": {"core"},
+    "kdl": {"tf2"},
     "cdr": {"core", "tf2"},
     "bag": {"core", "tf2", "cdr"},
     "rtps": {"core"},

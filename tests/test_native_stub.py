@@ -33,5 +33,7 @@ def test_stub_is_current(tmp_path: Path) -> None:
 def test_every_argument_has_a_name_and_every_function_a_docstring() -> None:
     text = STUB.read_text("utf-8")
     assert not re.search(r"\barg\d*\s*[:,)]", text)
+    text = re.sub(r"@\w+\.setter\n.*\n", "", text)  # documented by its property
+    text = re.sub(r"@overload\ndef .*: \.\.\.\n", "", text)  # by the first of its overloads
     undocumented = re.findall(r"^\s*def ([a-z]\w*)\(.*: \.\.\.$", text, re.MULTILINE)
     assert not undocumented

@@ -11,5 +11,6 @@ void bind_cdr(nanobind::module_& m);
 void bind_tf2(nanobind::module_& m);
 void bind_bag(nanobind::module_& m);
 void bind_bag_reading(nanobind::module_& m);
+void bind_kdl(nanobind::module_& m);
 
 }  // namespace tfloom::bindings

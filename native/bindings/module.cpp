@@ -12,4 +12,5 @@ NB_MODULE(_native, m) {
   tfloom::bindings::bind_tf2(m);
   tfloom::bindings::bind_bag(m);
   tfloom::bindings::bind_bag_reading(m);
+  tfloom::bindings::bind_kdl(m);
 }

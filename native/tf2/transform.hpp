@@ -15,7 +15,9 @@ struct Vector3 {
   friend constexpr Vector3 operator-(const Vector3& a, const Vector3& b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
   }
+  friend constexpr Vector3 operator-(const Vector3& v) { return {-v.x, -v.y, -v.z}; }
   friend constexpr Vector3 operator*(double s, const Vector3& v) { return {s * v.x, s * v.y, s * v.z}; }
+  friend constexpr Vector3 operator/(const Vector3& v, double s) { return {v.x / s, v.y / s, v.z / s}; }
   friend constexpr bool operator==(const Vector3&, const Vector3&) = default;
 };
 
@@ -58,16 +60,9 @@ inline std::array<double, 9> rotation_matrix(const Quaternion& q) {
   return {1.0 - (yy + zz), xy - wz, xz + wy, xy + wz, 1.0 - (xx + zz), yz - wx, xz - wy, yz + wx, 1.0 - (xx + yy)};
 }
 
-// Quaternion of a row-major rotation matrix. Of the two solutions, return the one with w > 0 if the trace is positive,
-// else the one whose largest vector component is positive. So rotations print with the same signs as in ROS.
-inline Quaternion quaternion_of_matrix(const std::array<double, 9>& m) {
-  const double trace = m[0] + m[4] + m[8];
-  if (trace > 0.0) {
-    const double root = std::sqrt(trace + 1.0);
-    const double s = 0.5 / root;
-    return {(m[7] - m[5]) * s, (m[2] - m[6]) * s, (m[3] - m[1]) * s, 0.5 * root};
-  }
-  const std::size_t i = m[0] < m[4] ? (m[4] < m[8] ? 2 : 1) : (m[0] < m[8] ? 2 : 0);
+// Quaternion of a row-major rotation matrix: the one whose vector component `i` is positive. That component must not be
+// near zero.
+inline Quaternion quaternion_of_matrix(const std::array<double, 9>& m, std::size_t i) {
   const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
   const double root = std::sqrt(m[4 * i] - m[4 * j] - m[4 * k] + 1.0);
   const double s = 0.5 / root;
@@ -76,6 +71,20 @@ inline Quaternion quaternion_of_matrix(const std::array<double, 9>& m) {
   v[j] = (m[3 * j + i] + m[3 * i + j]) * s;
   v[k] = (m[3 * k + i] + m[3 * i + k]) * s;
   return {v[0], v[1], v[2], (m[3 * k + j] - m[3 * j + k]) * s};
+}
+
+// The one with w > 0, of a matrix whose trace is above -1.
+inline Quaternion upright_quaternion_of_matrix(const std::array<double, 9>& m) {
+  const double root = std::sqrt(m[0] + m[4] + m[8] + 1.0);
+  const double s = 0.5 / root;
+  return {(m[7] - m[5]) * s, (m[2] - m[6]) * s, (m[3] - m[1]) * s, 0.5 * root};
+}
+
+// Of the two solutions, return the one with w > 0 if the trace is positive, else the one whose largest vector component
+// is positive. So rotations print with the same signs as in ROS.
+inline Quaternion quaternion_of_matrix(const std::array<double, 9>& m) {
+  if (m[0] + m[4] + m[8] > 0.0) return upright_quaternion_of_matrix(m);
+  return quaternion_of_matrix(m, m[0] < m[4] ? (m[4] < m[8] ? 2 : 1) : (m[0] < m[8] ? 2 : 0));
 }
 
 // Unit length and canonical sign. The zero quaternion gives NaN.

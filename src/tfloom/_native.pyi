@@ -1,7 +1,7 @@
 """The compiled core of tfloom: numbers, ids and bytes."""
 
-from collections.abc import Callable, Iterable, Sequence
-from typing import Annotated, Any
+from collections.abc import Callable, Iterator, Sequence
+from typing import Annotated, Any, ClassVar, overload
 
 import numpy
 import numpy.typing
@@ -759,472 +759,736 @@ class TfSink(Sink):
         Drop what is held, and forget all publishers' stamps, after a jump in time.
         """
 
-class Spread:
+class Vector:
+    """KDL's vector of three numbers, which can be set."""
+
+    @overload
+    def __init__(self) -> None:
+        """Create zero, or the identity."""
+
+    @overload
+    def __init__(self, other: Vector) -> None:
+        """Create a copy without its header."""
+
+    @overload
+    def __init__(self, x: float, y: float, z: float) -> None:
+        """Create one from its components."""
+
+    def __eq__(self, other: object, /) -> bool:
+        """Return whether all numbers differ by less than 1e-6."""
+
+    def __ne__(self, other: object, /) -> bool:
+        """Return whether any number differs by 1e-6 or more."""
+
+    def __repr__(self) -> str:
+        """Return the numbers with six digits."""
+
+    def __copy__(self) -> Any:
+        """Return a copy with the same attributes."""
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Any:
+        """Return a copy with copies of the attributes."""
+
+    def __getstate__(self) -> tuple[Any, ...]:
+        """Return the numbers, and the attributes if there are any."""
+
+    def __setstate__(self, state: tuple[Any, ...]) -> None:
+        """Set what `__getstate__` returned, here or in Orocos' PyKDL."""
+
+    @property
+    def header(self) -> Any:
+        """
+        The stamp and frame of a value that tf2_kdl converts. Raises AttributeError if none is set.
+        """
+
+    @header.setter
+    def header(self, header: object) -> None: ...
+
+    __hash__: ClassVar[None]  # type: ignore[assignment]
+
+    @overload
+    def x(self, value: float) -> None:
+        """Set the component."""
+
+    @overload
+    def x(self) -> float:
+        """Return the component."""
+
+    @overload
+    def y(self, value: float) -> None:
+        """Set the component."""
+
+    @overload
+    def y(self) -> float:
+        """Return the component."""
+
+    @overload
+    def z(self, value: float) -> None:
+        """Set the component."""
+
+    @overload
+    def z(self) -> float:
+        """Return the component."""
+
+    def __add__(self, other: Vector) -> Vector:
+        """Return the sum."""
+
+    def __sub__(self, other: Vector) -> Vector:
+        """Return the difference."""
+
+    def __iadd__(self, other: Vector) -> Vector:
+        """Add in place."""
+
+    def __isub__(self, other: Vector) -> Vector:
+        """Subtract in place."""
+
+    @overload
+    def __mul__(self, factor: float) -> Vector:
+        """Return the product with a number."""
+
+    @overload
+    def __mul__(self, other: Vector) -> Vector:
+        """Return the cross product."""
+
+    def __rmul__(self, factor: float) -> Vector:
+        """Return the product with a number."""
+
+    def __truediv__(self, divisor: float) -> Vector:
+        """Return the quotient by a number."""
+
+    def __neg__(self) -> Vector:
+        """Return the opposite."""
+
+    def ReverseSign(self) -> None:
+        """Reverse the sign of each number in place."""
+
+    @staticmethod
+    def Zero() -> Vector:
+        """Return (0, 0, 0)."""
+
+    def __getitem__(self, index: int) -> float:
+        """Return one number; raises IndexError."""
+
+    def __setitem__(self, index: int, value: float) -> None:
+        """Set one number; raises IndexError."""
+
+    def __iter__(self) -> Iterator[float]:
+        """Return an iterator over the numbers."""
+
+    def Norm(self, eps: float = 1e-06) -> float:
+        """Return the length; 0 if no component reaches `eps`."""
+
+    def Normalize(self, eps: float = 1e-06) -> float:
+        """
+        Divide by the length, and return it. A vector shorter than `eps` becomes (1, 0, 0), and 0 is returned.
+        """
+
+class Rotation:
     """
-    Number, mean, deviation and extremes of values; all are 0 without a value.
-    """
-
-    @property
-    def count(self) -> int:
-        """Number of values."""
-
-    @property
-    def mean(self) -> float:
-        """Their mean."""
-
-    @property
-    def least(self) -> float:
-        """The least."""
-
-    @property
-    def greatest(self) -> float:
-        """The greatest."""
-
-    @property
-    def deviation(self) -> float:
-        """Their standard deviation, of the population."""
-
-class Step:
-    """
-    The motion between two consecutive transforms, in order of their stamps.
-    """
-
-    @property
-    def stamp_ns(self) -> int:
-        """Stamp of the later one [ns since epoch]."""
-
-    @property
-    def elapsed_ns(self) -> int:
-        """Time between their stamps [ns]; 0: there was no step, or it is static."""
-
-    @property
-    def distance(self) -> float:
-        """Translation between them [m]."""
-
-    @property
-    def angle_rad(self) -> float:
-        """Rotation between them, 0 to pi [rad]."""
-
-    @property
-    def speed(self) -> float:
-        """Distance by time [m/s]; 0 if `elapsed_ns` is 0."""
-
-class EdgeStatistics:
-    """
-    What is known of the transforms that one publisher has sent for one edge.
-
-    Stamps and times of receipt are [ns since epoch].
-    """
-
-    @property
-    def count(self) -> int:
-        """Number of transforms."""
-
-    @property
-    def first_stamp_ns(self) -> int:
-        """The stamp received first."""
-
-    @property
-    def last_stamp_ns(self) -> int:
-        """The stamp received last."""
-
-    @property
-    def oldest_stamp_ns(self) -> int:
-        """The oldest stamp."""
-
-    @property
-    def newest_stamp_ns(self) -> int:
-        """The newest stamp."""
-
-    @property
-    def first_received_ns(self) -> int:
-        """Time of the first receipt."""
-
-    @property
-    def last_received_ns(self) -> int:
-        """Time of the last receipt."""
-
-    @property
-    def stamp_period(self) -> Spread:
-        """
-        Times from the newest stamp to a newer one [s]; steps back and repetitions are not counted.
-        """
-
-    @property
-    def receipt_period(self) -> Spread:
-        """Times between receipts [s]."""
-
-    @property
-    def delay(self) -> Spread:
-        """
-        Times from the stamp to now, at receipt [s]; negative: stamped ahead of now. Zero stamps are not counted.
-        """
-
-    @property
-    def out_of_order(self) -> int:
-        """Number of transforms older than the newest one."""
-
-    @property
-    def repeated(self) -> int:
-        """Number of moving transforms with the same stamp as the newest one."""
-
-    @property
-    def too_old(self) -> int:
-        """
-        Number of transforms older than the child's newest, from any publisher, by more than the cache time: a buffer rejects them.
-        """
-
-    @property
-    def ahead(self) -> int:
-        """Number of transforms stamped ahead of now."""
-
-    @property
-    def zero_stamps(self) -> int:
-        """Number of transforms with the stamp 0."""
-
-    @property
-    def largest_step_back_ns(self) -> int:
-        """
-        The longest time by which a stamp was older than the newest one before it [ns].
-        """
-
-    @property
-    def non_finite(self) -> int:
-        """
-        Number of transforms with a NaN or an infinity; they are in none of the figures that follow.
-        """
-
-    @property
-    def worst_norm_error(self) -> float:
-        """The greatest difference of a quaternion's length from 1."""
-
-    @property
-    def changes(self) -> int:
-        """Number of transforms that differ from the one before."""
-
-    @property
-    def translation(self) -> tuple[float, float, float]:
-        """
-        Translation x, y, z of the newest transform [m]; of a static one, of the last.
-        """
-
-    @property
-    def rotation_xyzw(self) -> tuple[float, float, float, float]:
-        """Rotation x, y, z, w of the same transform."""
-
-    @property
-    def distance(self) -> Spread:
-        """Distances of the steps [m]."""
-
-    @property
-    def longest(self) -> Step:
-        """The step of the greatest distance."""
-
-    @property
-    def widest(self) -> Step:
-        """The step of the greatest angle."""
-
-    @property
-    def fastest(self) -> Step:
-        """The step of the greatest speed."""
-
-class TfTraffic:
-    """What one publisher has sent on /tf, or on /tf_static."""
-
-    @property
-    def gid(self) -> bytes:
-        """Its gid: 16 octets."""
-
-    @property
-    def is_static(self) -> bool:
-        """Whether this is on /tf_static."""
-
-    @property
-    def has_left(self) -> bool:
-        """Whether it has left."""
-
-    @property
-    def messages(self) -> int:
-        """Number of messages."""
-
-    @property
-    def transforms(self) -> int:
-        """Number of transforms."""
-
-    @property
-    def bytes(self) -> int:
-        """Octets of the messages."""
-
-    @property
-    def unreadable(self) -> int:
-        """Number of messages that are no TFMessage."""
-
-    @property
-    def most_transforms(self) -> int:
-        """The greatest number of transforms in one message."""
-
-    @property
-    def first_received_ns(self) -> int:
-        """Time of the first receipt [ns since epoch]."""
-
-    @property
-    def last_received_ns(self) -> int:
-        """Time of the last receipt [ns since epoch]."""
-
-    @property
-    def period(self) -> Spread:
-        """Times between receipts of its messages [s]."""
-
-    @property
-    def transit(self) -> Spread:
-        """
-        Times from writing, by the publisher's clock, to receipt, by this machine's [s].
-        """
-
-class TfEdge:
-    """One edge of one publisher."""
-
-    @property
-    def child(self) -> str:
-        """The child frame."""
-
-    @property
-    def parent(self) -> str:
-        """The parent frame."""
-
-    @property
-    def gid(self) -> bytes:
-        """The publisher's gid: 16 octets."""
-
-    @property
-    def is_static(self) -> bool:
-        """Whether it came on /tf_static."""
-
-    @property
-    def statistics(self) -> EdgeStatistics:
-        """Its figures."""
-
-class TfChild:
-    """A frame that was a child, on either topic and from any publisher."""
-
-    @property
-    def child(self) -> str:
-        """The frame."""
-
-    @property
-    def parent(self) -> str:
-        """Its parent in the transform received last."""
-
-    @property
-    def reparented(self) -> int:
-        """
-        Number of transforms whose parent was another than that of the child's former one.
-        """
-
-    @property
-    def newest_stamp_ns(self) -> int:
-        """Newest stamp of its moving transforms; 0: none."""
-
-class TfSnapshot:
-    """What an observer has recorded; each list is in order of first receipt."""
-
-    @property
-    def publishers(self) -> list[TfTraffic]:
-        """The publishers."""
-
-    @property
-    def edges(self) -> list[TfEdge]:
-        """The edges."""
-
-    @property
-    def children(self) -> list[TfChild]:
-        """The child frames."""
-
-    @property
-    def unrecorded(self) -> int:
-        """Number of transforms beyond the observer's limits."""
-
-class TfObserverSink(Sink):
-    """Passes the samples of one topic to an observer."""
-
-    def accept_only(self, publishers: Sequence[bytes] | None) -> None:
-        """
-        Ignore the samples of all publishers but these, given by their gids; None: of none.
-        """
-
-class TfObserver:
-    """
-    Statistics of all transforms on /tf and /tf_static, by publisher and edge.
+    KDL's rotation, a matrix of 3 x 3 numbers, which can be set: `R[i, j]`. Angles in rad.
     """
 
-    def __init__(self, cache_time_ns: int = 10000000000) -> None: ...
+    @overload
+    def __init__(self) -> None:
+        """Create zero, or the identity."""
 
-    def sink(self, static: bool, buffer: Buffer | None = None) -> TfObserverSink:
+    @overload
+    def __init__(self, other: Rotation) -> None:
+        """Create a copy without its header."""
+
+    @overload
+    def __init__(self, xx: float, yx: float, zx: float, xy: float, yy: float, zy: float, xz: float, yz: float, zz: float) -> None:
+        """Create one from the matrix, row by row."""
+
+    @overload
+    def __init__(self, x: Vector, y: Vector, z: Vector) -> None:
+        """Create one from its columns."""
+
+    def __eq__(self, other: object, /) -> bool:
+        """Return whether all numbers differ by less than 1e-6."""
+
+    def __ne__(self, other: object, /) -> bool:
+        """Return whether any number differs by 1e-6 or more."""
+
+    def __repr__(self) -> str:
+        """Return the numbers with six digits."""
+
+    def __copy__(self) -> Any:
+        """Return a copy with the same attributes."""
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Any:
+        """Return a copy with copies of the attributes."""
+
+    def __getstate__(self) -> tuple[Any, ...]:
+        """Return the numbers, and the attributes if there are any."""
+
+    def __setstate__(self, state: tuple[Any, ...]) -> None:
+        """Set what `__getstate__` returned, here or in Orocos' PyKDL."""
+
+    @property
+    def header(self) -> Any:
         """
-        Return a sink for `Reader.feed` that records samples of `tf2_msgs/msg/TFMessage` here.
-
-        It also stores the transforms in `buffer`, if there is one, with the publisher's gid in hexadecimal as authority.
+        The stamp and frame of a value that tf2_kdl converts. Raises AttributeError if none is set.
         """
 
-    def record(self, data: bytes, publisher_gid: bytes, received_ns: int, source_stamp_ns: int = 0, static: bool = False) -> bool:
+    @header.setter
+    def header(self, header: object) -> None: ...
+
+    __hash__: ClassVar[None]  # type: ignore[assignment]
+
+    @staticmethod
+    def Identity() -> Rotation:
+        """Return the identity."""
+
+    @staticmethod
+    def RotX(angle: float) -> Rotation:
+        """Return a rotation about x."""
+
+    @staticmethod
+    def RotY(angle: float) -> Rotation:
+        """Return a rotation about y."""
+
+    @staticmethod
+    def RotZ(angle: float) -> Rotation:
+        """Return a rotation about z."""
+
+    @staticmethod
+    def Rot(rotvec: Vector, angle: float) -> Rotation:
         """
-        Record a message, given as encapsulation header and CDR; return whether it was readable.
+        Return a rotation about an axis of any length; about x, if it is shorter than 1e-6.
         """
 
-    def snapshot(self) -> TfSnapshot:
-        """Return a copy of all that is recorded."""
+    @staticmethod
+    def Rot2(rotvec: Vector, angle: float) -> Rotation:
+        """Return a rotation about an axis of length one, which is not checked."""
 
-    def clear(self) -> None:
-        """Forget everything."""
-
-    def set_simulated_time(self, now_ns: int | None) -> None:
+    @staticmethod
+    def RPY(roll: float, pitch: float, yaw: float) -> Rotation:
         """
-        Set the time with which stamps are compared [ns since epoch]; 0: unknown, delays are not recorded; None: the time of receipt.
+        Return Rz(yaw) Ry(pitch) Rx(roll): about the fixed axes x, y and z, in this order.
         """
 
-class Chunk:
+    @staticmethod
+    def EulerZYX(alpha: float, beta: float, gamma: float) -> Rotation:
+        """Return Rz(alpha) Ry(beta) Rx(gamma)."""
+
+    @staticmethod
+    def EulerZYZ(alpha: float, beta: float, gamma: float) -> Rotation:
+        """Return Rz(alpha) Ry(beta) Rz(gamma)."""
+
+    @staticmethod
+    def Quaternion(x: float, y: float, z: float, w: float) -> Rotation:
+        """
+        Return the rotation of a unit quaternion. Another length scales the matrix by its square.
+        """
+
+    def GetRPY(self) -> tuple[float, float, float]:
+        """Return roll, pitch and yaw; roll is 0 where pitch is ±π/2."""
+
+    def GetEulerZYX(self) -> tuple[float, float, float]:
+        """Return alpha, beta and gamma; gamma is 0 where beta is ±π/2."""
+
+    def GetEulerZYZ(self) -> tuple[float, float, float]:
+        """Return alpha, beta and gamma; gamma is 0 where beta is 0 or π."""
+
+    def GetQuaternion(self) -> tuple[float, float, float, float]:
+        """Return x, y, z, w of the unit quaternion."""
+
+    def GetRot(self) -> Vector:
+        """Return the axis times the angle."""
+
+    def GetRotAngle(self, eps: float = 1e-06) -> tuple[float, Vector]:
+        """
+        Return the angle from 0 to π, and the axis of length one; z at angle 0.
+
+        A matrix that is symmetric within `eps` is one of 0 or π.
+        """
+
+    def DoRotX(self, angle: float) -> None:
+        """Turn in place about the own x axis."""
+
+    def DoRotY(self, angle: float) -> None:
+        """Turn in place about the own y axis."""
+
+    def DoRotZ(self, angle: float) -> None:
+        """Turn in place about the own z axis."""
+
+    def SetInverse(self) -> None:
+        """Invert in place."""
+
+    @overload
+    def UnitX(self) -> Vector:
+        """Return the first column."""
+
+    @overload
+    def UnitX(self, vec: Vector) -> None:
+        """Set the first column."""
+
+    @overload
+    def UnitY(self) -> Vector:
+        """Return the second column."""
+
+    @overload
+    def UnitY(self, vec: Vector) -> None:
+        """Set the second column."""
+
+    @overload
+    def UnitZ(self) -> Vector:
+        """Return the third column."""
+
+    @overload
+    def UnitZ(self, vec: Vector) -> None:
+        """Set the third column."""
+
+    def __getitem__(self, index: tuple[int, int]) -> float:
+        """Return the number of a row and a column; raises IndexError."""
+
+    def __setitem__(self, index: tuple[int, int], value: float) -> None:
+        """Set the number of a row and a column; raises IndexError."""
+
+    @overload
+    def Inverse(self) -> Rotation:
+        """Return the inverse."""
+
+    @overload
+    def Inverse(self, other: Vector) -> Vector: ...
+
+    @overload
+    def Inverse(self, other: Twist) -> Twist: ...
+
+    @overload
+    def Inverse(self, other: Wrench) -> Wrench:
+        """Return the product with the inverse: the same in the child's axes."""
+
+    @overload
+    def __mul__(self, other: Rotation) -> Rotation:
+        """Return the composition."""
+
+    @overload
+    def __mul__(self, other: Vector) -> Vector: ...
+
+    @overload
+    def __mul__(self, other: Twist) -> Twist: ...
+
+    @overload
+    def __mul__(self, other: Wrench) -> Wrench:
+        """Return the product: the same in the parent's axes."""
+
+class Twist:
     """
-    Messages as MCAP message records, in the order in which they were pushed.
+    KDL's velocity of a body: `vel`, that of the point of reference, and `rot`, the angular one.
     """
 
-    @property
-    def start_ns(self) -> int:
-        """Smallest log time [ns since epoch]."""
+    @overload
+    def __init__(self) -> None:
+        """Create zero, or the identity."""
+
+    @overload
+    def __init__(self, other: Twist) -> None:
+        """Create a copy without its header."""
+
+    @overload
+    def __init__(self, vel: Vector, rot: Vector) -> None:
+        """Create one from both velocities."""
+
+    def __eq__(self, other: object, /) -> bool:
+        """Return whether all numbers differ by less than 1e-6."""
+
+    def __ne__(self, other: object, /) -> bool:
+        """Return whether any number differs by 1e-6 or more."""
+
+    def __repr__(self) -> str:
+        """Return the numbers with six digits."""
+
+    def __copy__(self) -> Any:
+        """Return a copy with the same attributes."""
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Any:
+        """Return a copy with copies of the attributes."""
+
+    def __getstate__(self) -> tuple[Any, ...]:
+        """Return the numbers, and the attributes if there are any."""
+
+    def __setstate__(self, state: tuple[Any, ...]) -> None:
+        """Set what `__getstate__` returned, here or in Orocos' PyKDL."""
 
     @property
-    def end_ns(self) -> int:
-        """Greatest log time [ns since epoch]."""
+    def header(self) -> Any:
+        """
+        The stamp and frame of a value that tf2_kdl converts. Raises AttributeError if none is set.
+        """
+
+    @header.setter
+    def header(self, header: object) -> None: ...
+
+    __hash__: ClassVar[None]  # type: ignore[assignment]
 
     @property
-    def message_count(self) -> int:
-        """Number of messages; at least one."""
+    def vel(self) -> Vector:
+        """Velocity of the point of reference [m/s]."""
+
+    @vel.setter
+    def vel(self, value: Vector) -> None: ...
 
     @property
-    def ends_file(self) -> bool:
-        """Whether the next chunk belongs to a new file."""
+    def rot(self) -> Vector:
+        """Angular velocity [rad/s]."""
 
-    @property
-    def records(self) -> bytes:
-        """The records."""
+    @rot.setter
+    def rot(self, value: Vector) -> None: ...
 
-    def counts(self) -> list[tuple[int, int]]:
+    def RefPoint(self, base: Vector) -> Twist:
         """
-        Return (channel, number of messages) for each channel that has messages, in order of channels.
-        """
-
-    def index(self, channel: int, shift: int) -> bytes:
-        """
-        Return a channel's entries of MCAP's message index, in order, with `shift` added to each offset.
+        Return the same motion with the point of reference moved by `base`, in the same axes.
         """
 
-    def messages(self) -> list[tuple[int, int, int, bytes]]:
-        """
-        Return each message as (channel, log time [ns], publish time [ns], data).
-        """
+    def __add__(self, other: Twist) -> Twist:
+        """Return the sum."""
 
-class ChunkSink(Sink):
-    """A sink that pushes the samples of a topic into a ChunkQueue."""
+    def __sub__(self, other: Twist) -> Twist:
+        """Return the difference."""
 
-class ChunkQueue:
+    def __iadd__(self, other: Twist) -> Twist:
+        """Add in place."""
+
+    def __isub__(self, other: Twist) -> Twist:
+        """Subtract in place."""
+
+    def __mul__(self, factor: float) -> Twist:
+        """Return the product with a number."""
+
+    def __rmul__(self, factor: float) -> Twist:
+        """Return the product with a number."""
+
+    def __truediv__(self, divisor: float) -> Twist:
+        """Return the quotient by a number."""
+
+    def __neg__(self) -> Twist:
+        """Return the opposite."""
+
+    def ReverseSign(self) -> None:
+        """Reverse the sign of each number in place."""
+
+    @staticmethod
+    def Zero() -> Twist:
+        """Return a twist of zeros."""
+
+    def __getitem__(self, index: int) -> float:
+        """Return one number; raises IndexError."""
+
+    def __setitem__(self, index: int, value: float) -> None:
+        """Set one number; raises IndexError."""
+
+    def __iter__(self) -> Iterator[float]:
+        """Return an iterator over the numbers."""
+
+class Wrench:
     """
-    Messages of a recording, gathered into chunks: any thread pushes, one takes.
-
-    A full queue drops messages and counts them; a ring drops its oldest chunks instead.
-    """
-
-    def __init__(self, chunk_size: int, cache_size: int, duration_ns: int = 0, ring: bool = False) -> None: ...
-
-    def push(self, channel: int, data: bytes, log_time_ns: int, publish_time_ns: int) -> bool:
-        """Append a message; return False if the queue is paused, closed or full."""
-
-    def take(self, timeout_ns: int) -> Chunk | None:
-        """
-        Remove and return the oldest complete chunk, or after the timeout the unfinished one; None if there is no message.
-        """
-
-    def seal(self) -> None:
-        """Complete the unfinished chunk."""
-
-    def end_file(self) -> None:
-        """Complete the unfinished chunk, as the last one of its file."""
-
-    def restart_file(self) -> None:
-        """
-        Let the next message be the first one of a file, from which its duration counts.
-        """
-
-    def close(self) -> None:
-        """Store nothing more; `take` then returns what is left, without waiting."""
-
-    def set_paused(self, paused: bool) -> None:
-        """Set whether messages are discarded, uncounted."""
-
-    def set_simulated_time(self, now_ns: int | None) -> None:
-        """
-        Set the log time of samples [ns since epoch]; 0: unknown, none is stored; None: their time of receipt.
-        """
-
-    def sink(self, channel: int) -> ChunkSink:
-        """
-        Return a sink for `Reader.feed` that pushes a topic's samples with a channel's number.
-        """
-
-    @property
-    def has_chunk(self) -> bool:
-        """Whether a complete chunk is waiting."""
-
-    @property
-    def message_count(self) -> int:
-        """Number of messages that were stored."""
-
-    @property
-    def dropped_count(self) -> int:
-        """Number of messages that a full queue dropped."""
-
-    @property
-    def size(self) -> int:
-        """Size of what has not been taken [bytes]."""
-
-def list_mcap_messages(data: bytes, channels: Iterable[int] | None, start_ns: int, end_ns: int) -> list[tuple[int, int, int, int, int]]:
-    """
-    Return the messages among the MCAP records in `data`, of `channels` (None: all) and with log times from `start_ns` to `end_ns`.
-
-    Each is log time [ns], channel, publish time [ns], and the offset and size of its bytes in `data`. Raises ValueError, with the record's `offset`, if a record is not whole.
-    """
-
-def summarise_mcap(data: bytes, begin: int) -> tuple[dict[int, int], int, int, list[tuple[int, int, int]], int]:
-    """
-    Return what the messages, schemas and channels are that follow each other in `data` from `begin` on.
-
-    They are: the count of messages by channel; the least and the greatest log time [ns]; opcode, offset and size of each other record's content; and the offset of the first record that is of another kind or not whole. Raises ValueError, with the record's `offset`, if a message record is too short.
+    KDL's load on a body: `force`, and `torque` about the point of reference.
     """
 
-class TfRecords:
-    """
-    Stores recorded TFMessages in a buffer, without message objects. It must be used by one thread at a time.
-    """
+    @overload
+    def __init__(self) -> None:
+        """Create zero, or the identity."""
 
-    def __init__(self, buffer: Buffer) -> None: ...
+    @overload
+    def __init__(self, other: Wrench) -> None:
+        """Create a copy without its header."""
 
-    def add_topic(self, name: str, static: bool, ros1: bool) -> int:
-        """
-        Return the number of a topic, whose name becomes the authority of its transforms.
-        """
+    @overload
+    def __init__(self, force: Vector, torque: Vector) -> None:
+        """Create one from force and torque."""
 
-    def insert(self, topic: int, data: bytes) -> None:
-        """Store a message of a topic."""
+    def __eq__(self, other: object, /) -> bool:
+        """Return whether all numbers differ by less than 1e-6."""
 
-    def insert_mcap(self, data: bytes, channels: Sequence[tuple[int, int]], start_ns: int, end_ns: int) -> int:
-        """
-        Store the messages among the MCAP records in `data`. Return where the first record begins that is not whole, or the length of `data`.
+    def __ne__(self, other: object, /) -> bool:
+        """Return whether any number differs by 1e-6 or more."""
 
-        `channels` are pairs of a channel and a topic's number. Messages of moving transforms are stored if their log time is from `start_ns` to `end_ns`. Raises ValueError, with the record's `offset`, if a message record is too short.
-        """
+    def __repr__(self) -> str:
+        """Return the numbers with six digits."""
+
+    def __copy__(self) -> Any:
+        """Return a copy with the same attributes."""
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Any:
+        """Return a copy with copies of the attributes."""
+
+    def __getstate__(self) -> tuple[Any, ...]:
+        """Return the numbers, and the attributes if there are any."""
+
+    def __setstate__(self, state: tuple[Any, ...]) -> None:
+        """Set what `__getstate__` returned, here or in Orocos' PyKDL."""
 
     @property
-    def message_count(self) -> int:
-        """Number of messages."""
+    def header(self) -> Any:
+        """
+        The stamp and frame of a value that tf2_kdl converts. Raises AttributeError if none is set.
+        """
+
+    @header.setter
+    def header(self, header: object) -> None: ...
+
+    __hash__: ClassVar[None]  # type: ignore[assignment]
 
     @property
-    def dropped_count(self) -> int:
-        """Number of unreadable messages, which were logged."""
+    def force(self) -> Vector:
+        """Force [N]."""
+
+    @force.setter
+    def force(self, value: Vector) -> None: ...
+
+    @property
+    def torque(self) -> Vector:
+        """Torque about the point of reference [Nm]."""
+
+    @torque.setter
+    def torque(self, value: Vector) -> None: ...
+
+    def RefPoint(self, base: Vector) -> Wrench:
+        """
+        Return the same load with the point of reference moved by `base`, in the same axes.
+        """
+
+    def __add__(self, other: Wrench) -> Wrench:
+        """Return the sum."""
+
+    def __sub__(self, other: Wrench) -> Wrench:
+        """Return the difference."""
+
+    def __iadd__(self, other: Wrench) -> Wrench:
+        """Add in place."""
+
+    def __isub__(self, other: Wrench) -> Wrench:
+        """Subtract in place."""
+
+    def __mul__(self, factor: float) -> Wrench:
+        """Return the product with a number."""
+
+    def __rmul__(self, factor: float) -> Wrench:
+        """Return the product with a number."""
+
+    def __truediv__(self, divisor: float) -> Wrench:
+        """Return the quotient by a number."""
+
+    def __neg__(self) -> Wrench:
+        """Return the opposite."""
+
+    def ReverseSign(self) -> None:
+        """Reverse the sign of each number in place."""
+
+    @staticmethod
+    def Zero() -> Wrench:
+        """Return a wrench of zeros."""
+
+    def __getitem__(self, index: int) -> float:
+        """Return one number; raises IndexError."""
+
+    def __setitem__(self, index: int, value: float) -> None:
+        """Set one number; raises IndexError."""
+
+    def __iter__(self) -> Iterator[float]:
+        """Return an iterator over the numbers."""
+
+class Frame:
+    """
+    KDL's frame, parent_from_child: the rotation `M` and the origin `p`. `F * x` changes the axes of a vector, a twist, a wrench or a frame to the parent's, and their point of reference to the parent's origin.
+    """
+
+    @overload
+    def __init__(self) -> None:
+        """Create zero, or the identity."""
+
+    @overload
+    def __init__(self, other: Frame) -> None:
+        """Create a copy without its header."""
+
+    @overload
+    def __init__(self, R: Rotation, V: Vector) -> None:
+        """Create one from a rotation and an origin."""
+
+    @overload
+    def __init__(self, V: Vector) -> None:
+        """Create one without a rotation."""
+
+    @overload
+    def __init__(self, R: Rotation) -> None:
+        """Create one at the parent's origin."""
+
+    def __eq__(self, other: object, /) -> bool:
+        """Return whether all numbers differ by less than 1e-6."""
+
+    def __ne__(self, other: object, /) -> bool:
+        """Return whether any number differs by 1e-6 or more."""
+
+    def __repr__(self) -> str:
+        """Return the numbers with six digits."""
+
+    def __copy__(self) -> Any:
+        """Return a copy with the same attributes."""
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Any:
+        """Return a copy with copies of the attributes."""
+
+    def __getstate__(self) -> tuple[Any, ...]:
+        """Return the numbers, and the attributes if there are any."""
+
+    def __setstate__(self, state: tuple[Any, ...]) -> None:
+        """Set what `__getstate__` returned, here or in Orocos' PyKDL."""
+
+    @property
+    def header(self) -> Any:
+        """
+        The stamp and frame of a value that tf2_kdl converts. Raises AttributeError if none is set.
+        """
+
+    @header.setter
+    def header(self, header: object) -> None: ...
+
+    __hash__: ClassVar[None]  # type: ignore[assignment]
+
+    @property
+    def M(self) -> Rotation:
+        """The rotation."""
+
+    @M.setter
+    def M(self, value: Rotation) -> None: ...
+
+    @property
+    def p(self) -> Vector:
+        """The origin in the parent [m]."""
+
+    @p.setter
+    def p(self, value: Vector) -> None: ...
+
+    @staticmethod
+    def Identity() -> Frame:
+        """Return the identity."""
+
+    @staticmethod
+    def DH(a: float, alpha: float, d: float, theta: float) -> Frame:
+        """
+        Return the frame of Denavit and Hartenberg's parameters: Rz(theta) Tz(d) Tx(a) Rx(alpha).
+        """
+
+    @staticmethod
+    def DH_Craig1989(a: float, alpha: float, d: float, theta: float) -> Frame:
+        """
+        Return the frame of the parameters as modified by Craig: Tx(a) Rx(alpha) Rz(theta) Tz(d).
+        """
+
+    def Integrate(self, twist: Twist, sample_frequency: float) -> None:
+        """
+        Move in place by a twist in the own axes for `1 / sample_frequency` seconds.
+
+        A rotation of less than 1e-6 is left out.
+        """
+
+    def __getitem__(self, index: tuple[int, int]) -> float:
+        """
+        Return the number of a row and a column, of which 3 is the origin's; raises IndexError.
+        """
+
+    def __setitem__(self, index: tuple[int, int], value: float) -> None:
+        """Set the number of a row and a column; raises IndexError."""
+
+    @overload
+    def Inverse(self) -> Frame:
+        """Return the inverse."""
+
+    @overload
+    def Inverse(self, other: Vector) -> Vector: ...
+
+    @overload
+    def Inverse(self, other: Twist) -> Twist: ...
+
+    @overload
+    def Inverse(self, other: Wrench) -> Wrench:
+        """Return the product with the inverse: the same in the child's axes."""
+
+    @overload
+    def __mul__(self, other: Frame) -> Frame:
+        """Return the composition."""
+
+    @overload
+    def __mul__(self, other: Vector) -> Vector: ...
+
+    @overload
+    def __mul__(self, other: Twist) -> Twist: ...
+
+    @overload
+    def __mul__(self, other: Wrench) -> Wrench:
+        """Return the product: the same in the parent's axes."""
+
+@overload
+def kdl_set_to_zero(value: Vector) -> None: ...
+
+@overload
+def kdl_set_to_zero(value: Wrench) -> None: ...
+
+@overload
+def kdl_set_to_zero(value: Twist) -> None:
+    """Set each number to zero."""
+
+@overload
+def kdl_dot(a: Vector, b: Vector) -> float:
+    """Return the dot product."""
+
+@overload
+def kdl_dot(a: Twist, b: Wrench) -> float: ...
+
+@overload
+def kdl_dot(a: Wrench, b: Twist) -> float:
+    """Return the power."""
+
+@overload
+def kdl_equal(a: Vector, b: Vector, eps: float = 1e-06) -> bool: ...
+
+@overload
+def kdl_equal(a: Wrench, b: Wrench, eps: float = 1e-06) -> bool: ...
+
+@overload
+def kdl_equal(a: Twist, b: Twist, eps: float = 1e-06) -> bool: ...
+
+@overload
+def kdl_equal(a: Rotation, b: Rotation, eps: float = 1e-06) -> bool: ...
+
+@overload
+def kdl_equal(a: Frame, b: Frame, eps: float = 1e-06) -> bool:
+    """Return whether all numbers differ by less than `eps`."""
+
+@overload
+def kdl_diff(a: Vector, b: Vector, dt: float = 1.0) -> Vector: ...
+
+@overload
+def kdl_diff(a: Rotation, b: Rotation, dt: float = 1.0) -> Vector: ...
+
+@overload
+def kdl_diff(a: Frame, b: Frame, dt: float = 1.0) -> Twist: ...
+
+@overload
+def kdl_diff(a: Twist, b: Twist, dt: float = 1.0) -> Twist: ...
+
+@overload
+def kdl_diff(a: Wrench, b: Wrench, dt: float = 1.0) -> Wrench:
+    """
+    Return the constant velocity from `a` to `b` in `dt` seconds, in the axes that both are given in.
+    """
+
+@overload
+def kdl_add_delta(a: Vector, da: Vector, dt: float = 1.0) -> Vector: ...
+
+@overload
+def kdl_add_delta(a: Rotation, da: Vector, dt: float = 1.0) -> Rotation: ...
+
+@overload
+def kdl_add_delta(a: Frame, da: Twist, dt: float = 1.0) -> Frame: ...
+
+@overload
+def kdl_add_delta(a: Twist, da: Twist, dt: float = 1.0) -> Twist: ...
+
+@overload
+def kdl_add_delta(a: Wrench, da: Wrench, dt: float = 1.0) -> Wrench:
+    """
+    Return what `a` becomes in `dt` seconds with the velocity `da`: the reverse of `diff`.
+    """
