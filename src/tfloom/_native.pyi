@@ -1,6 +1,6 @@
 """The compiled core of tfloom: numbers, ids and bytes."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Annotated, Any, ClassVar, overload
 
 import numpy
@@ -758,6 +758,476 @@ class TfSink(Sink):
         """
         Drop what is held, and forget all publishers' stamps, after a jump in time.
         """
+
+class Spread:
+    """
+    Number, mean, deviation and extremes of values; all are 0 without a value.
+    """
+
+    @property
+    def count(self) -> int:
+        """Number of values."""
+
+    @property
+    def mean(self) -> float:
+        """Their mean."""
+
+    @property
+    def least(self) -> float:
+        """The least."""
+
+    @property
+    def greatest(self) -> float:
+        """The greatest."""
+
+    @property
+    def deviation(self) -> float:
+        """Their standard deviation, of the population."""
+
+class Step:
+    """
+    The motion between two consecutive transforms, in order of their stamps.
+    """
+
+    @property
+    def stamp_ns(self) -> int:
+        """Stamp of the later one [ns since epoch]."""
+
+    @property
+    def elapsed_ns(self) -> int:
+        """Time between their stamps [ns]; 0: there was no step, or it is static."""
+
+    @property
+    def distance(self) -> float:
+        """Translation between them [m]."""
+
+    @property
+    def angle_rad(self) -> float:
+        """Rotation between them, 0 to pi [rad]."""
+
+    @property
+    def speed(self) -> float:
+        """Distance by time [m/s]; 0 if `elapsed_ns` is 0."""
+
+class EdgeStatistics:
+    """
+    What is known of the transforms that one publisher has sent for one edge.
+
+    Stamps and times of receipt are [ns since epoch].
+    """
+
+    @property
+    def count(self) -> int:
+        """Number of transforms."""
+
+    @property
+    def first_stamp_ns(self) -> int:
+        """The stamp received first."""
+
+    @property
+    def last_stamp_ns(self) -> int:
+        """The stamp received last."""
+
+    @property
+    def oldest_stamp_ns(self) -> int:
+        """The oldest stamp."""
+
+    @property
+    def newest_stamp_ns(self) -> int:
+        """The newest stamp."""
+
+    @property
+    def first_received_ns(self) -> int:
+        """Time of the first receipt."""
+
+    @property
+    def last_received_ns(self) -> int:
+        """Time of the last receipt."""
+
+    @property
+    def stamp_period(self) -> Spread:
+        """
+        Times from the newest stamp to a newer one [s]; steps back and repetitions are not counted.
+        """
+
+    @property
+    def receipt_period(self) -> Spread:
+        """Times between receipts [s]."""
+
+    @property
+    def delay(self) -> Spread:
+        """
+        Times from the stamp to now, at receipt [s]; negative: stamped ahead of now. Zero stamps are not counted.
+        """
+
+    @property
+    def out_of_order(self) -> int:
+        """Number of transforms older than the newest one."""
+
+    @property
+    def repeated(self) -> int:
+        """Number of moving transforms with the same stamp as the newest one."""
+
+    @property
+    def too_old(self) -> int:
+        """
+        Number of transforms older than the child's newest, from any publisher, by more than the cache time: a buffer rejects them.
+        """
+
+    @property
+    def ahead(self) -> int:
+        """Number of transforms stamped ahead of now."""
+
+    @property
+    def zero_stamps(self) -> int:
+        """Number of transforms with the stamp 0."""
+
+    @property
+    def largest_step_back_ns(self) -> int:
+        """
+        The longest time by which a stamp was older than the newest one before it [ns].
+        """
+
+    @property
+    def non_finite(self) -> int:
+        """
+        Number of transforms with a NaN or an infinity; they are in none of the figures that follow.
+        """
+
+    @property
+    def worst_norm_error(self) -> float:
+        """The greatest difference of a quaternion's length from 1."""
+
+    @property
+    def changes(self) -> int:
+        """Number of transforms that differ from the one before."""
+
+    @property
+    def translation(self) -> tuple[float, float, float]:
+        """
+        Translation x, y, z of the newest transform [m]; of a static one, of the last.
+        """
+
+    @property
+    def rotation_xyzw(self) -> tuple[float, float, float, float]:
+        """Rotation x, y, z, w of the same transform."""
+
+    @property
+    def distance(self) -> Spread:
+        """Distances of the steps [m]."""
+
+    @property
+    def longest(self) -> Step:
+        """The step of the greatest distance."""
+
+    @property
+    def widest(self) -> Step:
+        """The step of the greatest angle."""
+
+    @property
+    def fastest(self) -> Step:
+        """The step of the greatest speed."""
+
+class TfTraffic:
+    """What one publisher has sent on /tf, or on /tf_static."""
+
+    @property
+    def gid(self) -> bytes:
+        """Its gid: 16 octets."""
+
+    @property
+    def is_static(self) -> bool:
+        """Whether this is on /tf_static."""
+
+    @property
+    def has_left(self) -> bool:
+        """Whether it has left."""
+
+    @property
+    def messages(self) -> int:
+        """Number of messages."""
+
+    @property
+    def transforms(self) -> int:
+        """Number of transforms."""
+
+    @property
+    def bytes(self) -> int:
+        """Octets of the messages."""
+
+    @property
+    def unreadable(self) -> int:
+        """Number of messages that are no TFMessage."""
+
+    @property
+    def most_transforms(self) -> int:
+        """The greatest number of transforms in one message."""
+
+    @property
+    def first_received_ns(self) -> int:
+        """Time of the first receipt [ns since epoch]."""
+
+    @property
+    def last_received_ns(self) -> int:
+        """Time of the last receipt [ns since epoch]."""
+
+    @property
+    def period(self) -> Spread:
+        """Times between receipts of its messages [s]."""
+
+    @property
+    def transit(self) -> Spread:
+        """
+        Times from writing, by the publisher's clock, to receipt, by this machine's [s].
+        """
+
+class TfEdge:
+    """One edge of one publisher."""
+
+    @property
+    def child(self) -> str:
+        """The child frame."""
+
+    @property
+    def parent(self) -> str:
+        """The parent frame."""
+
+    @property
+    def gid(self) -> bytes:
+        """The publisher's gid: 16 octets."""
+
+    @property
+    def is_static(self) -> bool:
+        """Whether it came on /tf_static."""
+
+    @property
+    def statistics(self) -> EdgeStatistics:
+        """Its figures."""
+
+class TfChild:
+    """A frame that was a child, on either topic and from any publisher."""
+
+    @property
+    def child(self) -> str:
+        """The frame."""
+
+    @property
+    def parent(self) -> str:
+        """Its parent in the transform received last."""
+
+    @property
+    def reparented(self) -> int:
+        """
+        Number of transforms whose parent was another than that of the child's former one.
+        """
+
+    @property
+    def newest_stamp_ns(self) -> int:
+        """Newest stamp of its moving transforms; 0: none."""
+
+class TfSnapshot:
+    """What an observer has recorded; each list is in order of first receipt."""
+
+    @property
+    def publishers(self) -> list[TfTraffic]:
+        """The publishers."""
+
+    @property
+    def edges(self) -> list[TfEdge]:
+        """The edges."""
+
+    @property
+    def children(self) -> list[TfChild]:
+        """The child frames."""
+
+    @property
+    def unrecorded(self) -> int:
+        """Number of transforms beyond the observer's limits."""
+
+class TfObserverSink(Sink):
+    """Passes the samples of one topic to an observer."""
+
+    def accept_only(self, publishers: Sequence[bytes] | None) -> None:
+        """
+        Ignore the samples of all publishers but these, given by their gids; None: of none.
+        """
+
+class TfObserver:
+    """
+    Statistics of all transforms on /tf and /tf_static, by publisher and edge.
+    """
+
+    def __init__(self, cache_time_ns: int = 10000000000) -> None: ...
+
+    def sink(self, static: bool, buffer: Buffer | None = None) -> TfObserverSink:
+        """
+        Return a sink for `Reader.feed` that records samples of `tf2_msgs/msg/TFMessage` here.
+
+        It also stores the transforms in `buffer`, if there is one, with the publisher's gid in hexadecimal as authority.
+        """
+
+    def record(self, data: bytes, publisher_gid: bytes, received_ns: int, source_stamp_ns: int = 0, static: bool = False) -> bool:
+        """
+        Record a message, given as encapsulation header and CDR; return whether it was readable.
+        """
+
+    def snapshot(self) -> TfSnapshot:
+        """Return a copy of all that is recorded."""
+
+    def clear(self) -> None:
+        """Forget everything."""
+
+    def set_simulated_time(self, now_ns: int | None) -> None:
+        """
+        Set the time with which stamps are compared [ns since epoch]; 0: unknown, delays are not recorded; None: the time of receipt.
+        """
+
+class Chunk:
+    """
+    Messages as MCAP message records, in the order in which they were pushed.
+    """
+
+    @property
+    def start_ns(self) -> int:
+        """Smallest log time [ns since epoch]."""
+
+    @property
+    def end_ns(self) -> int:
+        """Greatest log time [ns since epoch]."""
+
+    @property
+    def message_count(self) -> int:
+        """Number of messages; at least one."""
+
+    @property
+    def ends_file(self) -> bool:
+        """Whether the next chunk belongs to a new file."""
+
+    @property
+    def records(self) -> bytes:
+        """The records."""
+
+    def counts(self) -> list[tuple[int, int]]:
+        """
+        Return (channel, number of messages) for each channel that has messages, in order of channels.
+        """
+
+    def index(self, channel: int, shift: int) -> bytes:
+        """
+        Return a channel's entries of MCAP's message index, in order, with `shift` added to each offset.
+        """
+
+    def messages(self) -> list[tuple[int, int, int, bytes]]:
+        """
+        Return each message as (channel, log time [ns], publish time [ns], data).
+        """
+
+class ChunkSink(Sink):
+    """A sink that pushes the samples of a topic into a ChunkQueue."""
+
+class ChunkQueue:
+    """
+    Messages of a recording, gathered into chunks: any thread pushes, one takes.
+
+    A full queue drops messages and counts them; a ring drops its oldest chunks instead.
+    """
+
+    def __init__(self, chunk_size: int, cache_size: int, duration_ns: int = 0, ring: bool = False) -> None: ...
+
+    def push(self, channel: int, data: bytes, log_time_ns: int, publish_time_ns: int) -> bool:
+        """Append a message; return False if the queue is paused, closed or full."""
+
+    def take(self, timeout_ns: int) -> Chunk | None:
+        """
+        Remove and return the oldest complete chunk, or after the timeout the unfinished one; None if there is no message.
+        """
+
+    def seal(self) -> None:
+        """Complete the unfinished chunk."""
+
+    def end_file(self) -> None:
+        """Complete the unfinished chunk, as the last one of its file."""
+
+    def restart_file(self) -> None:
+        """
+        Let the next message be the first one of a file, from which its duration counts.
+        """
+
+    def close(self) -> None:
+        """Store nothing more; `take` then returns what is left, without waiting."""
+
+    def set_paused(self, paused: bool) -> None:
+        """Set whether messages are discarded, uncounted."""
+
+    def set_simulated_time(self, now_ns: int | None) -> None:
+        """
+        Set the log time of samples [ns since epoch]; 0: unknown, none is stored; None: their time of receipt.
+        """
+
+    def sink(self, channel: int) -> ChunkSink:
+        """
+        Return a sink for `Reader.feed` that pushes a topic's samples with a channel's number.
+        """
+
+    @property
+    def has_chunk(self) -> bool:
+        """Whether a complete chunk is waiting."""
+
+    @property
+    def message_count(self) -> int:
+        """Number of messages that were stored."""
+
+    @property
+    def dropped_count(self) -> int:
+        """Number of messages that a full queue dropped."""
+
+    @property
+    def size(self) -> int:
+        """Size of what has not been taken [bytes]."""
+
+def list_mcap_messages(data: bytes, channels: Iterable[int] | None, start_ns: int, end_ns: int) -> list[tuple[int, int, int, int, int]]:
+    """
+    Return the messages among the MCAP records in `data`, of `channels` (None: all) and with log times from `start_ns` to `end_ns`.
+
+    Each is log time [ns], channel, publish time [ns], and the offset and size of its bytes in `data`. Raises ValueError, with the record's `offset`, if a record is not whole.
+    """
+
+def summarise_mcap(data: bytes, begin: int) -> tuple[dict[int, int], int, int, list[tuple[int, int, int]], int]:
+    """
+    Return what the messages, schemas and channels are that follow each other in `data` from `begin` on.
+
+    They are: the count of messages by channel; the least and the greatest log time [ns]; opcode, offset and size of each other record's content; and the offset of the first record that is of another kind or not whole. Raises ValueError, with the record's `offset`, if a message record is too short.
+    """
+
+class TfRecords:
+    """
+    Stores recorded TFMessages in a buffer, without message objects. It must be used by one thread at a time.
+    """
+
+    def __init__(self, buffer: Buffer) -> None: ...
+
+    def add_topic(self, name: str, static: bool, ros1: bool) -> int:
+        """
+        Return the number of a topic, whose name becomes the authority of its transforms.
+        """
+
+    def insert(self, topic: int, data: bytes) -> None:
+        """Store a message of a topic."""
+
+    def insert_mcap(self, data: bytes, channels: Sequence[tuple[int, int]], start_ns: int, end_ns: int) -> int:
+        """
+        Store the messages among the MCAP records in `data`. Return where the first record begins that is not whole, or the length of `data`.
+
+        `channels` are pairs of a channel and a topic's number. Messages of moving transforms are stored if their log time is from `start_ns` to `end_ns`. Raises ValueError, with the record's `offset`, if a message record is too short.
+        """
+
+    @property
+    def message_count(self) -> int:
+        """Number of messages."""
+
+    @property
+    def dropped_count(self) -> int:
+        """Number of unreadable messages, which were logged."""
 
 class Vector:
     """KDL's vector of three numbers, which can be set."""

@@ -244,6 +244,8 @@ def convert(a: Any, b_type: Any) -> Any:
 
 def _how_to_transform(key: Any, registered: Collection[Any]) -> str:
     """Return a sentence on what to import, or on the stamped type to use; empty if neither helps."""
+    if getattr(key, "__module__", "") == "PyKDL":
+        return "add `import tf2_kdl`, which registers the conversions of PyKDL"
     name = _ros_name(key)
     if name is None or isinstance(key, tuple):
         return ""
