@@ -45,9 +45,9 @@ NODE_ROOMS = [
 
 DOORS = {
     "pygame": ("turtlesim/window.py",),
-    "reportlab": ("tf2_tools/",),
+    "reportlab": ("tf2_tools/drawing/",),
     "argcomplete": ("cli/tab_key.py",),
-    "PIL": ("turtlesim/picture.py", "sensing/image_files.py"),
+    "PIL": ("turtlesim/picture.py", "sensing/image_files.py", "tf2_tools/drawing/png.py"),
     "psutil": ("launch/processes/",),
     "transforms3d": ("tf2_ros/transformations.py",),
     "cv2": ("sensing/opencv.py",),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import signal
 from collections.abc import Callable
@@ -117,6 +118,30 @@ def test_view_frames_matches_the_reference(
     assert masked([text]) == masked([(GOLDEN / "view_frames_out.gv.txt").read_text()])
     assert (tmp_path / "out.pdf").read_bytes() == (tmp_path / "frames.pdf").read_bytes()
     assert (tmp_path / "out.pdf").read_bytes().startswith(b"%PDF-")
+
+
+def test_view_frames_names_the_publishing_node_in_each_format(
+    domain_id: int, start_program: Callable[..., Any], tmp_path: Path
+) -> None:
+    static = start_program(*STATIC, *CAMERA, "--ros-args", "-r", "__node:=calibration")
+    static.wait_for("from 'world' to 'camera'")
+    view = start_program(
+        *VIEW_FRAMES, "-t", "1", "-o", "out", "--format", "svg,html", "--format", "json", cwd=tmp_path
+    )
+    assert view.wait() == 0
+    assert view.output.count("Exporting graph in out.") == 3
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["out.html", "out.json", "out.svg"]
+    (transform,) = json.loads((tmp_path / "out.json").read_text("utf-8"))["transforms"]
+    assert transform["publishers"] == ["/calibration"]
+    assert transform["authority"] == "default_authority"
+    for name in ("out.svg", "out.html"):
+        assert "published by: /calibration" in (tmp_path / name).read_text("utf-8")
+
+
+def test_view_frames_names_its_formats(start_program: Callable[..., Any], tmp_path: Path) -> None:
+    view = start_program(*VIEW_FRAMES, "--format", "svg,jpg", cwd=tmp_path)
+    assert view.wait() == 2
+    assert "argument --format: 'jpg' is not one of gv, html, json, pdf, png, svg" in view.output
 
 
 def test_view_frames_names_its_files_by_the_time(

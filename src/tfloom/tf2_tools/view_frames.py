@@ -1,11 +1,14 @@
-"""view_frames: listen to all transforms for a while, then write the tree as a Graphviz file and as a PDF."""
+"""view_frames: listen to all transforms for a while, then write the tree as a text for Graphviz and as pictures."""
 
 from __future__ import annotations
 
 import argparse
+import json
 import sys
 import time
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -13,13 +16,20 @@ from tfloom.node.client_library import spin_once
 from tfloom.node.context.utilities import ok, remove_ros_args
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
+from tfloom.rmw.base import NodeName
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener
 from tfloom.tf2_tools.frame_records import FrameRecord, parse_frames_yaml, write_gv
+from tfloom.tf2_tools.frame_tree import FrameTree, build_tree, tree_json
+from tfloom.tf2_tools.watch.live import LiveWatch
+from tfloom.tf2_tools.watch.model import Observation
 from tfloom.whole_files import write_file
 
 COPY_NAME = "frames.pdf"
 """The name of the file in tutorials."""
+FORMATS = ("gv", "html", "json", "pdf", "png", "svg")
+"""Endings of the files that `--format` names."""
+DEFAULT_FORMATS = ("gv", "pdf")
 
 
 def parse_arguments(words: list[str]) -> argparse.Namespace:
@@ -35,7 +45,17 @@ def parse_arguments(words: list[str]) -> argparse.Namespace:
     parser.add_argument(
         "-o", "--output", metavar="NAME", help="name of the files (default: frames_ and the date and time)"
     )
+    parser.add_argument(
+        "--format",
+        action="append",
+        type=_formats,
+        metavar="FORMAT",
+        dest="formats",
+        help=f"what to write instead, as NAME.FORMAT: one or more of {', '.join(FORMATS)}, with commas or by "
+        "giving the flag several times",
+    )
     options = parser.parse_args(words)
+    options.formats = list(dict.fromkeys(chain(*options.formats))) if options.formats else None
     if not options.wait_time >= 0.0:
         parser.error("argument -t/--wait-time: must not be negative")
     if options.output and not Path(options.output).parent.is_dir():
@@ -43,31 +63,61 @@ def parse_arguments(words: list[str]) -> argparse.Namespace:
     return options
 
 
-def write_files(frames_yaml: str, name: str, recorded_at: float, folder: Path) -> list[Path]:
-    """Write a tree's text and picture.
+def _formats(text: str) -> list[str]:
+    """Return the formats of a list with commas.
+
+    Raises:
+        argparse.ArgumentTypeError: one is unknown.
+    """
+    formats = text.lower().split(",")
+    for each in formats:
+        if each not in FORMATS:
+            raise argparse.ArgumentTypeError(f"{each!r} is not one of {', '.join(FORMATS)}")
+    return formats
+
+
+def write_files(
+    tree: FrameTree, records: list[FrameRecord], formats: Sequence[str], name: str, folder: Path
+) -> None:
+    """Write a tree's text and pictures, each as NAME.FORMAT.
 
     Args:
-        frames_yaml: The frames, as a buffer's `all_frames_as_yaml` returns them.
+        tree: The tree.
+        records: The frames that it was built of, in the order of the buffer, which is that of the text.
+        formats: Which files, of FORMATS.
         name: Name of the files, without an ending.
-        recorded_at: Time of the recording [s since epoch].
         folder: The folder of the files.
-
-    Returns:
-        The files: NAME.gv, NAME.pdf, and the picture's copy unless it has that name.
 
     Raises:
         OSError: a file can't be written.
     """
-    from tfloom.tf2_tools.frame_drawing import draw_frames
+    for each in formats:
+        write_file(folder / f"{name}.{each}", _content(tree, records, each))
 
-    records = parse_frames_yaml(frames_yaml)
-    text, picture, copy = folder / f"{name}.gv", folder / f"{name}.pdf", folder / COPY_NAME
-    write_file(text, write_gv(records, recorded_at))
-    draw_frames(records, recorded_at, picture)
-    if picture == copy:
-        return [text, picture]
-    write_file(copy, picture.read_bytes())
-    return [text, picture, copy]
+
+def _content(tree: FrameTree, records: list[FrameRecord], file_format: str) -> bytes | str:
+    """Return the content of one file; a drawing is imported when it is needed."""
+    if file_format == "gv":
+        return write_gv(records, tree.recorded_at_s)
+    if file_format == "json":
+        return json.dumps(tree_json(tree), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    from tfloom.tf2_tools.frame_drawing import draw_page, draw_pages
+
+    if file_format == "pdf":
+        from tfloom.tf2_tools.drawing.pdf import pdf_bytes
+
+        return pdf_bytes(draw_pages(tree))
+    if file_format == "png":
+        from tfloom.tf2_tools.drawing.png import png_bytes
+
+        return png_bytes(draw_page(tree))
+    if file_format == "svg":
+        from tfloom.tf2_tools.drawing.svg import svg_text
+
+        return svg_text(draw_page(tree))
+    from tfloom.tf2_tools.frame_page import html_text
+
+    return html_text(tree, draw_page(tree))
 
 
 def generate_dot(data: Mapping[Any, Mapping[str, Any]], recorded_time: tuple[int, int]) -> str:
@@ -103,33 +153,81 @@ def spin_for(node: Node, duration_s: float) -> None:
         spin_once(node, timeout_sec=left)
 
 
+@contextmanager
+def watching(node: Node) -> Iterator[LiveWatch]:
+    """Observe who publishes transforms, for the block, by a hidden node on the node's participant."""
+    name = NodeName("/", f"_{node.get_name()}_observer")
+    participant = node.context.join(name)
+    try:
+        watch = LiveWatch(participant, name)
+        try:
+            yield watch
+        finally:
+            watch.close()
+    finally:
+        node.context.leave(name)
+
+
+def publishers_of(observation: Observation) -> dict[str, list[str]]:
+    """Return the names of the nodes that publish each child's transform from its present parent, by child."""
+    parents = observation.parents()
+    names: dict[str, dict[str, None]] = {}
+    for edge in observation.edges:
+        if parents.get(edge.child) == edge.parent:
+            names.setdefault(edge.child, {})[edge.publisher.label] = None
+    return {child: list(each) for child, each in names.items()}
+
+
 def run(node: Node, options: argparse.Namespace) -> int:
     """Collect transforms and write the files; return the exit code."""
-    buffer = Buffer(node=node)
-    listener = TransformListener(buffer, node)
-    node.get_logger().info(f"Listening to tf data for {options.wait_time} seconds...")
-    spin_for(node, options.wait_time)
-    node.get_logger().info("Generating graph...")
-    frames_yaml = buffer.all_frames_as_yaml()
-    node.get_logger().info(f"Result:tf2_msgs.srv.FrameGraph_Response(frame_yaml={frames_yaml!r})")
-    listener.unregister()
+    report = node.get_logger()
+    with watching(node) as watch:
+        buffer = Buffer(node=node)
+        listener = TransformListener(buffer, node)
+        report.info(f"Listening to tf data for {options.wait_time} seconds...")
+        spin_for(node, options.wait_time)
+        report.info("Generating graph...")
+        frames_yaml = buffer.all_frames_as_yaml()
+        publishers = publishers_of(watch.observation())
+        report.info(f"Result:tf2_msgs.srv.FrameGraph_Response(frame_yaml={frames_yaml!r})")
+        listener.unregister()
     name = options.output or f"frames_{time.strftime('%Y-%m-%d_%H.%M.%S')}"
     try:
         records = parse_frames_yaml(frames_yaml)
     except ValueError as error:  # a frame id from the wire may have any character
-        node.get_logger().error(f"can't draw these frames: {error}")
+        report.error(f"can't draw these frames: {error}")
         return 1
     if not records:
-        node.get_logger().warning(
-            "No tf data received: is anything publishing /tf or /tf_static in this ROS_DOMAIN_ID?"
-        )
-    node.get_logger().info(f"Exporting graph in {name}.pdf file...")
+        report.warning("No tf data received: is anything publishing /tf or /tf_static in this ROS_DOMAIN_ID?")
+    tree = build_tree(records, time.time(), publishers)
     try:
-        write_files(frames_yaml, name, time.time(), Path.cwd())
+        _export(node, (tree, records), options.formats, name)
     except OSError as error:
-        node.get_logger().error(f"can't write {error.filename}: {error.strerror}")
+        report.error(f"can't write {error.filename}: {error.strerror}")
         return 1
     return 0
+
+
+def _export(
+    node: Node, drawn: tuple[FrameTree, list[FrameRecord]], formats: list[str] | None, name: str
+) -> None:
+    """Write the files, in the formats that were asked for or those of the reference, and log their names.
+
+    Raises:
+        OSError: a file can't be written.
+    """
+    report, folder = node.get_logger(), Path.cwd()
+    for each in formats or ["pdf"]:
+        report.info(f"Exporting graph in {name}.{each} file...")
+    write_files(*drawn, formats or DEFAULT_FORMATS, name, folder)
+    picture = folder / f"{name}.pdf"
+    if formats is None and picture != folder / COPY_NAME:
+        write_file(folder / COPY_NAME, picture.read_bytes())
+    if {"html", "pdf", "png", "svg"} & set(formats or DEFAULT_FORMATS):
+        from tfloom.tf2_tools.frame_header import missing_note
+
+        if missing := missing_note(drawn[0]):
+            report.warning(missing)
 
 
 def main(args: list[str] | None = None) -> int:

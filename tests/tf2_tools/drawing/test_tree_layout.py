@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tfloom.tf2_tools.tree_layout import Layout, Size, arrange
+from tfloom.tf2_tools.drawing.tree_layout import Layout, Size, arrange
 
 
 def boxes(layout: Layout, sizes: dict[str, Size]) -> list[tuple[float, float, float, float]]:

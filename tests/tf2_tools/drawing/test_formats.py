@@ -1,0 +1,107 @@
+"""Shapes in each format: where they are drawn, and texts that are hostile to the format."""
+
+from __future__ import annotations
+
+import io
+import math
+from xml.etree import ElementTree as ET
+
+import pytest
+from PIL import Image
+
+from tfloom.tf2_tools.drawing import fonts
+from tfloom.tf2_tools.drawing.fonts import Font, elided, missing_letters, printable
+from tfloom.tf2_tools.drawing.pdf import pdf_bytes
+from tfloom.tf2_tools.drawing.png import MOST_PIXELS, png_bytes
+from tfloom.tf2_tools.drawing.shapes import Box, Curve, Group, Path, Pen, Picture, Text
+from tfloom.tf2_tools.drawing.svg import svg_text
+
+PLAIN = Font(is_bold=False, size=10.0)
+BOLD = Font(is_bold=True, size=10.0)
+RED = Pen("#ff0000", 2.0)
+
+
+def image_of(*shapes: Box | Path | Curve | Text) -> Image.Image:
+    return Image.open(io.BytesIO(png_bytes(Picture(100.0, 50.0, list(shapes), "test"))))
+
+
+def pixel(image: Image.Image, x: float, y: float) -> object:
+    return image.getpixel((round(x * 2), round(y * 2)))
+
+
+def test_png_has_two_pixels_for_each_point() -> None:
+    image = image_of(Box(10.0, 5.0, 20.0, 10.0, "#00ff00"), Path([(50.0, 0.0), (50.0, 50.0)], RED))
+    assert image.size == (200, 100)
+    assert round(image.info["dpi"][0]) == 144
+    assert [pixel(image, *point) for point in ((20, 10), (8, 10), (50, 25))] == [
+        (0, 255, 0),
+        (255, 255, 255),
+        (255, 0, 0),
+    ]
+
+
+def test_dashes_cover_their_share_of_a_line() -> None:
+    image = image_of(Path([(0.0, 25.0), (100.0, 25.0)], Pen("#000000", 2.0, (6.0, 4.0))))
+    dark = sum(image.convert("L").getpixel((x, 50)) < 128 for x in range(200))  # type: ignore[operator]
+    assert dark == pytest.approx(120, abs=12)
+
+
+def test_curves_begin_and_end_at_their_points() -> None:
+    image = image_of(Curve(((10.0, 10.0), (10.0, 40.0), (90.0, 10.0), (90.0, 40.0)), RED))
+    assert pixel(image, 10, 11) == pixel(image, 90, 39) == (255, 0, 0)
+
+
+def test_a_huge_picture_has_fewer_pixels() -> None:
+    image = Image.open(io.BytesIO(png_bytes(Picture(20_000.0, 8_000.0, [], "huge"))))
+    assert math.prod(image.size) <= MOST_PIXELS * 1.01
+
+
+def test_svg_escapes_what_xml_does_not_allow() -> None:
+    hostile = "<script>&\"'\x00\x1b\ud800"
+    group = Group([Text(0.0, 10.0, hostile, PLAIN, "#000000")], hostile, hostile)
+    root = ET.fromstring(svg_text(Picture(10.0, 10.0, [group], hostile)))
+    names = [each.get("data-name") for each in root.iter() if each.get("data-name")]
+    assert names == ["<script>&\"'\\x00\\x1b\\ud800"]
+    assert not [each for each in root.iter() if each.tag.endswith("script")]
+
+
+def test_a_pdf_is_the_same_each_time_and_has_a_page_for_each_picture() -> None:
+    pages = [Picture(100.0, 50.0, [Text(5.0, 20.0, "b", BOLD, "#000000")], "test")] * 3
+    assert pdf_bytes(pages) == pdf_bytes(pages)
+    assert pdf_bytes(pages).count(b"/Type /Page\n") + pdf_bytes(pages).count(b"/Type /Page ") == 3
+
+
+@pytest.mark.parametrize("name", ["лазер", "λέιζερ", "激光雷達", "レーザー", "레이저"])
+def test_letters_of_other_scripts_have_a_font(name: str) -> None:
+    assert printable(name) == name
+    assert missing_letters(name) == ""
+    for font in (PLAIN, BOLD):
+        assert font.width(f"map/{name}") == pytest.approx(font.width("map/") + font.width(name))
+        assert [part for _, part in font.runs(f"map/{name}")] == ["map/", name]
+    assert (
+        pdf_bytes([Picture(99.0, 9.0, [Text(0.0, 8.0, name, PLAIN, "#000000")], "")]).count(b"/FontFile2")
+        == 1
+    )
+
+
+def test_letters_without_a_glyph_are_written_as_escapes(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert printable("\ue123a\n") == r"\ue123a\n"  # of the private use area, which no font has
+    monkeypatch.setattr(fonts, "FACES", fonts.FACES[:1])
+    fonts.face_of.cache_clear()
+    try:
+        assert printable("a激") == r"a\u6fc0"
+        assert missing_letters("激光a\n激") == "光激"
+        assert PLAIN.width("激") == 10.0
+    finally:
+        fonts.face_of.cache_clear()
+
+
+def test_elided_texts_keep_their_ends_and_fit() -> None:
+    assert elided("short", PLAIN, 100.0) == "short"
+    name = "robot_of_the_third_generation/camera_optical_frame"
+    for width in (20.0, 60.0, 150.0, 200.0):
+        short = elided(name, PLAIN, width)
+        assert PLAIN.width(short) <= width
+        start, end = short.split("…")
+        assert name.startswith(start)
+        assert name.endswith(end)
