@@ -7,16 +7,40 @@ from pathlib import Path
 from typing import Any
 
 from tfloom.bag.errors import BagError
-from tfloom.bag.values import RawMessage, Topic
+from tfloom.bag.values import Definition, RawMessage, Topic
 
-__all__ = ["decoder"]
+__all__ = ["class_of", "decoder"]
+
+
+def class_of(path: Path, topic: Topic) -> Any:
+    """Return the message class of a topic: tfloom's, or one made from the recording's own definition.
+
+    Args:
+        path: The recording, for errors.
+        topic: The topic.
+
+    Raises:
+        BagError: its type has no definition, here or in the recording, or that is invalid.
+    """
+    from tfloom.rosidl.described import DescriptionError
+    from tfloom.rosidl.recorded import recorded_class
+
+    definition = topic.definition or Definition("", "")
+    try:
+        return recorded_class(topic.type, definition.encoding, definition.text, topic.type_hash)
+    except DescriptionError as error:
+        raise BagError(path, f"messages of {topic.name} can't be decoded: {error}") from None
 
 
 def decoder(path: Path, topic: Topic) -> Callable[[RawMessage], Any]:
     """Return the function that decodes the messages of a topic.
 
+    Args:
+        path: The recording, for errors.
+        topic: The topic.
+
     Raises:
-        BagError: the topic's bytes aren't CDR, or its type has no definition, here or in the recording.
+        BagError: the topic's bytes aren't CDR, or as `class_of`.
     """
     from tfloom.rosidl.cdr import decode
     from tfloom.rosidl.message import DecodeError
@@ -25,7 +49,7 @@ def decoder(path: Path, topic: Topic) -> Callable[[RawMessage], Any]:
         raise BagError(
             path, f"{topic.name} is serialized as '{topic.serialization_format}', and only cdr is decoded"
         )
-    message_class = _class(path, topic)
+    message_class = class_of(path, topic)
 
     def decode_one(raw: RawMessage) -> Any:
         try:
@@ -36,12 +60,3 @@ def decoder(path: Path, topic: Topic) -> Callable[[RawMessage], Any]:
             ) from None
 
     return decode_one
-
-
-def _class(path: Path, topic: Topic) -> Any:
-    from tfloom.rosidl.registry import get_message_class
-
-    try:
-        return get_message_class(topic.type)
-    except LookupError as error:
-        raise BagError(path, f"the type of {topic.name} has no definition: {error}") from None

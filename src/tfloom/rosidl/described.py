@@ -24,7 +24,7 @@ from tfloom.rosidl.type_hash import (
     type_hash,
 )
 
-__all__ = ["ANNOUNCED", "DescriptionError", "define_described"]
+__all__ = ["ANNOUNCED", "DescriptionError", "check_size", "define_described", "definition_text", "hash_of"]
 
 MOST_TYPES = 500
 MOST_FIELDS = 10_000
@@ -130,8 +130,8 @@ def define_described(name: str, description: TypeDescription, hashes: Mapping[st
         raise ValueError(f"the hashes of {name} must be those of its parts, not of {', '.join(hashes)}")
     types = _table(description)
     for part, announced in hashes.items():
-        _check_size(part, types)
-        if _hash(part, types) != announced:
+        check_size(part, types)
+        if hash_of(part, types) != announced:
             raise DescriptionError(f"the description of {part} does not have the announced hash {announced}")
     texts = _missing_definitions(name, types, hashes)
     with LOCK:
@@ -194,7 +194,7 @@ def _type(owner: str, field: Field) -> spec.Type:
     return spec.Type(base, type_.string_capacity, shape, type_.capacity)
 
 
-def _check_size(name: str, types: Mapping[str, Mapping[str, spec.Type]]) -> None:
+def check_size(name: str, types: Mapping[str, Mapping[str, spec.Type]]) -> None:
     """Check that a type is described, does not contain itself, and that a new message of it is of bounded size.
 
     Raises:
@@ -222,7 +222,7 @@ def _check_size(name: str, types: Mapping[str, Mapping[str, spec.Type]]) -> None
     visit(name, 1)
 
 
-def _hash(name: str, types: Mapping[str, Mapping[str, spec.Type]]) -> str:
+def hash_of(name: str, types: Mapping[str, Mapping[str, spec.Type]]) -> str:
     """Return the hash of a described type."""
     return description_hash(
         {
@@ -261,13 +261,13 @@ def _missing_definitions(
     texts: dict[str, str] = {}
     for each in {name, *map(definition_name, _reachable(hashes, types))}:
         if find_source(each) is None:
-            texts[each] = _definition(each, types)
-        elif each in types and type_hash(find_message(each), find_message) != _hash(each, types):
+            texts[each] = definition_text(each, types)
+        elif each in types and type_hash(find_message(each), find_message) != hash_of(each, types):
             raise DescriptionError(f"{each} differs from the definition here")
     return texts
 
 
-def _definition(name: str, types: Mapping[str, Mapping[str, spec.Type]]) -> str:
+def definition_text(name: str, types: Mapping[str, Mapping[str, spec.Type]]) -> str:
     """Return the text of a described definition.
 
     Raises:

@@ -1,0 +1,184 @@
+"""Classes from the definitions that recordings and other files carry: a type's, followed by those of all types in it.
+
+A definition that exists here is never replaced. A type that the file defines otherwise gets a class of its own, whose
+package has a suffix made from the definition.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from tfloom.rosidl import spec
+from tfloom.rosidl.class_factory import LOCK, load
+from tfloom.rosidl.class_search import UnknownTypeError, find_class, full_name
+from tfloom.rosidl.class_table import forget
+from tfloom.rosidl.described import DescriptionError, check_size, definition_text, hash_of
+from tfloom.rosidl.parse import ParseError
+from tfloom.rosidl.sources import Source, definition_name, find_message, find_source, parse_source, replace
+
+__all__ = ["recorded_class"]
+
+_Types = dict[str, dict[str, spec.Type]]
+"""The types of the fields of each message, by the names of both."""
+
+KINDS = {"MSG": "msg", "SRV": "srv", "ACTION": "action", "IDL": "msg"}
+SUFFIXES = {"ros2msg": "msg", "ros2idl": "idl"}
+LINE = re.compile(r"^={10,}\n(MSG|SRV|ACTION|IDL): (\S+)[^\n]*\n", re.MULTILINE)
+MOST_TEXT = 10_000_000
+"""Of all definitions of a type [characters]."""
+
+
+def recorded_class(name: str, encoding: str, text: str, type_hash: str = "") -> Any:
+    """Return the class of a message that a file defines.
+
+    Args:
+        name: `package/msg/Name`, or `package/Name`; also a part of a service or an action.
+        encoding: `ros2msg` or `ros2idl`; anything else, or an empty text: the file has no definition.
+        text: The definition, and those of the types in it, each after a line of `=` and one with its name.
+        type_hash: The hash that the file states; empty if it states none.
+
+    Raises:
+        DescriptionError: there is no definition, here or in the file, or that of the file is invalid or too large.
+    """
+    name = full_name(name, "msg")
+    ours = _ours(name)
+    if ours is not None and type_hash == ours._TYPE_HASH:
+        return ours
+    if encoding not in SUFFIXES or not text.strip():
+        return _without_definition(name, ours, type_hash)
+    try:
+        texts = _split(name, encoding, text)
+        types = _types(name, texts)
+        check_size(name, types)
+    except (ValueError, LookupError, RecursionError) as error:
+        raise DescriptionError(f"the definition of {name} is invalid: {error}") from None
+    if ours is not None and hash_of(name, types) == ours._TYPE_HASH:
+        return ours
+    with LOCK:
+        return _made(name, texts, types)
+
+
+def _ours(name: str) -> Any:
+    """Return the class of a message that exists here, or None."""
+    try:
+        return find_class(name)
+    except (UnknownTypeError, ParseError):
+        return None
+
+
+def _without_definition(name: str, ours: Any, type_hash: str) -> Any:
+    if ours is None:
+        raise DescriptionError(
+            f"{name} has no definition, here or in the file: source the workspace that has its package"
+        )
+    if type_hash:
+        raise DescriptionError(
+            f"{name} has another definition here than the file says, {type_hash}, and the file does not have it"
+        )
+    return ours
+
+
+def _split(name: str, encoding: str, text: str) -> dict[str, Source]:
+    """Return the definitions by their names, that of the type itself first.
+
+    Raises:
+        ParseError: one is no definition.
+    """
+    if len(text) > MOST_TEXT:
+        raise DescriptionError(f"it is longer than {MOST_TEXT} characters")
+    pieces = LINE.split(text.replace("\r\n", "\n"))
+    found = {} if not pieces[0].strip() else {definition_name(name): pieces[0]}
+    for kind, each, piece in zip(pieces[1::3], pieces[2::3], pieces[3::3], strict=True):
+        found.setdefault(full_name(each, KINDS[kind]), piece)
+    suffix = SUFFIXES[encoding]
+    return {each: Source(piece, f"{each} (recorded).{suffix}") for each, piece in found.items()}
+
+
+def _types(name: str, texts: Mapping[str, Source]) -> _Types:
+    """Return the types of the fields of a message, and of all messages in it.
+
+    Raises:
+        ParseError: a definition is none.
+        LookupError: one is missing.
+    """
+    types: _Types = {}
+    waiting = [name]
+    while waiting:
+        each = waiting.pop()
+        if each in types:
+            continue
+        source = texts.get(definition_name(each))
+        message = find_message(each) if source is None else _message(source, each)
+        types[each] = {field.name: field.type for field in message.wire_fields}
+        waiting += message.references
+    return types
+
+
+def _message(source: Source, name: str) -> spec.Message:
+    for message in spec.messages_of(parse_source(source, definition_name(name))):
+        if message.name == name:
+            return message
+    raise LookupError(f"there is no definition of '{name}'")
+
+
+def _made(name: str, texts: Mapping[str, Source], types: _Types) -> Any:
+    """Return the class of a message that doesn't exist here as the file defines it.
+
+    Raises:
+        DescriptionError: it can't be made.
+    """
+    renamed = _renamed(name, types)
+    sources = {
+        definition_name(each): texts[definition_name(each)]
+        for each in types
+        if each not in renamed and find_source(definition_name(each)) is None
+    }
+    table = {
+        renamed.get(each, each): {field: _with_name(type_, renamed) for field, type_ in fields.items()}
+        for each, fields in types.items()
+    }
+    for new in renamed.values():
+        sources[new] = Source(definition_text(new, table), f"{new} (recorded).msg")
+    before = {each: replace(each, source) for each, source in sources.items()}
+    try:
+        wanted = renamed.get(name, name)
+        if (made := _ours(wanted)) is None:
+            load(definition_name(wanted))
+            made = find_class(wanted)
+    except (ValueError, LookupError) as error:
+        for each, source in before.items():
+            replace(each, source)
+            forget(each)
+        raise DescriptionError(f"{name} can't be made from its definition: {error}") from None
+    return made
+
+
+def _with_name(type_: spec.Type, renamed: Mapping[str, str]) -> spec.Type:
+    return type_._replace(base=renamed.get(type_.base, type_.base))
+
+
+def _renamed(name: str, types: _Types) -> dict[str, str]:
+    """Return new names for the messages that are otherwise here, and for those that have such a message in them.
+
+    Raises:
+        DescriptionError: one is a part of a service or an action.
+    """
+    others = {each for each in types if _differs(each, types)}
+    while more := {each for each in types.keys() - others if others & set(_bases(types[each]))}:
+        others |= more
+    suffix = hash_of(name, types).rpartition("_")[2][:8]
+    for each in others:
+        if each.split("/")[1] != "msg":
+            raise DescriptionError(f"{each} has another definition here than in the file")
+    return {each: each.replace("/", f"_recorded_{suffix}/", 1) for each in others}
+
+
+def _differs(name: str, types: _Types) -> bool:
+    ours = _ours(name)
+    return ours is not None and hash_of(name, types) != ours._TYPE_HASH
+
+
+def _bases(fields: Mapping[str, spec.Type]) -> Iterable[str]:
+    return [type_.base for type_ in fields.values() if not type_.is_primitive]
