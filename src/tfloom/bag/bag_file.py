@@ -11,7 +11,7 @@ from tfloom._native import TfRecords
 from tfloom.bag.compression import CompressionError, copy_decompressed
 from tfloom.bag.errors import BagError
 from tfloom.bag.metadata import FileInformation
-from tfloom.bag.values import Progress, RawMessage, Storage, Topic
+from tfloom.bag.values import Progress, RawMessage, Storage, TfTopic, Topic
 
 __all__ = ["COMPRESSED", "BagFile", "storage_of"]
 
@@ -145,12 +145,12 @@ class BagFile:
     def insert_transforms(
         self,
         into: TfRecords,
-        topics: Mapping[str, int],
+        topics: Mapping[str, TfTopic],
         start_ns: int,
         end_ns: int,
         progress: Progress,
     ) -> None:
-        """Store the transforms of topics, whose numbers `into` has given."""
+        """Store the transforms of topics by name; moving ones if their log times are in [start, end]."""
         was_open = self._storage is not None
         self.storage.insert_transforms(into, topics, start_ns, end_ns, progress)
         if self.is_compressed and not was_open:

@@ -8,12 +8,13 @@ from collections import Counter
 from pathlib import Path
 from typing import NamedTuple
 
+from tfloom import _native
 from tfloom.bag import mcap_records as records
 from tfloom.bag.compression import CompressionError, DamagedError, decompress, decompress_part
 from tfloom.bag.errors import BagError, BagWarning
 from tfloom.bag.mcap_records import Opcode
 
-__all__ = ["Layout", "Span", "decompressed", "read_at", "warn_of_damage"]
+__all__ = ["Layout", "Span", "decompressed", "read_at", "warn_of_damage", "whole_records"]
 
 BLOCK = 1 << 22
 """How much is read at once of messages outside of chunks [bytes]."""
@@ -114,7 +115,24 @@ def decompressed(file: io.FileIO, path: Path, span: Span, size: int | None = Non
         raise BagError(path, str(error), span.offset) from None
 
 
-def warn_of_damage(path: Path, span: Span, reason: str) -> None:
-    """Warn that a span is left out."""
-    text = f"{path}: byte {span.offset}: a chunk of messages is damaged, and left out: {reason}"
+def whole_records(file: io.FileIO, path: Path, span: Span) -> bytes:
+    """Return the whole records of a span; none, after a warning, if they are damaged.
+
+    Raises:
+        BagError: as `decompressed`.
+    """
+    data = decompressed(file, path, span) or b""
+    try:
+        end = _native.summarise_mcap(data, 0)[-1]
+    except ValueError as error:
+        warn_of_damage(path, span, str(error))
+        return b""
+    if end != len(data) and span.is_whole:
+        warn_of_damage(path, span, f"it has no whole record at byte {end}", "it is read up to there")
+    return data[:end] if end != len(data) else data
+
+
+def warn_of_damage(path: Path, span: Span, reason: str, then: str = "it is left out") -> None:
+    """Warn that a span is damaged."""
+    text = f"{path}: byte {span.offset}: a chunk of messages is damaged: {reason}; {then}"
     warnings.warn(BagWarning(text), stacklevel=2)

@@ -10,10 +10,11 @@ from pathlib import Path
 from tfloom import _native
 from tfloom.bag import mcap_records as records
 from tfloom.bag.errors import BagError
-from tfloom.bag.mcap_layout import Layout, Span, decompressed, read_at, warn_of_damage
+from tfloom.bag.mcap_layout import Layout, Span, read_at, warn_of_damage, whole_records
 from tfloom.bag.mcap_scan import Scan
+from tfloom.bag.mcap_sparse import SparseReader
 from tfloom.bag.mcap_summary import read_layout
-from tfloom.bag.values import Definition, Progress, RawMessage, Topic
+from tfloom.bag.values import EARLIEST, LATEST, Definition, Progress, RawMessage, TfTopic, Topic
 
 __all__ = ["McapFile"]
 
@@ -137,7 +138,7 @@ class McapFile:
     def _read(
         self, file: io.FileIO, span: Span, channels: Collection[int], start_ns: int, end_ns: int
     ) -> list[_Found]:
-        data = self._records(file, span)
+        data = whole_records(file, self.path, span)
         try:
             found = _native.list_mcap_messages(data, channels, start_ns, end_ns)
         except ValueError as error:
@@ -145,44 +146,47 @@ class McapFile:
             return []
         return [(log, channel, publish, data[at : at + size]) for log, channel, publish, at, size in found]
 
-    def _records(self, file: io.FileIO, span: Span) -> bytes:
-        """Return the whole records of a span; none, after a warning, if they are damaged."""
-        data = decompressed(file, self.path, span) or b""
-        return data if span.is_whole else data[: _native.summarise_mcap(data, 0)[-1]]
-
     def insert_transforms(
         self,
         into: _native.TfRecords,
-        topics: Mapping[str, int],
+        topics: Mapping[str, TfTopic],
         start_ns: int,
         end_ns: int,
         progress: Progress,
     ) -> None:
-        """Store the transforms of topics, whose numbers `into` has given.
+        """Store the transforms of topics by name; moving ones if their log times are in [start, end].
 
-        Those of static transforms are stored whatever their log time. Only what has messages of these topics is read.
+        Only what has messages of these topics is read.
 
         Raises:
             BagError: the file can't be decompressed.
         """
-        channels = [
-            (each.id, topics[each.topic]) for each in self._layout.channels.values() if each.topic in topics
-        ]
+        known = self._layout.channels.values()
+        channels = {each.id: topics[each.topic].number for each in known if each.topic in topics}
+        static = {each.id for each in known if each.id in channels and topics[each.topic].is_static}
         with self._open() as file:
-            spans = self._wanted(file, [number for number, _ in channels], 0, _MOST)
-            for span in spans:
-                data = self._records(file, span)
-                try:
-                    end = into.insert_mcap(data, channels, start_ns, end_ns)
-                except ValueError as error:
-                    warn_of_damage(self.path, span, str(error))
-                else:
-                    if end != len(data):
-                        warn_of_damage(self.path, span, f"the record at byte {end} does not fit into it")
+            wanted = [
+                *self._wanted(file, channels, start_ns, end_ns),
+                *self._wanted(file, static, EARLIEST, LATEST),
+            ]
+            reader = SparseReader(file, self.path, channels)
+            for _, span in sorted({each.offset: each for each in wanted}.items()):
+                for data in reader.records(span):
+                    self._insert(into, span, data, channels, (start_ns, end_ns))
                 progress(span.stored_size)
 
-
-_MOST = 2**64 - 1
+    def _insert(
+        self,
+        into: _native.TfRecords,
+        span: Span,
+        data: bytes,
+        channels: Mapping[int, int],
+        times: tuple[int, int],
+    ) -> None:
+        try:
+            into.insert_mcap(data, list(channels.items()), *times)
+        except ValueError as error:
+            warn_of_damage(self.path, span, str(error))
 
 
 def _in_order(spans: list[Span], read: Callable[[Span], list[_Found]]) -> Iterator[_Found]:
@@ -194,7 +198,7 @@ def _in_order(spans: list[Span], read: Callable[[Span], list[_Found]]) -> Iterat
     for index, span in enumerate(spans):
         waiting += read(span)
         waiting.sort(key=lambda found: found[0])
-        limit = spans[index + 1].start_ns if index + 1 < len(spans) else _MOST
+        limit = spans[index + 1].start_ns if index + 1 < len(spans) else LATEST + 1
         count = next((at for at, found in enumerate(waiting) if found[0] >= limit), len(waiting))
         yield from waiting[:count]
         del waiting[:count]

@@ -10,7 +10,7 @@ from typing import Any
 
 from tfloom._native import TfRecords
 from tfloom.bag.errors import BagError
-from tfloom.bag.values import Definition, Progress, RawMessage, Topic
+from tfloom.bag.values import EARLIEST, LATEST, Definition, Progress, RawMessage, TfTopic, Topic
 
 __all__ = ["Ros1File"]
 
@@ -82,19 +82,21 @@ class Ros1File:
     def insert_transforms(
         self,
         into: TfRecords,
-        topics: Mapping[str, int],
+        topics: Mapping[str, TfTopic],
         start_ns: int,
         end_ns: int,
         progress: Progress,
     ) -> None:
-        """Store the transforms of topics, whose numbers `into` has given.
+        """Store the transforms of topics by name; moving ones if their log times are in [start, end].
 
         Raises:
             BagError: the file is damaged.
         """
-        for raw in self.messages(list(topics), start_ns, end_ns):
-            into.insert(topics[raw.topic], raw.data)
-            progress(len(raw.data))
+        for is_static, start, end in ((False, start_ns, end_ns), (True, EARLIEST, LATEST)):
+            names = [name for name, each in topics.items() if each.is_static == is_static]
+            for raw in self.messages(names, start, end):
+                into.insert(topics[raw.topic].number, raw.data)
+                progress(len(raw.data))
 
 
 def _topic(name: str, about: Any) -> Topic:

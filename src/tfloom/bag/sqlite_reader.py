@@ -14,7 +14,7 @@ from typing import Any
 from tfloom._native import TfRecords
 from tfloom.bag.compression import CompressionError, decompress_message
 from tfloom.bag.errors import BagError
-from tfloom.bag.values import Definition, Progress, RawMessage, Topic
+from tfloom.bag.values import EARLIEST, LATEST, Definition, Progress, RawMessage, TfTopic, Topic
 
 __all__ = ["SqliteFile"]
 
@@ -96,21 +96,23 @@ class SqliteFile:
     def insert_transforms(
         self,
         into: TfRecords,
-        topics: Mapping[str, int],
+        topics: Mapping[str, TfTopic],
         start_ns: int,
         end_ns: int,
         progress: Progress,
     ) -> None:
-        """Store the transforms of topics, whose numbers `into` has given.
+        """Store the transforms of topics by name; moving ones if their log times are in [start, end].
 
         Raises:
             BagError: the file is damaged.
         """
-        numbers = {key: topics[each.name] for key, each in self._topics.items() if each.name in topics}
+        wanted = {key: topics[each.name] for key, each in self._topics.items() if each.name in topics}
         with self._open() as database:
-            for topic, _, data in _rows(database, numbers, start_ns, end_ns):
-                into.insert(numbers[topic], self._message(data))
-                progress(len(data))
+            for is_static, start, end in ((False, start_ns, end_ns), (True, EARLIEST, LATEST)):
+                ids = [key for key, each in wanted.items() if each.is_static == is_static]
+                for topic, _, data in _rows(database, ids, start, end):
+                    into.insert(wanted[topic].number, self._message(data))
+                    progress(len(data))
 
 
 def _check_signature(path: Path) -> None:

@@ -10,7 +10,7 @@ from tfloom.bag.bag import Bag
 from tfloom.bag.errors import BagError
 from tfloom.bag.opening import open_bag
 from tfloom.bag.progress import progress_line
-from tfloom.bag.values import EARLIEST, LATEST, Topic
+from tfloom.bag.values import EARLIEST, LATEST, TfTopic, Topic
 from tfloom.tf2.buffer import Buffer
 
 __all__ = ["frames", "insert_frames"]
@@ -85,7 +85,9 @@ def insert_frames(
         raise BagError(bag.path, _nothing(bag, prefix))
     records = TfRecords(buffer)
     numbers = {
-        topic.name: records.add_topic(topic.name, is_static, topic.serialization_format == "ros1")
+        topic.name: TfTopic(
+            records.add_topic(topic.name, is_static, topic.serialization_format == "ros1"), is_static
+        )
         for topics, is_static in ((moving, False), (static, True))
         for topic in topics
     }

@@ -52,6 +52,15 @@ class RawMessage(NamedTuple):
     """Its serialized bytes; for CDR, with the encapsulation header."""
 
 
+class TfTopic(NamedTuple):
+    """A topic whose transforms are stored."""
+
+    number: int
+    """What `TfRecords.add_topic` returned."""
+    is_static: bool
+    """Whether its transforms are static, and therefore stored whatever their log times."""
+
+
 Progress = Callable[[int], object]
 """Called with the number of bytes that were read since the call before."""
 
@@ -75,12 +84,9 @@ class Storage(Protocol):
     def insert_transforms(
         self,
         into: TfRecords,
-        topics: Mapping[str, int],
+        topics: Mapping[str, TfTopic],
         start_ns: int,
         end_ns: int,
         progress: Progress,
     ) -> None:
-        """Store the transforms of topics, whose numbers `into` has given.
-
-        Those of static transforms are stored whatever their log time.
-        """
+        """Store the transforms of topics by name; moving ones if their log times are in [start, end]."""
