@@ -11,9 +11,12 @@
 #include <optional>
 #include <vector>
 
+#include "bag/tf_records.hpp"
 #include "bindings/gil.hpp"
 #include "bindings/tf2_arguments.hpp"
 #include "bindings/tf2_buffer.hpp"
+#include "cdr/cursor.hpp"
+#include "cdr/tf_message.hpp"
 #include "cdr/tf_observer.hpp"
 
 namespace nb = nanobind;
@@ -61,13 +64,32 @@ Gid gid_of(const nb::bytes& octets) {
   return gid;
 }
 
+std::vector<tf2::Entry> read_entries(std::span<const std::byte> octets, bool is_ros1, bool& is_readable) {
+  std::vector<tf2::Entry> entries;
+  try {
+    if (is_ros1) {
+      bag::read_ros1_tf_message(octets, entries);
+    } else {
+      cdr::read_tf_message(octets, entries);
+    }
+    is_readable = true;
+  } catch (const cdr::PathError&) {
+    entries.clear();
+    is_readable = false;
+  }
+  return entries;
+}
+
 bool record(TfObserver& observer, const nb::bytes& data, const nb::bytes& publisher_gid, StampArgument received,
-            StampArgument source_stamp, bool is_static) {
-  const SampleInfo info{source_stamp.value, received.value, gid_of(publisher_gid)};
+            bool is_static, bool is_ros1, const BufferHandle* buffer) {
+  const SampleInfo info{0, received.value, gid_of(publisher_gid)};
   const std::span octets(static_cast<const std::byte*>(data.data()), data.size());
   const ReleasedGil release;
-  std::vector<tf2::Entry> entries;
-  return observer.record(octets, info, is_static, entries);
+  bool is_readable = false;
+  const std::vector<tf2::Entry> entries = read_entries(octets, is_ros1, is_readable);
+  observer.record(entries, info, is_static, octets.size(), is_readable);
+  if (buffer != nullptr) buffer->buffer->set(entries, "recorded", is_static);
+  return is_readable;
 }
 
 void accept_only(TfObserverSink& sink, std::optional<std::vector<nb::bytes>> publishers) {
@@ -177,6 +199,7 @@ void bind_tf2_observer(nb::module_& m) {
   nb::class_<TfObserverSink, Sink>(m, "TfObserverSink", "Passes the samples of one topic to an observer.")
       .def("accept_only", &accept_only, "publishers"_a.none(),
            "Ignore the samples of all publishers but these, given by their gids; None: of none.");
+  nb::class_<cdr::TfClockSink, Sink>(m, "TfClockSink", "Passes the time on /clock to an observer.");
   nb::class_<TfObserver>(m, "TfObserver", "Statistics of all transforms on /tf and /tf_static, by publisher and edge.")
       .def(nb::new_([](StampArgument cache_time) { return std::make_shared<TfObserver>(cache_time.value); }),
            "cache_time_ns"_a = tf2::Buffer::default_cache_time)
@@ -184,11 +207,17 @@ void bind_tf2_observer(nb::module_& m) {
            "Return a sink for `Reader.feed` that records samples of `tf2_msgs/msg/TFMessage` here.\n\n"
            "It also stores the transforms in `buffer`, if there is one, with the publisher's gid in hexadecimal as "
            "authority.")
-      .def("record", &record, "data"_a, "publisher_gid"_a, "received_ns"_a, "source_stamp_ns"_a = 0,
-           "static"_a = false,
-           "Record a message, given as encapsulation header and CDR; return whether it was readable.")
+      .def("clock_sink", [](const std::shared_ptr<TfObserver>& self) { return std::make_unique<cdr::TfClockSink>(self); },
+           "Return a sink for `Reader.feed` that takes the simulated time from samples of `rosgraph_msgs/msg/Clock`.")
+      .def("record", &record, "data"_a, "publisher_gid"_a, "received_ns"_a, "static"_a = false, "ros1"_a = false,
+           "buffer"_a.none() = nb::none(),
+           "Record a recorded message, and store its transforms in `buffer`, if there is one.\n\n"
+           "`data` is a `tf2_msgs/msg/TFMessage`: encapsulation header and CDR, or ROS 1's form. Return whether it was "
+           "readable.")
       .def("snapshot", &snapshot_of, "Return a copy of all that is recorded.")
       .def("clear", &TfObserver::clear, "Forget everything.")
+      .def("simulated_time", &TfObserver::simulated_time,
+           "Return the time with which stamps are compared [ns since epoch]; 0: unknown; None: the time of receipt.")
       .def("set_simulated_time", &TfObserver::set_simulated_time, "now_ns"_a.none(),
            "Set the time with which stamps are compared [ns since epoch]; 0: unknown, delays are not recorded; None: "
            "the time of receipt.");

@@ -24,27 +24,16 @@ std::string hexadecimal(const Gid& gid) {
   return text;
 }
 
-bool read(std::span<const std::byte> data, std::vector<tf2::Entry>& entries) {
-  try {
-    read_tf_message(data, entries);
-    return true;
-  } catch (const DecodeError&) {
-    entries.clear();
-    return false;
-  }
-}
-
 }  // namespace
 
-bool TfObserver::record(std::span<const std::byte> data, const SampleInfo& info, bool is_static,
-                        std::vector<tf2::Entry>& entries) {
-  const bool is_readable = read(data, entries);
+void TfObserver::record(std::span<const tf2::Entry> entries, const SampleInfo& info, bool is_static, std::size_t size,
+                        bool is_readable) {
   const tf2::Stamp received = bounded(info.received_stamp_ns);
   const std::lock_guard lock(mutex_);
   const auto id = find_publisher(info.publisher_gid, is_static);
   if (!id) {
     unrecorded_ += entries.size();
-    return is_readable;
+    return;
   }
   TfTraffic& traffic = publishers_[*id];
   if (traffic.messages == 0) {
@@ -55,14 +44,13 @@ bool TfObserver::record(std::span<const std::byte> data, const SampleInfo& info,
   traffic.has_left = false;
   traffic.last_received = received;
   ++traffic.messages;
-  traffic.bytes += data.size();
+  traffic.bytes += size;
   if (!is_readable) ++traffic.unreadable;
   traffic.transforms += entries.size();
   traffic.most_transforms = std::max<std::uint64_t>(traffic.most_transforms, entries.size());
   if (info.source_stamp_ns != 0) traffic.transit.add(seconds(received - bounded(info.source_stamp_ns)));
   const tf2::Stamp now = bounded(simulated_time_.value_or(received));
   for (const tf2::Entry& entry : entries) add(*id, entry, received, now);
-  return is_readable;
 }
 
 void TfObserver::add(Id publisher, const tf2::Entry& entry, tf2::Stamp received, tf2::Stamp now) {
@@ -146,6 +134,11 @@ void TfObserver::set_simulated_time(std::optional<tf2::Stamp> now) {
   simulated_time_ = now;
 }
 
+std::optional<tf2::Stamp> TfObserver::simulated_time() const {
+  const std::lock_guard lock(mutex_);
+  return simulated_time_;
+}
+
 void TfObserver::clear() {
   const std::lock_guard lock(mutex_);
   publishers_.clear();
@@ -181,7 +174,14 @@ void TfObserverSink::push(std::span<const std::byte> data, const SampleInfo& inf
   try {
     if (!accepts(info.publisher_gid)) return;
     std::vector<tf2::Entry> entries;
-    observer_->record(data, info, is_static_, entries);
+    bool is_readable = true;
+    try {
+      read_tf_message(data, entries);
+    } catch (const DecodeError&) {
+      entries.clear();
+      is_readable = false;
+    }
+    observer_->record(entries, info, is_static_, data.size(), is_readable);
     if (buffer_ != nullptr && !entries.empty()) buffer_->set(entries, hexadecimal(info.publisher_gid), is_static_);
     signal_push();
   } catch (...) {  // out of memory: the message is dropped
@@ -196,6 +196,17 @@ void TfObserverSink::accept_only(std::optional<std::vector<Gid>> publishers) {
 bool TfObserverSink::accepts(const Gid& publisher) const {
   const std::lock_guard lock(mutex_);
   return !accepted_ || std::ranges::find(*accepted_, publisher) != accepted_->end();
+}
+
+void TfClockSink::push(std::span<const std::byte> data, const SampleInfo&) noexcept {
+  try {
+    Cursor in(data);
+    const auto sec = in.read<std::int32_t>();
+    const auto nanosec = in.read<std::uint32_t>();
+    observer_->set_simulated_time(sec * std::int64_t{1'000'000'000} + nanosec);
+    signal_push();
+  } catch (...) {  // no Clock: the former time stays
+  }
 }
 
 }  // namespace tfloom::cdr

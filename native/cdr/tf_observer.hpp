@@ -68,14 +68,15 @@ class TfObserver {
   TfObserver(const TfObserver&) = delete;
   TfObserver& operator=(const TfObserver&) = delete;
 
-  // Record a message. Its transforms are appended to `entries`, as views into `data`. Return whether it was readable.
-  bool record(std::span<const std::byte> data, const SampleInfo& info, bool is_static,
-              std::vector<tf2::Entry>& entries);
+  // Record a message of `size` octets that has these transforms, or that was not readable, and then has none.
+  void record(std::span<const tf2::Entry> entries, const SampleInfo& info, bool is_static, std::size_t size,
+              bool is_readable);
   void mark_left(const Gid& publisher, bool is_static);
 
   // Set the simulated time, with which stamps are compared; 0: it has not been received, and delays are not recorded.
   // nullopt: stamps are compared with the time of receipt.
   void set_simulated_time(std::optional<tf2::Stamp> now);
+  [[nodiscard]] std::optional<tf2::Stamp> simulated_time() const;
   void clear();
 
   [[nodiscard]] TfSnapshot snapshot() const;
@@ -145,6 +146,17 @@ class TfObserverSink final : public Sink {
   const std::shared_ptr<tf2::Buffer> buffer_;  // thread-safe by itself; null: none
   mutable std::mutex mutex_;
   std::optional<std::vector<Gid>> accepted_;  // guarded by mutex_
+};
+
+// Passes the time on /clock to an observer, as the simulated one.
+class TfClockSink final : public Sink {
+ public:
+  explicit TfClockSink(std::shared_ptr<TfObserver> observer) : observer_(std::move(observer)) {}
+
+  void push(std::span<const std::byte> data, const SampleInfo& info) noexcept override;
+
+ private:
+  const std::shared_ptr<TfObserver> observer_;  // thread-safe by itself
 };
 
 }  // namespace tfloom::cdr

@@ -1052,6 +1052,9 @@ class TfObserverSink(Sink):
         Ignore the samples of all publishers but these, given by their gids; None: of none.
         """
 
+class TfClockSink(Sink):
+    """Passes the time on /clock to an observer."""
+
 class TfObserver:
     """
     Statistics of all transforms on /tf and /tf_static, by publisher and edge.
@@ -1066,9 +1069,16 @@ class TfObserver:
         It also stores the transforms in `buffer`, if there is one, with the publisher's gid in hexadecimal as authority.
         """
 
-    def record(self, data: bytes, publisher_gid: bytes, received_ns: int, source_stamp_ns: int = 0, static: bool = False) -> bool:
+    def clock_sink(self) -> TfClockSink:
         """
-        Record a message, given as encapsulation header and CDR; return whether it was readable.
+        Return a sink for `Reader.feed` that takes the simulated time from samples of `rosgraph_msgs/msg/Clock`.
+        """
+
+    def record(self, data: bytes, publisher_gid: bytes, received_ns: int, static: bool = False, ros1: bool = False, buffer: Buffer | None = None) -> bool:
+        """
+        Record a recorded message, and store its transforms in `buffer`, if there is one.
+
+        `data` is a `tf2_msgs/msg/TFMessage`: encapsulation header and CDR, or ROS 1's form. Return whether it was readable.
         """
 
     def snapshot(self) -> TfSnapshot:
@@ -1076,6 +1086,11 @@ class TfObserver:
 
     def clear(self) -> None:
         """Forget everything."""
+
+    def simulated_time(self) -> int | None:
+        """
+        Return the time with which stamps are compared [ns since epoch]; 0: unknown; None: the time of receipt.
+        """
 
     def set_simulated_time(self, now_ns: int | None) -> None:
         """

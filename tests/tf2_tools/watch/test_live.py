@@ -8,7 +8,9 @@ from contextlib import closing
 
 import pytest
 
+from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
+from tfloom.interfaces.rosgraph_msgs.msg import Clock
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rmw import local
 from tfloom.rmw.backends import open_participant
@@ -122,14 +124,15 @@ def test_simulated_time_replaces_that_of_receipt() -> None:
         opened.add_node(ROBOT)
         opened.add_node(WATCHER)
         writer = open_writer(opened, "/tf", QoS())
-        now = [0]
-        with closing(LiveWatch(opened, WATCHER, simulated_ns=lambda: now[0])) as watch:
+        clock = opened.create_writer(ROBOT, topic_of(Clock, "/clock"), QoS())
+        with closing(LiveWatch(opened, WATCHER, simulated=True)) as watch:
             writer.write(message("odom", "base"))
+            assert watch.now_ns() == 0
             (edge,) = watch.observation().edges
             assert edge.statistics.delay.count == 0
-            now[0] = time.time_ns() + 5_000_000_000
-            watch.observation()
+            now_s = int(time.time()) + 5
+            clock.write(cdr.encode(Clock(clock=Time(sec=now_s, nanosec=7))))
             writer.write(message("odom", "base"))
-            (edge,) = watch.observation().edges
-            assert edge.statistics.delay.greatest == pytest.approx(5.0, abs=0.5)
-            assert watch.observation().started_ns == watch.now_ns() == now[0]
+            seen = watch.observation()
+            assert seen.edges[0].statistics.delay.greatest == pytest.approx(5.0, abs=1.5)
+            assert seen.started_ns == seen.taken_ns == now_s * 1_000_000_000 + 7

@@ -85,29 +85,32 @@ def opened(name: str, args: argparse.Namespace, *, buffer: Buffer | None = None)
     Raises:
         CommandError: the file is no such file.
     """
+    topics = full_topic_name(args.tf_topic), full_topic_name(args.tf_static_topic)
     if not is_live(name):
-        try:
-            yield open_path(Path(name), buffer=buffer)
-        except StaticFileError as error:
-            raise CommandError(str(error)) from None
+        yield _read(Path(name), topics, buffer)
         return
-    from tfloom.cli.sim_time import clock, wait_until_known
+    from tfloom.cli.sim_time import wait_until_known
     from tfloom.tf2_tools.watch.live import LiveWatch
 
-    topics = full_topic_name(args.tf_topic), full_topic_name(args.tf_static_topic)
     with (
         graph.joined_participant() as participant,
         shown_node(participant, cli_node()) as node,
-        clock(participant, node, simulated=args.use_sim_time) as now_ns,
+        closing(
+            LiveWatch(participant, node, buffer=buffer, topics=topics, simulated=args.use_sim_time)
+        ) as watch,
     ):
-        simulated_ns = now_ns if args.use_sim_time else None
-        with closing(
-            LiveWatch(participant, node, buffer=buffer, topics=topics, simulated_ns=simulated_ns)
-        ) as watch:
-            graph.wait_until_quiet(participant.graph, args.spin_time)
-            if args.use_sim_time:
-                wait_until_known(now_ns)
-            yield watch
+        graph.wait_until_quiet(participant.graph, args.spin_time)
+        wait_until_known(watch.now_ns)
+        yield watch
+
+
+def _read(path: Path, topics: tuple[str, str], buffer: Buffer | None) -> Source:
+    from tfloom.bag.errors import BagError
+
+    try:
+        return open_path(path, buffer=buffer, topics=topics)
+    except (StaticFileError, BagError) as error:
+        raise CommandError(str(error)) from None
 
 
 def wait_for(source: Source, is_enough: Callable[[Observation], bool], timeout_s: float) -> Observation:

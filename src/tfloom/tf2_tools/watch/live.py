@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
 
 from tfloom._native import ReadyQueue, TfObserver, TfObserverSink
+from tfloom.interfaces.rosgraph_msgs.msg import Clock
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rmw.base import EndpointInfo, NodeName, Participant, Reader
 from tfloom.rmw.compatibility import incompatible_policies
@@ -23,8 +23,9 @@ REQUESTED_QOS = (
 """Of the readers of moving and of static transforms: as a transform listener requests, but for the depth."""
 LOOSE_QOS = QoS(ReliabilityPolicy.BEST_EFFORT, DurabilityPolicy.VOLATILE, depth=1000)
 """Of the readers of publishers that offer less, from which a transform listener receives nothing."""
-LOOK_S = 0.05
-"""Period at which a wait reads the graph, for publishers of another quality, and the simulated time [s]."""
+CLOCK_QOS = QoS(ReliabilityPolicy.BEST_EFFORT, depth=1)
+LOOK_S = 0.1
+"""Period at which a wait reads the graph, for publishers of another quality [s]."""
 
 
 class LiveWatch:
@@ -39,7 +40,7 @@ class LiveWatch:
         buffer: A buffer to fill as well, in the same pass; authorities are the publishers' gids in hexadecimal.
         topics: The topics of moving and of static transforms.
         cache_time_ns: Age beyond a frame's newest stamp above which a transform counts as too old [ns].
-        simulated_ns: Returns a simulated time [ns], 0 before it is known; None: time is this machine's.
+        simulated: Whether stamps are compared with the time on /clock, not with this machine's.
     """
 
     def __init__(
@@ -50,10 +51,9 @@ class LiveWatch:
         buffer: Buffer | None = None,
         topics: tuple[str, str] = TOPICS,
         cache_time_ns: int = 10_000_000_000,
-        simulated_ns: Callable[[], int] | None = None,
+        simulated: bool = False,
     ) -> None:
         self.buffer = buffer
-        self._simulated_ns = simulated_ns
         self._participant = participant
         self._node = node
         self._topics = topics
@@ -66,7 +66,8 @@ class LiveWatch:
         self._sinks: list[TfObserverSink] = []
         self._loose: dict[bool, TfObserverSink] = {}
         self._started_ns = 0
-        self._pass_time()
+        if simulated:
+            self._read_clock()
         for is_static, qos in enumerate(REQUESTED_QOS):
             self._read(qos, static=bool(is_static))
         self._look()
@@ -83,8 +84,8 @@ class LiveWatch:
         return sink
 
     def _look(self) -> None:
-        """Pass the time, and read the graph if it has changed: publishers' names, and those of another quality."""
-        self._pass_time()
+        """Read the graph if it has changed: publishers' names, and those of another quality."""
+        self._started_ns = self._started_ns or self.now_ns()
         graph = self._participant.graph
         if (changes := graph.changes()) == self._changes:
             return
@@ -111,16 +112,16 @@ class LiveWatch:
         elif gids:
             self._loose[is_static] = self._read(LOOSE_QOS, static=is_static, only=gids)
 
-    def now_ns(self) -> int:
-        """Return the time [ns since epoch]: this machine's, or the simulated one, 0 before it is known."""
-        return time.time_ns() if self._simulated_ns is None else self._simulated_ns()
+    def _read_clock(self) -> None:
+        self._observer.set_simulated_time(0)
+        reader = self._participant.create_reader(self._node, topic_of(Clock, "/clock"), CLOCK_QOS)
+        self._readers.append(reader)
+        reader.feed(self._observer.clock_sink())
 
-    def _pass_time(self) -> None:
-        """Pass a simulated time to the observer; the observation began at the first time that is known."""
-        now_ns = self.now_ns()
-        self._started_ns = self._started_ns or now_ns
-        if self._simulated_ns is not None:
-            self._observer.set_simulated_time(now_ns)
+    def now_ns(self) -> int:
+        """Return the time [ns since epoch]: this machine's, or that on /clock, 0 before it is known."""
+        simulated_ns = self._observer.simulated_time()
+        return time.time_ns() if simulated_ns is None else simulated_ns
 
     def wait(self, end_s: float) -> None:
         """Wait for a transform until `end_s` on the monotonic clock [s]; return at once if one came since last time."""

@@ -21,6 +21,7 @@ def observe_recorded(
     *,
     buffer: Buffer | None = None,
     topics: tuple[str, str] = TOPICS,
+    ros1: bool = False,
     cache_time_ns: int = 10_000_000_000,
 ) -> Observation:
     """Return what recorded messages hold. Each topic counts as one publisher, because recordings name none.
@@ -30,16 +31,16 @@ def observe_recorded(
         origin: The name of the recording, for texts.
         buffer: A buffer to fill as well.
         topics: The topics of moving and of static transforms.
+        ros1: Whether the messages are serialized as by ROS 1.
         cache_time_ns: Age beyond a frame's newest stamp above which a transform counts as too old [ns].
     """
     observer = TfObserver(cache_time_ns)
     gids = {topic: hashlib.sha256(f"{origin}\0{topic}".encode()).digest()[:16] for topic in topics}
-    sinks = {topic: observer.sink(topic == topics[True], buffer) for topic in topics}
     first_ns = last_ns = 0
     for topic, received_ns, data in messages:
-        if (sink := sinks.get(topic)) is None:
+        if topic not in gids:
             continue
-        sink.push(data, 0, received_ns, gids[topic])
+        observer.record(data, gids[topic], received_ns, topic == topics[True], ros1, buffer)
         first_ns = first_ns or received_ns
         last_ns = received_ns
     described = dict.fromkeys(gids.values(), Description(origin=origin))

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Protocol
 
 from tfloom.tf2.buffer import Buffer
-from tfloom.tf2_tools.static_file import StaticFileError, encoded, read_statics
-from tfloom.tf2_tools.watch.model import STATIC_TOPIC, Observation
+from tfloom.tf2_tools.static_file import encoded, read_statics
+from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TOPICS, Observation
 from tfloom.tf2_tools.watch.recorded import RecordedMessage, observe_recorded
 
 __all__ = ["LIVE", "Source", "Still", "is_static_file", "open_path"]
@@ -63,19 +64,49 @@ def is_static_file(path: Path) -> bool:
     return path.suffix.lower() in STATIC_FILES and path.name != "metadata.yaml"
 
 
-def open_path(path: Path, *, buffer: Buffer | None = None) -> Still:
+def open_path(path: Path, *, buffer: Buffer | None = None, topics: tuple[str, str] = TOPICS) -> Still:
     """Read a bag or a file of static transforms.
 
     Args:
         path: A file that ends in .yaml or .yml, or a bag.
         buffer: A buffer to fill as well.
+        topics: The topics of moving and of static transforms, of a bag.
 
     Raises:
         StaticFileError: it is no file of static transforms.
+        BagError: it is no bag, or has no transforms.
         OSError: it can't be read.
     """
     if not is_static_file(path):
-        raise StaticFileError(f"{path}: not a file of static transforms (.yaml); bags can't be read yet")
+        return Still(_observe_bag(path, topics, buffer), buffer)
     now_ns = time.time_ns()
     message: RecordedMessage = STATIC_TOPIC, now_ns, encoded(read_statics(path), now_ns)
     return Still(observe_recorded([message], str(path), buffer=buffer), buffer)
+
+
+def _observe_bag(path: Path, topics: tuple[str, str], buffer: Buffer | None) -> Observation:
+    from tfloom.bag.errors import BagError
+    from tfloom.bag.opening import open_bag
+    from tfloom.bag.tf_frames import TF_TYPES
+
+    with open_bag(path) as bag:
+        there = {topic.name: topic for topic in bag.topics.values() if topic.type in TF_TYPES}
+        names = {recorded: name for name in topics for recorded in _spellings(name, there)}
+        if not names:
+            others = ", ".join(sorted(there)) or "none"
+            raise BagError(
+                path, f"it has neither {topics[0]} nor {topics[1]}; its topics of transforms are: {others}"
+            )
+        ros1 = any(there[recorded].serialization_format == "ros1" for recorded in names)
+        return observe_recorded(
+            ((names[each.topic], each.log_time_ns, each.data) for each in bag.messages(list(names))),
+            str(path),
+            buffer=buffer,
+            topics=topics,
+            ros1=ros1,
+        )
+
+
+def _spellings(name: str, there: Iterable[str]) -> list[str]:
+    """Return the topic of this name, which recordings of ROS 1 may have without its first slash."""
+    return [each for each in there if each.lstrip("/") == name.lstrip("/")]
