@@ -21,7 +21,7 @@ SHELVES = [
     ["node"],
     ["tf2_ros", "workspace"],
     ["bag"],
-    ["tf2_tools", "turtlesim", "sensing", "demos", "drop_in", "launch"],
+    ["tf2_tools", "turtlesim", "sensing", "robot", "demos", "drop_in", "launch"],
     ["cli", "pyinstaller"],
 ]
 """The rooms, from the bottom up; rooms on one shelf don't import each other, except interfaces rosidl."""
@@ -75,6 +75,7 @@ NATIVE_ROOMS = {
     "kdl": {"tf2"},
     "cdr": {"core", "tf2"},
     "bag": {"core", "tf2", "cdr"},
+    "robot": {"core", "tf2", "cdr"},
     "rtps": {"core"},
     "dds": {"core", "rtps"},
 }

@@ -12,5 +12,6 @@ void bind_tf2(nanobind::module_& m);
 void bind_bag(nanobind::module_& m);
 void bind_bag_reading(nanobind::module_& m);
 void bind_kdl(nanobind::module_& m);
+void bind_robot(nanobind::module_& m);
 
 }  // namespace tfloom::bindings

@@ -13,4 +13,5 @@ NB_MODULE(_native, m) {
   tfloom::bindings::bind_bag(m);
   tfloom::bindings::bind_bag_reading(m);
   tfloom::bindings::bind_kdl(m);
+  tfloom::bindings::bind_robot(m);
 }

@@ -1,9 +1,9 @@
 """TF2, turtlesim and the ROS 2 workflow around them, with no ROS installed.
 
 `import tfloom` loads almost nothing. The rooms are `tfloom.tf2` (frames over time), `tfloom.rosidl` and
-`tfloom.interfaces` (messages), `tfloom.node` (rclpy's classes), `tfloom.tf2_ros`, `tfloom.turtlesim` and the
-commands. Programs import ROS's own names (`rclpy`, `tf2_ros`, `geometry_msgs`): a `tfloom.pth` in site-packages
-puts them last on `sys.path`, so that a real ROS always takes precedence.
+`tfloom.interfaces` (messages), `tfloom.node` (rclpy's classes), `tfloom.tf2_ros`, `tfloom.turtlesim`, `tfloom.robot`
+and the commands. Programs import ROS's own names (`rclpy`, `tf2_ros`, `geometry_msgs`): a `tfloom.pth` in
+site-packages puts them last on `sys.path`, so that a real ROS always takes precedence.
 
 tfloom has a plug-in of pytest, whose assertions are not rewritten: PYTEST_DONT_REWRITE.
 """

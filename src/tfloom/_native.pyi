@@ -1977,3 +1977,57 @@ def kdl_add_delta(a: Wrench, da: Wrench, dt: float = 1.0) -> Wrench:
     """
     Return what `a` becomes in `dt` seconds with the velocity `da`: the reverse of `diff`.
     """
+
+class JointChain:
+    """
+    The joints of a robot in order from the root, for their poses at many positions.
+    """
+
+    def __init__(self, joints: Sequence[tuple[tuple[str, Sequence[float], Sequence[float]], int, int, float, float]], variable_count: int) -> None:
+        """
+        Each joint is its form, the index of its parent link, its first variable, and multiplier and offset of a mimic joint. Joint i moves link i + 1; link 0 is the root. A form is the type, the origin (7 numbers) and the axis. Raises ValueError if an index is out of range.
+        """
+
+    @property
+    def joint_count(self) -> int:
+        """Number of joints."""
+
+    @property
+    def variable_count(self) -> int:
+        """Number of position variables."""
+
+    def fill_joints(self, positions: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float64], dict(shape=(None, None, 7), order='C', device='cpu')]) -> None:
+        """
+        Fill `out` (N, joints, 7) with parent_from_child at `positions` (N, variables).
+        """
+
+    def fill_links(self, positions: Annotated[NDArray[numpy.float64], dict(shape=(None, None), order='C', device='cpu', writable=False)], out: Annotated[NDArray[numpy.float64], dict(shape=(None, None, 7), order='C', device='cpu')]) -> None:
+        """
+        Fill `out` (N, links, 7) with root_from_link at `positions` (N, variables).
+        """
+
+class StateTransforms:
+    """
+    Converts `sensor_msgs/msg/JointState` to `tf2_msgs/msg/TFMessage`, as bytes.
+    """
+
+    def __init__(self, joints: Sequence[tuple[str, str, str, tuple[str, Sequence[float], Sequence[float]]]], mimicries: Sequence[tuple[int, int, float, float]]) -> None:
+        """
+        Each joint is its name, its frame_id, its child_frame_id, and its form as that of a JointChain's. A mimicry is the index of a joint, that of the joint it follows, a multiplier and an offset; one that follows a mimic joint comes after it.
+        """
+
+    def convert(self, data: bytes, now_ns: int, interval_ns: int | None) -> bytes | None:
+        """
+        Return the transforms of a serialized message; None if there are none or they are not due: the joint that was published least recently was so less than `interval_ns` before the message's stamp.
+
+        Raises ValueError if the bytes are no such message, or names and positions differ in number.
+        """
+
+    def forget_stamps(self) -> None:
+        """Make the next message due, after a jump in time."""
+
+    @property
+    def left_out(self) -> str:
+        """
+        A joint of the last message that was left out because its position is not finite; or empty.
+        """

@@ -10,22 +10,14 @@ from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.interfaces.rcl_interfaces.msg import ParameterDescriptor
 from tfloom.node.client_library import spin
 from tfloom.node.context.utilities import remove_ros_args
+from tfloom.node.cpp_nodes import EVENT_OVERRIDING, STATIC_OVERRIDING
 from tfloom.node.log.logging import get_logger
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
-from tfloom.node.qos.qos import QoSPolicyKind
-from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions
 from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
 from tfloom.tf2_tools.static_arguments import USAGE, ArgumentsError, StaticTransform, parse
 
 READ_ONLY = ParameterDescriptor(read_only=True)
-EVENT_OVERRIDING = QoSOverridingOptions(
-    [QoSPolicyKind.DEPTH, QoSPolicyKind.DURABILITY, QoSPolicyKind.HISTORY, QoSPolicyKind.RELIABILITY]
-)
-STATIC_OVERRIDING = QoSOverridingOptions(
-    [QoSPolicyKind.DEPTH, QoSPolicyKind.HISTORY, QoSPolicyKind.RELIABILITY]
-)
-"""The policies of its publishers that parameters may override, as in the reference, a C++ node."""
 
 
 class StaticTransformPublisher(Node):

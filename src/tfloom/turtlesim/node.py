@@ -12,6 +12,7 @@ from tfloom.interfaces.std_srvs.srv import Empty
 from tfloom.node.client_library import spin
 from tfloom.node.clock.clock import Clock
 from tfloom.node.context.utilities import remove_ros_args, try_shutdown
+from tfloom.node.cpp_nodes import EVENT_OVERRIDING, listen_to_parameter_events
 from tfloom.node.node import Node
 from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.program import run_program
@@ -36,12 +37,12 @@ FRAME_S = 1 / 60
 class TurtlesimNode(Node):
     """Steps a world of turtles 62.5 times a second and connects it to topics."""
 
-    _parameter_event_overriding = parameters.EVENT_OVERRIDING
+    _parameter_event_overriding = EVENT_OVERRIDING
 
     def __init__(self) -> None:
         super().__init__("turtlesim")
         parameters.declare(self)
-        parameters.listen(self)
+        listen_to_parameter_events(self)
         self.get_logger().info(f"Starting turtlesim with node name {self.get_fully_qualified_name()}")
         self.sim = TurtleSim(lambda: self.get_clock().now().nanoseconds)
         self._endpoints: dict[str, TurtleEndpoints] = {}

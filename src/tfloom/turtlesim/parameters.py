@@ -2,33 +2,15 @@
 
 from __future__ import annotations
 
-from tfloom.interfaces.rcl_interfaces.msg import IntegerRange, ParameterDescriptor, ParameterEvent
+from tfloom.interfaces.rcl_interfaces.msg import IntegerRange, ParameterDescriptor
+from tfloom.node.cpp_nodes import wrong_type
 from tfloom.node.node import Node
-from tfloom.node.parameters.parameter import Parameter, ParameterType
-from tfloom.node.qos.qos import QoSPolicyKind, qos_profile_parameter_events
-from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions
+from tfloom.node.parameters.parameter import Parameter
 from tfloom.turtlesim.canvas import DEFAULT_BACKGROUND
 from tfloom.turtlesim.world import Color
 
 CHANNELS = ("Red", "Green", "Blue")
 HOLONOMIC = "holonomic"
-EVENT_OVERRIDING = QoSOverridingOptions(
-    [QoSPolicyKind.DEPTH, QoSPolicyKind.DURABILITY, QoSPolicyKind.HISTORY, QoSPolicyKind.RELIABILITY]
-)
-"""The policies of the parameter event publisher that parameters may override, as in rclcpp."""
-TYPE_NAMES = {
-    ParameterType.NOT_SET: "not set",
-    ParameterType.BOOL: "bool",
-    ParameterType.INTEGER: "integer",
-    ParameterType.DOUBLE: "double",
-    ParameterType.STRING: "string",
-    ParameterType.BYTE_ARRAY: "byte_array",
-    ParameterType.BOOL_ARRAY: "bool_array",
-    ParameterType.INTEGER_ARRAY: "integer_array",
-    ParameterType.DOUBLE_ARRAY: "double_array",
-    ParameterType.STRING_ARRAY: "string_array",
-}
-"""The names of the types in the reference's turtlesim, a C++ program."""
 
 
 def declare(node: Node) -> None:
@@ -41,16 +23,6 @@ def declare(node: Node) -> None:
         node.declare_parameter(f"background_{channel[0].lower()}", default, descriptor)
     descriptor = ParameterDescriptor(description="If true, then turtles will be holonomic")
     node.declare_parameter(HOLONOMIC, False, descriptor)
-
-
-def listen(node: Node) -> None:
-    """Subscribe to /parameter_events, because the reference's turtlesim, a C++ node, shows that subscription.
-
-    Events are ignored, because parameters are read from the node when they are needed.
-    """
-    node.create_subscription(
-        ParameterEvent, "/parameter_events", lambda _: None, qos_profile_parameter_events, raw=True
-    )
 
 
 def background(node: Node) -> Color:
@@ -66,15 +38,11 @@ def is_holonomic(node: Node) -> bool:
 
 def refusal(node: Node, parameter: Parameter) -> str | None:
     """Return the reference's reason for rejecting this value of a declared parameter, or None if it accepts it."""
+    if reason := wrong_type(node, parameter):
+        return reason
     if not node.has_parameter(parameter.name):
         return None
     descriptor = node.describe_parameter(parameter.name)
-    declared, given = ParameterType(descriptor.type), ParameterType(parameter.type_.value)
-    if declared is not given and not descriptor.dynamic_typing:
-        return (
-            f"Wrong parameter type, parameter {{{parameter.name}}} is of type {{{TYPE_NAMES[declared]}}}, "
-            f"setting it to {{{TYPE_NAMES[given]}}} is not allowed."
-        )
     for allowed in descriptor.integer_range:
         if not allowed.from_value <= parameter.value <= allowed.to_value:
             return f"Parameter {{{parameter.name}}} doesn't comply with integer range."

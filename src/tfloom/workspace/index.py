@@ -32,6 +32,9 @@ PROGRAMS: dict[str, dict[str, str]] = {
         "talker_qos": "tfloom.demos.demo_nodes_py.talker_qos:main",
         "use_logger_service": "tfloom.demos.demo_nodes_py.use_logger_service:main",
     },
+    "robot_state_publisher": {
+        "robot_state_publisher": "tfloom.robot.robot_state_publisher:main",
+    },
     "tf2_ros": {
         "buffer_server": "tfloom.tf2_tools.buffer_server:main",
         "static_transform_publisher": "tfloom.tf2_tools.static_publisher:main",

@@ -42,10 +42,8 @@ def description_lines(descriptor: ParameterDescriptor) -> Iterator[str]:
     yield f"  Type: {TYPES[descriptor.type] if descriptor.type < len(TYPES) else descriptor.type}"
     if descriptor.description:
         yield f"  Description: {descriptor.description}"
-    constraints = list(_constraints(descriptor))
-    if constraints:
-        yield "  Constraints:"
-        yield from (f"    {name}: {value}" for name, value in constraints)
+    yield "  Constraints:"
+    yield from (f"    {name}: {value}" for name, value in _constraints(descriptor))
 
 
 def _constraints(descriptor: ParameterDescriptor) -> Iterator[tuple[str, Any]]:

@@ -1,0 +1,1 @@
+"""Robots: their description in URDF, their joints' states, and the frames of their links."""

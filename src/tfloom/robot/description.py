@@ -1,0 +1,82 @@
+"""A robot as its URDF describes it: links, and the joints between them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from tfloom._native import Transform
+
+__all__ = ["MOVING", "Description", "Joint", "JointType", "Limit", "Mimic", "variables_of"]
+
+JointType = str
+"""`fixed`, `revolute`, `continuous`, `prismatic`, `planar` or `floating`."""
+
+VARIABLES = {
+    "fixed": (),
+    "revolute": ("",),
+    "continuous": ("",),
+    "prismatic": ("",),
+    "planar": ("/x", "/y", "/theta"),
+    "floating": ("/trans_x", "/trans_y", "/trans_z", "/rot_x", "/rot_y", "/rot_z", "/rot_w"),
+}
+"""The position variables of each type, as endings of their names: those that MoveIt uses."""
+
+MOVING = frozenset(("revolute", "continuous", "prismatic"))
+"""The types that have one position, which a JointState gives."""
+
+
+@dataclass(frozen=True)
+class Limit:
+    """The range of a joint's position [rad] or [m]."""
+
+    lower: float
+    upper: float
+
+
+@dataclass(frozen=True)
+class Mimic:
+    """A joint that follows another: it stands at multiplier * position of `joint` + offset."""
+
+    joint: str
+    multiplier: float
+    offset: float
+
+
+@dataclass(frozen=True)
+class Joint:
+    """A joint between two links."""
+
+    name: str
+    type: JointType
+    parent: str
+    child: str
+    origin: Transform
+    """parent_from_joint, at position 0."""
+    axis: tuple[float, float, float]
+    """Unit vector in the joint's frame; for a planar joint the plane's normal."""
+    line: int
+    """Line of the description, from 1."""
+    limit: Limit | None = None
+    soft_limit: Limit | None = None
+    """Range of the safety controller, without the ends that are not given: they are infinite."""
+    mimic: Mimic | None = None
+
+
+@dataclass(frozen=True)
+class Description:
+    """A robot: one tree of links.
+
+    Joints are in the order of the text.
+    """
+
+    name: str
+    root: str
+    """The link that is no joint's child."""
+    links: tuple[str, ...]
+    """In the order of the text."""
+    joints: dict[str, Joint]
+
+
+def variables_of(joint: Joint) -> list[str]:
+    """Return the names of a joint's position variables: its own name for one, else `name/x` and so on."""
+    return [joint.name + ending for ending in VARIABLES[joint.type]]

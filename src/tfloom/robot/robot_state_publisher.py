@@ -1,0 +1,238 @@
+"""robot_state_publisher: publish a robot's frames, from its description and the states of its joints."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from tfloom.interfaces.rcl_interfaces.msg import SetParametersResult
+from tfloom.interfaces.sensor_msgs.msg import JointState
+from tfloom.interfaces.std_msgs.msg import String
+from tfloom.interfaces.tf2_msgs.msg import TFMessage
+from tfloom.node.client_library import spin
+from tfloom.node.context.utilities import remove_ros_args
+from tfloom.node.cpp_nodes import (
+    EVENT_OVERRIDING,
+    STATIC_OVERRIDING,
+    listen_to_parameter_events,
+    wrong_type,
+)
+from tfloom.node.node import Node
+from tfloom.node.parameters.parameter import Parameter
+from tfloom.node.program import run_program
+from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
+from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions
+from tfloom.robot.description import Description
+from tfloom.robot.robot_transforms import RobotTransforms
+from tfloom.robot.urdf import UrdfError, parse_urdf
+from tfloom.rosidl import cdr
+
+__all__ = ["RobotStatePublisher", "StartError", "main"]
+
+DESCRIPTION = "Publish the frames of the robot that the parameter robot_description describes, in URDF."
+MOST_HZ = 1000.0
+INVALID = "Unable to initialize urdf::model from robot description"
+BY_FILE = (
+    "No robot_description parameter, but command-line argument available.  Assuming argument is name of URDF file.  "
+    "This backwards compatibility fallback will be removed in the future."
+)
+LOG_PERIOD_S = 1.0
+"""The shortest time between two lines about states of joints."""
+ONE_KEPT = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+
+
+class StartError(Exception):
+    """The node can't start, for a reason that it has logged."""
+
+
+class RobotStatePublisher(Node):
+    """Publishes the transforms of a robot's joints, and its description.
+
+    Args:
+        files: Paths on the command line; the first is read if the parameter `robot_description` is empty.
+
+    Raises:
+        StartError: there is no valid description, or a parameter is out of range.
+    """
+
+    _parameter_event_overriding = EVENT_OVERRIDING
+
+    def __init__(self, files: list[str] | None = None) -> None:
+        super().__init__("robot_state_publisher")
+        listen_to_parameter_events(self)
+        text = str(self.declare_parameter("robot_description", "").value) or self._from_file(files or [])
+        frequency = float(self.declare_parameter("publish_frequency", 20.0).value)
+        if not 0.0 <= frequency <= MOST_HZ:
+            self._stop("publish_frequency must be between 0 and 1000")
+        self.declare_parameter("ignore_timestamp", False)
+        self.declare_parameter("frame_prefix", "")
+        self._parsed: tuple[str, Description] | None = None
+        try:
+            self._parse(text)
+        except UrdfError as error:
+            self._stop(f"{INVALID}: {error}")
+        self._tf = self.create_publisher(TFMessage, "/tf", 100, qos_overriding_options=EVENT_OVERRIDING)
+        self._tf_static = self.create_publisher(
+            TFMessage, "/tf_static", ONE_KEPT, qos_overriding_options=STATIC_OVERRIDING
+        )
+        self._description = self.create_publisher(String, "robot_description", ONE_KEPT)
+        self._last_received_ns = 0
+        self._interval_ns: int | None = 0
+        self._follow_parameters()
+        self._show_robot()
+        self.create_subscription(
+            JointState,
+            "joint_states",
+            self._on_states,
+            qos_profile_sensor_data,
+            raw=True,  # native code reads the bytes
+            qos_overriding_options=QoSOverridingOptions.with_default_policies(),
+        )
+        self.add_on_set_parameters_callback(self._check)
+        self.add_post_set_parameters_callback(self._apply)
+
+    def set_parameters_atomically(self, parameter_list: list[Parameter]) -> SetParametersResult:
+        """Set all parameters, or none of them if one is rejected, with the reference's reason."""
+        for parameter in parameter_list:
+            if reason := wrong_type(self, parameter):
+                return SetParametersResult(successful=False, reason=reason)
+        return super().set_parameters_atomically(parameter_list)
+
+    def _from_file(self, files: list[str]) -> str:
+        if not files:
+            self._stop("robot_description parameter must not be empty")
+        self.get_logger().warning(BY_FILE)
+        try:
+            text = Path(files[0]).read_text("utf-8")
+        except (OSError, ValueError) as error:
+            reason = error.strerror if isinstance(error, OSError) else str(error)
+            self._stop(f"Failed to open URDF file: {files[0]}: {reason}")
+        self.set_parameters([Parameter("robot_description", value=text)])
+        return text
+
+    def _stop(self, reason: str) -> None:
+        self.get_logger().fatal(reason)
+        raise StartError(reason)
+
+    def _parse(self, text: str) -> Description:
+        if self._parsed is None or self._parsed[0] != text:
+            self._parsed = text, parse_urdf(text)
+        return self._parsed[1]
+
+    def _check(self, parameters: list[Parameter]) -> SetParametersResult:
+        """Return whether values are valid."""
+        for parameter in parameters:
+            if reason := self._fault(parameter):
+                return SetParametersResult(successful=False, reason=reason)
+        return SetParametersResult(successful=True)
+
+    def _fault(self, parameter: Parameter) -> str:
+        if parameter.name == "publish_frequency" and not 0.0 <= parameter.value <= MOST_HZ:
+            return "publish_frequency must be between 0.0 and 1000.0"
+        if parameter.name != "robot_description":
+            return ""
+        if not parameter.value:
+            return "Empty URDF is not allowed"
+        try:
+            self._parse(parameter.value)
+        except UrdfError as error:
+            self.get_logger().warning(f"{INVALID}: {error}")
+            return INVALID
+        return ""
+
+    def _apply(self, parameters: list[Parameter]) -> None:
+        """Use new values."""
+        names = {parameter.name for parameter in parameters}
+        if names & {"robot_description", "frame_prefix", "publish_frequency", "ignore_timestamp"}:
+            self._follow_parameters()
+        if "robot_description" in names:
+            self._show_robot()
+        elif "frame_prefix" in names:
+            self._publish_static()
+
+    def _follow_parameters(self) -> None:
+        text, prefix, frequency, ignores = (
+            self.get_parameter(name).value
+            for name in ("robot_description", "frame_prefix", "publish_frequency", "ignore_timestamp")
+        )
+        # Whole milliseconds, as in the reference.
+        interval_ns = int(1000.0 / frequency) * 1_000_000 if frequency else 0
+        self._interval_ns = None if ignores else interval_ns
+        self._transforms = RobotTransforms(self._parse(text), prefix)
+        self._states = self._transforms.states
+
+    def _show_robot(self) -> None:
+        text = self.get_parameter("robot_description").value
+        for joint in self._parse(text).joints.values():
+            if joint.type == "floating":
+                frames = f"from {joint.parent} to {joint.child}"
+                self.get_logger().info(f"Floating joint. Not adding segment {frames}.")
+        self._description.publish(String(data=text))
+        self._publish_static()
+        self.get_logger().info("Robot initialized")
+
+    def _publish_static(self) -> None:
+        self._tf_static.publish(self._transforms.static_message(self.get_clock().now().to_msg()))
+
+    def _on_states(self, data: bytes) -> None:
+        now_ns = self.get_clock().now().nanoseconds
+        if now_ns < self._last_received_ns:
+            self.get_logger().warning("Moved backwards in time, re-publishing joint transforms!")
+            self._states.forget_stamps()
+        self._last_received_ns = now_ns
+        try:
+            message = self._states.convert(data, now_ns, self._interval_ns)
+        except ValueError as error:
+            self._refuse(data, error)
+            return
+        if message is not None:
+            self._tf.publish(message)
+        if name := self._states.left_out:
+            reason = f"The joint '{name}' is not published, because its position is not a finite number"
+            self.get_logger().warning(reason, throttle_duration_sec=LOG_PERIOD_S)
+
+    def _refuse(self, data: bytes, error: ValueError) -> None:
+        """Log why a message is ignored."""
+        try:
+            state = cdr.decode(JointState, data)
+        except cdr.DecodeError:
+            self.get_logger().error(
+                f"Ignored an unreadable message: {error}", throttle_duration_sec=LOG_PERIOD_S
+            )
+            return
+        if state.name and not len(state.position):
+            reason = (
+                f'Robot state publisher ignored a JointState message about joint(s) "{state.name[0]}"(,...) whose '
+                "position member was empty."
+            )
+            self.get_logger().warning(reason, throttle_duration_sec=LOG_PERIOD_S)
+        else:
+            reason = "Robot state publisher ignored an invalid JointState message"
+            self.get_logger().error(reason, throttle_duration_sec=LOG_PERIOD_S)
+
+
+def main(args: list[str] | None = None) -> int:
+    """Publish until stopped; return the exit code."""
+    files = _files(remove_ros_args(sys.argv[1:] if args is None else args))
+
+    def body() -> int:
+        try:
+            node = RobotStatePublisher(files)
+        except StartError:
+            return 1
+        spin(node)
+        return 0
+
+    return run_program(args, body)
+
+
+def _files(words: list[str]) -> list[str]:
+    if not words:
+        return []
+    import argparse
+
+    parser = argparse.ArgumentParser("robot_state_publisher", description=DESCRIPTION)
+    parser.add_argument(
+        "file", nargs="?", help="URDF, if there is no parameter robot_description (deprecated)"
+    )
+    return [file for file in [parser.parse_args(words).file] if file]

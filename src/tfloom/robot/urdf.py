@@ -1,0 +1,195 @@
+"""URDF: the description of a robot in XML. What only simulation and display need is not read."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+
+from tfloom._native import Transform
+from tfloom.robot.description import MOVING, VARIABLES, Description, Joint, Limit, Mimic
+from tfloom.robot.joint_tree import find_root
+from tfloom.robot.mimicry import followers
+from tfloom.robot.urdf_error import UrdfError
+from tfloom.robot.xml_elements import Element, XmlError, read_xml
+
+__all__ = ["UrdfError", "parse_urdf"]
+
+LIMITED = ("revolute", "prismatic")
+"""The types whose limits are required."""
+
+
+def parse_urdf(text: str | bytes) -> Description:
+    """Return the robot that a URDF describes.
+
+    Args:
+        text: A str, or the octets of a file, whose encoding its first line names.
+
+    Raises:
+        UrdfError: the text is not a valid description; its message has the line.
+    """
+    try:
+        robot = read_xml(text)
+    except XmlError as error:
+        raise UrdfError(error.line, str(error).partition(": ")[2]) from None
+    if robot.tag != "robot":
+        raise UrdfError(robot.line, f"the outermost element is <{robot.tag}>, not <robot>")
+    _refuse_xacro(robot)
+    name = _required(robot, "name", "the robot")
+    links = _links(robot)
+    joints = _joints(robot, links)
+    root = find_root(links, joints)
+    followers(joints)  # raises for what can't be followed
+    return Description(name, root, tuple(links), joints)
+
+
+def _refuse_xacro(robot: Element) -> None:
+    for element in robot.children:
+        values = (*element.attributes.values(), *(v for c in element.children for v in c.attributes.values()))
+        if element.tag.startswith("xacro:") or any("${" in value for value in values):
+            reason = "this is xacro, not URDF: expand it with 'ros2 run xacro xacro FILE'"
+            raise UrdfError(element.line, reason)
+
+
+def _links(robot: Element) -> dict[str, int]:
+    """Return the line of each link, by name."""
+    links: dict[str, int] = {}
+    for element in robot.all_of("link"):
+        name = _required(element, "name", "a link")
+        if name in links:
+            reason = f"the link '{name}' exists already: line {links[name]} has it"
+            raise UrdfError(element.line, reason)
+        links[name] = element.line
+    if not links:
+        raise UrdfError(robot.line, "the robot has no link")
+    return links
+
+
+def _joints(robot: Element, links: dict[str, int]) -> dict[str, Joint]:
+    joints: dict[str, Joint] = {}
+    for element in robot.all_of("joint"):
+        joint = _joint(element, links)
+        if joint.name in joints:
+            reason = f"the joint '{joint.name}' exists already: line {joints[joint.name].line} has it"
+            raise UrdfError(joint.line, reason)
+        joints[joint.name] = joint
+    return joints
+
+
+def _joint(element: Element, links: dict[str, int]) -> Joint:
+    name = _required(element, "name", "a joint")
+    what = f"the joint '{name}'"
+    kind = _required(element, "type", what)
+    if kind not in VARIABLES:
+        raise UrdfError(element.line, f"{what} is of type '{kind}', which is none of: {', '.join(VARIABLES)}")
+    return Joint(
+        name=name,
+        type=kind,
+        parent=_link(element, "parent", what, links),
+        child=_link(element, "child", what, links),
+        origin=_origin(element, what),
+        axis=_axis(element, kind, what),
+        line=element.line,
+        limit=_limit(element, kind, what),
+        soft_limit=_soft_limit(element, what),
+        mimic=_mimic(element, kind, what),
+    )
+
+
+def _link(element: Element, end: str, what: str, links: dict[str, int]) -> str:
+    found = element.first(end)
+    if found is None:
+        raise UrdfError(element.line, f"{what} has no <{end}> link")
+    name = _required(found, "link", f"<{end}> of {what}")
+    if name not in links:
+        raise UrdfError(found.line, f"{what} has the {end} link '{name}', which does not exist")
+    return name
+
+
+def _origin(element: Element, what: str) -> Transform:
+    origin = element.first("origin")
+    if origin is None:
+        return Transform()
+    xyz = _vector(origin, "xyz", "0 0 0", what)
+    roll, pitch, yaw = _vector(origin, "rpy", "0 0 0", what)
+    return Transform.from_rpy(roll, pitch, yaw, xyz)
+
+
+def _axis(element: Element, kind: str, what: str) -> tuple[float, float, float]:
+    found = element.first("axis")
+    if found is None or kind in {"fixed", "floating"}:
+        return 1.0, 0.0, 0.0
+    x, y, z = _vector(found, "xyz", "1 0 0", what)
+    largest = max(abs(x), abs(y), abs(z))
+    if not largest:
+        raise UrdfError(found.line, f"the axis of {what} has no direction: it is zero")
+    x, y, z = x / largest, y / largest, z / largest  # their squares can't overflow
+    length = math.sqrt(x * x + y * y + z * z)
+    return x / length, y / length, z / length
+
+
+def _limit(element: Element, kind: str, what: str) -> Limit | None:
+    found = element.first("limit")
+    if found is None:
+        if kind in LIMITED:
+            other = "; one without limits is 'continuous'" if kind == "revolute" else ""
+            raise UrdfError(element.line, f"{what} is of type '{kind}' and has no <limit>{other}")
+        return None
+    for required in ("effort", "velocity"):
+        _number(found, required, None, f"<limit> of {what}")
+    return Limit(_number(found, "lower", 0.0, what), _number(found, "upper", 0.0, what))
+
+
+def _soft_limit(element: Element, what: str) -> Limit | None:
+    found = element.first("safety_controller")
+    if found is None:
+        return None
+    lower = _number(found, "soft_lower_limit", -math.inf, what)
+    return Limit(lower, _number(found, "soft_upper_limit", math.inf, what))
+
+
+def _mimic(element: Element, kind: str, what: str) -> Mimic | None:
+    found = element.first("mimic")
+    if found is None or kind not in MOVING:
+        return None
+    joint = _required(found, "joint", f"<mimic> of {what}")
+    return Mimic(joint, _number(found, "multiplier", 1.0, what), _number(found, "offset", 0.0, what))
+
+
+def _required(element: Element, attribute: str, what: str) -> str:
+    value = element.attributes.get(attribute, "")
+    if not value:
+        raise UrdfError(element.line, f"{what} has no {attribute}")
+    return value
+
+
+def _number(element: Element, attribute: str, default: float | None, what: str) -> float:
+    text = element.attributes.get(attribute)
+    if text is None:
+        if default is None:
+            raise UrdfError(element.line, f"{what} has no {attribute}")
+        return default
+    return _finite([text], element, attribute, what)[0]
+
+
+def _vector(element: Element, attribute: str, default: str, what: str) -> tuple[float, float, float]:
+    words = element.attributes.get(attribute, default).split()
+    if len(words) != 3:
+        reason = f"{attribute} of <{element.tag}> of {what} has {len(words)} numbers, not 3"
+        raise UrdfError(element.line, reason)
+    x, y, z = _finite(words, element, attribute, what)
+    return x, y, z
+
+
+def _finite(words: Iterable[str], element: Element, attribute: str, what: str) -> list[float]:
+    """Return the numbers that words stand for."""
+    numbers = []
+    for word in words:
+        try:
+            number = math.nan if "_" in word else float(word)
+        except ValueError:
+            number = math.nan
+        if not math.isfinite(number):
+            reason = f"{attribute} of <{element.tag}> of {what}: '{word}' is not a number"
+            raise UrdfError(element.line, reason)
+        numbers.append(number)
+    return numbers

@@ -1,0 +1,104 @@
+"""XML as a tree of elements that know their lines. No text can make it larger than itself."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from xml.parsers import expat
+
+__all__ = ["Element", "XmlError", "read_xml"]
+
+LARGEST = 64 * 1024 * 1024
+"""Length of the longest text that is read [characters or octets]."""
+DEEPEST = 200
+"""Levels of elements in elements."""
+
+
+class XmlError(ValueError):
+    """A text is not XML, or not of the kind that is read.
+
+    Attributes:
+        line: Line of the text, from 1.
+    """
+
+    def __init__(self, line: int, reason: str) -> None:
+        super().__init__(f"line {line}: {reason}")
+        self.line = line
+
+
+@dataclass
+class Element:
+    """An element, without its text."""
+
+    tag: str
+    """Name, with the prefix of its namespace, as `xacro:macro`."""
+    attributes: dict[str, str]
+    line: int
+    """Line of its start tag, from 1."""
+    children: list[Element] = field(default_factory=list)
+
+    def all_of(self, tag: str) -> Iterator[Element]:
+        """Yield the children of a name, in order."""
+        return (child for child in self.children if child.tag == tag)
+
+    def first(self, tag: str) -> Element | None:
+        """Return the first child of a name, or None."""
+        return next(self.all_of(tag), None)
+
+
+class _Builder:
+    """Builds the tree from expat's calls."""
+
+    def __init__(self) -> None:
+        self.root: Element | None = None
+        self._open: list[Element] = []
+        self.parser = expat.ParserCreate()
+        self.parser.StartElementHandler = self._start
+        self.parser.EndElementHandler = self._end
+        self.parser.EntityDeclHandler = self._refuse_entity
+
+    def read(self, text: str | bytes) -> Element:
+        try:
+            self.parser.Parse(text, True)  # expat takes no keyword: this is all of the text
+        except expat.ExpatError as error:
+            raise XmlError(error.lineno, self._reason(error)) from None
+        assert self.root is not None  # noqa: S101  # expat refuses a text without an element
+        return self.root
+
+    def _reason(self, error: expat.ExpatError) -> str:
+        within = f", within <{self._open[-1].tag}> of line {self._open[-1].line}" if self._open else ""
+        return f"not well-formed XML: {expat.ErrorString(error.code)} at column {error.offset + 1}{within}"
+
+    def _start(self, tag: str, attributes: dict[str, str]) -> None:
+        element = Element(tag, attributes, self.parser.CurrentLineNumber)
+        if len(self._open) >= DEEPEST:
+            raise XmlError(element.line, f"more than {DEEPEST} elements are nested")
+        if self._open:
+            self._open[-1].children.append(element)
+        else:
+            self.root = element
+        self._open.append(element)
+
+    def _end(self, _: str) -> None:
+        self._open.pop()
+
+    def _refuse_entity(self, name: str, *_: object) -> None:
+        reason = f"the entity '{name}' is declared, but entities are not supported"
+        raise XmlError(self.parser.CurrentLineNumber, reason)
+
+
+def read_xml(text: str | bytes) -> Element:
+    """Return the root element of a text.
+
+    Args:
+        text: A str, or the octets of a file, whose encoding its first line names.
+
+    Raises:
+        XmlError: the text is not well-formed, too long or nested too deep, or declares entities.
+    """
+    if len(text) > LARGEST:
+        raise XmlError(1, f"a text of {len(text)} characters is longer than {LARGEST}")
+    try:
+        return _Builder().read(text)
+    except (LookupError, UnicodeError) as error:  # an encoding that is not known; a lone surrogate
+        raise XmlError(1, f"the text can't be decoded: {error}") from None

@@ -1,0 +1,232 @@
+"""URDF: what is read of a description, and what is refused, by line."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+
+from tfloom.robot.description import Limit, Mimic
+from tfloom.robot.joint_tree import from_root
+from tfloom.robot.mimicry import followers
+from tfloom.robot.urdf import UrdfError, parse_urdf
+
+ARM = Path(__file__).parents[1] / "golden" / "arm.urdf"
+LIMIT = '<limit lower="-1" upper="2" effort="1" velocity="1"/>'
+
+
+def joint(name: str, parent: str, child: str, kind: str = "fixed", inside: str = "") -> str:
+    return (
+        f'<joint name="{name}" type="{kind}"><parent link="{parent}"/><child link="{child}"/>{inside}</joint>'
+    )
+
+
+def robot(*parts: str, links: str = "ab") -> str:
+    """Return a description whose first part is in line 3, the links in line 2."""
+    declared = "".join(f'<link name="{link}"/>' for link in links)
+    return "\n".join(['<robot name="r">', declared, *parts, "</robot>"])
+
+
+def test_the_recorded_arm() -> None:
+    arm = parse_urdf(ARM.read_text())
+    assert (arm.name, arm.root) == ("arm", "base")
+    assert arm.links == ("base", "upper", "lower", "slide", "spin", "tool")
+    kinds = [(each.name, each.type) for each in arm.joints.values()]
+    assert kinds == [
+        ("shoulder", "revolute"),
+        ("elbow", "revolute"),
+        ("rail", "prismatic"),
+        ("roll", "continuous"),
+        ("flange", "fixed"),
+    ]
+    elbow = arm.joints["elbow"]
+    assert elbow.mimic == Mimic("shoulder", -0.5, 0.2)
+    assert elbow.limit == Limit(-2.0, 2.0)
+    assert elbow.axis == (0.0, 1.0, 0.0)
+    assert arm.joints["shoulder"].origin.rpy_rad == pytest.approx((0.0, 0.1, 0.0), abs=1e-15)
+
+
+def test_defaults() -> None:
+    parsed = parse_urdf(robot(joint("j", "a", "b", "continuous")))
+    found = parsed.joints["j"]
+    assert found.origin.translation == (0.0, 0.0, 0.0)
+    assert found.origin.rotation_xyzw == (0.0, 0.0, 0.0, 1.0)
+    assert found.axis == (1.0, 0.0, 0.0)
+    assert found.limit is None
+    assert found.mimic is None
+
+
+def test_axes_get_unit_length() -> None:
+    for given in ("3 0 4", "3e200 0 4e200", "3e-200 0 4e-200"):
+        parsed = parse_urdf(robot(joint("j", "a", "b", "continuous", f'<axis xyz="{given}"/>')))
+        assert parsed.joints["j"].axis == pytest.approx((0.6, 0.0, 0.8), abs=1e-15)
+
+
+def test_what_display_and_simulation_need_is_not_read() -> None:
+    inside = (
+        '<inertial><mass value="heavy"/></inertial><visual><geometry><mesh filename="x"/></geometry></visual>'
+    )
+    parsed = parse_urdf(
+        f'<?xml version="1.0"?><!-- x --><robot name="r"><material name="m"/><link name="a">{inside}</link>'
+        '<transmission name="t"><joint name="nothing"/></transmission><gazebo/></robot>'
+    )
+    assert parsed.links == ("a",)
+    assert parsed.joints == {}
+
+
+def test_a_safety_controller_may_have_one_end() -> None:
+    inside = LIMIT + '<safety_controller k_velocity="1" soft_lower_limit="-0.5"/>'
+    parsed = parse_urdf(robot(joint("j", "a", "b", "revolute", inside)))
+    assert parsed.joints["j"].soft_limit == Limit(-0.5, math.inf)
+
+
+def test_the_encoding_of_a_file_is_that_of_its_first_line() -> None:
+    text = '<?xml version="1.0" encoding="iso-8859-1"?><robot name="Rüssel"><link name="Fuß"/></robot>'
+    assert parse_urdf(text.encode("iso-8859-1")).links == ("Fuß",)
+    assert parse_urdf(text).name == "Rüssel"
+
+
+def test_joints_are_ordered_from_the_root() -> None:
+    parsed = parse_urdf(robot(joint("2", "b", "c"), joint("1", "a", "b"), joint("3", "a", "d"), links="dcba"))
+    assert parsed.root == "a"
+    assert [each.name for each in from_root(parsed)] == ["1", "2", "3"]
+
+
+def test_mimic_joints_follow_by_way_of_others() -> None:
+    def mimic(of: str, multiplier: float, offset: float) -> str:
+        return f'<mimic joint="{of}" multiplier="{multiplier}" offset="{offset}"/>'
+
+    parsed = parse_urdf(
+        robot(
+            joint("1", "a", "b", "continuous", mimic("2", 2.0, 1.0)),
+            joint("2", "b", "c", "continuous", mimic("3", -3.0, 0.5)),
+            joint("3", "c", "d", "continuous"),
+            links="abcd",
+        )
+    )
+    found = followers(parsed.joints)
+    assert list(found) == ["2", "1"], "what is followed comes first"
+    assert [(each.source.name, each.multiplier, each.offset) for each in found.values()] == [
+        ("3", -3.0, 0.5),
+        ("3", -6.0, 2.0),
+    ]
+
+
+REFUSED = [
+    ("", 1, "not well-formed XML: no element found"),
+    ("<robot", 1, "not well-formed XML: unclosed token at column 1"),
+    ('<robot name="r">\n<link name="a">\n</robot>', 3, "mismatched tag at column 3, within <link> of line 2"),
+    ("<model/>", 1, "the outermost element is <model>, not <robot>"),
+    ("<robot/>", 1, "the robot has no name"),
+    ('<robot name="r">\n</robot>', 1, "the robot has no link"),
+    (robot("<link/>"), 3, "a link has no name"),
+    (robot('<link name="b"/>'), 3, "the link 'b' exists already: line 2 has it"),
+    (robot(joint("j", "a", "b"), joint("j", "a", "b")), 4, "the joint 'j' exists already: line 3 has it"),
+    (
+        robot(joint("j", "a", "b", "hinge")),
+        3,
+        "is of type 'hinge', which is none of: fixed, revolute, continuous",
+    ),
+    (robot('<joint name="j" type="fixed"><child link="b"/></joint>'), 3, "'j' has no <parent> link"),
+    (robot(joint("j", "x", "b")), 3, "'j' has the parent link 'x', which does not exist"),
+    (robot(joint("j", "a", "x")), 3, "'j' has the child link 'x', which does not exist"),
+    (robot(links="ab"), 2, "several are no joint's child: 'a' (line 2), 'b' (line 2)"),
+    (robot(links="abcdefg"), 2, "'e' (line 2) and 2 more"),
+    (
+        robot(joint("1", "a", "b"), joint("2", "b", "a")),
+        4,
+        "the joints make a loop of links: 'a' -> 'b' -> 'a'",
+    ),
+    (robot(joint("1", "b", "c"), joint("2", "c", "b"), links="abc"), 4, "a loop of links: 'b' -> 'c' -> 'b'"),
+    (robot(joint("1", "b", "b"), links="ab"), 3, "a loop of links: 'b' -> 'b'"),
+    (
+        robot(joint("1", "a", "c"), joint("2", "b", "c"), links="abc"),
+        4,
+        "the link 'c' is the child of two joints, '1' and '2'",
+    ),
+    (robot(joint("j", "a", "b", "revolute")), 3, "has no <limit>; one without limits is 'continuous'"),
+    (robot(joint("j", "a", "b", "prismatic")), 3, "'j' is of type 'prismatic' and has no <limit>"),
+    (
+        robot(joint("j", "a", "b", "revolute", '<limit velocity="1"/>')),
+        3,
+        "<limit> of the joint 'j' has no effort",
+    ),
+    (
+        robot(joint("j", "a", "b", "fixed", '\n<origin xyz="1 2"/>')),
+        4,
+        "xyz of <origin> of the joint 'j' has 2",
+    ),
+    (robot(joint("j", "a", "b", "fixed", '<origin rpy="0 0 1_0"/>')), 3, "'1_0' is not a number"),
+    (robot(joint("j", "a", "b", "fixed", '<origin rpy="0 nan 0"/>')), 3, "'nan' is not a number"),
+    (robot(joint("j", "a", "b", "continuous", '<axis xyz="0 0 0"/>')), 3, "has no direction: it is zero"),
+    (robot(joint("j", "a", "b", "continuous", '<mimic joint="x"/>')), 3, "mimics 'x', which does not exist"),
+    (robot(joint("j", "a", "b", "continuous", "<mimic/>")), 3, "<mimic> of the joint 'j' has no joint"),
+    (
+        robot(joint("j", "a", "b", "continuous", '<mimic joint="k"/>'), joint("k", "b", "c"), links="abc"),
+        3,
+        "mimics 'k', which is of type 'fixed'",
+    ),
+    (
+        robot(
+            joint("j", "a", "b", "continuous", '<mimic joint="k"/>'),
+            joint("k", "b", "c", "continuous", '<mimic joint="j"/>'),
+            links="abc",
+        ),
+        3,
+        "the joints mimic each other in a loop: 'j' -> 'k' -> 'j'",
+    ),
+    ('<!DOCTYPE r [\n<!ENTITY e "e">]><robot name="&e;"/>', 2, "the entity 'e' is declared"),
+    ('<?xml version="1.0" encoding="klingon"?><robot/>', 1, "unknown encoding"),
+    ('<robot name="r">\n<xacro:arm/></robot>', 2, "this is xacro, not URDF: expand it"),
+    (
+        robot(joint("j", "a", "b", "fixed", '<origin xyz="${x} 0 0"/>')),
+        3,
+        "this is xacro, not URDF: expand it",
+    ),
+]
+
+
+def fault_of(text: str) -> UrdfError | None:
+    try:
+        parse_urdf(text if "klingon" not in text else text.encode())
+    except UrdfError as error:
+        return error
+    return None
+
+
+def test_each_fault_is_named_with_its_line() -> None:
+    wrong = []
+    for text, line, reason in REFUSED:
+        error = fault_of(text)
+        if error is None or error.line != line or reason not in error.reason:
+            wrong.append(f"{reason!r} at {line}: {error or 'accepted'}")
+        else:
+            assert str(error) == f"line {line}: {error.reason}"
+    assert not wrong, "\n".join(wrong)
+
+
+def test_hostile_texts_are_refused_quickly() -> None:
+    bomb = "".join(f'<!ENTITY e{i + 1} "{f"&e{i};" * 10}">' for i in range(30))
+    with pytest.raises(UrdfError, match="entities are not supported"):
+        parse_urdf(f'<!DOCTYPE r [<!ENTITY e0 "x">{bomb}]><robot name="&e30;"/>')
+    with pytest.raises(UrdfError, match="more than 200 elements are nested"):
+        parse_urdf("<robot>" * 100_000)
+    with pytest.raises(UrdfError, match="is longer than"):
+        parse_urdf(" " * (64 * 1024 * 1024 + 1))
+    with pytest.raises(UrdfError, match="can't be decoded"):
+        parse_urdf("<robot name='\ud800'/>")
+
+
+def test_long_chains_take_time_in_proportion() -> None:
+    count = 3_000
+    links = "".join(f'<link name="{i}"/>' for i in range(count + 1))
+    joints = "".join(
+        joint(
+            f"j{i}", str(i), str(i + 1), "continuous", f'<mimic joint="j{i + 1}"/>' if i < count - 1 else ""
+        )
+        for i in range(count)
+    )
+    parsed = parse_urdf(f'<robot name="r">{links}{joints}</robot>')
+    assert len(followers(parsed.joints)) == count - 1
+    assert len(from_root(parsed)) == count
