@@ -17,7 +17,7 @@ BAGS = Path(__file__).parents[2] / "golden" / "bags"
 
 def test_bags_hold_the_edges_that_a_buffer_of_them_holds() -> None:
     wrong = {}
-    for name in ("mcap", "sqlite3", "split"):
+    for name in ("mcap", "sqlite3"):
         buffer = Buffer(None)
         seen = open_path(BAGS / name, buffer=buffer).observation()
         found = {
