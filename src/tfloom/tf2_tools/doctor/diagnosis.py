@@ -1,0 +1,32 @@
+"""All checks of a subject."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from tfloom.tf2_tools.doctor.catalogue import Severity
+from tfloom.tf2_tools.doctor.finding import Finding
+from tfloom.tf2_tools.doctor.limits import Limits
+from tfloom.tf2_tools.doctor.name_checks import check_names
+from tfloom.tf2_tools.doctor.rate_checks import check_rates
+from tfloom.tf2_tools.doctor.subject import Subject
+from tfloom.tf2_tools.doctor.time_checks import check_stamps
+from tfloom.tf2_tools.doctor.topic_checks import check_topics
+from tfloom.tf2_tools.doctor.tree_checks import check_tree
+from tfloom.tf2_tools.doctor.use_checks import check_uses
+from tfloom.tf2_tools.doctor.value_checks import check_values
+
+CHECKS = (check_tree, check_names, check_values, check_stamps, check_rates, check_topics, check_uses)
+
+
+def diagnose(subject: Subject, limits: Limits | None = None, ignored: Collection[str] = ()) -> list[Finding]:
+    """Return the findings on a subject, the errors first, each in order of their codes.
+
+    Args:
+        subject: What to check.
+        limits: The thresholds; None: the usual ones.
+        ignored: Codes of findings to leave out.
+    """
+    limits = limits or Limits()
+    found = [each for check in CHECKS for each in check(subject, limits) if each.code not in ignored]
+    return sorted(found, key=lambda each: (each.kind.severity is not Severity.ERROR, each.code, each.summary))

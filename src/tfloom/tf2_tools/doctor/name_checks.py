@@ -1,0 +1,89 @@
+"""Checks of frames' names: leading slashes, and the names and order of REP 105."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tfloom.tf2_tools.doctor.finding import Finding
+from tfloom.tf2_tools.doctor.limits import Limits
+from tfloom.tf2_tools.doctor.subject import (
+    Subject,
+    edge_text,
+    evidence_of,
+    for_each_publisher,
+    listed,
+    source_of,
+    stored,
+)
+
+CONVENTIONAL = ("earth", "map", "odom", "base_link", "base_footprint")
+"""The frames of REP 105 from the outermost inward, and that of REP 120."""
+_ORDERS = (CONVENTIONAL[:4], (*CONVENTIONAL[:3], "base_footprint"))
+"""base_footprint may be above base_link or below it."""
+_BY_LETTERS = {name.replace("_", ""): name for name in CONVENTIONAL}
+
+
+def check_names(subject: Subject, limits: Limits) -> Iterator[Finding]:  # noqa: ARG001 - as all checks
+    """Yield the findings on names."""
+    slashed = [
+        (edge, evidence_of(edge, f"{edge.statistics.count} times", count=edge.statistics.count))
+        for edge in subject.seen.edges
+        if edge.child.startswith("/") or edge.parent.startswith("/")
+    ]
+    yield from for_each_publisher("TF201", "sends frame ids with a leading slash: {}", slashed)
+    for prefix in sorted({frame.rpartition("/")[0] for frame in subject.frames}):
+        yield from _misordered(subject, f"{prefix}/" if prefix else "")
+    for frame in sorted(subject.frames):
+        yield from _misspelled(subject, frame)
+
+
+def _misordered(subject: Subject, prefix: str) -> Iterator[Finding]:
+    """Yield a finding for each frame of a robot that doesn't hang below the one that REP 105 puts above it."""
+    told = set()
+    for order in _ORDERS:
+        present = [prefix + name for name in order if prefix + name in subject.frames]
+        for outer, inner in zip(present, present[1:], strict=False):
+            if (outer, inner) not in told and not _is_below(subject, inner, outer):
+                told.add((outer, inner))
+                yield _misorder(subject, outer, inner)
+
+
+def _is_below(subject: Subject, inner: str, outer: str) -> bool:
+    """Return whether a frame hangs below another one, or in another tree."""
+    tree = subject.tree
+    return outer in tree.branch(inner)[1:] or tree.root(inner) != tree.root(outer)
+
+
+def _misorder(subject: Subject, outer: str, inner: str) -> Finding:
+    tree = subject.tree
+    outer_branch = tree.branch(outer)
+    is_reversed = inner in outer_branch
+    chain = outer_branch[: outer_branch.index(inner)] if is_reversed else [inner]
+    edges = [edge for edge in subject.edges if stored(edge.child) in chain]
+    sources = sorted({source_of(edge.publisher) for edge in edges})
+    what = "hangs below" if is_reversed else "and"
+    summary = (
+        f"{outer} {what} {inner}, but REP 105 puts {inner} below {outer}"
+        if is_reversed
+        else f"{inner} does not hang below {outer}, as REP 105 has it, but below {tree.parents.get(inner, 'no frame')}"
+    )
+    evidence = [evidence_of(edge, f"from {source_of(edge.publisher)}") for edge in edges]
+    return Finding("TF202", summary, sources, [outer, inner], evidence)
+
+
+def _misspelled(subject: Subject, frame: str) -> Iterator[Finding]:
+    prefix, slash, name = frame.rpartition("/")
+    meant = _BY_LETTERS.get("".join(letter for letter in name.lower() if letter.isalnum()))
+    if meant is None or name == meant:
+        return
+    edges = [edge for edge in subject.edges if frame in {stored(edge.child), stored(edge.parent)}]
+    sources = sorted({source_of(edge.publisher) for edge in edges})
+    yield Finding(
+        "TF203",
+        f"{frame} is {prefix}{slash}{meant} in REP 105; it is from {listed(str(source) for source in sources)}",
+        sources,
+        [frame],
+        [evidence_of(edge, f"from {source_of(edge.publisher)}") for edge in edges],
+    )
+
+

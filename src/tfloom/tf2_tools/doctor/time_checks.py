@@ -1,0 +1,110 @@
+"""Checks of stamps: zero, ahead of now, by a clock that differs, too old."""
+
+from __future__ import annotations
+
+import statistics
+from collections.abc import Iterable, Iterator
+
+from tfloom.tf2_tools.doctor.finding import Evidence, Finding
+from tfloom.tf2_tools.doctor.limits import LEAST_COUNT, Limits
+from tfloom.tf2_tools.doctor.subject import Subject, by_publisher, evidence_of, for_each_publisher
+from tfloom.tf2_tools.watch.model import Edge
+
+OTHER_TIME_S = 3600.0
+"""If all stamps are further from now than this, they are of another time, as a simulation's: compare publishers."""
+CONSTANT_PART = 0.2
+"""An offset is constant if it varies by less than this part of it."""
+LEAST_JUMP_NS = 1_000_000_000
+"""A smaller step back of the stamps is no jump in time."""
+
+
+def check_stamps(subject: Subject, limits: Limits) -> Iterator[Finding]:
+    """Yield the findings on stamps."""
+    offset_s = common_offset_s(subject)
+    yield from for_each_publisher("TF401", "sends moving frames with the stamp zero: {}", _zero(subject))
+    yield from for_each_publisher("TF402", "stamps ahead of now: {}", _ahead(subject, limits, offset_s))
+    yield from _skewed(subject, limits, offset_s)
+    yield from for_each_publisher("TF407", "sends transforms that are too old: {}", _too_old(subject))
+    yield from for_each_publisher("TF408", "stamps went back in time: {}", _jumps(subject))
+
+
+def common_offset_s(subject: Subject) -> float:
+    """Return the time from the stamps to now, of most publishers, if it is long; else 0 [s]."""
+    means = [edge.statistics.delay.mean for edge in subject.moving if edge.statistics.delay.count]
+    middle_s = statistics.median(means) if means else 0.0
+    return middle_s if abs(middle_s) > OTHER_TIME_S else 0.0
+
+
+def _zero(subject: Subject) -> Iterator[tuple[Edge, Evidence]]:
+    for edge in subject.moving:
+        zero, count = edge.statistics.zero_stamps, edge.statistics.count
+        if zero:
+            yield edge, evidence_of(edge, f"{zero} of {count} transforms", zero_stamps=zero, count=count)
+
+
+def _ahead(subject: Subject, limits: Limits, offset_s: float) -> Iterator[tuple[Edge, Evidence]]:
+    if offset_s:
+        return  # now is not of the stamps' time
+    for edge in subject.moving:
+        delay = edge.statistics.delay
+        if delay.count and -delay.least > limits.max_ahead_s:
+            text = f"by {-delay.least:.3f} s at most, {edge.statistics.ahead} of {edge.statistics.count} transforms"
+            yield edge, evidence_of(edge, text, ahead_s=-delay.least, count=edge.statistics.count)
+
+
+def _skewed(subject: Subject, limits: Limits, offset_s: float) -> Iterator[Finding]:
+    for source, edges in by_publisher(subject.moving):
+        stamped = [edge for edge in edges if edge.statistics.delay.count]
+        count = sum(edge.statistics.delay.count for edge in stamped)
+        if count < LEAST_COUNT:
+            continue
+        mean_s = sum(e.statistics.delay.mean * e.statistics.delay.count for e in stamped) / count - offset_s
+        width_s = max(e.statistics.delay.greatest for e in stamped) - min(
+            e.statistics.delay.least for e in stamped
+        )
+        if abs(mean_s) <= limits.max_skew_s or width_s > CONSTANT_PART * abs(mean_s):
+            continue
+        whose = "those of the others" if offset_s else "now"
+        side = "behind" if mean_s > 0 else "ahead of"
+        figures = {"offset_s": -mean_s, "count": count}
+        evidence = [Evidence(f"{count} stamps vary by {width_s:.3f} s{_clock(stamped[0])}", {**figures})]
+        frames = sorted({edge.child for edge in stamped})
+        yield Finding(
+            "TF403", f"{source}: all stamps are {abs(mean_s):.3f} s {side} {whose}", [source], frames, evidence
+        )
+
+
+def _clock(edge: Edge) -> str:
+    """Return whether a publisher's host has another time, by the time of writing that DDS sends along."""
+    traffic = edge.publisher.traffic
+    if traffic is None or not traffic.transit.count:
+        return ""
+    transit_s, delay_s = traffic.transit.mean, edge.statistics.delay.mean
+    if abs(transit_s) < CONSTANT_PART * abs(delay_s):
+        return f"; its host's clock is right (messages take {1e3 * transit_s:.1f} ms): the node stamps them so"
+    return f"; its host's clock differs by {-transit_s:.3f} s"
+
+
+def _jumps(subject: Subject) -> Iterator[tuple[Edge, Evidence]]:
+    for edge in subject.moving:
+        if is_jump(edge):
+            seen = edge.statistics
+            back_s = seen.largest_step_back_ns / 1e9
+            text = f"by {back_s:.3f} s at most, {seen.too_old} of {seen.count} transforms are rejected as old"
+            yield edge, evidence_of(edge, text, back_s=back_s, rejected=seen.too_old, count=seen.count)
+
+
+def is_jump(edge: Edge) -> bool:
+    """Return whether the stamps went back, and went on from there; an old transform in between is no jump."""
+    seen = edge.statistics
+    return seen.largest_step_back_ns > LEAST_JUMP_NS and seen.out_of_order > seen.steps_back + 1
+
+
+def _too_old(subject: Subject) -> Iterable[tuple[Edge, Evidence]]:
+    for edge in subject.moving:
+        seen = edge.statistics
+        if seen.too_old and not is_jump(edge):
+            newest_ns = subject.seen.children[edge.child].newest_stamp_ns
+            age_s = (newest_ns - seen.oldest_stamp_ns) / 1e9
+            text = f"{seen.too_old} of {seen.count} transforms, up to {age_s:.1f} s older than the newest"
+            yield edge, evidence_of(edge, text, rejected=seen.too_old, count=seen.count, age_s=age_s)

@@ -1,0 +1,146 @@
+"""Checks of the tree: who publishes which edge, and whether the edges form one tree."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tfloom.tf2_tools.doctor.finding import Evidence, Finding
+from tfloom.tf2_tools.doctor.limits import Limits
+from tfloom.tf2_tools.doctor.subject import (
+    Subject,
+    edge_text,
+    evidence_of,
+    for_each_publisher,
+    is_own_parent,
+    listed,
+    source_of,
+    stored,
+)
+from tfloom.tf2_tools.watch.model import Edge, Publisher
+
+
+def check_tree(subject: Subject, limits: Limits) -> Iterator[Finding]:  # noqa: ARG001 - as all checks
+    """Yield the findings on the tree."""
+    children: dict[str, list[Edge]] = {}
+    for edge in subject.edges:
+        children.setdefault(stored(edge.child), []).append(edge)
+    for child, edges in children.items():
+        yield from _several_publishers(child, edges)
+        yield from _static_and_dynamic(child, edges)
+        yield from _reparented(subject, child, edges)
+    yield from _loops(subject)
+    yield from _trees(subject)
+    yield from _rejected(subject)
+
+
+def _owner(publisher: Publisher) -> tuple[str, bytes]:
+    """Return what is the same for all publishers of one node: its name, and its participant's part of the gid."""
+    return publisher.name, publisher.gid[:12]
+
+
+def _are_at_once(edges: list[Edge]) -> bool:
+    """Return whether edges of different publishers were sent in turns: a restarted node sends after the former one."""
+    spans = sorted((e.statistics.first_received_ns, e.statistics.last_received_ns, e) for e in edges)
+    alive = [e for e in edges if not e.publisher.has_left]
+    if len({_owner(e.publisher) for e in alive}) > 1:
+        return True
+    return any(
+        later[0] < former[1] and _owner(later[2].publisher) != _owner(former[2].publisher)
+        for former, later in zip(spans, spans[1:], strict=False)
+    )
+
+
+def _several_publishers(child: str, edges: list[Edge]) -> Iterator[Finding]:
+    for is_static in (False, True):
+        same = [edge for edge in edges if edge.is_static is is_static]
+        owners = {_owner(edge.publisher) for edge in same}
+        if len(owners) < 2 or not _are_at_once(same):
+            continue
+        sources = sorted({source_of(edge.publisher) for edge in same})
+        names = listed(str(source) for source in sources)
+        yield Finding(
+            "TF101",
+            f"{len(owners)} publishers send {child}: {names}",
+            sources,
+            [child],
+            [_rate(edge) for edge in same],
+        )
+
+
+def _static_and_dynamic(child: str, edges: list[Edge]) -> Iterator[Finding]:
+    if len({edge.is_static for edge in edges}) < 2:
+        return
+    sources = sorted({source_of(edge.publisher) for edge in edges})
+    names = listed(str(source) for source in sources)
+    yield Finding(
+        "TF102", f"{child} is static and dynamic: {names}", sources, [child], [_rate(edge) for edge in edges]
+    )
+
+
+def _reparented(subject: Subject, child: str, edges: list[Edge]) -> Iterator[Finding]:
+    parents = list(dict.fromkeys(stored(edge.parent) for edge in edges))
+    spellings = {edge.child for edge in edges}
+    changes = sum(subject.seen.children[name].reparented for name in spellings if name in subject.seen.children)
+    if len(parents) < 2 or changes < len(parents):
+        return
+    sources = sorted({source_of(edge.publisher) for edge in edges})
+    yield Finding(
+        "TF103",
+        f"{child} changed its parent {changes} times, between {listed(parents)}",
+        sources,
+        [child],
+        [_rate(edge) for edge in edges],
+    )
+
+
+def _rate(edge: Edge) -> Evidence:
+    source, count = source_of(edge.publisher), edge.statistics.count
+    rate = f"{count} in all" if edge.is_static else f"{edge.rate_hz:.1f} Hz, {count} in all"
+    return evidence_of(edge, f"{source}, {rate}", rate_hz=round(edge.rate_hz, 3), count=count)
+
+
+def _loops(subject: Subject) -> Iterator[Finding]:
+    for loop in subject.tree.loops():
+        closed = set(zip(loop, [*loop[1:], loop[0]], strict=True))
+        edges = [edge for edge in subject.edges if (stored(edge.child), stored(edge.parent)) in closed]
+        sources = sorted({source_of(edge.publisher) for edge in edges})
+        way = " -> ".join([*reversed(loop), loop[-1]])
+        yield Finding("TF104", f"the frames {way} form a loop", sources, loop, [_rate(edge) for edge in edges])
+
+
+def _trees(subject: Subject) -> Iterator[Finding]:
+    tree = subject.tree
+    in_loops = {frame for loop in tree.loops() for frame in loop}
+    roots = [root for root in tree.roots() if root not in in_loops]
+    if len(roots) < 2:
+        return
+    members = {root: [frame for _, frame in tree.walk(root)] for root in roots}
+    roots.sort(key=lambda root: (-len(members[root]), root))
+    outer = {frame for root in roots[1:] for frame in members[root]}
+    sources = {source_of(edge.publisher) for edge in subject.edges if stored(edge.child) in outer}
+    evidence = [
+        Evidence(f"the tree of {root}: {listed(members[root])}", {"root": root, "frames": len(members[root])})
+        for root in roots
+    ]
+    yield Finding(
+        "TF105",
+        f"there are {len(roots)} trees, of {listed(roots)}; the smaller ones are from "
+        f"{listed(str(source) for source in sorted(sources))}",
+        sorted(sources),
+        roots,
+        evidence,
+    )
+
+
+def _rejected(subject: Subject) -> Iterator[Finding]:
+    """Yield the findings on edges that no listener stores."""
+    counted = [
+        (edge, evidence_of(edge, f"{edge.statistics.count} times", count=edge.statistics.count))
+        for edge in subject.seen.edges
+    ]
+    empty = [(edge, seen) for edge, seen in counted if not (edge.child and edge.parent)]
+    own = [(edge, seen) for edge, seen in counted if edge.child and is_own_parent(edge)]
+    yield from for_each_publisher("TF106", "sends a frame as its own parent: {}", own)
+    yield from for_each_publisher("TF107", "sends an empty frame id: {}", empty)
+
+

@@ -1,0 +1,87 @@
+"""Checks of transforms' values."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from tfloom._native import Step
+from tfloom.tf2_tools.doctor.finding import Evidence, Finding
+from tfloom.tf2_tools.doctor.limits import MAX_SPIN_DEG_S, Limits
+from tfloom.tf2_tools.doctor.subject import Subject, evidence_of, for_each_publisher
+from tfloom.tf2_tools.watch.model import Edge
+
+REJECTED_NORM_ERROR = 0.005
+"""From this difference of |q| from 1 on, listeners reject the transform: |q|² then differs by 0.01."""
+LEAST_UNCHANGED = 10
+"""Number of equal transforms on /tf from which a frame counts as fixed."""
+LEAST_UNCHANGED_S = 1.0
+
+
+def check_values(subject: Subject, limits: Limits) -> Iterator[Finding]:
+    """Yield the findings on values."""
+    yield from for_each_publisher("TF301", "sends numbers that are not finite: {}", _not_finite(subject))
+    yield from for_each_publisher(
+        "TF302", "sends quaternions that are not of unit length: {}", _not_unit(subject, limits)
+    )
+    yield from for_each_publisher("TF303", "lets a frame teleport: {}", _teleports(subject, limits))
+    yield from for_each_publisher("TF501", "repeats what never changes: {}", _unchanged(subject))
+    yield from for_each_publisher("TF502", "changes static transforms: {}", _changed(subject))
+
+
+def _not_finite(subject: Subject) -> Iterator[tuple[Edge, Evidence]]:
+    for edge in subject.edges:
+        count, bad = edge.statistics.count, edge.statistics.non_finite
+        if bad:
+            yield edge, evidence_of(edge, f"{bad} of {count} transforms", not_finite=bad, count=count)
+
+
+def _not_unit(subject: Subject, limits: Limits) -> Iterator[tuple[Edge, Evidence]]:
+    for edge in subject.edges:
+        error = edge.statistics.worst_norm_error
+        if error > limits.max_norm_error:
+            effect = "is rejected" if error >= REJECTED_NORM_ERROR else "is accepted"
+            text = f"|q| differs from 1 by {error:.3g}, which {effect} by listeners"
+            yield edge, evidence_of(edge, text, norm_error=error)
+
+
+def _teleports(subject: Subject, limits: Limits) -> Iterator[tuple[Edge, Evidence]]:
+    for edge in subject.moving:
+        seen = edge.statistics
+        for step in (seen.longest, seen.fastest, seen.widest):
+            if _is_teleport(step, limits):
+                yield edge, _jump(edge, step)
+                break
+
+
+def _is_teleport(step: Step, limits: Limits) -> bool:
+    elapsed_s, turn_deg = step.elapsed_ns / 1e9, math.degrees(step.angle_rad)
+    is_far = step.distance > limits.max_jump_m and step.distance > limits.max_speed_m_s * elapsed_s
+    is_wide = turn_deg > limits.max_turn_deg and turn_deg > MAX_SPIN_DEG_S * elapsed_s
+    return step.elapsed_ns > 0 and (is_far or is_wide)
+
+
+def _jump(edge: Edge, step: Step) -> Evidence:
+    elapsed_s, turn_deg = step.elapsed_ns / 1e9, math.degrees(step.angle_rad)
+    stamp = f"{step.stamp_ns / 1e9:.3f}"
+    text = f"moved {step.distance:.3g} m and turned {turn_deg:.3g} deg within {elapsed_s:.3f} s, at {stamp}"
+    figures = {"distance_m": step.distance, "angle_deg": turn_deg, "elapsed_s": elapsed_s}
+    return evidence_of(edge, text, stamp_ns=step.stamp_ns, **figures)
+
+
+def _unchanged(subject: Subject) -> Iterator[tuple[Edge, Evidence]]:
+    for edge in subject.moving:
+        seen = edge.statistics
+        duration_s = (seen.last_received_ns - seen.first_received_ns) / 1e9
+        is_known = seen.count - seen.non_finite >= LEAST_UNCHANGED and duration_s >= LEAST_UNCHANGED_S
+        if is_known and seen.changes == 0:
+            text = f"{seen.count} equal transforms in {duration_s:.1f} s"
+            yield edge, evidence_of(edge, text, count=seen.count, duration_s=duration_s)
+
+
+def _changed(subject: Subject) -> Iterator[tuple[Edge, Evidence]]:
+    for edge in subject.edges:
+        seen = edge.statistics
+        if edge.is_static and seen.changes > 1:
+            text = f"{seen.changes} changes in {seen.count} transforms, by {seen.distance.greatest:.3g} m at most"
+            yield edge, evidence_of(edge, text, changes=seen.changes, count=seen.count)
