@@ -9,6 +9,7 @@ NB_MODULE(_native, m) {
   tfloom::bindings::bind_core(m);
   tfloom::bindings::bind_dds(m);
   tfloom::bindings::bind_cdr(m);
+  tfloom::bindings::bind_headers(m);
   tfloom::bindings::bind_tf2(m);
   tfloom::bindings::bind_bag(m);
   tfloom::bindings::bind_bag_reading(m);

@@ -131,6 +131,8 @@ void bind_statistics(nb::module_& m) {
       .def_ro("delay", &EdgeStatistics::delay,
               "Times from the stamp to now, at receipt [s]; negative: stamped ahead of now. Zero stamps are not counted.")
       .def_ro("out_of_order", &EdgeStatistics::out_of_order, "Number of transforms older than the newest one.")
+      .def_ro("steps_back", &EdgeStatistics::steps_back,
+              "Number of transforms older than the one received before.")
       .def_ro("repeated", &EdgeStatistics::repeated,
               "Number of moving transforms with the same stamp as the newest one.")
       .def_ro("too_old", &EdgeStatistics::too_old,

@@ -49,6 +49,7 @@ void EdgeStatistics::add_times(Stamp stamp, Stamp received, Stamp now, bool is_s
       ++out_of_order;
       largest_step_back = std::max(largest_step_back, newest_stamp - stamp);
     }
+    if (stamp < last_stamp) ++steps_back;
     oldest_stamp = std::min(oldest_stamp, stamp);
     newest_stamp = std::max(newest_stamp, stamp);
   }

@@ -52,6 +52,7 @@ struct EdgeStatistics {
   Spread delay;           // from stamp to receipt, without zero stamps; negative: the stamp is ahead of now
 
   std::uint64_t out_of_order = 0;  // older than the newest one
+  std::uint64_t steps_back = 0;    // older than the one received before
   std::uint64_t repeated = 0;      // of the same stamp as the newest one, and moving
   std::uint64_t too_old = 0;       // older than the child's newest by more than the cache time: a buffer rejects them
   std::uint64_t ahead = 0;         // stamps ahead of now

@@ -298,6 +298,24 @@ def set_message_hooks(compile: object, convert: object, check: object, check_nam
     Set the functions that compile classes, convert arrays and check fields, and the errors that the codec raises.
     """
 
+class HeaderSink(Sink):
+    """
+    Counts the frames in the headers of a topic's messages, by publisher.
+
+    The messages begin with a `std_msgs/msg/Header`; nothing else is read.
+    """
+
+    def __init__(self) -> None: ...
+
+    def uses(self) -> list[tuple[bytes, str, int]]:
+        """
+        Return the gid of a publisher (16 octets), a frame id, and the number of messages, for all of these.
+        """
+
+    @property
+    def unreadable_count(self) -> int:
+        """Number of messages that have no such header."""
+
 class Transform:
     """
     A rigid transform, immutable: parent_from_child takes points of the child into the parent.
@@ -863,6 +881,10 @@ class EdgeStatistics:
     @property
     def out_of_order(self) -> int:
         """Number of transforms older than the newest one."""
+
+    @property
+    def steps_back(self) -> int:
+        """Number of transforms older than the one received before."""
 
     @property
     def repeated(self) -> int:

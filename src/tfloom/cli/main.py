@@ -110,9 +110,10 @@ COMMANDS: dict[str, str | Group] = {
         hidden="services",
     ),
     "tf": Group(
-        "Explain and compare transforms, and keep static ones in files",
+        "Check, explain and compare transforms, and keep static ones in files",
         {
             "diff": "Compare the transforms of two bags, files or graphs",
+            "doctor": "Check the transforms: what is wrong, who causes it, how to mend it",
             "publish": "Publish the static transforms of a file",
             "save": "Write the static transforms of a live graph or a bag to a file",
         },

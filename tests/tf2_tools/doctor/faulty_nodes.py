@@ -1,7 +1,8 @@
 """Nodes that publish transforms with one fault each, for the tests of `tfloom tf doctor`.
 
-As a program, `faulty_nodes.py [FAULT ...]` runs the named faults, or all, until its input ends. Each fault belongs to a
-node `/faults/FAULT`, or to several whose names begin so, and uses frames below `FAULT/`, so that all can share one tree.
+As a program, `faulty_nodes.py [FAULT ...]` runs the named faults, all, or `none`, until its input ends. Each fault
+belongs to a node `/faults/FAULT`, or to several whose names begin so, and has frames below `FAULT/`: all can share
+one tree.
 """
 
 from __future__ import annotations
@@ -113,9 +114,7 @@ def static_and_dynamic(participant: Participant) -> Steps:
     """Publish one edge on both topics, from two nodes."""
     mounting = Node(participant, "static_and_dynamic_mounting")
     mounting.send(edge("world", "static_and_dynamic/arm", x=1.0), topic="/tf_static")
-    return send_steadily(
-        Node(participant, "static_and_dynamic_joint"), ("world", "static_and_dynamic/arm")
-    )
+    return send_steadily(Node(participant, "static_and_dynamic_joint"), ("world", "static_and_dynamic/arm"))
 
 
 def reparenting(participant: Participant) -> Steps:
@@ -344,9 +343,7 @@ def listener(participant: Participant) -> Steps:
         yield
 
 
-SOUND: dict[str, Callable[[Participant], Steps]] = {
-    each.__name__: each for each in (clean, trunk, listener)
-}
+SOUND: dict[str, Callable[[Participant], Steps]] = {each.__name__: each for each in (clean, trunk, listener)}
 """What every run has."""
 
 FAULTS: dict[str, Callable[[Participant], Steps]] = {
@@ -364,7 +361,7 @@ FAULTS: dict[str, Callable[[Participant], Steps]] = {
 def main(names: list[str]) -> None:
     """Run faults until standard input ends."""
     participant = open_participant()
-    started = [(SOUND | FAULTS)[name](participant) for name in (*SOUND, *(names or FAULTS))]
+    started = [(SOUND | FAULTS)[name](participant) for name in (*SOUND, *names)]
     ended = threading.Event()
     threading.Thread(target=lambda: (sys.stdin.read(), ended.set()), daemon=True).start()
     for number in (signal.SIGINT, signal.SIGTERM):
@@ -380,4 +377,4 @@ def main(names: list[str]) -> None:
 
 
 if __name__ == "__main__":
-    main([name for name in sys.argv[1:] if name != "none"])
+    main([name for name in sys.argv[1:] or FAULTS if name != "none"])

@@ -1,1 +1,1 @@
-"""`tf`: explain, compare and keep transforms."""
+"""`tf`: check, explain, compare and keep transforms."""

@@ -97,8 +97,7 @@ _KINDS = (
         "TF106",
         _ERROR,
         "a frame is its own parent",
-        "Listeners reject it: `TF_SELF_TRANSFORM Ignoring transform … because frame_id and child_frame_id are the "
-        "same`.",
+        "Listeners reject it: `TF_SELF_TRANSFORM: Ignoring transform … because they are the same`.",
         "A parameter for the parent or the child has the name of the other, or both have the same default.",
         "Correct the frame ids of the publisher.",
     ),
@@ -109,6 +108,16 @@ _KINDS = (
         "Listeners reject it: `TF_NO_CHILD_FRAME_ID` or `TF_NO_FRAME_ID`.",
         "`header.frame_id` or `child_frame_id` of the message was not set.",
         "Set both frame ids where the transform is built.",
+    ),
+    Kind(
+        "TF108",
+        _ERROR,
+        "no transforms",
+        "No frame is known: every lookup fails because a frame does not exist.",
+        "No publisher runs, it is on another ROS_DOMAIN_ID or behind another discovery range, or it has published "
+        "nothing while the doctor listened.",
+        "Start a publisher; compare ROS_DOMAIN_ID and ROS_AUTOMATIC_DISCOVERY_RANGE of both sides (`tfloom doctor`); "
+        "listen longer with `--seconds`.",
     ),
     Kind(
         "TF201",
@@ -140,7 +149,7 @@ _KINDS = (
         "TF301",
         _ERROR,
         "a transform has numbers that are not finite",
-        "Listeners reject a NaN: `TF_NAN_INPUT Ignoring transform … because of a nan value`. They store infinities, "
+        "Listeners reject a NaN: `TF_NAN_INPUT: Ignoring transform … because of a nan value`. They store infinities, "
         "which make each point that is transformed infinite or NaN.",
         "A division by zero, an uninitialised state of a filter, or a sensor without a measurement.",
         "Do not publish until the numbers are finite; find the division in the publisher.",
@@ -149,8 +158,8 @@ _KINDS = (
         "TF302",
         _ERROR,
         "a quaternion is not of unit length",
-        "Listeners reject it if |q|² differs from 1 by 0.01 or more: `TF_DENORMALIZED_QUATERNION Ignoring transform …`. "
-        "Below, it stretches what it rotates.",
+        "Listeners reject it if |q|² differs from 1 by 0.01 or more: `TF_DENORMALIZED_QUATERNION: Ignoring transform "
+        "…`. Below, it stretches what it rotates.",
         "All four numbers 0 because the rotation was not set; w left out; Euler angles in the quaternion's fields; "
         "sums of rounding errors.",
         "Set w = 1 for no rotation, and divide the quaternion by its length before it is published.",

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 from tfloom.tf2_tools.doctor.finding import Finding
 from tfloom.tf2_tools.doctor.limits import Limits
 from tfloom.tf2_tools.doctor.subject import (
     Subject,
-    edge_text,
     evidence_of,
     for_each_publisher,
     listed,
@@ -42,7 +42,7 @@ def _misordered(subject: Subject, prefix: str) -> Iterator[Finding]:
     told = set()
     for order in _ORDERS:
         present = [prefix + name for name in order if prefix + name in subject.frames]
-        for outer, inner in zip(present, present[1:], strict=False):
+        for outer, inner in pairwise(present):
             if (outer, inner) not in told and not _is_below(subject, inner, outer):
                 told.add((outer, inner))
                 yield _misorder(subject, outer, inner)
@@ -61,9 +61,8 @@ def _misorder(subject: Subject, outer: str, inner: str) -> Finding:
     chain = outer_branch[: outer_branch.index(inner)] if is_reversed else [inner]
     edges = [edge for edge in subject.edges if stored(edge.child) in chain]
     sources = sorted({source_of(edge.publisher) for edge in edges})
-    what = "hangs below" if is_reversed else "and"
     summary = (
-        f"{outer} {what} {inner}, but REP 105 puts {inner} below {outer}"
+        f"{outer} hangs below {inner}, but REP 105 puts {inner} below {outer}"
         if is_reversed
         else f"{inner} does not hang below {outer}, as REP 105 has it, but below {tree.parents.get(inner, 'no frame')}"
     )
@@ -85,5 +84,3 @@ def _misspelled(subject: Subject, frame: str) -> Iterator[Finding]:
         [frame],
         [evidence_of(edge, f"from {source_of(edge.publisher)}") for edge in edges],
     )
-
-

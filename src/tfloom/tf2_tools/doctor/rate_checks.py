@@ -16,7 +16,9 @@ def check_rates(subject: Subject, limits: Limits) -> Iterator[Finding]:
     """Yield the findings on rates. An edge with a gap is not looked at for its jitter, which the gap would dominate."""
     gaps = {edge: gap for edge in subject.moving if (gap := _gap(subject, edge, limits))}
     rare = ((edge, seen) for edge in subject.moving if (seen := _rarity(subject, edge, limits)))
-    varying = ((edge, seen) for edge in subject.moving if edge not in gaps and (seen := _jitter(edge, limits)))
+    varying = (
+        (edge, seen) for edge in subject.moving if edge not in gaps and (seen := _jitter(edge, limits))
+    )
     yield from for_each_publisher("TF404", "publishes rarely: {}", rare)
     yield from for_each_publisher("TF405", "publishes at uneven times: {}", varying)
     yield from for_each_publisher("TF406", "paused: {}", gaps.items())
@@ -24,12 +26,13 @@ def check_rates(subject: Subject, limits: Limits) -> Iterator[Finding]:
 
 def _rarity(subject: Subject, edge: Edge, limits: Limits) -> Evidence | None:
     seen = edge.statistics
-    enough = seen.receipt_period.count > 1
-    rate_hz = 1.0 / seen.receipt_period.mean if enough and seen.receipt_period.mean > 0.0 else None
-    if not enough and subject.duration_s > 0.0:
-        rate_hz = seen.count / subject.duration_s
-    if rate_hz is None or rate_hz >= limits.min_rate_hz:
+    if seen.receipt_period.count > 1:
+        period_s = seen.receipt_period.mean
+    else:
+        period_s = (subject.seen.taken_ns - seen.first_received_ns) / 1e9 / seen.count
+    if period_s * limits.min_rate_hz <= 1.0:
         return None
+    rate_hz = 1.0 / period_s
     text = f"{rate_hz:.2f} Hz, {seen.count} transforms in {subject.duration_s:.1f} s"
     return evidence_of(edge, text, rate_hz=rate_hz, count=seen.count)
 

@@ -95,7 +95,7 @@ def listed(names: Iterable[str]) -> str:
     return ", ".join(names[:SHOWN]) + more
 
 
-def evidence_of(edge: Edge, text: str, **figures: str | float | int | None) -> Evidence:
+def evidence_of(edge: Edge, text: str, **figures: str | float | None) -> Evidence:
     """Return evidence about an edge, with its frames and its publisher among the figures."""
     source = source_of(edge.publisher)
     about = {"parent": edge.parent, "child": edge.child, "node": source.node, "topic": source.topic}
@@ -110,9 +110,7 @@ def by_publisher(edges: Iterable[Edge]) -> Iterator[tuple[Source, list[Edge]]]:
     yield from groups.items()
 
 
-def for_each_publisher(
-    code: str, what: str, edges: Iterable[tuple[Edge, Evidence]]
-) -> Iterator[Finding]:
+def for_each_publisher(code: str, what: str, edges: Iterable[tuple[Edge, Evidence]]) -> Iterator[Finding]:
     """Yield a finding for each publisher of these edges.
 
     Args:
@@ -120,7 +118,7 @@ def for_each_publisher(
         what: What its publisher does to them: `sends {} with the stamp zero`.
         edges: Each edge, and what was seen of it.
     """
-    seen = dict((id(edge), (edge, evidence)) for edge, evidence in edges)
+    seen = {id(edge): (edge, evidence) for edge, evidence in edges}
     for source, group in by_publisher(edge for edge, _ in seen.values()):
         names = listed(dict.fromkeys(edge_text(edge) for edge in group))
         frames = sorted({stored(edge.child) for edge in group if edge.child})

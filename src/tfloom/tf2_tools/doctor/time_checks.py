@@ -70,7 +70,11 @@ def _skewed(subject: Subject, limits: Limits, offset_s: float) -> Iterator[Findi
         evidence = [Evidence(f"{count} stamps vary by {width_s:.3f} s{_clock(stamped[0])}", {**figures})]
         frames = sorted({edge.child for edge in stamped})
         yield Finding(
-            "TF403", f"{source}: all stamps are {abs(mean_s):.3f} s {side} {whose}", [source], frames, evidence
+            "TF403",
+            f"{source}: all stamps are {abs(mean_s):.3f} s {side} {whose}",
+            [source],
+            frames,
+            evidence,
         )
 
 
@@ -81,7 +85,9 @@ def _clock(edge: Edge) -> str:
         return ""
     transit_s, delay_s = traffic.transit.mean, edge.statistics.delay.mean
     if abs(transit_s) < CONSTANT_PART * abs(delay_s):
-        return f"; its host's clock is right (messages take {1e3 * transit_s:.1f} ms): the node stamps them so"
+        return (
+            f"; its host's clock is right (messages take {1e3 * transit_s:.1f} ms): the node stamps them so"
+        )
     return f"; its host's clock differs by {-transit_s:.3f} s"
 
 

@@ -13,7 +13,7 @@ from tfloom.tf2_tools.doctor.limits import Limits
 from tfloom.tf2_tools.doctor.subject import Subject, listed, source_of
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC
 
-TYPE = TFMessage._TYPE_NAME  # noqa: SLF001 - ours
+TYPE = TFMessage._TYPE_NAME
 
 
 def check_topics(subject: Subject, limits: Limits) -> Iterator[Finding]:  # noqa: ARG001 - as all checks
@@ -90,7 +90,9 @@ def _policy(end: EndpointInfo, policy: QoSPolicyKind) -> str:
 
 def _unusual(ends: list[EndpointInfo]) -> Iterator[Finding]:
     for end in ends:
-        is_volatile = end.topic.name == STATIC_TOPIC and end.qos.durability != DurabilityPolicy.TRANSIENT_LOCAL
+        is_volatile = (
+            end.topic.name == STATIC_TOPIC and end.qos.durability != DurabilityPolicy.TRANSIENT_LOCAL
+        )
         is_lossy = end.is_writer and end.qos.reliability == ReliabilityPolicy.BEST_EFFORT
         verb = "offers" if end.is_writer else "requests"
         for policy in ["VOLATILE"] * is_volatile + ["BEST_EFFORT"] * is_lossy:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 from tfloom.tf2_tools.doctor.finding import Evidence, Finding
 from tfloom.tf2_tools.doctor.limits import Limits
 from tfloom.tf2_tools.doctor.subject import (
     Subject,
-    edge_text,
     evidence_of,
     for_each_publisher,
     is_own_parent,
@@ -21,6 +21,8 @@ from tfloom.tf2_tools.watch.model import Edge, Publisher
 
 def check_tree(subject: Subject, limits: Limits) -> Iterator[Finding]:  # noqa: ARG001 - as all checks
     """Yield the findings on the tree."""
+    if not subject.seen.edges:
+        yield _nothing(subject)
     children: dict[str, list[Edge]] = {}
     for edge in subject.edges:
         children.setdefault(stored(edge.child), []).append(edge)
@@ -31,6 +33,12 @@ def check_tree(subject: Subject, limits: Limits) -> Iterator[Finding]:  # noqa: 
     yield from _loops(subject)
     yield from _trees(subject)
     yield from _rejected(subject)
+
+
+def _nothing(subject: Subject) -> Finding:
+    sources = [source_of(publisher) for publisher in subject.seen.publishers]
+    who = f"from {listed(str(source) for source in sources)}" if sources else "and there is no publisher"
+    return Finding("TF108", f"no transform came within {subject.duration_s:.1f} s {who}", sources)
 
 
 def _owner(publisher: Publisher) -> tuple[str, bytes]:
@@ -46,7 +54,7 @@ def _are_at_once(edges: list[Edge]) -> bool:
         return True
     return any(
         later[0] < former[1] and _owner(later[2].publisher) != _owner(former[2].publisher)
-        for former, later in zip(spans, spans[1:], strict=False)
+        for former, later in pairwise(spans)
     )
 
 
@@ -80,7 +88,9 @@ def _static_and_dynamic(child: str, edges: list[Edge]) -> Iterator[Finding]:
 def _reparented(subject: Subject, child: str, edges: list[Edge]) -> Iterator[Finding]:
     parents = list(dict.fromkeys(stored(edge.parent) for edge in edges))
     spellings = {edge.child for edge in edges}
-    changes = sum(subject.seen.children[name].reparented for name in spellings if name in subject.seen.children)
+    changes = sum(
+        subject.seen.children[name].reparented for name in spellings if name in subject.seen.children
+    )
     if len(parents) < 2 or changes < len(parents):
         return
     sources = sorted({source_of(edge.publisher) for edge in edges})
@@ -105,7 +115,9 @@ def _loops(subject: Subject) -> Iterator[Finding]:
         edges = [edge for edge in subject.edges if (stored(edge.child), stored(edge.parent)) in closed]
         sources = sorted({source_of(edge.publisher) for edge in edges})
         way = " -> ".join([*reversed(loop), loop[-1]])
-        yield Finding("TF104", f"the frames {way} form a loop", sources, loop, [_rate(edge) for edge in edges])
+        yield Finding(
+            "TF104", f"the frames {way} form a loop", sources, loop, [_rate(edge) for edge in edges]
+        )
 
 
 def _trees(subject: Subject) -> Iterator[Finding]:
@@ -142,5 +154,3 @@ def _rejected(subject: Subject) -> Iterator[Finding]:
     own = [(edge, seen) for edge, seen in counted if edge.child and is_own_parent(edge)]
     yield from for_each_publisher("TF106", "sends a frame as its own parent: {}", own)
     yield from for_each_publisher("TF107", "sends an empty frame id: {}", empty)
-
-

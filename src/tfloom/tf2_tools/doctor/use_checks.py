@@ -24,5 +24,9 @@ def _unknown(
             evidence = Evidence(f"{use.count} {what}{hint}", {"count": use.count, "frame": use.frame})
             summary = f"what {use.source} publishes" if code == "TF601" else str(use.source)
             yield Finding(
-                code, f"{summary} {verb} {use.frame!r}, which no transform holds", [use.source], [use.frame], [evidence]
+                code,
+                f"{summary} {verb} {use.frame!r}, which no transform holds",
+                [use.source],
+                [use.frame],
+                [evidence],
             )

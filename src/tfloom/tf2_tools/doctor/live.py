@@ -1,0 +1,192 @@
+"""Listening on a graph: transforms, the clock, headers of topics, and requests to buffer servers."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from tfloom._native import HeaderSink
+from tfloom.interfaces.rosgraph_msgs.msg import Clock
+from tfloom.rmw.action_names import SEND_GOAL, SEND_GOAL_TYPE
+from tfloom.rmw.base import NodeName, Participant, Reader, Sample, Service
+from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, QoS, ReliabilityPolicy
+from tfloom.rmw.topic_names import request_topic
+from tfloom.rmw.typed_names import topic_of
+from tfloom.rosidl import cdr
+from tfloom.tf2_tools.doctor.finding import Source
+from tfloom.tf2_tools.doctor.requests import requested_frames
+from tfloom.tf2_tools.doctor.subject import FrameUse, Subject
+from tfloom.tf2_tools.watch.live import LiveWatch
+from tfloom.tf2_tools.watch.model import TOPICS
+
+LOOK_S = 0.1
+"""Period at which the graph is looked at for new topics, and what came on slow ones is taken [s]."""
+CLOCK_TOPIC = "/clock"
+LOOKUP_TYPE = "tf2_msgs/action/LookupTransform"
+
+_ANY = QoS(ReliabilityPolicy.BEST_EFFORT, DurabilityPolicy.VOLATILE, depth=1000)
+"""Matches every publisher."""
+_ALL_REQUESTS = QoS(ReliabilityPolicy.RELIABLE, DurabilityPolicy.VOLATILE, HistoryPolicy.KEEP_ALL)
+
+
+def listen(
+    participant: Participant,
+    duration_s: float,
+    *,
+    with_topics: bool = False,
+    topics: tuple[str, str] = TOPICS,
+) -> Subject:
+    """Listen for a time, and return what was seen.
+
+    Args:
+        participant: The participant that reads.
+        duration_s: How long [s].
+        with_topics: Whether to subscribe to all topics with headers as well.
+        topics: The topics of moving and of static transforms.
+    """
+    with _ears(participant, topics) as ears:
+        end_s = time.monotonic() + duration_s
+        while (now_s := time.monotonic()) < end_s:
+            ears.refresh(with_topics=with_topics)
+            time.sleep(min(LOOK_S, max(0.0, end_s - now_s)))
+        return ears.subject()
+
+
+@contextmanager
+def _ears(participant: Participant, topics: tuple[str, str]) -> Iterator[_Ears]:
+    node = NodeName("/", f"_tfloom_tf_doctor_{os.getpid()}")
+    participant.add_node(node)
+    try:
+        ears = _Ears(participant, node, topics)
+        try:
+            yield ears
+        finally:
+            ears.close()
+    finally:
+        participant.remove_node(node)
+
+
+class _Ears:
+    """All readers of a diagnosis. For one thread."""
+
+    def __init__(self, participant: Participant, node: NodeName, topics: tuple[str, str]) -> None:
+        self._participant = participant
+        self._node = node
+        self._watch = LiveWatch(participant, node, topics=topics)
+        self._skipped = {*topics, CLOCK_TOPIC}
+        self._headers: dict[str, tuple[Reader, HeaderSink]] = {}
+        self._requests: dict[str, Reader] = {}
+        self._asked: dict[tuple[bytes, str, str], int] = {}
+        """Numbers of requests by the client's gid, the name of the server, and the frame."""
+        self._clock: Reader | None = None
+        self._changes = -1
+        self.last_clock_ns = 0
+        self.clock_back_ns = 0
+        self._nodes: dict[bytes, str] = {}
+
+    def refresh(self, *, with_topics: bool) -> None:
+        """Read the graph if it has changed, and take what came on the clock and in requests."""
+        self._watch.refresh()
+        graph = self._participant.graph
+        if (changes := graph.changes()) != self._changes:
+            self._changes = changes
+            for end in graph.raw_endpoints():
+                if end.node is not None:
+                    self._nodes[end.gid] = end.node.full
+            self._open_clock()
+            self._open_requests()
+            if with_topics:
+                self._open_headers()
+        self._take_clock()
+        self._take_requests()
+
+    def _open_clock(self) -> None:
+        if self._clock is None and any(
+            end.is_writer and end.topic.name == CLOCK_TOPIC for end in self._participant.graph.endpoints()
+        ):
+            self._clock = self._participant.create_reader(self._node, topic_of(Clock, CLOCK_TOPIC), _ANY)
+            self._watch.set_simulated_time(0)
+
+    def _open_headers(self) -> None:
+        for end in self._participant.graph.endpoints():
+            name, type_name = end.topic.name, end.topic.type_name
+            if not end.is_writer or name in self._skipped:
+                continue
+            self._skipped.add(name)
+            if begins_with_header(type_name):
+                sink = HeaderSink()
+                reader = self._participant.create_reader(self._node, end.topic, _ANY)
+                reader.feed(sink)
+                self._headers[name] = reader, sink
+
+    def _open_requests(self) -> None:
+        for end in self._participant.graph.service_ends():
+            if end.name not in self._requests and end.type_name == LOOKUP_TYPE + SEND_GOAL_TYPE:
+                topic = request_topic(Service(end.name, end.type_name))._replace(is_native=True)
+                self._requests[end.name] = self._participant.create_reader(self._node, topic, _ALL_REQUESTS)
+
+    def _take_clock(self) -> None:
+        if self._clock is None:
+            return
+        for sample in _taken(self._clock):
+            try:
+                clock = cdr.decode(Clock, sample.data).clock
+            except cdr.DecodeError:
+                continue
+            now_ns = clock.sec * 1_000_000_000 + clock.nanosec
+            self.clock_back_ns = max(self.clock_back_ns, self.last_clock_ns - now_ns)
+            self.last_clock_ns = now_ns
+        self._watch.set_simulated_time(self.last_clock_ns)
+
+    def _take_requests(self) -> None:
+        for name, reader in self._requests.items():
+            for sample in _taken(reader):
+                for frame in requested_frames(sample):
+                    key = sample.publisher_gid, name.removesuffix(SEND_GOAL), frame
+                    self._asked[key] = self._asked.get(key, 0) + 1
+
+    def subject(self) -> Subject:
+        """Return what was seen."""
+        self.refresh(with_topics=False)
+        return Subject(self._watch.observation(), self._header_uses(), self._request_uses())
+
+    def _source(self, gid: bytes, topic: str) -> Source:
+        return Source(self._nodes.get(gid, ""), topic, gid.hex())
+
+    def _header_uses(self) -> list[FrameUse]:
+        return [
+            FrameUse(frame, self._source(gid, name), count)
+            for name, (_, sink) in self._headers.items()
+            for gid, frame, count in sink.uses()
+        ]
+
+    def _request_uses(self) -> list[FrameUse]:
+        return [
+            FrameUse(frame, self._source(gid, server), count)
+            for (gid, server, frame), count in self._asked.items()
+        ]
+
+    def close(self) -> None:
+        """Close all readers."""
+        self._watch.close()
+        readers = [*self._requests.values(), *(reader for reader, _ in self._headers.values())]
+        for reader in [*readers, *([self._clock] if self._clock else [])]:
+            reader.close()
+
+
+def begins_with_header(type_name: str) -> bool:
+    """Return whether the messages of a type begin with a std_msgs/msg/Header; False if the type is unknown here."""
+    from tfloom.rosidl.registry import get_message_class
+
+    try:
+        fields = get_message_class(type_name).get_fields_and_field_types()
+    except (LookupError, ValueError):
+        return False
+    return next(iter(fields.values()), "") == "std_msgs/Header"
+
+
+def _taken(reader: Reader) -> Iterator[Sample]:
+    while (sample := reader.take()) is not None:
+        yield sample
