@@ -1,4 +1,4 @@
-"""Listening on a graph: transforms, the clock, headers of topics, and requests to buffer servers."""
+"""Listening on a graph: transforms, headers of topics, and requests to buffer servers."""
 
 from __future__ import annotations
 
@@ -8,13 +8,10 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from tfloom._native import HeaderSink
-from tfloom.interfaces.rosgraph_msgs.msg import Clock
 from tfloom.rmw.action_names import SEND_GOAL, SEND_GOAL_TYPE
 from tfloom.rmw.base import NodeName, Participant, Reader, Sample, Service
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, QoS, ReliabilityPolicy
 from tfloom.rmw.topic_names import request_topic
-from tfloom.rmw.typed_names import topic_of
-from tfloom.rosidl import cdr
 from tfloom.tf2_tools.doctor.finding import Source
 from tfloom.tf2_tools.doctor.requests import requested_frames
 from tfloom.tf2_tools.doctor.subject import FrameUse, Subject
@@ -74,40 +71,29 @@ class _Ears:
     def __init__(self, participant: Participant, node: NodeName, topics: tuple[str, str]) -> None:
         self._participant = participant
         self._node = node
-        self._watch = LiveWatch(participant, node, topics=topics)
+        self._started_ns = time.time_ns()
         self._skipped = {*topics, CLOCK_TOPIC}
         self._headers: dict[str, tuple[Reader, HeaderSink]] = {}
         self._requests: dict[str, Reader] = {}
         self._asked: dict[tuple[bytes, str, str], int] = {}
         """Numbers of requests by the client's gid, the name of the server, and the frame."""
-        self._clock: Reader | None = None
+        self._watch = LiveWatch(participant, node, topics=topics)
         self._changes = -1
-        self.last_clock_ns = 0
-        self.clock_back_ns = 0
         self._nodes: dict[bytes, str] = {}
 
     def refresh(self, *, with_topics: bool) -> None:
-        """Read the graph if it has changed, and take what came on the clock and in requests."""
-        self._watch.refresh()
+        """Read the graph if it has changed, and take what came in requests."""
+        self._watch.observation()
         graph = self._participant.graph
         if (changes := graph.changes()) != self._changes:
             self._changes = changes
             for end in graph.raw_endpoints():
                 if end.node is not None:
                     self._nodes[end.gid] = end.node.full
-            self._open_clock()
             self._open_requests()
             if with_topics:
                 self._open_headers()
-        self._take_clock()
         self._take_requests()
-
-    def _open_clock(self) -> None:
-        if self._clock is None and any(
-            end.is_writer and end.topic.name == CLOCK_TOPIC for end in self._participant.graph.endpoints()
-        ):
-            self._clock = self._participant.create_reader(self._node, topic_of(Clock, CLOCK_TOPIC), _ANY)
-            self._watch.set_simulated_time(0)
 
     def _open_headers(self) -> None:
         for end in self._participant.graph.endpoints():
@@ -127,19 +113,6 @@ class _Ears:
                 topic = request_topic(Service(end.name, end.type_name))._replace(is_native=True)
                 self._requests[end.name] = self._participant.create_reader(self._node, topic, _ALL_REQUESTS)
 
-    def _take_clock(self) -> None:
-        if self._clock is None:
-            return
-        for sample in _taken(self._clock):
-            try:
-                clock = cdr.decode(Clock, sample.data).clock
-            except cdr.DecodeError:
-                continue
-            now_ns = clock.sec * 1_000_000_000 + clock.nanosec
-            self.clock_back_ns = max(self.clock_back_ns, self.last_clock_ns - now_ns)
-            self.last_clock_ns = now_ns
-        self._watch.set_simulated_time(self.last_clock_ns)
-
     def _take_requests(self) -> None:
         for name, reader in self._requests.items():
             for sample in _taken(reader):
@@ -150,7 +123,13 @@ class _Ears:
     def subject(self) -> Subject:
         """Return what was seen."""
         self.refresh(with_topics=False)
-        return Subject(self._watch.observation(), self._header_uses(), self._request_uses())
+        until_ns = time.time_ns()
+        return Subject(
+            self._watch.observation(),
+            (self._started_ns, until_ns),
+            self._header_uses(),
+            self._request_uses(),
+        )
 
     def _source(self, gid: bytes, topic: str) -> Source:
         return Source(self._nodes.get(gid, ""), topic, gid.hex())
@@ -172,7 +151,7 @@ class _Ears:
         """Close all readers."""
         self._watch.close()
         readers = [*self._requests.values(), *(reader for reader, _ in self._headers.values())]
-        for reader in [*readers, *([self._clock] if self._clock else [])]:
+        for reader in readers:
             reader.close()
 
 

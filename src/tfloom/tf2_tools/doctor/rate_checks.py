@@ -29,7 +29,7 @@ def _rarity(subject: Subject, edge: Edge, limits: Limits) -> Evidence | None:
     if seen.receipt_period.count > 1:
         period_s = seen.receipt_period.mean
     else:
-        period_s = (subject.seen.taken_ns - seen.first_received_ns) / 1e9 / seen.count
+        period_s = (subject.times_ns[1] - seen.first_received_ns) / 1e9 / seen.count
     if period_s * limits.min_rate_hz <= 1.0:
         return None
     rate_hz = 1.0 / period_s
@@ -71,7 +71,7 @@ def _gap(subject: Subject, edge: Edge, limits: Limits) -> Evidence | None:
     seen = edge.statistics
     if seen.receipt_period.count < LEAST_COUNT:
         return None
-    silent_s = (subject.seen.taken_ns - seen.last_received_ns) / 1e9
+    silent_s = (subject.times_ns[1] - seen.last_received_ns) / 1e9
     gap_s, where = max(
         (seen.receipt_period.greatest, "between two transforms"),
         (seen.stamp_period.greatest, "between two stamps"),

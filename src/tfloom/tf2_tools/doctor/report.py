@@ -63,7 +63,8 @@ class Report(NamedTuple):
             counted(sum(edge.statistics.count for edge in seen.edges), "transform"),
         ]
         unknown = "" if seen.is_live else "; a recording does not name publishers"
-        return f"{self.origin}, {self.subject.duration_s:.1f} s: {', '.join(counts)}{unknown}"
+        simulated = ", by /clock" if self.subject.is_simulated else ""
+        return f"{self.origin}, {self.subject.duration_s:.1f} s{simulated}: {', '.join(counts)}{unknown}"
 
     def end(self) -> str:
         """Return the last line."""

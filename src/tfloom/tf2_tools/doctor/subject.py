@@ -30,10 +30,14 @@ class Subject:
     """All that the checks look at."""
 
     seen: Observation
+    times_ns: tuple[int, int]
+    """When it began and ended, by the clock of the receipts [ns since epoch]."""
     headers: Sequence[FrameUse] = ()
     """Frames in the headers of topics."""
     requests: Sequence[FrameUse] = ()
     """Frames in requests to buffer servers."""
+    is_simulated: bool = False
+    """Whether stamps were compared with /clock."""
 
     @cached_property
     def edges(self) -> list[Edge]:
@@ -59,7 +63,7 @@ class Subject:
     @property
     def duration_s(self) -> float:
         """How long was observed [s]."""
-        return (self.seen.taken_ns - self.seen.started_ns) / 1e9
+        return (self.times_ns[1] - self.times_ns[0]) / 1e9
 
     def near(self, frame: str) -> str:
         """Return a hint at a known frame that is spelled alike; empty if there is none."""
