@@ -11,7 +11,7 @@ set_up = @$(PYTHON) -c 'import sys; v = sys.version_info; \
 	sys.exit(v < (3, 10) and "set-up: tfloom needs Python 3.10 or newer, and $(PYTHON) is %d.%d: make PYTHON=python3.12 …" % v[:2])' \
 	&& $(PYTHON) tools/set_up.py --venv "$(VENV)" $(KEEP) $(SET_UP)
 
-.PHONY: setup demo test test-slow test-ros test-all check stub api ros-peer bench matrix wheels clean
+.PHONY: setup demo test test-slow test-ros test-all check stub api ros-peer bench docs matrix wheels clean
 
 setup:
 	$(set_up) check
@@ -67,6 +67,12 @@ bench:
 	-$(set_up) bench
 	-@$(PYTHON) -m tools.ros_peer
 	"$(BIN)/python" -m benchmarks $(ARGS)
+
+# Build the documentation as HTML pages, in build/docs; a warning is an error. It needs no network.
+docs:
+	$(set_up) check
+	"$(BIN)/python" -m sphinx -q -W --keep-going -b html docs build/docs
+	@echo "The pages begin at build/docs/index.html"
 
 # Run the core tests on each Python 3.10 to 3.14 of this machine, including free-threaded ones.
 matrix:

@@ -1,9 +1,9 @@
 """Create the virtual environment of a checkout, or update it: `python3 tools/set_up.py STAGE`.
 
 Each stage includes the ones before it: `demo` has the packages for the demonstration, `test` adds those for the tests
-and all extras, `check` the linters and type checkers, `bench` the libraries that are measured beside tfloom. A second
-run checks whether anything has changed, and ends at once if not. `wheels` collects all downloads of the stage `check`
-in a folder, for a machine without a network.
+and all extras, `check` the linters, type checkers and the documentation's generator, `bench` the libraries that are
+measured beside tfloom. A second run checks whether anything has changed, and ends at once if not. `wheels` collects all
+downloads of the stage `check` in a folder, for a machine without a network.
 
 Only the standard library is imported, because this script runs before anything is installed.
 """
@@ -32,7 +32,7 @@ ROOT = Path(__file__).resolve().parents[1]
 STAGES: dict[str, tuple[list[str], list[str]]] = {
     "demo": (["build"], []),
     "test": (["test"], ["turtlesim", "transformations", "workspace", "launch", "bag"]),
-    "check": (["check"], []),
+    "check": (["check", "docs"], []),
     "bench": (["bench"], []),
 }
 """The additions of each stage to the one before it: dependency groups, and extras of tfloom."""

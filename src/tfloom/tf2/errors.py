@@ -1,5 +1,7 @@
 """Exceptions of a buffer.
 
+The tree of their classes::
+
     TransformException
     ├── ConnectivityException            the frames are in different trees
     ├── LookupException                  a frame is unknown, or the chain is a loop

@@ -1,0 +1,105 @@
+"""The code blocks of the tutorial and of the how-tos run, and print what the pages say."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from tests.conftest import Program
+from tests.docs import page
+from tests.docs.page import DOCS
+from tests.each import for_each
+
+pytestmark = pytest.mark.skipif(os.name != "posix", reason="its commands are for a POSIX shell")
+
+TUTORIAL = sorted((DOCS / "tutorial").glob("*.md"))
+HOW_TOS = sorted((DOCS / "how_to").glob("*.md"))
+PAGES = [*TUTORIAL, *HOW_TOS]
+WITH_COMMANDS = [path for path in PAGES if list(page.commands(page.blocks(path)))]
+WITH_PROGRAMS = [path for path in [*sorted(DOCS.glob("*.md")), *PAGES] if page.program(page.blocks(path))[1]]
+BIN = Path(sys.executable).parent
+
+
+def name_of(path: Path) -> str:
+    return path.relative_to(DOCS).with_suffix("").as_posix()
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """Return a folder with the programs of the tutorial."""
+    for path in TUTORIAL:
+        for name, text in page.files(page.blocks(path)).items():
+            (tmp_path / name).write_text(text, "utf-8")
+    return tmp_path
+
+
+@pytest.mark.wire
+@pytest.mark.parametrize("path", WITH_COMMANDS, ids=name_of)
+def test_commands_print_what_the_page_says(
+    path: Path,
+    folder: Path,
+    domain_id: int,
+    start_program: Callable[..., Program],
+    wait_until: Callable[..., None],
+) -> None:
+    environment = os.environ | {"PATH": f"{BIN}{os.pathsep}{os.environ['PATH']}", "COLUMNS": "80"}
+    for command in page.commands(page.blocks(path)):
+        expected = page.pattern(command.output)
+        running = start_program("bash", "-c", f"exec {command.words}", cwd=folder, env=environment)
+        where = f"{path.name}:{command.line}: {command.words}"
+
+        def is_printed(running: Program = running, expected: page.re.Pattern[str] = expected) -> bool:
+            return expected.match(page.MASKED.sub("#", running.output + "\n")) is not None
+
+        if command.is_kept:
+            wait_until(is_printed, 30, where)
+        else:
+            assert running.wait() == 0, f"{where}\n{running.output}"
+            assert is_printed(), f"{where}\n{running.output}"
+
+
+@pytest.mark.parametrize("path", WITH_PROGRAMS, ids=name_of)
+def test_programs_print_what_the_page_says(path: Path, tmp_path: Path) -> None:
+    code, output = page.program(page.blocks(path))
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+        cwd=tmp_path,
+        env=os.environ | {"RMW_IMPLEMENTATION": "tfloom_local"},
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout == output
+
+
+@for_each(PAGES, name=name_of)
+def test_each_block_is_run_or_says_why_not(path: Path) -> None:
+    found = page.blocks(path)
+    unknown = [each for each in found if each.kind not in page.QUOTED]
+    assert not unknown
+    not_run = [each.line for each in found if each.kind == "bash" and not each.reason]
+    assert not not_run, "lines of ```bash blocks without <!-- not run: REASON -->"
+    program = page.program(found)
+    assert bool(program[0]) == bool(program[1]), "a program without its output"
+
+
+def test_a_difference_is_found() -> None:
+    expected = page.pattern(["a [1763883600.531203742] b", "…", "c … d"])
+    assert expected.match("a # b\nmore\nand more\nc 12 d\nrest\n")
+    assert not expected.match("a # b\nmore\nc 12 e\n")
+    assert not expected.match("before\na # b\nc 1 d\n")
+
+
+def test_pages_are_found() -> None:
+    assert {"broadcaster", "follower", "install", "launch", "turtle"} == {path.stem for path in TUTORIAL}
+    assert len(HOW_TOS) >= 7
+    assert len(WITH_COMMANDS) >= 6
+    assert len(WITH_PROGRAMS) >= 4
+    assert shutil.which("bash")
