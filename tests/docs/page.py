@@ -45,9 +45,7 @@ class Command(NamedTuple):
 def blocks(path: Path) -> list[Block]:
     """Return the fenced blocks of a page."""
     text = path.read_text("utf-8")
-    found = re.finditer(
-        r"(?:<!-- not run: (.+?) -->\n)?^```([^\n`]*)\n((?:.*\n)*?)```$", text, re.MULTILINE
-    )
+    found = re.finditer(r"(?:<!-- not run: (.+?) -->\n)?^```([^\n`]*)\n((?:.*\n)*?)```$", text, re.MULTILINE)
     return [
         Block(each[2].strip(), each[3], text.count("\n", 0, each.start()) + 1, each[1] or "")
         for each in found
