@@ -51,6 +51,7 @@ DOORS = {
     "psutil": ("launch/processes/",),
     "transforms3d": ("tf2_ros/transformations.py",),
     "cv2": ("sensing/opencv.py",),
+    "pandas": ("tf2/trajectory.py",),
     "lz4": ("bag/compression.py",),
     "zstandard": ("bag/compression.py",),
     "rosbags": ("bag/ros1_reader.py",),

@@ -177,7 +177,10 @@ void bind_tf2_batch(nb::module_& m, nb::class_<BufferHandle>& type) {
       .def_ro("is_static", &tf2::Edge::is_static, "Whether it is valid at all times.")
       .def_ro("oldest_ns", &tf2::Edge::oldest, "Stamp of the oldest sample [ns since epoch]; 0 if static.")
       .def_ro("newest_ns", &tf2::Edge::newest, "Stamp of the newest sample [ns since epoch]; 0 if static.")
-      .def_ro("sample_count", &tf2::Edge::sample_count, "Number of samples.");
+      .def_ro("sample_count", &tf2::Edge::sample_count, "Number of samples.")
+      .def("_repr_html_",
+           [](const nb::handle self) { return nb::module_::import_("tfloom.tf2.html").attr("edge_html")(self); },
+           nb::sig("def _repr_html_(self) -> str"), "Return what a notebook shows.");
   type.def("fill_many", &lookup_many, "target_frame"_a, "source_frame"_a, "stamps_ns"_a, "out"_a, "known"_a,
            "strict"_a, "workers"_a,
            "Fill `out` (N, 7) with the transforms at `stamps_ns` (N,), `known` (N,) with whether there is one.\n\n"

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from tfloom.bag.bag import Bag as Bag
     from tfloom.bag.errors import BagError as BagError
     from tfloom.bag.errors import BagWarning as BagWarning
+    from tfloom.bag.moved_clouds import clouds as clouds
     from tfloom.bag.opening import open_bag as open_bag
     from tfloom.bag.tf_frames import frames as frames
     from tfloom.bag.values import Definition as Definition
@@ -30,6 +31,7 @@ else:
         Definition="tfloom.bag.values",
         RawMessage="tfloom.bag.values",
         Topic="tfloom.bag.values",
+        clouds="tfloom.bag.moved_clouds",
         frames="tfloom.bag.tf_frames",
         open_bag="tfloom.bag.opening",
     )

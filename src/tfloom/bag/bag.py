@@ -6,12 +6,16 @@ import heapq
 from collections.abc import Collection, Iterator
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from tfloom.bag.bag_file import BagFile
 from tfloom.bag.errors import BagError
 from tfloom.bag.metadata import Metadata
 from tfloom.bag.values import EARLIEST, LATEST, RawMessage, Topic
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 __all__ = ["Bag"]
 
@@ -155,6 +159,30 @@ class Bag:
 
         decode = decoder(self.path, self.topic(topic))
         return ((raw, decode(raw)) for raw in self.messages(topic, start_ns, end_ns))
+
+    def stamps(
+        self,
+        topic: str,
+        of: str | None = None,
+        start_ns: int | None = None,
+        end_ns: int | None = None,
+    ) -> NDArray[np.int64]:
+        """Return the stamps of a topic's messages (N,), in the order of log times [ns since epoch].
+
+        Args:
+            topic: Its name.
+            of: `header` for the stamps in the messages, `log` for the times of receipt, `publish` for those of
+                publishing; None: `header` if the messages begin with one, else `log`.
+            start_ns: The least log time [ns since epoch]; None: no bound.
+            end_ns: The greatest one [ns since epoch]; None: no bound.
+
+        Raises:
+            BagError: there is no such topic, its messages have no header, or a file can't be read.
+            ValueError: `of` is none of these.
+        """
+        from tfloom.bag.stamps import stamps_of
+
+        return stamps_of(self.path, self.topic(topic), self.messages(topic, start_ns, end_ns), of)
 
 
 def _joined(before: Topic | None, topic: Topic, is_counted: bool) -> Topic:

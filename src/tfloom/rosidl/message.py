@@ -95,6 +95,12 @@ class Message(MessageBase):
         fields = ", ".join(f"{field}={_field_repr(getattr(self, field))}" for field in self._FIELDS)
         return f"{package}.{kind}.{name}({fields})"
 
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows."""
+        from tfloom.rosidl.html import message_html
+
+        return message_html(self)
+
 
 def _is_numeric_array(type_text: str) -> bool:
     return type_text.endswith("]") and type_text.partition("[")[0] in ARRAY_CODES

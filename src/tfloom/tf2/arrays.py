@@ -11,6 +11,8 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
+    from tfloom.tf2.trajectory import Trajectory
+
 __all__ = ["Arrays", "Poses", "Samples"]
 
 
@@ -85,6 +87,47 @@ class Arrays(Frames):
         if not strict:
             rows[~is_known] = np.nan
         return Poses(rows[:, :3], rows[:, 3:], is_known)
+
+    def trajectory(
+        self,
+        target_frame: str,
+        source_frame: str,
+        stamps_ns: ArrayLike | None = None,
+        *,
+        rate_hz: float | None = None,
+        start_ns: int | None = None,
+        end_ns: int | None = None,
+        strict: bool = True,
+    ) -> Trajectory:
+        """Return the way of `source_frame` through `target_frame`.
+
+        Without stamps and rate, the stamps are those of all samples of the chain's moving transforms that lie in the
+        time for which the whole chain is known.
+
+        Args:
+            target_frame: Frame to express the poses in.
+            source_frame: The frame that moves.
+            stamps_ns: (N,) integers [ns since epoch], as those of another topic; None: see above.
+            rate_hz: Rate at which to sample the time for which the whole chain is known [Hz].
+            start_ns: The least stamp [ns since epoch]; None: no bound.
+            end_ns: The greatest one [ns since epoch]; None: no bound.
+            strict: Whether to raise for a stamp whose lookup fails; if not, it is left out.
+
+        Raises:
+            TransformException: as `lookup`, for the first stamp that fails if `strict`.
+            ValueError: both stamps and a rate are given, or the rate isn't positive.
+        """
+        from tfloom.tf2.trajectory import Trajectory, chosen_stamps
+
+        chain = self.explain(target_frame, source_frame)
+        if chain.error is not None:
+            raise chain.error
+        given = None if stamps_ns is None else _stamps(stamps_ns)
+        stamps = chosen_stamps(self, chain.edges, given, rate_hz, (start_ns, end_ns))
+        poses = self.lookup_many(target_frame, source_frame, stamps, strict=strict)
+        known = poses.known
+        positions, rotations = poses.positions[known], poses.rotations_xyzw[known]
+        return Trajectory(target_frame, source_frame, stamps[known], positions, rotations)
 
     def transform_points(
         self,

@@ -59,6 +59,12 @@ class Explanation(NamedTuple):
 class Frames(_native.Buffer):
     """The part of a buffer that returns its tree."""
 
+    def _repr_html_(self) -> str:
+        """Return what a notebook shows: the tree."""
+        from tfloom.tf2.html import tree_html
+
+        return tree_html(self)
+
     def parents(self) -> dict[str, str | None]:
         """Return each frame's parent, by its newest sample; None for a root."""
         known = {edge.child_frame_id: edge.frame_id for edge in self.edges()}

@@ -1,0 +1,53 @@
+"""What a message shows in a notebook, as HTML: a table of its fields."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from html import escape
+from typing import Any
+
+__all__ = ["message_html"]
+
+MOST_SHOWN = 10
+"""How many messages of a sequence are shown."""
+MOST_NUMBERS = 20
+MOST_LETTERS = 500
+
+
+def message_html(message: Any) -> str:
+    """Return a message as a table; messages in it are tables that can be folded."""
+    rows = "".join(
+        f"<tr><th style='text-align:left'>{escape(name)}</th>"
+        f"<td style='text-align:left'>{_value(getattr(message, name), kind)}</td></tr>"
+        for name, kind in message._FIELDS.items()
+    )
+    return f"<b>{escape(message._TYPE_NAME)}</b><table>{rows}</table>"
+
+
+def _value(value: Any, kind: str) -> str:
+    if hasattr(value, "_FIELDS"):
+        return _folded(kind, message_html(value), is_open=len(value._FIELDS) <= 4)
+    if isinstance(value, str):
+        shown = value[:MOST_LETTERS]
+        return escape(shown) + ("…" if len(value) > MOST_LETTERS else "")
+    if isinstance(value, Sequence) or hasattr(value, "tolist"):
+        return _sequence(value, kind)
+    return escape(str(value))
+
+
+def _sequence(values: Any, kind: str) -> str:
+    count = len(values)
+    if count and hasattr(values[0], "_FIELDS"):
+        shown = "".join(message_html(each) for each in values[:MOST_SHOWN])
+        rest = f"{count - MOST_SHOWN} more" if count > MOST_SHOWN else ""
+        return _folded(f"{kind}: {count}", shown + rest, is_open=count <= 1)
+    shown = ", ".join(_number(each) for each in list(values[:MOST_NUMBERS]))
+    return f"{count}: [{shown}{', …' if count > MOST_NUMBERS else ''}]"
+
+
+def _number(value: Any) -> str:
+    return escape(str(value.item() if hasattr(value, "item") else value)[:MOST_LETTERS])
+
+
+def _folded(title: str, content: str, *, is_open: bool) -> str:
+    return f"<details{' open' if is_open else ''}><summary>{escape(title)}</summary>{content}</details>"
