@@ -26,7 +26,18 @@ COMMANDS: dict[str, str | Group] = {
             "type": "Print an action's type",
         },
     ),
-    "bag": "Explain that recordings can't be made or played yet",
+    "bag": Group(
+        "Various rosbag related sub-commands",
+        {
+            "burst": "Burst data from a bag",
+            "convert": "Given an input bag, write out a new bag with different settings",
+            "info": "Print information about a bag to the screen",
+            "list": "Print information about available plugins to the screen",
+            "play": "Play back ROS data from a bag",
+            "record": "Record ROS data to a bag",
+            "reindex": "Reconstruct metadata file for a bag",
+        },
+    ),
     "component": "Explain that components need C++",
     "daemon": Group(
         "Explain that there is no daemon, and that none is needed",

@@ -15,7 +15,7 @@ from tfloom.node.context.utilities import remove_ros_args
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
 from tfloom.node.values.exceptions import ExternalShutdownException
-from tfloom.turtlesim.keyboard import Keyboard, NoTerminalError
+from tfloom.keyboard import Keyboard, NoTerminalError
 from tfloom.turtlesim.messages import RotateAbsolute
 
 BANNER = """\

@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tfloom.turtlesim.keyboard import Keyboard, NoTerminalError, decode_keys
+from tfloom.keyboard import Keyboard, NoTerminalError, decode_keys
 
 
 @pytest.mark.parametrize(
@@ -47,7 +47,7 @@ def test_input_without_terminal_raises(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 SCRIPT = """
-from tfloom.turtlesim.keyboard import Keyboard
+from tfloom.keyboard import Keyboard
 with Keyboard() as keyboard:
     print("ready", flush=True)
     keys = []

@@ -1,0 +1,56 @@
+"""Keys that are pressed while a bag is recorded or played."""
+
+from __future__ import annotations
+
+import sys
+import threading
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+
+from tfloom.keyboard import Keyboard, NoTerminalError
+
+__all__ = ["handled_keys"]
+
+_POLL_S = 0.1
+
+
+@contextmanager
+def handled_keys(actions: Mapping[str, Callable[[], object]], *, enabled: bool = True) -> Iterator[None]:
+    """Call an action for each key that is pressed during the block, on a thread.
+
+    If standard input is not a terminal, a line on stderr says so. To be entered in the main thread.
+
+    Args:
+        actions: By key: ` `, `up`, `down`, `right`, …
+        enabled: Whether keys are read at all.
+    """
+    if not enabled:
+        yield
+        return
+    keyboard = Keyboard()
+    try:
+        keyboard.__enter__()
+    except NoTerminalError:
+        print("stdin is not a terminal device. Keyboard handling disabled.", file=sys.stderr)
+        yield
+        return
+    ended = threading.Event()
+    thread = threading.Thread(target=_read, args=(keyboard, actions, ended), daemon=True)
+    thread.start()
+    try:
+        yield
+    finally:
+        ended.set()
+        thread.join()
+        keyboard.__exit__(None, None, None)
+
+
+def _read(keyboard: Keyboard, actions: Mapping[str, Callable[[], object]], ended: threading.Event) -> None:
+    while not ended.is_set():
+        try:
+            keys = keyboard.read(_POLL_S)
+        except EOFError:
+            return
+        for key in keys:
+            if key in actions:
+                actions[key]()

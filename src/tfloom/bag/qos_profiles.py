@@ -1,0 +1,128 @@
+"""QoS profiles in the YAML of bags and of files with overrides."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+from tfloom.bag.errors import BagError
+from tfloom.rmw.qos import (
+    INFINITE_NS,
+    POLICIES,
+    DurabilityPolicy,
+    HistoryPolicy,
+    LivelinessPolicy,
+    QoS,
+    QoSPolicyEnum,
+    ReliabilityPolicy,
+)
+
+__all__ = ["parse_profiles", "profiles_text", "read_overrides"]
+
+_S_TO_NS = 1_000_000_000
+_DURATIONS = {
+    "deadline": "deadline_ns",
+    "lifespan": "lifespan_ns",
+    "liveliness_lease_duration": "liveliness_lease_ns",
+}
+_DEFAULTS: dict[str, QoSPolicyEnum] = {
+    "history": HistoryPolicy.KEEP_LAST,
+    "reliability": ReliabilityPolicy.RELIABLE,
+    "durability": DurabilityPolicy.VOLATILE,
+    "liveliness": LivelinessPolicy.AUTOMATIC,
+}
+
+
+def profiles_text(profiles: Iterable[QoS]) -> str:
+    """Return profiles as YAML, as rosbag2 writes them; there is no line break at the end."""
+    return "\n".join(_text(each) for each in profiles) or "[]"
+
+
+def _text(qos: QoS) -> str:
+    return "\n".join(
+        (
+            f"- history: {qos.history.short_key}",
+            f"  depth: {qos.depth}",
+            f"  reliability: {qos.reliability.short_key}",
+            f"  durability: {qos.durability.short_key}",
+            *_duration_lines("deadline", qos.deadline_ns),
+            *_duration_lines("lifespan", qos.lifespan_ns),
+            f"  liveliness: {qos.liveliness.short_key}",
+            *_duration_lines("liveliness_lease_duration", qos.liveliness_lease_ns),
+            "  avoid_ros_namespace_conventions: false",
+        )
+    )
+
+
+def _duration_lines(name: str, duration_ns: int) -> tuple[str, str, str]:
+    seconds, rest = divmod(duration_ns, _S_TO_NS)
+    return f"  {name}:", f"    sec: {seconds}", f"    nsec: {rest}"
+
+
+def parse_profiles(text: str) -> list[QoS]:
+    """Return the profiles in a bag's YAML, of any version: policies are names or numbers.
+
+    What can't be read is left out, because a bag is readable without its profiles.
+    """
+    from tfloom.rosidl import user_yaml
+
+    try:
+        values = user_yaml.load(text) if text else []
+    except user_yaml.YamlError:
+        return []
+    profiles = []
+    for value in values if isinstance(values, list) else []:
+        try:
+            profiles.append(_profile(value))
+        except (KeyError, ValueError, TypeError, AttributeError):
+            continue
+    return profiles
+
+
+def read_overrides(path: str | Path) -> dict[str, QoS]:
+    """Return the profiles in a file of overrides, by topic.
+
+    Raises:
+        BagError: it can't be read, or isn't a map from topics to profiles.
+    """
+    from tfloom.rosidl import user_yaml
+
+    try:
+        values = user_yaml.load(Path(path).read_text("utf-8"))
+    except OSError as error:
+        raise BagError(path, f"it can't be read: {error.strerror}") from None
+    except (user_yaml.YamlError, UnicodeDecodeError) as error:
+        raise BagError(path, f"it isn't YAML: {error}") from None
+    if not isinstance(values, dict):
+        raise BagError(path, "it must be a map from topics to profiles, as `/scan: {reliability: best_effort}`")
+    found = {}
+    for topic, value in values.items():
+        try:
+            found[str(topic)] = _profile(value)
+        except (KeyError, ValueError, TypeError, AttributeError) as error:
+            reason = f"the profile of {topic} has an unknown value: {error}"
+            raise BagError(path, reason) from None
+    return found
+
+
+def _profile(values: Mapping[str, Any]) -> QoS:
+    if unknown := values.keys() - {*_DEFAULTS, *_DURATIONS, "depth", "avoid_ros_namespace_conventions"}:
+        raise ValueError(", ".join(sorted(unknown)))
+    changes: dict[str, Any] = {"depth": int(values.get("depth", QoS().depth))}
+    for name, default in _DEFAULTS.items():
+        changes[name] = _policy(POLICIES[name], values[name]) if name in values else default
+    for name, field in _DURATIONS.items():
+        if name in values:
+            changes[field] = _duration_ns(values[name])
+    return QoS(**changes)
+
+
+def _policy(kind: type[QoSPolicyEnum], value: Any) -> QoSPolicyEnum:
+    return kind(value) if isinstance(value, int) else kind.get_from_short_key(str(value))
+
+
+def _duration_ns(value: Mapping[str, Any]) -> int:
+    """Return a duration [ns]; one without limit is `INFINITE_NS`, and so is 0."""
+    duration = int(value["sec"]) * _S_TO_NS + int(value.get("nsec", 0))
+    return duration if 0 < duration < INFINITE_NS else INFINITE_NS

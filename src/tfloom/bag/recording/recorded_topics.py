@@ -1,0 +1,217 @@
+"""The topics of a recording: which ones appear, and the readers that feed them into the writer."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from tfloom.bag.recording.record_options import RecordOptions
+from tfloom.bag.recording.requested_qos import adapted, refused, warnings_of
+from tfloom.bag.qos_profiles import profiles_text
+from tfloom.bag.topic_choice import is_service_event
+from tfloom.bag.values import Topic
+from tfloom.bag.writing.bag_writer import BagWriter
+from tfloom.bag.writing.definition_text import find_definition, hash_of
+from tfloom.node.log.logging import get_logger
+from tfloom.rmw import base
+from tfloom.rmw.errors import UnsupportedEventError
+from tfloom.rmw.events import Count, Event
+from tfloom.rmw.qos import HistoryPolicy, QoS
+
+if TYPE_CHECKING:
+    from tfloom.node.node import Node
+
+__all__ = ["RecordedTopics"]
+
+
+class _Found:
+    """What the graph says of one topic."""
+
+    def __init__(self) -> None:
+        self.types: dict[str, str] = {}
+        """Hashes by types."""
+        self.writers: list[base.EndpointInfo] = []
+        self.has_subscription = False
+
+
+class _Recorded:
+    """A topic that is recorded. It is an endpoint of the node, which destroys it."""
+
+    def __init__(self, qos: QoS) -> None:
+        self.qos = qos
+        self.reader: base.Reader | None = None
+        self.refused: set[bytes] = set()
+        self.lost = 0
+
+    def destroy(self) -> None:
+        """Leave the topic."""
+        if self.reader is not None:
+            self.lost = self.count_lost()
+            self.reader.close()
+            self.reader = None
+
+    def count_lost(self) -> int:
+        """Return how many messages the wire has lost."""
+        if self.reader is None:
+            return self.lost
+        try:
+            status = self.reader.take_event(Event.MESSAGE_LOST)
+        except UnsupportedEventError:
+            return self.lost
+        return status.total_count if isinstance(status, Count) else self.lost
+
+
+class RecordedTopics:
+    """Subscribes to wanted topics. One thread at a time calls its methods."""
+
+    def __init__(
+        self,
+        node: Node,
+        writer: BagWriter,
+        options: RecordOptions,
+        learn: Callable[[base.Participant, str], object] | None,
+    ) -> None:
+        self._node = node
+        self._writer = writer
+        self._options = options
+        self._learn = learn
+        self._recorded: dict[str, _Recorded] = {}
+        self._reported: set[str] = set()
+        self._changes = -1
+        self._participant: base.Participant | None = None
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether all topics are recorded that may ever be wanted."""
+        choice = self._options.choice
+        return choice.is_by_name_only and choice.wanted_names() <= self._recorded.keys()
+
+    def subscribe_changed(self) -> None:
+        """Subscribe to what has appeared since the last call."""
+        if self._graph().changes() != self._changes:
+            self.subscribe_all()
+
+    def subscribe_all(self) -> None:
+        """Subscribe to all wanted topics that exist."""
+        graph = self._graph()
+        self._changes = graph.changes()
+        for name, found in sorted(self._topics(graph).items()):
+            if name in self._recorded:
+                self._warn_of_refused(name, found)
+            elif self._is_wanted(name, found):
+                self._subscribe(name, found)
+
+    def lost_count(self) -> int:
+        """Return how many messages the wire has lost."""
+        return sum(each.count_lost() for each in self._recorded.values())
+
+    def close(self) -> None:
+        """Leave all topics."""
+        for each in self._recorded.values():
+            each.destroy()
+
+    def _graph(self) -> base.Graph:
+        if self._participant is None:
+            self._participant = self._node._open(_Nothing(), lambda participant, _: participant)  # noqa: SLF001  # ours
+        return self._participant.graph
+
+    def _topics(self, graph: base.Graph) -> dict[str, _Found]:
+        topics: dict[str, _Found] = {}
+        own = {each.reader.gid for each in self._recorded.values() if each.reader is not None}
+        for end in graph.endpoints():
+            found = topics.setdefault(end.topic.name, _Found())
+            if end.is_writer or end.topic.type_name not in found.types:
+                found.types[end.topic.type_name] = end.topic.type_hash
+            if end.is_writer:
+                found.writers.append(end)
+            elif end.gid not in own:
+                found.has_subscription = True
+        return topics
+
+    def _is_wanted(self, name: str, found: _Found) -> bool:
+        if len(found.types) > 1:
+            if any(self._options.choice.wants(name, each) for each in found.types):
+                self._report(
+                    f"Topic '{name}' has more than one type, and can't be recorded: {', '.join(sorted(found.types))}"
+                )
+            return False
+        type_name = next(iter(found.types))
+        if not self._options.choice.wants(name, type_name):
+            return False
+        if not found.writers and not self._options.include_unpublished_topics:
+            return False
+        if self._options.ignore_leaf_topics and not found.has_subscription:
+            return False
+        is_named = name in self._options.choice.wanted_names()
+        if "/_" in name and not (is_named or self._options.include_hidden_topics):
+            if not is_service_event(name, type_name):
+                self._warn_of_hidden()
+                return False
+        return True
+
+    def _subscribe(self, name: str, found: _Found) -> None:
+        type_name, type_hash = next(iter(found.types.items()))
+        offers = [end.qos for end in found.writers]
+        override = self._options.qos_overrides.get(name)
+        qos = adapted(offers) if override is None else override._replace(history=HistoryPolicy.KEEP_ALL)
+        if override is None:
+            for text in warnings_of(name, offers):
+                self._node.get_logger().warning(text)
+        type_hash = type_hash or hash_of(type_name)
+        topic = Topic(name, type_name, "cdr", type_hash, profiles_text(offers), find_definition(type_name))
+        number = self._writer.add_topic(topic)
+        recorded = _Recorded(qos)
+        wire_topic = base.Topic(name, type_name, type_hash)
+        recorded.reader = self._node._open(  # noqa: SLF001  # ours
+            recorded, lambda participant, node: participant.create_reader(node, wire_topic, qos)
+        )
+        recorded.reader.feed(self._writer.queue.sink(number))
+        self._recorded[name] = recorded
+        self._node.get_logger().info(f"Subscribed to topic '{name}'")
+        if topic.definition is None:
+            self._define(number, topic)
+
+    def _define(self, number: int, topic: Topic) -> None:
+        """Look for the definition of a type that is unknown here."""
+        if self._learn is not None and self._participant is not None:
+            self._learn(self._participant, topic.type)
+        definition = find_definition(topic.type)
+        if definition is not None:
+            self._writer.set_topic(number, topic._replace(definition=definition))
+            return
+        self._report(
+            f"There is no definition of '{topic.type}' here, and no node describes it. The messages of '{topic.name}' "
+            "are recorded without it."
+        )
+
+    def _warn_of_refused(self, name: str, found: _Found) -> None:
+        recorded = self._recorded[name]
+        for end in found.writers:
+            if end.gid in recorded.refused:
+                continue
+            if policies := refused(end.qos, recorded.qos):
+                recorded.refused.add(end.gid)
+                kinds = ", ".join(each.name for each in policies)
+                self._node.get_logger().warning(
+                    f"A new publisher of '{name}' offers a lower quality than was requested ({kinds}). Its messages "
+                    "are not recorded."
+                )
+
+    def _warn_of_hidden(self) -> None:
+        text = "Hidden topics are not recorded. Enable them with --include-hidden-topics"
+        if text not in self._reported:
+            self._reported.add(text)
+            get_logger("ROSBAG2_TRANSPORT").warning(text)
+
+    def _report(self, text: str) -> None:
+        """Warn once."""
+        if text not in self._reported:
+            self._reported.add(text)
+            self._node.get_logger().warning(text)
+
+
+class _Nothing:
+    """An endpoint that is not on the wire."""
+
+    def destroy(self) -> None:
+        """Do nothing."""

@@ -1,0 +1,253 @@
+"""The node that records: it finds topics, subscribes, and writes what it receives."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from tfloom._native import Chunk
+from tfloom.bag.errors import BagError
+from tfloom.bag.recording.record_options import RecordOptions
+from tfloom.bag.recording.recorded_topics import RecordedTopics
+from tfloom.bag.writing.bag_writer import BagWriter, WriterSettings
+from tfloom.interfaces.rosbag2_interfaces.msg import WriteSplitEvent
+from tfloom.interfaces.rosbag2_interfaces.srv import IsPaused, Pause, Resume, Snapshot, SplitBagfile
+from tfloom.node.clock.time_jump import JumpThreshold
+from tfloom.node.log.logging import get_logger
+from tfloom.node.node import Node
+from tfloom.node.parameters.parameter import Parameter
+from tfloom.node.values.duration import Duration
+from tfloom.rmw.base import Participant
+
+__all__ = ["Learn", "Recorder"]
+
+FLUSH_NS = 1_000_000_000
+"""How long messages wait at most until they are written, so that a kill loses no more [ns]."""
+Learn = Callable[[Participant, str], object]
+"""Makes the classes of a type from the descriptions of peers; what it returns is not used."""
+
+
+class Recorder(Node):
+    """Records topics into a bag, from `start` to `stop`.
+
+    Its services are those of rosbag2_recorder: ~/is_paused, ~/pause, ~/resume, ~/snapshot, ~/split_bagfile.
+
+    Args:
+        folder: The bag's folder, which must not exist.
+        settings: How the bag is written.
+        options: What is recorded.
+        node_name: The node's name.
+        learn: Called for a type without a definition here.
+
+    Raises:
+        BagError: the folder exists, or can't be written.
+    """
+
+    def __init__(
+        self,
+        folder: Path,
+        settings: WriterSettings,
+        options: RecordOptions,
+        node_name: str = "rosbag2_recorder",
+        learn: Learn | None = None,
+    ) -> None:
+        overrides = [Parameter("use_sim_time", value=True)] if options.use_sim_time else []
+        super().__init__(node_name, parameter_overrides=overrides)
+        self.options = options
+        self.failure: BagError | None = None
+        """Why recording ended, if it could not go on."""
+        self._is_paused = options.is_start_paused
+        self._lock = threading.Lock()
+        """Guards the writer: one thread uses it at a time."""
+        self._ended = threading.Event()
+        self._threads: list[threading.Thread] = []
+        self._split_events = self.create_publisher(WriteSplitEvent, "events/write_split", 1)
+        if options.has_keyboard:
+            self.get_logger().info("Press SPACE for pausing/resuming")
+        self.writer = BagWriter(folder, settings, self._on_split)
+        if settings.storage_id == "sqlite3":
+            get_logger("rosbag2_storage").info(f"Opened database '{self.writer.file_path}' for READ_WRITE.")
+        self.writer.queue.set_paused(self._is_paused)
+        self._topics = RecordedTopics(self, self.writer, options, learn)
+        self._serve()
+
+    def start(self) -> None:
+        """Subscribe to the topics that exist, and go on in threads: with discovery, and with writing."""
+        self.get_logger().info("Listening for topics...")
+        self.get_logger().info("Event publisher thread: Starting")
+        if self.options.use_sim_time:
+            self._follow_clock()
+        self._topics.subscribe_all()
+        self.get_logger().info("Recording...")
+        for run in (self._write, self._discover):
+            thread = threading.Thread(target=run, daemon=True)
+            thread.start()
+            self._threads.append(thread)
+
+    def stop(self) -> None:
+        """End the threads, write what is left, and complete the bag. Stopping again does nothing.
+
+        Raises:
+            BagError: the bag can't be completed; what was written stays readable.
+        """
+        if self._ended.is_set():
+            return
+        self.pause()
+        self._ended.set()
+        self._topics.close()
+        self.writer.queue.close()
+        for thread in self._threads:
+            thread.join()
+        get_logger("rosbag2_cpp").info("Writing remaining messages from cache to the bag. It may take a while")
+        if self.writer.settings.compression_mode == "FILE":
+            get_logger("rosbag2_compression").info(f"Compressing file: {self.writer.file_path}")
+        try:
+            with self._lock:
+                self.writer.close()
+        finally:
+            self._report_losses()
+            self.get_logger().info("Event publisher thread: Exiting")
+            self.get_logger().info("Recording stopped")
+
+    def pause(self) -> None:
+        """Discard messages from now on."""
+        self._is_paused = True
+        self.writer.queue.set_paused(True)
+        self.get_logger().info("Pausing recording.")
+
+    def resume(self) -> None:
+        """Record messages again."""
+        self._is_paused = False
+        self.writer.queue.set_paused(False)
+        self.get_logger().info("Resuming recording.")
+
+    def toggle_paused(self) -> None:
+        """Pause, or resume."""
+        if self._is_paused:
+            self.resume()
+        else:
+            self.pause()
+
+    @property
+    def is_paused(self) -> bool:
+        """Whether messages are discarded."""
+        return self._is_paused
+
+    def split_bagfile(self) -> None:
+        """Write what was received into the present file, and begin the next one.
+
+        Raises:
+            BagError: one of them can't be written.
+        """
+        with self._lock:
+            self.writer.queue.restart_file()
+            if not self.writer.settings.is_snapshot:
+                self.writer.write_rest()
+            self.writer.split()
+
+    def take_snapshot(self) -> bool:
+        """Write the messages in the cache; return False unless this is a recording in snapshot mode.
+
+        Raises:
+            BagError: they can't be written.
+        """
+        if not self.writer.settings.is_snapshot:
+            return False
+        with self._lock:
+            self.writer.queue.seal()
+            self.writer.write_rest()
+        return True
+
+    def _serve(self) -> None:
+        self.create_service(IsPaused, "~/is_paused", self._on_is_paused)
+        self.create_service(Pause, "~/pause", lambda _, response: (self.pause(), response)[1])
+        self.create_service(Resume, "~/resume", lambda _, response: (self.resume(), response)[1])
+        self.create_service(Snapshot, "~/snapshot", self._on_snapshot)
+        self.create_service(SplitBagfile, "~/split_bagfile", self._on_split_bagfile)
+
+    def _on_is_paused(self, _: IsPaused.Request, response: IsPaused.Response) -> IsPaused.Response:
+        response.paused = self._is_paused
+        return response
+
+    def _on_snapshot(self, _: Snapshot.Request, response: Snapshot.Response) -> Snapshot.Response:
+        try:
+            response.success = self.take_snapshot()
+        except BagError as error:
+            self._fail(error)
+        return response
+
+    def _on_split_bagfile(
+        self, _: SplitBagfile.Request, response: SplitBagfile.Response
+    ) -> SplitBagfile.Response:
+        try:
+            self.split_bagfile()
+        except BagError as error:
+            self._fail(error)
+        return response
+
+    def _on_split(self, closed: Path, opened: Path) -> None:
+        get_logger("rosbag2_cpp").info("Writing remaining messages from cache to the bag. It may take a while")
+        if self.context.ok():
+            self._split_events.publish(WriteSplitEvent(closed_file=str(closed), opened_file=str(opened)))
+
+    def _write(self) -> None:
+        """Write chunks until the queue is closed, or writing fails."""
+        queue = self.writer.queue
+        while not self._ended.is_set():
+            if self.writer.settings.is_snapshot:
+                self._ended.wait(FLUSH_NS / 1e9)
+                continue
+            chunk = queue.take(FLUSH_NS)
+            if chunk is not None and not self._write_chunk(chunk):
+                return
+
+    def _write_chunk(self, chunk: Chunk) -> bool:
+        try:
+            with self._lock:
+                self.writer.write_chunk(chunk)
+        except BagError as error:
+            self._fail(error)
+            return False
+        return True
+
+    def _fail(self, error: BagError) -> None:
+        """End the recording because of an error."""
+        self.failure = error
+        self.writer.queue.close()
+
+    def _discover(self) -> None:
+        """Subscribe to topics as they appear."""
+        if self.options.is_discovery_disabled:
+            return
+        while not self._ended.wait(self.options.polling_interval_s):
+            if self._topics.is_complete:
+                self.get_logger().info("All requested topics are subscribed. Stopping discovery...")
+                return
+            self._topics.subscribe_changed()
+
+    def _follow_clock(self) -> None:
+        """Stamp messages with the simulated time."""
+        queue = self.writer.queue
+        clock = self.get_clock()
+        queue.set_simulated_time(0)
+
+        def follow(_: Any) -> None:
+            queue.set_simulated_time(clock.now().nanoseconds)
+
+        threshold = JumpThreshold(
+            min_forward=Duration(nanoseconds=1), min_backward=Duration(nanoseconds=-1), on_clock_change=True
+        )
+        self._jump_handle = clock.create_jump_callback(threshold, post_callback=follow)
+
+    def _report_losses(self) -> None:
+        dropped = self.writer.queue.dropped_count
+        if dropped:
+            self.get_logger().warning(
+                f"Cache buffers lost messages: {dropped} of {dropped + self.writer.queue.message_count} were dropped, "
+                "because they came faster than they could be written. A larger --max-cache-size holds more."
+            )
+        lost = self._topics.lost_count()
+        if lost:
+            self.get_logger().warning(f"{lost} messages were lost before they arrived.")

@@ -1,0 +1,67 @@
+"""A recording from its start until it is stopped."""
+
+from __future__ import annotations
+
+import signal
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from tfloom.bag.key_presses import handled_keys
+from tfloom.bag.recording.record_options import RecordOptions
+from tfloom.bag.recording.recorder import Learn, Recorder
+from tfloom.bag.writing.bag_writer import WriterSettings
+from tfloom.node.executing.executors import SingleThreadedExecutor
+
+__all__ = ["record"]
+
+
+def record(
+    folder: Path,
+    settings: WriterSettings,
+    options: RecordOptions,
+    *,
+    node_name: str = "rosbag2_recorder",
+    learn: Learn | None = None,
+    stop: threading.Event | None = None,
+) -> None:
+    """Record until the context is shut down, by Ctrl-C too, or `stop` is set. The default context is initialised.
+
+    Raises:
+        BagError: the bag can't be written; what was written before stays readable.
+    """
+    with handled_keys({" ": lambda: recorder.toggle_paused()}, enabled=options.has_keyboard):
+        recorder = Recorder(folder, settings, options, node_name, learn)
+        try:
+            recorder.start()
+            _spin(recorder, stop)
+        finally:
+            with _uninterrupted():
+                recorder.stop()
+                recorder.destroy_node()
+    if recorder.failure is not None:
+        raise recorder.failure
+
+
+def _spin(recorder: Recorder, stop: threading.Event | None) -> None:
+    executor = SingleThreadedExecutor(context=recorder.context)
+    executor.add_node(recorder)
+    try:
+        while recorder.context.ok() and recorder.failure is None and not (stop and stop.is_set()):
+            executor.spin_once(timeout_sec=0.2)
+    finally:
+        executor.shutdown(timeout_sec=1.0)
+
+
+@contextmanager
+def _uninterrupted() -> Iterator[None]:
+    """Ignore Ctrl-C during the block, because the bag is being completed."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)

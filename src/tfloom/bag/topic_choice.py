@@ -1,0 +1,79 @@
+"""Which topics are recorded or played: names, types, services, regular expressions, exclusions."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+__all__ = ["SERVICE_EVENT_SUFFIX", "TopicChoice", "is_service_event", "service_of_event"]
+
+SERVICE_EVENT_SUFFIX = "/_service_event"
+_EVENT_TYPE_SUFFIX = "_Event"
+
+
+def is_service_event(topic: str, type_name: str) -> bool:
+    """Return whether a topic has the events of a service's introspection."""
+    return topic.endswith(SERVICE_EVENT_SUFFIX) and type_name.endswith(_EVENT_TYPE_SUFFIX)
+
+
+def service_of_event(topic: str) -> str:
+    """Return the service of a topic of events: `/add` of `/add/_service_event`."""
+    return topic.removesuffix(SERVICE_EVENT_SUFFIX)
+
+
+@dataclass
+class TopicChoice:
+    """What is wanted, by full names; nothing at first. Exclusions apply to all of it.
+
+    Raises:
+        re.error: a regular expression is invalid; raised by `wants`.
+    """
+
+    topics: Sequence[str] = ()
+    topic_types: Sequence[str] = ()
+    services: Sequence[str] = ()
+    all_topics: bool = False
+    all_services: bool = False
+    regex: str = ""
+    exclude_regex: str = ""
+    exclude_topics: Sequence[str] = ()
+    exclude_topic_types: Sequence[str] = ()
+    exclude_services: Sequence[str] = ()
+    is_whole_match: bool = False
+    """Whether expressions must match whole names; otherwise a part of them."""
+    _compiled: dict[str, re.Pattern[str]] = field(default_factory=dict, repr=False)
+
+    @property
+    def is_by_name_only(self) -> bool:
+        """Whether all that is wanted is listed by name."""
+        return not (self.all_topics or self.all_services or self.regex or self.topic_types)
+
+    def wanted_names(self) -> set[str]:
+        """Return the topics that are listed by name, those of services' events included."""
+        return {*self.topics, *(service + SERVICE_EVENT_SUFFIX for service in self.services)}
+
+    def wants(self, topic: str, type_name: str) -> bool:
+        """Return whether a topic is wanted."""
+        if is_service_event(topic, type_name):
+            service = service_of_event(topic)
+            if service in self.exclude_services or self._matches(self.exclude_regex, service, topic):
+                return False
+            return self.all_services or service in self.services or self._matches(self.regex, service, topic)
+        if topic in self.exclude_topics or type_name in self.exclude_topic_types:
+            return False
+        if self._matches(self.exclude_regex, topic):
+            return False
+        return (
+            self.all_topics
+            or topic in self.topics
+            or type_name in self.topic_types
+            or self._matches(self.regex, topic)
+        )
+
+    def _matches(self, expression: str, *names: str) -> bool:
+        if not expression:
+            return False
+        compiled = self._compiled.setdefault(expression, re.compile(expression))
+        match = compiled.fullmatch if self.is_whole_match else compiled.search
+        return any(match(name) for name in names)

@@ -1,0 +1,1 @@
+"""Writing of bags: records, files of both storages, and folders of files with their metadata."""

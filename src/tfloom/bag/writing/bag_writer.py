@@ -1,0 +1,298 @@
+"""A bag that is written: a folder with one file or several, and metadata.yaml."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import NamedTuple
+
+from tfloom._native import Chunk, ChunkQueue
+from tfloom.bag.compression import CompressionError
+from tfloom.bag.errors import BagError
+from tfloom.bag.metadata import METADATA_FILE, FileInformation, Metadata
+from tfloom.bag.values import Topic
+from tfloom.bag.writing.metadata_text import (
+    METADATA_VERSION,
+    NO_TIME_NS,
+    ROS_DISTRO,
+    empty_metadata,
+    metadata_file_text,
+    metadata_text,
+)
+from tfloom.bag.writing.storage import STORAGES, StorageFile, StorageSettings, open_storage_file
+from tfloom.whole_files import write_file
+
+__all__ = ["DEFAULT_CACHE_SIZE", "BagWriter", "WriterSettings"]
+
+DEFAULT_CACHE_SIZE = 100 * 1024 * 1024
+"""Of each of the two buffers [bytes]."""
+_UNLIMITED = 1 << 62
+
+
+class WriterSettings(NamedTuple):
+    """How a bag is written."""
+
+    storage_id: str = "mcap"
+    storage: StorageSettings = StorageSettings()
+    max_file_size: int = 0
+    """A file of at least this size is the last one before the next [bytes]; 0: no limit."""
+    max_file_duration_ns: int = 0
+    """A message later than this after a file's first begins the next file; 0: no limit."""
+    cache_size: int = DEFAULT_CACHE_SIZE
+    """Half of the size of messages that may wait to be written [bytes]; 0: each message is written at once."""
+    compression_mode: str = ""
+    """Empty, `FILE` or `MESSAGE`."""
+    custom_data: Mapping[str, str] = {}
+    is_snapshot: bool = False
+    """Whether messages wait, the oldest discarded in a full cache, until `write_snapshot`."""
+
+
+class BagWriter:
+    """Writes a bag. Any thread may push into `queue` and add topics; one thread calls the other methods.
+
+    Args:
+        folder: The bag's folder, which must not exist.
+        settings: How it is written.
+        on_split: Called with the paths of the completed file and of the next one.
+
+    Raises:
+        BagError: the folder exists, or can't be written.
+    """
+
+    def __init__(
+        self,
+        folder: Path,
+        settings: WriterSettings | None = None,
+        on_split: Callable[[Path, Path], None] | None = None,
+    ) -> None:
+        self.folder = folder
+        self.settings = settings or WriterSettings()
+        self._on_split = on_split
+        self.queue = make_queue(self.settings)
+        self._lock = threading.Lock()
+        self._topics: dict[int, Topic] = {}  # guarded by _lock while it is added to
+        self._counts: dict[int, int] = {}
+        self._files: list[FileInformation] = []
+        self._paths: list[str] = []
+        try:
+            folder.mkdir(parents=True)
+        except FileExistsError:
+            raise BagError(folder, "it exists already; choose another folder") from None
+        except OSError as error:
+            raise BagError(folder, f"it can't be created: {error.strerror}") from None
+        self._file: StorageFile | None = self._open_file()
+
+    @property
+    def file_path(self) -> Path:
+        """The file that is being written."""
+        return self.folder / self._files[-1].path
+
+    @property
+    def message_count(self) -> int:
+        """Number of messages that are written."""
+        return sum(self._counts.values())
+
+    def add_topic(self, topic: Topic) -> int:
+        """Add a topic, and return the number of its channel, from 1."""
+        with self._lock:
+            number = len(self._topics) + 1
+            self._topics[number] = topic
+            return number
+
+    def set_topic(self, number: int, topic: Topic) -> None:
+        """Replace what is known of a topic; files that already have it keep what they have, up to their summary."""
+        with self._lock:
+            self._topics[number] = topic
+
+    def remove_topic(self, name: str) -> None:
+        """Remove a topic that has no messages, so that it is not in the metadata."""
+        with self._lock:
+            for number in [each for each, topic in self._topics.items() if topic.name == name]:
+                if not self._counts.get(number):
+                    del self._topics[number]
+
+    def push(self, channel: int, data: bytes, log_time_ns: int, publish_time_ns: int) -> None:
+        """Add a message, and write the chunks that are complete.
+
+        Raises:
+            BagError: they can't be written.
+        """
+        self.queue.push(channel, data, log_time_ns, publish_time_ns)
+        if self.queue.has_chunk and not self.settings.is_snapshot:
+            self.write_complete()
+
+    def write_complete(self) -> None:
+        """Write the chunks that are complete.
+
+        Raises:
+            BagError: they can't be written; what was written before stays readable.
+        """
+        while self.queue.has_chunk:
+            chunk = self.queue.take(0)
+            if chunk is not None:
+                self.write_chunk(chunk)
+
+    def write_rest(self) -> None:
+        """Write all messages that are waiting.
+
+        Raises:
+            BagError: they can't be written; what was written before stays readable.
+        """
+        while (chunk := self.queue.take(0)) is not None:
+            self.write_chunk(chunk)
+
+    def write_chunk(self, chunk: Chunk) -> None:
+        """Write one chunk, and go on to the next file if this one is complete.
+
+        Raises:
+            BagError: it can't be written; what was written before stays readable.
+        """
+        if self._file is None:
+            raise BagError(self.folder, "it is closed, and nothing more can be written")
+        whole = self._compressed(chunk) if self.settings.compression_mode == "MESSAGE" else chunk
+        try:
+            self._file.write(whole)
+        except OSError as error:
+            raise self._failure(error) from error
+        self._count(chunk)
+        if chunk.ends_file:
+            self.split()
+        elif 0 < self.settings.max_file_size <= self._file.size:
+            self.queue.restart_file()
+            self.split()
+
+    def split(self) -> None:
+        """Complete the file and begin the next one.
+
+        Raises:
+            BagError: one of them can't be written.
+        """
+        closed = self._close_file()
+        self._file = self._open_file()
+        if self._on_split is not None:
+            self._on_split(closed, self.file_path)
+
+    def close(self) -> None:
+        """Write what is waiting, complete the file, and write metadata.yaml. Closing again does nothing.
+
+        Messages that wait for a snapshot are discarded.
+
+        Raises:
+            BagError: one of them can't be written; what was written before stays readable.
+        """
+        if self._file is None:
+            return
+        self.queue.close()
+        try:
+            if not self.settings.is_snapshot:
+                self.write_rest()
+        finally:
+            self._close_file()
+            self._file = None
+            try:
+                write_file(self.folder / METADATA_FILE, metadata_file_text(self.info()))
+            except OSError as error:
+                raise self._failure(error) from error
+
+    def info(self) -> Metadata:
+        """Return the metadata of what is written."""
+        used = [file for file in self._files if file.message_count]
+        start_ns = min((file.start_ns for file in used), default=NO_TIME_NS)
+        end_ns = max((file.start_ns + file.duration_ns for file in used), default=start_ns)
+        with self._lock:
+            numbered = dict(self._topics)
+        topics = [
+            topic._replace(message_count=self._counts.get(number, 0)) for number, topic in numbered.items()
+        ]
+        mode = self.settings.compression_mode
+        return Metadata(
+            version=METADATA_VERSION,
+            storage_identifier=self.settings.storage_id,
+            duration_ns=end_ns - start_ns,
+            start_ns=start_ns,
+            message_count=sum(topic.message_count for topic in topics),
+            topics=sorted(topics, key=lambda topic: topic.name),
+            compression_format="zstd" if mode else "",
+            compression_mode=mode,
+            relative_file_paths=list(self._paths),
+            files=list(self._files),
+            custom_data=dict(self.settings.custom_data),
+            ros_distro=ROS_DISTRO,
+        )
+
+    def _open_file(self) -> StorageFile:
+        storage_id = self.settings.storage_id
+        name = f"{self.folder.resolve().name}_{len(self._files)}{STORAGES[storage_id]}"
+        first = empty_metadata(storage_id, name, self.settings.custom_data)
+        self._files.append(FileInformation(name, NO_TIME_NS, 0, 0))
+        self._paths.append(name)
+        path = self.folder / name
+        try:
+            return open_storage_file(
+                storage_id, path, self._topics, self.settings.storage, metadata_text(first)
+            )
+        except OSError as error:
+            raise self._failure(error) from error
+
+    def _close_file(self) -> Path:
+        """Complete the file, compress it if that is wanted, and return its path."""
+        path = self.file_path
+        if self._file is None:
+            return path
+        try:
+            self._file.close(metadata_text(self.info()))
+            if self.settings.compression_mode == "FILE":
+                from tfloom.bag.writing.compression import compress_file
+
+                path = compress_file(path)
+                self._paths[-1] = path.name
+        except OSError as error:
+            raise self._failure(error) from error
+        except CompressionError as error:
+            raise BagError(path, f"it is written, but can't be compressed: {error}") from error
+        return path
+
+    def _count(self, chunk: Chunk) -> None:
+        for number, count in chunk.counts():
+            self._counts[number] = self._counts.get(number, 0) + count
+        last = self._files[-1]
+        first_ns, end_ns = chunk.start_ns, chunk.end_ns
+        if last.message_count:
+            first_ns, end_ns = min(first_ns, last.start_ns), max(end_ns, last.start_ns + last.duration_ns)
+        self._files[-1] = FileInformation(
+            last.path, first_ns, end_ns - first_ns, last.message_count + chunk.message_count
+        )
+
+    def _compressed(self, chunk: Chunk) -> Chunk:
+        """Return the chunk with each message compressed."""
+        from tfloom.bag.writing.compression import compressor
+
+        compress = compressor().compress
+        queue = ChunkQueue(_UNLIMITED, _UNLIMITED)
+        for number, log_ns, publish_ns, data in chunk.messages():
+            queue.push(number, compress(data), log_ns, publish_ns)
+        compressed = queue.take(0)
+        return compressed or chunk
+
+    def _failure(self, error: OSError) -> BagError:
+        return BagError(
+            self.file_path,
+            f"it can't be written: {error.strerror}. What was recorded before is kept; if metadata.yaml is missing, "
+            f"`ros2 bag reindex {self.folder}` writes it.",
+        )
+
+
+def make_queue(settings: WriterSettings) -> ChunkQueue:
+    """Return the queue of a recording with these settings."""
+    chunk_size = settings.storage.chunk_size
+    if settings.max_file_size:
+        chunk_size = min(chunk_size, settings.max_file_size)
+    if settings.is_snapshot:
+        chunk_size = max(1, min(chunk_size, settings.cache_size // 8))
+        return ChunkQueue(chunk_size, settings.cache_size, settings.max_file_duration_ns, ring=True)
+    if settings.cache_size == 0:
+        return ChunkQueue(1, 2 * DEFAULT_CACHE_SIZE, settings.max_file_duration_ns)
+    return ChunkQueue(
+        min(chunk_size, settings.cache_size), 2 * settings.cache_size, settings.max_file_duration_ns
+    )

@@ -1,0 +1,87 @@
+"""The text of a message's definition and of all that it refers to, as a bag holds it."""
+
+from __future__ import annotations
+
+from tfloom.bag.values import Definition
+from tfloom.rosidl import spec
+from tfloom.rosidl.parse import ParseError
+from tfloom.rosidl.sources import definition_name, find_message, find_source
+from tfloom.rosidl.type_hash import type_hash
+
+__all__ = ["find_definition", "hash_of", "short_name"]
+
+_SEPARATOR = "=" * 80
+
+
+def short_name(type_name: str) -> str:
+    """Return `package/Name` of `package/kind/Name`, as definitions refer to it."""
+    package, _, base = type_name.partition("/")
+    return f"{package}/{base.rpartition('/')[2]}"
+
+
+def find_definition(type_name: str) -> Definition | None:
+    """Return the definition of a type that is known here, with those of all messages that it refers to, else None.
+
+    Args:
+        type_name: `package/msg/Name`, or a part of a service or an action: `package/srv/Name_Event`.
+    """
+    try:
+        root = find_message(type_name)
+        text = "".join([_text(root), *_dependencies(root, {type_name})])
+    except (LookupError, ParseError, OSError, ValueError):
+        return None
+    return Definition("ros2msg", text)
+
+
+def hash_of(type_name: str) -> str:
+    """Return the hash of a type that is known here, else an empty string."""
+    try:
+        return type_hash(find_message(type_name), find_message)
+    except (LookupError, ParseError, OSError, ValueError):
+        return ""
+
+
+def _dependencies(message: spec.Message, seen: set[str]) -> list[str]:
+    """Return the sections of all messages that one refers to: in order of names, each before what it refers to."""
+    sections = []
+    for name in sorted(message.references):
+        if name in seen:
+            continue
+        seen.add(name)
+        found = find_message(name)
+        sections.append(f"\n{_SEPARATOR}\nMSG: {short_name(name)}\n{_text(found)}")
+        sections += _dependencies(found, seen)
+    return sections
+
+
+def _text(message: spec.Message) -> str:
+    """Return the definition's own text if it has one in the .msg format, else one made from its fields."""
+    if "/msg/" in message.name:
+        source = find_source(definition_name(message.name))
+        if source is not None and source.path.endswith(".msg"):
+            return source.text
+    return "".join(f"{line}\n" for line in (*_constants(message), *_fields(message)))
+
+
+def _constants(message: spec.Message) -> list[str]:
+    return [f"{_type(each.type)} {each.name}={_value(each.value)}" for each in message.constants]
+
+
+def _fields(message: spec.Message) -> list[str]:
+    lines = []
+    for field in message.fields:
+        default = "" if field.default is None else f" {_value(field.default)}"
+        lines.append(f"{_type(field.type)} {field.name}{default}")
+    return lines
+
+
+def _type(kind: spec.Type) -> str:
+    return str(kind if kind.is_primitive else kind._replace(base=short_name(kind.base)))
+
+
+def _value(value: spec.Value) -> str:
+    if isinstance(value, (list, tuple)):
+        return f"[{', '.join(_value(each) for each in value)}]"
+    if isinstance(value, bool):
+        return str(value).lower()
+    return repr(value) if isinstance(value, str) else str(value)

@@ -1,0 +1,135 @@
+"""What the verbs of `bag` share: arguments, and errors in the reference's form."""
+
+from __future__ import annotations
+
+import argparse
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from tfloom.cli.errors import CommandError
+
+if TYPE_CHECKING:
+    from tfloom.rmw.base import Participant
+
+LOG_LEVELS = ["debug", "info", "warn", "error", "fatal"]
+STORAGES = ["sqlite3", "mcap"]
+
+
+def error(text: str) -> CommandError:
+    """Return the error of a verb."""
+    return CommandError(f"[ERROR] [ros2bag]: {text}")
+
+
+def bag_path(text: str) -> str:
+    """Return the path of a bag, which must exist."""
+    if not Path(text).exists():
+        raise argparse.ArgumentTypeError(f"Bag path '{text}' does not exist!")
+    return text
+
+
+def existing_file(text: str) -> str:
+    """Return the path of a file, which must exist."""
+    if not Path(text).is_file():
+        raise argparse.ArgumentTypeError(f"File '{text}' does not exist!")
+    return text
+
+
+def positive_float(text: str) -> float:
+    """Return a number above 0."""
+    value = _float(text)
+    if value <= 0.0:
+        raise argparse.ArgumentTypeError(f"Value {text} must be greater than zero.")
+    return value
+
+
+def not_negative_float(text: str) -> float:
+    """Return a number of 0 or more."""
+    value = _float(text)
+    if value < 0.0:
+        raise argparse.ArgumentTypeError(f"Value {text} must not be negative.")
+    return value
+
+
+def not_negative_int(text: str) -> int:
+    """Return a whole number of 0 or more."""
+    try:
+        value = int(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"Value {text} is not a whole number.") from None
+    if value < 0:
+        raise argparse.ArgumentTypeError(f"Value {text} must not be negative.")
+    return value
+
+
+def regular_expression(text: str) -> str:
+    """Return a valid regular expression."""
+    try:
+        re.compile(text)
+    except re.error as problem:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a regular expression: {problem}") from None
+    return text
+
+
+def _float(text: str) -> float:
+    import math
+
+    try:
+        value = float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"Value {text} is not a number.") from None
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"Value {text} is not finite.")
+    return value
+
+
+def add_storage(parser: argparse.ArgumentParser, names: list[str] = STORAGES) -> None:
+    """Add the flag for the storage of a bag that is read."""
+    parser.add_argument(
+        "-s",
+        "--storage",
+        choices=names,
+        default="",
+        help="storage of the bag (default: by its metadata, or by the names of its files)",
+    )
+
+
+def full_names(names: list[str] | None) -> list[str]:
+    """Return names with a slash before them."""
+    return [name if name.startswith("/") else f"/{name}" for name in names or []]
+
+
+@contextmanager
+def running_context(log_level: str) -> Iterator[None]:
+    """Initialise the default context for the block, and set the level of all loggers.
+
+    Ctrl-C, SIGTERM and a shutdown end the block without an error.
+    """
+    from tfloom.node.client_library import init
+    from tfloom.node.context.utilities import get_default_context, try_shutdown
+    from tfloom.node.log.logging import get_logging_severity_from_string, set_logger_level
+    from tfloom.node.values.exceptions import ExternalShutdownException
+
+    context = get_default_context()
+    try:
+        init(args=["ros2"])
+        if log_level != "info":
+            set_logger_level("", get_logging_severity_from_string(log_level.upper()))
+        yield
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    except Exception as problem:
+        if not context.explains(problem):
+            raise
+    finally:
+        try_shutdown()
+
+
+def learn_type(participant: Participant, type_name: str) -> None:
+    """Make the classes of a type from the descriptions of the nodes that use it, where there are any."""
+    from tfloom.cli.peer_types import learn
+
+    kind = type_name.split("/")[1] if type_name.count("/") == 2 else "msg"
+    learn(participant, type_name.removesuffix("_Event") if kind == "srv" else type_name, kind)

@@ -1,0 +1,253 @@
+"""Record topics and services into a bag."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from tfloom.cli.bag import common
+
+if TYPE_CHECKING:
+    from tfloom.bag.recording.record_options import RecordOptions
+    from tfloom.bag.writing.bag_writer import WriterSettings
+
+PRESETS = ["none", "fastwrite", "zstd_fast", "zstd_small"]
+DEFAULT_CACHE_SIZE = 100 * 1024 * 1024
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the arguments of `bag record`."""
+    parser.add_argument(
+        "topics_positional", nargs="*", metavar="[Topic ...]", help="topics to record; --topics is preferred"
+    )
+    parser.add_argument(
+        "-o", "--output", help="folder of the bag (default: rosbag2_ and the time, in the current folder)"
+    )
+    parser.add_argument(
+        "-s", "--storage", choices=common.STORAGES, default="mcap", help="storage of the bag (default: mcap)"
+    )
+    _add_choice(parser)
+    _add_discovery(parser)
+    _add_writing(parser)
+    _add_node(parser)
+    _add_storage(parser)
+
+
+def _add_choice(parser: argparse.ArgumentParser) -> None:
+    add = parser.add_argument
+    add("--topics", nargs="+", default=[], metavar="Topic", help="topics to record")
+    add("--services", nargs="+", default=[], metavar="ServiceName", help="services whose events are recorded")
+    add("--topic-types", nargs="+", default=[], metavar="TopicType", help="types whose topics are recorded")
+    add("-a", "--all", action="store_true", help="record all topics and services, but for hidden topics")
+    add("--all-topics", action="store_true", help="record all topics, but for hidden ones")
+    add("--all-services", action="store_true", help="record the events of all services")
+    add(
+        "-e",
+        "--regex",
+        default="",
+        type=common.regular_expression,
+        help="record topics and services in whose names this is found",
+    )
+    add(
+        "--exclude-regex",
+        default="",
+        type=common.regular_expression,
+        help="leave out topics and services in whose names this is found",
+    )
+    add("--exclude-topic-types", nargs="+", default=[], metavar="ExcludeTopicTypes", help="types to leave out")
+    add("--exclude-topics", nargs="+", default=[], metavar="Topic", help="topics to leave out")
+    add("--exclude-services", nargs="+", default=[], metavar="ServiceName", help="services to leave out")
+
+
+def _add_discovery(parser: argparse.ArgumentParser) -> None:
+    add = parser.add_argument
+    add("--include-unpublished-topics", action="store_true", help="record topics without a publisher too")
+    add("--include-hidden-topics", action="store_true", help="record hidden topics too")
+    add("--no-discovery", action="store_true", help="record only topics that exist at the start")
+    add(
+        "-p",
+        "--polling-interval",
+        type=common.not_negative_int,
+        default=100,
+        help="time between two looks at the graph in milliseconds (default 100)",
+    )
+    add("--ignore-leaf-topics", action="store_true", help="leave out topics without a subscription")
+    add(
+        "--qos-profile-overrides-path",
+        type=common.existing_file,
+        help="YAML file with a QoS profile for each topic whose own isn't wanted",
+    )
+
+
+def _add_writing(parser: argparse.ArgumentParser) -> None:
+    add = parser.add_argument
+    add("-f", "--serialization-format", default="", metavar="{}", help="cdr, the format of the wire")
+    add(
+        "-b",
+        "--max-bag-size",
+        type=common.not_negative_int,
+        default=0,
+        help="size in bytes at which a file is completed and the next one begun (default 0: never)",
+    )
+    add(
+        "-d",
+        "--max-bag-duration",
+        type=common.not_negative_int,
+        default=0,
+        help="seconds after which a file is completed and the next one begun (default 0: never)",
+    )
+    add(
+        "--max-cache-size",
+        type=common.not_negative_int,
+        default=DEFAULT_CACHE_SIZE,
+        help="size in bytes of each of two caches; what doesn't fit in is dropped and counted (default "
+        f"{DEFAULT_CACHE_SIZE}; 0: each message is written at once)",
+    )
+
+
+def _add_node(parser: argparse.ArgumentParser) -> None:
+    add = parser.add_argument
+    add("--disable-keyboard-controls", action="store_true", help="ignore the keyboard")
+    add("--start-paused", action="store_true", help="begin in the paused state")
+    add("--use-sim-time", action="store_true", help="stamp messages with the time of /clock")
+    add("--node-name", default="rosbag2_recorder", help="name of the node (default rosbag2_recorder)")
+    add("--custom-data", nargs="*", metavar="KEY=VALUE", help="values for the metadata of the bag")
+    add(
+        "--snapshot-mode",
+        action="store_true",
+        help="keep the newest messages in the cache, and write them when the service ~/snapshot is called",
+    )
+    add("--log-level", choices=common.LOG_LEVELS, default="info", help="least level of what is printed")
+
+
+def _add_storage(parser: argparse.ArgumentParser) -> None:
+    add = parser.add_argument
+    add(
+        "--storage-config-file",
+        type=common.existing_file,
+        help="YAML file with options of the storage",
+    )
+    add(
+        "--storage-preset-profile",
+        choices=PRESETS,
+        default="none",
+        help="options of mcap: fastwrite has no chunks; zstd_fast and zstd_small compress them",
+    )
+    add(
+        "--compression-queue-size",
+        type=int,
+        default=1,
+        help="accepted and not used: nothing is dropped before it is compressed",
+    )
+    add("--compression-threads", type=int, default=0, help="accepted and not used: one thread compresses")
+    add("--compression-threads-priority", type=int, default=0, help="accepted and not used")
+    add(
+        "--compression-mode",
+        choices=["none", "file", "message"],
+        default="none",
+        help="what is compressed (default: none)",
+    )
+    add("--compression-format", choices=["zstd"], default="", help="format of the compression")
+
+
+def main(args: argparse.Namespace) -> int:
+    """Record until Ctrl-C."""
+    folder = _checked_folder(args)
+    from tfloom.bag.errors import BagError
+
+    try:
+        settings, options = _settings(args), _options(args)
+        with common.running_context(args.log_level):
+            from tfloom.bag.recording.run import record
+
+            record(folder, settings, options, node_name=args.node_name, learn=common.learn_type)
+    except BagError as problem:
+        raise common.error(str(problem)) from None
+    return 0
+
+
+def _checked_folder(args: argparse.Namespace) -> Path:
+    """Return the bag's folder.
+
+    Raises:
+        CommandError: the flags contradict one another, or the folder exists.
+    """
+    wanted = (
+        *(args.all, args.all_topics, args.all_services, args.topics, args.topics_positional),
+        *(args.services, args.topic_types, args.regex),
+    )
+    if not any(wanted):
+        raise common.error(
+            "Need to specify at least one option out of --all, --all-topics, --all-services, --services, --topics, "
+            "--topic-types or --regex"
+        )
+    if args.serialization_format not in {"", "cdr"}:
+        raise common.error(f"'{args.serialization_format}' is not known here; the serialization format is cdr")
+    if args.compression_format and args.compression_mode == "none":
+        raise common.error("Invalid choice: Cannot specify compression format without a compression mode.")
+    if args.compression_mode != "none" and not args.compression_format:
+        raise common.error("Invalid choice: Compression format must be specified: --compression-format zstd")
+    if args.storage != "mcap" and args.storage_preset_profile not in {"none", "resilient"}:
+        raise common.error(f"'{args.storage_preset_profile}' is a preset of mcap, not of {args.storage}")
+    import datetime
+
+    stamp = datetime.datetime.now()  # noqa: DTZ005 - the user's own time
+    folder = Path(args.output or f"rosbag2_{stamp:%Y_%m_%d-%H_%M_%S}")
+    if folder.exists():
+        raise common.error(f"Output folder '{folder}' already exists.")
+    return folder
+
+
+def _settings(args: argparse.Namespace) -> WriterSettings:
+    from tfloom.bag.writing.bag_writer import WriterSettings
+    from tfloom.bag.writing.storage_config import storage_settings
+
+    custom = {}
+    for word in args.custom_data or []:
+        key, equals, value = word.partition("=")
+        if not equals:
+            raise common.error(f"--custom-data needs KEY=VALUE, not '{word}'")
+        custom[key] = value
+    return WriterSettings(
+        storage_id=args.storage,
+        storage=storage_settings(args.storage, args.storage_preset_profile, args.storage_config_file or ""),
+        max_file_size=args.max_bag_size,
+        max_file_duration_ns=args.max_bag_duration * 1_000_000_000,
+        cache_size=args.max_cache_size,
+        compression_mode="" if args.compression_mode == "none" else args.compression_mode.upper(),
+        custom_data=custom,
+        is_snapshot=args.snapshot_mode,
+    )
+
+
+def _options(args: argparse.Namespace) -> RecordOptions:
+    from tfloom.bag.qos_profiles import read_overrides
+    from tfloom.bag.recording.record_options import RecordOptions
+    from tfloom.bag.topic_choice import TopicChoice
+
+    choice = TopicChoice(
+        topics=common.full_names([*args.topics_positional, *args.topics]),
+        topic_types=args.topic_types,
+        services=common.full_names(args.services),
+        all_topics=args.all or args.all_topics,
+        all_services=args.all or args.all_services,
+        regex=args.regex,
+        exclude_regex=args.exclude_regex,
+        exclude_topics=common.full_names(args.exclude_topics),
+        exclude_topic_types=args.exclude_topic_types,
+        exclude_services=common.full_names(args.exclude_services),
+    )
+    overrides = args.qos_profile_overrides_path
+    return RecordOptions(
+        choice=choice,
+        is_discovery_disabled=args.no_discovery,
+        polling_interval_s=max(args.polling_interval, 1) / 1e3,
+        include_hidden_topics=args.include_hidden_topics,
+        include_unpublished_topics=args.include_unpublished_topics,
+        ignore_leaf_topics=args.ignore_leaf_topics,
+        qos_overrides=read_overrides(overrides) if overrides else {},
+        is_start_paused=args.start_paused,
+        use_sim_time=args.use_sim_time,
+        has_keyboard=not args.disable_keyboard_controls,
+    )
