@@ -85,7 +85,6 @@ def test_report_flags_print_details() -> None:
         (("daemon", "status"), 0, "There is no daemon"),
         (("daemon", "start", "--debug"), 0, "There is no daemon"),
         (("component", "list", "--containers-only"), 1, "Components are C++"),
-        (("bag", "record", "-a"), 1, "Recordings can't be made or played yet."),
     ],
 )
 def test_unneeded_commands_print_an_explanation(words: tuple[str, ...], exit_code: int, said: str) -> None:

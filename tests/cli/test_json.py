@@ -58,9 +58,13 @@ WITHOUT = {
         ["param delete", "param load", "param set", "lifecycle set", "pkg create", "interface stubs"],
         "changes something",
     ),
+    **dict.fromkeys(
+        [f"bag {verb}" for verb in ("burst", "convert", "info", "list", "play", "record", "reindex")],
+        "works on a bag",
+    ),
     **dict.fromkeys(["topic bw", "topic delay", "topic hz"], "reports until Ctrl-C"),
     **dict.fromkeys(
-        ["daemon start", "daemon status", "daemon stop", "component", "launch", "bag"], "prints a sentence"
+        ["daemon start", "daemon status", "daemon stop", "component", "launch"], "prints a sentence"
     ),
     **dict.fromkeys(
         ["interface proto", "interface show", "pkg prefix", "pkg xml"], "prints a text of its own form"

@@ -27,6 +27,8 @@ PRINTING = {
     **ASKED,
     "action send_goal": (ROTATE, "turtlesim/action/RotateAbsolute", "{theta: 0.1}"),
     "daemon start": (),
+    "bag info": (str(MCAP),),
+    "bag list": ("storage",),
     "daemon status": (),
     "daemon stop": (),
     "demo": ("--seconds", "0"),
@@ -47,7 +49,11 @@ PRINTING = {
 }
 """A command line of each verb that prints on stdout."""
 SILENT = {
-    "bag": "prints on stderr",
+    "bag burst": "prints on stderr",
+    "bag convert": "prints on stderr",
+    "bag play": "prints on stderr",
+    "bag record": "prints on stderr",
+    "bag reindex": "prints on stderr",
     "component": "prints on stderr",
     "interface stubs": "no workspace with definitions is sourced, as it prints on stderr",
     "param delete": "turtlesim's parameters can't be deleted, as it prints on stderr",

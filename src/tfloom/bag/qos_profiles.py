@@ -21,6 +21,7 @@ from tfloom.rmw.qos import (
 __all__ = ["parse_profiles", "profiles_text", "read_overrides"]
 
 _S_TO_NS = 1_000_000_000
+_UNREADABLE = (KeyError, ValueError, TypeError, AttributeError)
 _DURATIONS = {
     "deadline": "deadline_ns",
     "lifespan": "lifespan_ns",
@@ -71,13 +72,15 @@ def parse_profiles(text: str) -> list[QoS]:
         values = user_yaml.load(text) if text else []
     except user_yaml.YamlError:
         return []
-    profiles = []
-    for value in values if isinstance(values, list) else []:
-        try:
-            profiles.append(_profile(value))
-        except (KeyError, ValueError, TypeError, AttributeError):
-            continue
-    return profiles
+    found = [_readable(value) for value in (values if isinstance(values, list) else [])]
+    return [each for each in found if each is not None]
+
+
+def _readable(values: Any) -> QoS | None:
+    try:
+        return _profile(values)
+    except _UNREADABLE:
+        return None
 
 
 def read_overrides(path: str | Path) -> dict[str, QoS]:
@@ -95,15 +98,14 @@ def read_overrides(path: str | Path) -> dict[str, QoS]:
     except (user_yaml.YamlError, UnicodeDecodeError) as error:
         raise BagError(path, f"it isn't YAML: {error}") from None
     if not isinstance(values, dict):
-        raise BagError(path, "it must be a map from topics to profiles, as `/scan: {reliability: best_effort}`")
-    found = {}
-    for topic, value in values.items():
-        try:
-            found[str(topic)] = _profile(value)
-        except (KeyError, ValueError, TypeError, AttributeError) as error:
-            reason = f"the profile of {topic} has an unknown value: {error}"
-            raise BagError(path, reason) from None
-    return found
+        raise BagError(
+            path, "it must be a map from topics to profiles, as `/scan: {reliability: best_effort}`"
+        )
+    topic: Any = None
+    try:
+        return {str(topic := each): _profile(values[each]) for each in values}
+    except _UNREADABLE as error:
+        raise BagError(path, f"the profile of {topic} has an unknown value: {error}") from None
 
 
 def _profile(values: Mapping[str, Any]) -> QoS:

@@ -9,13 +9,13 @@ from contextlib import suppress
 from typing import Any
 
 from tfloom.interfaces.geometry_msgs.msg import Twist
+from tfloom.keyboard import Keyboard, NoTerminalError
 from tfloom.node.action.client import ActionClient
 from tfloom.node.client_library import ok, spin
 from tfloom.node.context.utilities import remove_ros_args
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
 from tfloom.node.values.exceptions import ExternalShutdownException
-from tfloom.keyboard import Keyboard, NoTerminalError
 from tfloom.turtlesim.messages import RotateAbsolute
 
 BANNER = """\

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from tfloom.bag.qos_profiles import profiles_text
 from tfloom.bag.recording.record_options import RecordOptions
 from tfloom.bag.recording.requested_qos import adapted, refused, warnings_of
-from tfloom.bag.qos_profiles import profiles_text
 from tfloom.bag.topic_choice import is_service_event
 from tfloom.bag.values import Topic
 from tfloom.bag.writing.bag_writer import BagWriter
@@ -143,10 +143,10 @@ class RecordedTopics:
         if self._options.ignore_leaf_topics and not found.has_subscription:
             return False
         is_named = name in self._options.choice.wanted_names()
-        if "/_" in name and not (is_named or self._options.include_hidden_topics):
-            if not is_service_event(name, type_name):
-                self._warn_of_hidden()
-                return False
+        is_shown = is_named or self._options.include_hidden_topics or is_service_event(name, type_name)
+        if "/_" in name and not is_shown:
+            self._warn_of_hidden()
+            return False
         return True
 
     def _subscribe(self, name: str, found: _Found) -> None:

@@ -100,7 +100,9 @@ class Recorder(Node):
         self.writer.queue.close()
         for thread in self._threads:
             thread.join()
-        get_logger("rosbag2_cpp").info("Writing remaining messages from cache to the bag. It may take a while")
+        get_logger("rosbag2_cpp").info(
+            "Writing remaining messages from cache to the bag. It may take a while"
+        )
         if self.writer.settings.compression_mode == "FILE":
             get_logger("rosbag2_compression").info(f"Compressing file: {self.writer.file_path}")
         try:
@@ -162,13 +164,21 @@ class Recorder(Node):
 
     def _serve(self) -> None:
         self.create_service(IsPaused, "~/is_paused", self._on_is_paused)
-        self.create_service(Pause, "~/pause", lambda _, response: (self.pause(), response)[1])
-        self.create_service(Resume, "~/resume", lambda _, response: (self.resume(), response)[1])
+        self.create_service(Pause, "~/pause", self._on_pause)
+        self.create_service(Resume, "~/resume", self._on_resume)
         self.create_service(Snapshot, "~/snapshot", self._on_snapshot)
         self.create_service(SplitBagfile, "~/split_bagfile", self._on_split_bagfile)
 
     def _on_is_paused(self, _: IsPaused.Request, response: IsPaused.Response) -> IsPaused.Response:
         response.paused = self._is_paused
+        return response
+
+    def _on_pause(self, _: Pause.Request, response: Pause.Response) -> Pause.Response:
+        self.pause()
+        return response
+
+    def _on_resume(self, _: Resume.Request, response: Resume.Response) -> Resume.Response:
+        self.resume()
         return response
 
     def _on_snapshot(self, _: Snapshot.Request, response: Snapshot.Response) -> Snapshot.Response:
@@ -188,7 +198,9 @@ class Recorder(Node):
         return response
 
     def _on_split(self, closed: Path, opened: Path) -> None:
-        get_logger("rosbag2_cpp").info("Writing remaining messages from cache to the bag. It may take a while")
+        get_logger("rosbag2_cpp").info(
+            "Writing remaining messages from cache to the bag. It may take a while"
+        )
         if self.context.ok():
             self._split_events.publish(WriteSplitEvent(closed_file=str(closed), opened_file=str(opened)))
 

@@ -31,7 +31,13 @@ def record(
     Raises:
         BagError: the bag can't be written; what was written before stays readable.
     """
-    with handled_keys({" ": lambda: recorder.toggle_paused()}, enabled=options.has_keyboard):
+    recorder: Recorder | None = None
+
+    def toggle_paused() -> None:
+        if recorder is not None:
+            recorder.toggle_paused()
+
+    with handled_keys({" ": toggle_paused}, enabled=options.has_keyboard):
         recorder = Recorder(folder, settings, options, node_name, learn)
         try:
             recorder.start()

@@ -32,8 +32,8 @@ def compress(data: bytes, method: str, level: str = "Default") -> bytes:
     if method == "lz4":
         octets: bytes = lz4_frame().compress(data, compression_level=number)
         return octets
-    octets = zstd().ZstdCompressor(level=number).compress(data)
-    return octets
+    compressed: bytes = zstd().ZstdCompressor(level=number).compress(data)
+    return compressed
 
 
 def compressor() -> Any:

@@ -12,9 +12,9 @@ from pathlib import Path
 
 from tfloom import __version__
 from tfloom._native import Chunk
+from tfloom.bag.values import Topic
 from tfloom.bag.writing import mcap_records as records
 from tfloom.bag.writing.mcap_records import ChunkPlace, McapChannel, MetadataPlace, Opcode
-from tfloom.bag.values import Topic
 from tfloom.bag.writing.storage import StorageSettings
 
 __all__ = ["McapFile"]

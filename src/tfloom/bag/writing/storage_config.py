@@ -58,7 +58,9 @@ def storage_settings(storage_id: str, preset: str = "", config_file: str = "") -
     try:
         return change(settings, values)
     except (ValueError, TypeError, AttributeError) as error:
-        raise BagError(config_file, f"this can't be used as a configuration of {storage_id}: {error}") from None
+        raise BagError(
+            config_file, f"this can't be used as a configuration of {storage_id}: {error}"
+        ) from None
 
 
 def _read(path: Path) -> dict[str, Any]:

@@ -55,7 +55,9 @@ def _add_choice(parser: argparse.ArgumentParser) -> None:
         type=common.regular_expression,
         help="leave out topics and services in whose names this is found",
     )
-    add("--exclude-topic-types", nargs="+", default=[], metavar="ExcludeTopicTypes", help="types to leave out")
+    add(
+        "--exclude-topic-types", nargs="+", default=[], metavar="ExcludeTopicTypes", help="types to leave out"
+    )
     add("--exclude-topics", nargs="+", default=[], metavar="Topic", help="topics to leave out")
     add("--exclude-services", nargs="+", default=[], metavar="ServiceName", help="services to leave out")
 
@@ -183,16 +185,18 @@ def _checked_folder(args: argparse.Namespace) -> Path:
             "--topic-types or --regex"
         )
     if args.serialization_format not in {"", "cdr"}:
-        raise common.error(f"'{args.serialization_format}' is not known here; the serialization format is cdr")
+        raise common.error(
+            f"'{args.serialization_format}' is not known here; the serialization format is cdr"
+        )
     if args.compression_format and args.compression_mode == "none":
         raise common.error("Invalid choice: Cannot specify compression format without a compression mode.")
     if args.compression_mode != "none" and not args.compression_format:
         raise common.error("Invalid choice: Compression format must be specified: --compression-format zstd")
     if args.storage != "mcap" and args.storage_preset_profile not in {"none", "resilient"}:
         raise common.error(f"'{args.storage_preset_profile}' is a preset of mcap, not of {args.storage}")
-    import datetime
+    import datetime as dt
 
-    stamp = datetime.datetime.now()  # noqa: DTZ005 - the user's own time
+    stamp = dt.datetime.now()  # noqa: DTZ005 - the user's own time
     folder = Path(args.output or f"rosbag2_{stamp:%Y_%m_%d-%H_%M_%S}")
     if folder.exists():
         raise common.error(f"Output folder '{folder}' already exists.")

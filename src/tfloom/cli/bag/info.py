@@ -1,0 +1,48 @@
+"""Print a bag's files, times, topics and services."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from tfloom.cli.bag import common
+from tfloom.cli.errors import CommandError
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the arguments of `bag info`."""
+    parser.add_argument("bag_path", type=common.bag_path, help="the bag: a folder, or a file")
+    common.add_storage(parser)
+    parser.add_argument("-t", "--topic-name", action="store_true", help="print the topics' names only")
+    # Omitted from the usage text, which equals that of Jazzy.
+    parser.add_argument("--sort", choices=["name", "type", "count"], default="", help=argparse.SUPPRESS)
+    parser.add_argument(
+        "-v", "--verbose", action="store_true", help="count the requests and responses of services"
+    )
+
+
+def main(args: argparse.Namespace) -> int:
+    """Print what is known of the bag."""
+    from tfloom.bag.errors import BagError
+    from tfloom.bag.metadata import METADATA_FILE
+    from tfloom.bag.opening import open_bag
+
+    path = Path(args.bag_path)
+    if path.is_dir() and not (path / METADATA_FILE).exists():
+        raise CommandError(f"Could not find metadata in bag directory {args.bag_path}")
+    try:
+        with open_bag(path) as bag:
+            if args.topic_name:
+                _print_names(list(bag.topics))
+            else:
+                from tfloom.bag.info_text import info_text
+
+                print(info_text(bag, verbose=args.verbose, sort=args.sort))
+    except BagError as problem:
+        raise common.error(str(problem)) from None
+    return 0
+
+
+def _print_names(names: list[str]) -> None:
+    for name in sorted(names):
+        print(name)

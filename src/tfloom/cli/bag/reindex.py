@@ -1,0 +1,29 @@
+"""Write the metadata of a bag anew, from its files."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from tfloom.cli.bag import common
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the arguments of `bag reindex`."""
+    parser.add_argument("bag_path", type=common.bag_path, help="the bag's folder")
+    common.add_storage(parser)
+
+
+def main(args: argparse.Namespace) -> int:
+    """Write metadata.yaml."""
+    from tfloom.bag.errors import BagError
+    from tfloom.bag.reindexing import reindex
+
+    path = Path(args.bag_path)
+    if not path.is_dir():
+        raise common.error("Must specify a bag directory")
+    try:
+        reindex(path, args.storage)
+    except BagError as problem:
+        raise common.error(str(problem)) from None
+    return 0
