@@ -1,0 +1,44 @@
+"""The quality of service with which a recorded topic is published again."""
+
+from __future__ import annotations
+
+from tfloom.bag.qos_profiles import parse_profiles
+from tfloom.bag.values import Topic
+from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoS, ReliabilityPolicy
+
+__all__ = ["MOST_KEPT", "offered", "offers_differ"]
+
+MOST_KEPT = 1000
+"""How many static transforms' messages are kept for late subscriptions, at most."""
+_STATIC_TF = "tf_static"
+
+
+def offers_differ(topic: Topic) -> bool:
+    """Return whether the recorded publishers offered different qualities."""
+    return len({(each.reliability, each.durability) for each in parse_profiles(topic.offered_qos)}) > 1
+
+
+def offered(topic: Topic) -> QoS:
+    """Return the strongest of the recorded publishers' qualities; the default where the bag has none.
+
+    One publisher takes the place of all recorded ones, so it keeps as many messages as all of them did. That of
+    /tf_static keeps all, because each one may be of another frame.
+    """
+    profiles = parse_profiles(topic.offered_qos)
+    is_static = topic.name.rpartition("/")[2] == _STATIC_TF
+    if not profiles:
+        profiles = [QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL)] if is_static else [QoS()]
+    depth = sum(max(each.depth, 1) for each in profiles)
+    if is_static:
+        depth = max(depth, min(topic.message_count, MOST_KEPT))
+    is_reliable = any(each.reliability == ReliabilityPolicy.RELIABLE for each in profiles)
+    is_kept = any(each.durability == DurabilityPolicy.TRANSIENT_LOCAL for each in profiles)
+    return QoS(
+        reliability=ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT,
+        durability=DurabilityPolicy.TRANSIENT_LOCAL if is_kept else DurabilityPolicy.VOLATILE,
+        history=HistoryPolicy.KEEP_LAST,
+        depth=depth,
+        # Deadlines are not offered, because a pause would miss them.
+        lifespan_ns=max(each.lifespan_ns for each in profiles),
+        liveliness=LivelinessPolicy.AUTOMATIC,
+    ).resolved()

@@ -1,0 +1,126 @@
+"""The publishers of a player: one for each topic, which publishes recorded bytes."""
+
+from __future__ import annotations
+
+import time
+from collections import deque
+from typing import TYPE_CHECKING
+
+from tfloom.bag.bag import Bag
+from tfloom.bag.playing.offered_qos import offered, offers_differ
+from tfloom.bag.playing.play_options import PlayOptions
+from tfloom.bag.playing.played_requests import PlayedRequests
+from tfloom.bag.topic_choice import is_service_event, service_of_event
+from tfloom.bag.values import RawMessage, Topic
+from tfloom.bag.writing.definition_text import hash_of
+from tfloom.rmw import base
+from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
+
+if TYPE_CHECKING:
+    from tfloom.node.node import Node
+
+__all__ = ["PlayedTopics"]
+
+CLOCK = "/clock"
+
+
+class PlayedTopics:
+    """Publishes the messages of the wanted topics of a bag. One thread at a time uses it."""
+
+    def __init__(self, node: Node, bag: Bag, options: PlayOptions) -> None:
+        self._node = node
+        self._bag = bag
+        self._options = options
+        self._publishers: dict[str, _RawPublisher] = {}
+        self._requests: dict[str, PlayedRequests] = {}
+        publishes_clock = bool(options.clock_hz or options.clock_topics or options.is_clock_on_all)
+        for topic in bag.topics.values():
+            if topic.serialization_format != "cdr":
+                node.get_logger().warning(
+                    f"Topic '{topic.name}' has the format '{topic.serialization_format}', and is not played."
+                )
+            elif self._is_wanted(topic) and not (publishes_clock and topic.name == CLOCK):
+                self._add(topic)
+
+    @property
+    def names(self) -> set[str]:
+        """The topics, by their names in the bag."""
+        return {*self._publishers, *self._requests}
+
+    def publish(self, message: RawMessage) -> None:
+        """Publish a message of one of these topics, or send the request that it records."""
+        publisher = self._publishers.get(message.topic)
+        if publisher is not None:
+            publisher.writer.write(message.data)
+        else:
+            self._requests[message.topic].send(message.data)
+
+    def publish_kept(self, before_ns: int) -> None:
+        """Publish what late subscriptions would have received at a time: the last messages of transient local topics.
+
+        Args:
+            before_ns: Messages with earlier log times count [ns since epoch].
+
+        Raises:
+            BagError: the bag can't be read.
+        """
+        kept = {
+            name: deque[RawMessage](maxlen=publisher.qos.depth)
+            for name, publisher in self._publishers.items()
+            if publisher.qos.durability == DurabilityPolicy.TRANSIENT_LOCAL
+        }
+        if not kept or before_ns <= self._bag.start_ns:
+            return
+        for message in self._bag.messages(list(kept), end_ns=before_ns - 1):
+            kept[message.topic].append(message)
+        for messages in kept.values():
+            for message in messages:
+                self.publish(message)
+
+    def wait_for_acks(self, timeout_ms: int) -> bool:
+        """Wait until all reliable subscriptions have acknowledged all messages; False on a timeout.
+
+        Args:
+            timeout_ms: The longest wait; 0: no limit.
+        """
+        end = time.monotonic() + timeout_ms / 1e3
+        are_acked = True
+        for publisher in self._publishers.values():
+            if publisher.qos.reliability == ReliabilityPolicy.RELIABLE:
+                left_ns = -1 if timeout_ms == 0 else max(0, int((end - time.monotonic()) * 1e9))
+                are_acked = publisher.writer.wait_for_acks(left_ns) and are_acked
+        return are_acked
+
+    def _is_wanted(self, topic: Topic) -> bool:
+        return self._options.choice.wants(topic.name, topic.type)
+
+    def _add(self, topic: Topic) -> None:
+        if self._options.publishes_requests and is_service_event(topic.name, topic.type):
+            service = self._options.remaps.get(service_of_event(topic.name), service_of_event(topic.name))
+            self._requests[topic.name] = PlayedRequests(
+                self._node, service, topic.type.removesuffix("_Event"), self._options.is_client_source
+            )
+            return
+        override = self._options.qos_overrides.get(topic.name)
+        if override is None and offers_differ(topic):
+            self._node.get_logger().warning(
+                f"Not all recorded publishers of '{topic.name}' offered the same QoS. The strongest is offered."
+            )
+        qos = offered(topic) if override is None else override.resolved()
+        name = self._options.remaps.get(topic.name, topic.name)
+        self._publishers[topic.name] = _RawPublisher(self._node, topic, name, qos)
+
+
+class _RawPublisher:
+    """A writer of serialized messages, which the node destroys."""
+
+    def __init__(self, node: Node, topic: Topic, name: str, qos: QoS) -> None:
+        wire_topic = base.Topic(name, topic.type, topic.type_hash or hash_of(topic.type))
+        self.qos = qos
+        self.writer = node._open(  # noqa: SLF001  # ours
+            self, lambda participant, node_name: participant.create_writer(node_name, wire_topic, qos)
+        )
+
+    def destroy(self) -> None:
+        """Leave the topic."""
+        self.writer.close()

@@ -1,0 +1,202 @@
+"""The node that plays a bag."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+
+from tfloom.bag.bag import Bag
+from tfloom.bag.errors import BagError
+from tfloom.bag.playing.play_options import PlayOptions
+from tfloom.bag.playing.playback import Playback
+from tfloom.bag.playing.played_topics import CLOCK, PlayedTopics
+from tfloom.bag.playing.player_services import PlayerServices
+from tfloom.bag.values import RawMessage
+from tfloom.interfaces.rosbag2_interfaces.msg import ReadSplitEvent
+from tfloom.interfaces.rosgraph_msgs.msg import Clock
+from tfloom.node.node import Node
+from tfloom.node.values.time import Time
+
+__all__ = ["SEEK_STEP_NS", "Player"]
+
+SEEK_STEP_NS = 5_000_000_000
+"""How far a key seeks [ns]."""
+_S_TO_NS = 1_000_000_000
+_KEY_LINES = (
+    "Press SPACE for Pause/Resume",
+    "Press CURSOR_RIGHT for Play Next Message",
+    "Press CURSOR_UP for Increase Rate 10%",
+    "Press CURSOR_DOWN for Decrease Rate 10%",
+)
+
+
+class Player(Node):
+    """Publishes the messages of a bag, from `start` until it ends or `stop`.
+
+    Its services are those of rosbag2_player: ~/pause, ~/resume, ~/toggle_paused, ~/is_paused, ~/get_rate, ~/set_rate,
+    ~/play, ~/play_next, ~/burst, ~/seek, ~/stop.
+
+    Args:
+        bag: The bag.
+        options: What is played.
+        node_name: The node's name.
+    """
+
+    def __init__(self, bag: Bag, options: PlayOptions, node_name: str = "rosbag2_player") -> None:
+        super().__init__(node_name)
+        self.bag = bag
+        self.options = options
+        self.failure: BagError | None = None
+        """Why playing ended before the end of the bag."""
+        self.ended = threading.Event()
+        """Set at the end of the bag."""
+        self.get_logger().info(f"Set rate to {options.rate:g}")
+        self._topics = PlayedTopics(self, bag, options)
+        self._publish_clock = self._clock_publisher()
+        self._split_events = self.create_publisher(ReadSplitEvent, "events/read_split", 1)
+        self._file = 0
+        self.playback = Playback(
+            bag,
+            self._topics.names,
+            self._bounds(),
+            options.rate,
+            options.read_ahead,
+            self._publish,
+            self._on_start,
+        )
+        self._services = PlayerServices(self)
+        self._threads: list[threading.Thread] = []
+        if options.has_keyboard:
+            self.get_logger().info("Adding keyboard callbacks.")
+            for line in _KEY_LINES:
+                self.get_logger().info(line)
+
+    @property
+    def keys(self) -> dict[str, Callable[[], object]]:
+        """What the keys do."""
+        return {
+            " ": self.toggle_paused,
+            "right": lambda: self.playback.step(1),
+            "up": lambda: self.set_rate(self.playback.rate * 1.1),
+            "down": lambda: self.set_rate(self.playback.rate * 0.9),
+            "left": lambda: self.playback.seek_by(-SEEK_STEP_NS),
+            "<": lambda: self.playback.seek_by(-SEEK_STEP_NS),
+            ">": lambda: self.playback.seek_by(SEEK_STEP_NS),
+        }
+
+    def start(self) -> None:
+        """Begin to play on a thread."""
+        self.get_logger().info(f"Playback until timestamp: {self._until_ns()}")
+        self.playback.set_paused(self.options.is_start_paused)
+        self._begin(self._play_all)
+        if self.options.clock_hz > 0.0:
+            self._begin(self._publish_clock_regularly)
+
+    def play_again(self, start_ns: int, end_ns: int) -> bool:
+        """Play a part of the bag, if the last one has ended; otherwise return False."""
+        if not self.ended.is_set():
+            return False
+        self.ended.clear()
+        self.playback.set_bounds(start_ns, end_ns)
+        self._begin(self._play_all)
+        return True
+
+    def stop(self) -> None:
+        """End playing, and its threads."""
+        self.playback.stop()
+        for thread in self._threads:
+            thread.join()
+
+    def toggle_paused(self) -> None:
+        """Pause, or resume."""
+        self.set_paused(not self.playback.is_paused)
+
+    def set_paused(self, is_paused: bool) -> None:
+        """Pause, or resume."""
+        if is_paused != self.playback.is_paused:
+            self.playback.set_paused(is_paused)
+            self.get_logger().info("Pausing play." if is_paused else "Resuming play.")
+
+    def set_rate(self, rate: float) -> bool:
+        """Set the rate; return False unless it is above 0."""
+        is_set = self.playback.set_rate(rate)
+        if is_set:
+            self.get_logger().info(f"Set rate to {rate:g}")
+        else:
+            self.get_logger().warning(f"Failed to set rate to invalid value {rate:g}")
+        return is_set
+
+    def _begin(self, run: Callable[[], None]) -> None:
+        thread = threading.Thread(target=run, daemon=True)
+        self._threads.append(thread)
+        thread.start()
+
+    def _play_all(self) -> None:
+        try:
+            self._play_once()
+            while self.options.is_loop and not self.playback.is_stopped:
+                self._play_once()
+            if self.options.wait_acked_ms >= 0 and not self._topics.wait_for_acks(self.options.wait_acked_ms):
+                self.get_logger().error(
+                    "Timed out while waiting for all published messages to be acknowledged."
+                )
+        except BagError as error:
+            self.failure = error
+        finally:
+            self.ended.set()
+
+    def _play_once(self) -> None:
+        if self.options.delay_s > 0.0:
+            self.get_logger().info(f"Sleep {self.options.delay_s * _S_TO_NS:.0f} ns")
+            if not self.playback.wait(self.options.delay_s):
+                return
+        self.playback.run()
+
+    def _bounds(self) -> tuple[int, int]:
+        """Return the first and the last log time that are played [ns since epoch]."""
+        start_ns = self.bag.start_ns + int(self.options.start_offset_s * _S_TO_NS)
+        until_ns = self._until_ns(start_ns)
+        return start_ns, self.bag.end_ns if until_ns < 0 else min(until_ns, self.bag.end_ns)
+
+    def _until_ns(self, start_ns: int | None = None) -> int:
+        """Return the last log time that is played; -1: no limit. The later of two limits counts."""
+        if start_ns is None:
+            start_ns = self.bag.start_ns + int(self.options.start_offset_s * _S_TO_NS)
+        duration_s = self.options.duration_s
+        by_duration_ns = start_ns + int(duration_s * _S_TO_NS) if duration_s >= 0.0 else -1
+        return max(by_duration_ns, self.options.until_ns, -1)
+
+    def _on_start(self, start_ns: int) -> None:
+        self._file = 0
+        self._publish_clock(start_ns)
+        self._topics.publish_kept(start_ns)
+
+    def _publish(self, message: RawMessage) -> None:
+        if self.options.is_clock_on_all or message.topic in self.options.clock_topics:
+            self._publish_clock(message.log_time_ns)
+        self._topics.publish(message)
+        files = self.bag.files
+        while self._file + 1 < len(files) and message.log_time_ns > files[self._file].end_ns:
+            closed, opened = files[self._file].path, files[self._file + 1].path
+            self._split_events.publish(ReadSplitEvent(closed_file=str(closed), opened_file=str(opened)))
+            self._file += 1
+
+    def _clock_publisher(self) -> Callable[[int], None]:
+        """Return what publishes a time on /clock; it does nothing if that isn't wanted."""
+        options = self.options
+        if not (options.clock_hz or options.clock_topics or options.is_clock_on_all):
+            return lambda _: None
+        publisher = self.create_publisher(Clock, CLOCK, 1)
+        lock = threading.Lock()
+
+        def publish(stamp_ns: int) -> None:
+            with lock:
+                publisher.publish(Clock(clock=Time(nanoseconds=stamp_ns).to_msg()))
+
+        return publish
+
+    def _publish_clock_regularly(self) -> None:
+        while self.playback.wait(1.0 / self.options.clock_hz):
+            if self.ended.is_set():
+                return
+            self._publish_clock(self.playback.now_ns())

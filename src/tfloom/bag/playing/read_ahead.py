@@ -1,0 +1,81 @@
+"""Messages of a bag, read ahead of their use on a thread, in bounded memory."""
+
+from __future__ import annotations
+
+import queue
+import threading
+from collections.abc import Iterator
+
+from tfloom.bag.values import RawMessage
+
+__all__ = ["ReadAhead"]
+
+_BATCH = 64
+_BATCH_SIZE = 1 << 20
+"""A batch ends when its messages have this size [bytes]."""
+_MOST_BATCHES = 32
+_PATIENCE_S = 0.1
+
+
+class ReadAhead:
+    """An iterator over the messages of another one, which a thread reads.
+
+    Args:
+        messages: What is read.
+        count: Number of messages that are read ahead, at most; fewer if they are large.
+    """
+
+    def __init__(self, messages: Iterator[RawMessage], count: int) -> None:
+        batches = min(max(count // _BATCH, 2), _MOST_BATCHES)
+        self._batches: queue.Queue[list[RawMessage] | BaseException | None] = queue.Queue(batches)
+        self._ended = threading.Event()
+        self._batch: Iterator[RawMessage] = iter(())
+        self._thread = threading.Thread(target=self._read, args=(messages,), daemon=True)
+        self._thread.start()
+
+    def __iter__(self) -> ReadAhead:
+        return self
+
+    def __next__(self) -> RawMessage:
+        for message in self._batch:
+            return message
+        found = self._batches.get()
+        if found is None:
+            self._batches.put(None)
+            raise StopIteration
+        if isinstance(found, BaseException):
+            raise found
+        self._batch = iter(found)
+        return next(self._batch)
+
+    def close(self) -> None:
+        """End the thread."""
+        self._ended.set()
+        self._thread.join()
+
+    def _read(self, messages: Iterator[RawMessage]) -> None:
+        batch: list[RawMessage] = []
+        size = 0
+        try:
+            for message in messages:
+                batch.append(message)
+                size += len(message.data)
+                if len(batch) >= _BATCH or size >= _BATCH_SIZE:
+                    if not self._put(batch):
+                        return
+                    batch, size = [], 0
+            if batch:
+                self._put(batch)
+            self._put(None)
+        except Exception as error:  # noqa: BLE001 - it is raised where the messages are used
+            self._put(error)
+
+    def _put(self, batch: list[RawMessage] | BaseException | None) -> bool:
+        """Add a batch; return False if nobody takes it any more."""
+        while not self._ended.is_set():
+            try:
+                self._batches.put(batch, timeout=_PATIENCE_S)
+            except queue.Full:
+                continue
+            return True
+        return False

@@ -1,0 +1,65 @@
+"""Playing a bag from its start until its end, or until it is stopped."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from pathlib import Path
+
+from tfloom.bag.errors import BagError
+from tfloom.bag.key_presses import handled_keys
+from tfloom.bag.opening import open_bag
+from tfloom.bag.playing.play_options import PlayOptions
+from tfloom.bag.playing.player import Player
+from tfloom.node.executing.executors import SingleThreadedExecutor
+
+__all__ = ["play"]
+
+
+def play(
+    path: Path,
+    options: PlayOptions,
+    *,
+    burst: int | None = None,
+    stop: threading.Event | None = None,
+) -> None:
+    """Play until the bag's end, until the context is shut down, by Ctrl-C too, or `stop` is set.
+
+    The default context is initialised.
+
+    Args:
+        path: The bag.
+        options: What is played.
+        burst: Number of messages to publish at once before, in the paused state; 0: all. None: none.
+        stop: Ends playing.
+
+    Raises:
+        BagError: the bag can't be read.
+    """
+    with open_bag(path) as bag:
+        if bag.message_count == 0:
+            raise BagError(path, "there are no messages in it, so nothing can be played")
+        keys: dict[str, Callable[[], object]] = {}
+        with handled_keys(keys, enabled=options.has_keyboard):
+            player = Player(bag, options)
+            keys.update(player.keys)
+            try:
+                player.start()
+                if burst is not None:
+                    player.playback.burst(burst)
+                _spin(player, stop)
+            finally:
+                player.stop()
+                player.destroy_node()
+    if player.failure is not None:
+        raise player.failure
+
+
+def _spin(player: Player, stop: threading.Event | None) -> None:
+    executor = SingleThreadedExecutor(context=player.context)
+    executor.add_node(player)
+    try:
+        while player.context.ok() and not player.ended.is_set() and not (stop and stop.is_set()):
+            executor.spin_once(timeout_sec=0.1)
+    finally:
+        executor.shutdown(timeout_sec=1.0)

@@ -1,0 +1,42 @@
+"""Publish messages of a bag at once, then pause."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from tfloom.cli.bag import common, play_arguments
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the arguments of `bag burst`."""
+    play_arguments.add_path(parser)
+    parser.add_argument("--topics", nargs="+", default=[], help="topics to play (default: all)")
+    parser.add_argument("--services", nargs="+", default=[], help="services to play (default: all)")
+    play_arguments.add_qos_overrides(parser)
+    play_arguments.add_remap(parser)
+    play_arguments.add_storage_config(parser)
+    play_arguments.add_start_offset(parser)
+    parser.add_argument(
+        "-n",
+        "--num-messages",
+        type=common.not_negative_int,
+        default=0,
+        help="number of messages to publish (default 0: all)",
+    )
+
+
+def main(args: argparse.Namespace) -> int:
+    """Publish the messages, then go on from the keyboard or by services, until Ctrl-C."""
+    from tfloom.bag.errors import BagError
+
+    try:
+        options = play_arguments.common_options(args)
+        options.is_start_paused = True
+        with common.running_context("info"):
+            from tfloom.bag.playing.run import play
+
+            play(Path(args.bag_path), options, burst=args.num_messages)
+    except BagError as problem:
+        raise common.error(str(problem)) from None
+    return 0

@@ -1,0 +1,102 @@
+"""The flags that `bag play` and `bag burst` have."""
+
+from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING
+
+from tfloom.cli.bag import common
+
+if TYPE_CHECKING:
+    from tfloom.bag.playing.play_options import PlayOptions
+    from tfloom.bag.topic_choice import TopicChoice
+
+
+def add_path(parser: argparse.ArgumentParser) -> None:
+    """Add the bag, its storage, and how much of it is read ahead."""
+    parser.add_argument("bag_path", type=common.bag_path, help="the bag: a folder, or a file")
+    common.add_storage(parser)
+    parser.add_argument(
+        "--read-ahead-queue-size",
+        type=common.not_negative_int,
+        default=1000,
+        help="number of messages that are read ahead, fewer of large ones (default 1000)",
+    )
+
+
+def add_qos_overrides(parser: argparse.ArgumentParser) -> None:
+    """Add the flag for other QoS profiles."""
+    parser.add_argument(
+        "--qos-profile-overrides-path",
+        type=common.existing_file,
+        help="YAML file with a QoS profile for each topic whose recorded one isn't wanted",
+    )
+
+
+def add_remap(parser: argparse.ArgumentParser) -> None:
+    """Add the flag for other names."""
+    parser.add_argument(
+        "--remap", "-m", nargs="+", default=[], help="other names of topics: old_topic:=new_topic …"
+    )
+
+
+def add_storage_config(parser: argparse.ArgumentParser) -> None:
+    """Add the flag for a configuration of the storage."""
+    parser.add_argument(
+        "--storage-config-file",
+        type=common.existing_file,
+        help="accepted and not used: reading has no options",
+    )
+
+
+def add_start_offset(parser: argparse.ArgumentParser) -> None:
+    """Add the flag for the time at which playing starts."""
+    parser.add_argument(
+        "--start-offset",
+        type=common.not_negative_float,
+        default=0.0,
+        help="start this many seconds after the bag's start (default 0); what transient local topics held then is "
+        "published first",
+    )
+
+
+def choice_of(args: argparse.Namespace) -> TopicChoice:
+    """Return which topics are played: without --topics, --services and --regex, all."""
+    from tfloom.bag.topic_choice import TopicChoice
+
+    regex = getattr(args, "regex", "")
+    wants_all = not (args.topics or args.services or regex)
+    return TopicChoice(
+        topics=common.full_names(args.topics),
+        services=common.full_names(args.services),
+        all_topics=wants_all,
+        all_services=wants_all,
+        regex=regex,
+        exclude_regex=getattr(args, "exclude_regex", ""),
+        exclude_topics=common.full_names(getattr(args, "exclude_topics", [])),
+        exclude_services=common.full_names(getattr(args, "exclude_services", [])),
+    )
+
+
+def common_options(args: argparse.Namespace) -> PlayOptions:
+    """Return the options of the flags of this file.
+
+    Raises:
+        BagError: the file with QoS profiles can't be used.
+        CommandError: a remap is malformed.
+    """
+    from tfloom.bag.playing.play_options import PlayOptions, parse_remaps
+    from tfloom.bag.qos_profiles import read_overrides
+
+    try:
+        remaps = parse_remaps(args.remap)
+    except ValueError as problem:
+        raise common.error(str(problem)) from None
+    overrides = args.qos_profile_overrides_path
+    return PlayOptions(
+        choice=choice_of(args),
+        remaps=remaps,
+        start_offset_s=args.start_offset,
+        qos_overrides=read_overrides(overrides) if overrides else {},
+        read_ahead=args.read_ahead_queue_size,
+    )
