@@ -27,7 +27,7 @@ PRINTING = {
     **ASKED,
     "action send_goal": (ROTATE, "turtlesim/action/RotateAbsolute", "{theta: 0.1}"),
     "daemon start": (),
-    "bag info": (str(MCAP),),
+    "bag info": (str(Path(__file__).parents[1] / "golden/bags/mcap"),),
     "bag list": ("storage",),
     "daemon status": (),
     "daemon stop": (),

@@ -180,6 +180,8 @@ def _programs(args: argparse.Namespace) -> list[str]:
 _OFFERS: dict[tuple[str, ...], Callable[[argparse.Namespace], Iterable[str]]] = {
     ("topic_name",): _topics,
     ("topic", "topic"): _topics,
+    ("record", "topics_positional"): _topics,
+    ("record", "topics"): _topics,
     ("message_type",): _types_of_topic,
     ("service_name",): _services,
     ("service_type",): _type_of_service,

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable
+from typing import Any, Protocol
 
+from tfloom.bag.bag import Bag
+from tfloom.bag.playing.playback import Playback
 from tfloom.interfaces.rosbag2_interfaces.srv import (
     Burst,
     GetRate,
@@ -20,31 +23,47 @@ from tfloom.interfaces.rosbag2_interfaces.srv import (
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.time import Time
 
-if TYPE_CHECKING:
-    from tfloom.bag.playing.player import Player
-
 __all__ = ["PlayerServices"]
+
+
+class ServedPlayer(Protocol):
+    """A player, as its services need it."""
+
+    bag: Bag
+    playback: Playback
+
+    def create_service(self, srv_type: Any, srv_name: str, callback: Callable[[Any, Any], Any]) -> Any:
+        """Serve requests."""
+
+    def set_paused(self, is_paused: bool) -> None:
+        """Pause, or resume."""
+
+    def toggle_paused(self) -> None:
+        """Pause, or resume."""
+
+    def set_rate(self, rate: float) -> bool:
+        """Set the rate; return False unless it is above 0."""
+
+    def play_again(self, start_ns: int, end_ns: int) -> bool:
+        """Play a part of the bag, if the last one has ended; otherwise return False."""
 
 
 class PlayerServices:
     """Serves requests by a player's methods."""
 
-    def __init__(self, player: Player) -> None:
+    def __init__(self, player: ServedPlayer) -> None:
         self._player = player
-        for kind, name, answer in (
-            (Pause, "pause", self._pause),
-            (Resume, "resume", self._resume),
-            (TogglePaused, "toggle_paused", self._toggle_paused),
-            (IsPaused, "is_paused", self._is_paused),
-            (GetRate, "get_rate", self._get_rate),
-            (SetRate, "set_rate", self._set_rate),
-            (Play, "play", self._play),
-            (PlayNext, "play_next", self._play_next),
-            (Burst, "burst", self._burst),
-            (Seek, "seek", self._seek),
-            (Stop, "stop", self._stop),
-        ):
-            player.create_service(kind, f"~/{name}", answer)
+        player.create_service(Pause, "~/pause", self._pause)
+        player.create_service(Resume, "~/resume", self._resume)
+        player.create_service(TogglePaused, "~/toggle_paused", self._toggle_paused)
+        player.create_service(IsPaused, "~/is_paused", self._is_paused)
+        player.create_service(GetRate, "~/get_rate", self._get_rate)
+        player.create_service(SetRate, "~/set_rate", self._set_rate)
+        player.create_service(Play, "~/play", self._play)
+        player.create_service(PlayNext, "~/play_next", self._play_next)
+        player.create_service(Burst, "~/burst", self._burst)
+        player.create_service(Seek, "~/seek", self._seek)
+        player.create_service(Stop, "~/stop", self._stop)
 
     def _pause(self, _: Any, response: Any) -> Any:
         self._player.set_paused(True)

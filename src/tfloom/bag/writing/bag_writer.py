@@ -20,7 +20,8 @@ from tfloom.bag.writing.metadata_text import (
     metadata_file_text,
     metadata_text,
 )
-from tfloom.bag.writing.storage import STORAGES, StorageFile, StorageSettings, open_storage_file
+from tfloom.bag.writing.storage import STORAGES, StorageFile, StorageSettings
+from tfloom.bag.writing.storage_files import open_storage_file
 from tfloom.whole_files import write_file
 
 __all__ = ["DEFAULT_CACHE_SIZE", "BagWriter", "WriterSettings"]
