@@ -68,14 +68,14 @@ def draw(rows: list[Row], picture: Path) -> None:
 
     mpl.use("svg")
     mpl.rcParams |= {"svg.hashsalt": "tfloom", "svg.fonttype": "none"}
-    from matplotlib import pyplot
+    from matplotlib import pyplot as plt
 
     by_name = {row.what: row for row in rows}
     if missing := [name for name in ROWS if name not in by_name]:
         raise SystemExit(f"the output has no row {missing[0]!r}: is it that of `python -m benchmarks tf2`?")
     chosen = [by_name[name] for name in ROWS]
     heights = [len(row.times_ns) for row in chosen]
-    figure, axes = pyplot.subplots(
+    figure, axes = plt.subplots(
         len(chosen), figsize=(8, 0.34 * sum(heights) + 0.5 * len(chosen)), height_ratios=heights, sharex=True
     )
     for axis, row in zip(axes, chosen, strict=True):
@@ -87,7 +87,7 @@ def draw(rows: list[Row], picture: Path) -> None:
         axis.spines[["top", "right"]].set_visible(False)
         axis.tick_params(axis="both", labelsize=8)
         for place, time in enumerate(times):
-            ratio = f"  {float(f'{time / times[0]:.3g}'):,.10g} ×" if place else ""
+            ratio = f"  {float(f'{time / times[0]:.3g}'):,.10g} x" if place else ""
             axis.text(time, place, f" {time_text(time)}{ratio}", va="center", fontsize=8)
     axes[-1].set_xlim(1, 100 * max(max(row.times_ns.values()) for row in chosen))
     axes[-1].set_xlabel("time [ns], logarithmic; shorter is faster", fontsize=8)

@@ -16,7 +16,7 @@ a peer is not installed
 lookup, latest, depth 10, 1000 Hz                              0.184 µs            transform-tree        0.431      2.3 x
                                                                                    pytransform3d      3879.301  21083.2 x
 a row with no peer                                             1.000 ms
-"""
+"""  # noqa: E501 as printed
 
 
 def test_rows_are_read() -> None:
