@@ -46,6 +46,7 @@ NODE_ROOMS = [
 DOORS = {
     "pygame": ("turtlesim/window.py",),
     "reportlab": ("tf2_tools/drawing/",),
+    "rich": ("tf2_tools/top/",),
     "argcomplete": ("cli/tab_key.py",),
     "PIL": ("turtlesim/picture.py", "sensing/image_files.py", "tf2_tools/drawing/png.py"),
     "psutil": ("launch/processes/",),

@@ -127,6 +127,7 @@ COMMANDS: dict[str, str | Group] = {
             "doctor": "Check the transforms: what is wrong, who causes it, how to mend it",
             "publish": "Publish the static transforms of a file",
             "save": "Write the static transforms of a live graph or a bag to a file",
+            "top": "Show the transforms as they change: rates, ages, delays and publishers",
         },
     ),
     "topic": Group(

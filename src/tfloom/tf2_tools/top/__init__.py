@@ -1,0 +1,1 @@
+"""The tree of transforms in a terminal, with rates, ages and publishers as they change."""

@@ -1,0 +1,36 @@
+"""Messages of /tf as recordings hold them, for observations without a wire."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from tfloom.interfaces.geometry_msgs.msg import TransformStamped
+from tfloom.interfaces.tf2_msgs.msg import TFMessage
+from tfloom.rosidl import cdr
+from tfloom.tf2_tools.watch.recorded import RecordedMessage
+
+START_NS = 1_700_000_000_000_000_000
+MS = 1_000_000
+
+
+def transform(
+    parent: str,
+    child: str,
+    stamp_ns: int,
+    translation: Sequence[float] = (0.0, 0.0, 0.0),
+    yaw_rad: float = 0.0,
+) -> TransformStamped:
+    """Return a stamped transform."""
+    message = TransformStamped(child_frame_id=child)
+    message.header.frame_id = parent
+    message.header.stamp.sec, message.header.stamp.nanosec = divmod(stamp_ns, 1_000_000_000)
+    moved, turned = message.transform.translation, message.transform.rotation
+    moved.x, moved.y, moved.z = translation
+    turned.z, turned.w = math.sin(yaw_rad / 2), math.cos(yaw_rad / 2)
+    return message
+
+
+def recorded(received_ns: int, *transforms: TransformStamped, topic: str = "/tf") -> RecordedMessage:
+    """Return a message as a recording holds it."""
+    return topic, received_ns, cdr.encode(TFMessage(transforms=list(transforms)))
