@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import io
+import struct
 import warnings
+import zlib
 from collections import Counter
 from pathlib import Path
 from typing import NamedTuple
@@ -16,6 +18,7 @@ from tfloom.bag.mcap_records import Opcode
 
 __all__ = ["Layout", "Span", "decompressed", "read_at", "warn_of_damage", "whole_records"]
 
+CHECKSUM = struct.Struct("<I")
 BLOCK = 1 << 22
 """How much is read at once of messages outside of chunks [bytes]."""
 
@@ -38,6 +41,8 @@ class Span(NamedTuple):
     """Offset of the message index of each channel; empty if there is none."""
     channels: frozenset[int] | None
     """The channels of the messages; None if they aren't known."""
+    checksum_offset: int | None = None
+    """Of the checksum of the decompressed bytes in the file; None if there is none."""
     is_whole: bool = True
     """Whether the file has all of it; False for what is at the end of an unfinished file."""
 
@@ -122,6 +127,9 @@ def whole_records(file: io.FileIO, path: Path, span: Span) -> bytes:
         BagError: as `decompressed`.
     """
     data = decompressed(file, path, span) or b""
+    if span.is_whole and not _has_checksum(file, span, data):
+        warn_of_damage(path, span, "its content does not have its checksum")
+        return b""
     try:
         end = _native.summarise_mcap(data, 0)[-1]
     except ValueError as error:
@@ -130,6 +138,14 @@ def whole_records(file: io.FileIO, path: Path, span: Span) -> bytes:
     if end != len(data) and span.is_whole:
         warn_of_damage(path, span, f"it has no whole record at byte {end}", "it is read up to there")
     return data[:end] if end != len(data) else data
+
+
+def _has_checksum(file: io.FileIO, span: Span, data: bytes) -> bool:
+    """Return whether the records of a chunk have its CRC-32; True if it has none."""
+    if span.checksum_offset is None or not data:
+        return True
+    (checksum,) = CHECKSUM.unpack(read_at(file, span.checksum_offset, CHECKSUM.size))
+    return checksum in {0, zlib.crc32(data)}
 
 
 def warn_of_damage(path: Path, span: Span, reason: str, then: str = "it is left out") -> None:

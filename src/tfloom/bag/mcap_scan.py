@@ -117,7 +117,7 @@ class Scan:
         stored = min(header.stored_size, left - header.data_offset)
         is_whole = stored == header.stored_size
         offset = at + header.data_offset
-        span = Span(0, 0, offset, stored, header.compression, header.size, {}, None, is_whole)
+        span = Span(0, 0, offset, stored, header.compression, header.size, {}, None, at + 24, is_whole)
         data = decompressed(self._file, self._path, span)
         if not data:
             return

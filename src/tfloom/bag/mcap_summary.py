@@ -15,6 +15,8 @@ from tfloom.bag.mcap_scan import Scan
 
 __all__ = ["read_layout"]
 
+CHECKSUM_OF_CHUNK = 33
+"""From the beginning of a chunk record to its checksum [bytes]."""
 INDEX_OF_CHUNK = 49
 """From the beginning of a chunk record to its compressed bytes, without the compression's name [bytes]."""
 
@@ -108,4 +110,5 @@ def _span_of_index(index: records.ChunkIndex, limit: int) -> Span:
         index.size,
         index.index_offsets,
         channels,
+        index.offset + CHECKSUM_OF_CHUNK,
     )

@@ -1,0 +1,262 @@
+"""MCAP files: of mcap's own writer, of rosbags, unfinished, damaged and hostile ones."""
+
+from __future__ import annotations
+
+import random
+import struct
+import warnings
+from pathlib import Path
+
+import pytest
+from mcap.reader import make_reader
+from tests.bag.recordings import START, drive, found_in, write_mcap
+
+from tfloom.bag import BagError, BagWarning, frames, open_bag
+from tfloom.bag.mcap_records import MAGIC, RECORD_HEADER, Opcode
+
+DRIVE = drive()
+
+
+@pytest.mark.parametrize("compression", ["", "lz4", "zstd"])
+def test_messages_of_mcaps_own_writer(compression: str, tmp_path: Path) -> None:
+    path = write_mcap(tmp_path / "a.mcap", DRIVE, compression)
+    with open_bag(path) as bag:
+        assert found_in(bag) == DRIVE
+        assert bag.message_count == len(DRIVE)
+        assert bag.topics["/tf"].type == "tf2_msgs/msg/TFMessage"
+    assert_drive(path)
+
+
+def assert_drive(path: Path, count: int = 50) -> None:
+    buffer = frames(path)
+    edges = {each.child_frame_id: each for each in buffer.edges()}
+    assert edges["lidar"].is_static
+    assert [edges[name].sample_count for name in ("odom", "base_link")] == [count, count]
+    found = buffer.lookup("map", "base_link", START + 250_000_000)
+    assert found.translation == pytest.approx((3.5, 0, 0))
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        {"use_chunking": False},
+        {"use_chunking": False, "use_statistics": False, "use_summary_offsets": False},
+        {"use_statistics": False},
+        {"repeat_channels": False, "repeat_schemas": False},
+        {"use_chunking": True, "chunk_size": 1 << 20},
+    ],
+    ids=["no chunks", "no chunks, no statistics", "no statistics", "no channels in the summary", "one chunk"],
+)
+def test_files_with_less_than_a_whole_summary(options: dict[str, object], tmp_path: Path) -> None:
+    path = write_mcap(tmp_path / "a.mcap", DRIVE, "lz4", **options)
+    with open_bag(path) as bag:
+        assert found_in(bag) == DRIVE
+        assert (bag.start_ns, bag.end_ns) == (START, DRIVE[-1][1])
+    assert_drive(path)
+
+
+def test_messages_out_of_order_are_sorted_by_log_time(tmp_path: Path) -> None:
+    shuffled = DRIVE.copy()
+    random.Random(1).shuffle(shuffled)
+    path = write_mcap(tmp_path / "a.mcap", shuffled)
+    with open_bag(path) as bag:
+        found = found_in(bag)
+    assert [each[1] for each in found] == sorted(each[1] for each in DRIVE)
+    assert sorted(found) == sorted(DRIVE)
+    assert_drive(path)
+
+
+@pytest.mark.parametrize("compression", ["", "lz4", "zstd"])
+def test_file_cut_off_anywhere_is_read_to_its_last_whole_record(compression: str, tmp_path: Path) -> None:
+    whole = write_mcap(tmp_path / "whole.mcap", DRIVE, compression).read_bytes()
+    cut = tmp_path / "cut.mcap"
+    most = 0
+    for size in range(len(MAGIC) + 30, len(whole) - 1, 397):
+        cut.write_bytes(whole[:size])
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            found = found_in(open_bag(cut))
+        texts = [str(each.message) for each in caught]
+        assert len(found) == len(DRIVE) or any("still being written or its recorder" in text for text in texts)
+        assert found == DRIVE[: len(found)], size
+        assert len(found) >= most, size
+        most = len(found)
+    assert most == len(DRIVE)
+
+
+def test_chunk_that_is_cut_off_is_read_to_its_last_whole_record(tmp_path: Path) -> None:
+    whole = write_mcap(tmp_path / "whole.mcap", DRIVE, "", chunk_size=1 << 20).read_bytes()
+    cut = tmp_path / "cut.mcap"
+    cut.write_bytes(whole[: len(whole) // 3])
+    with pytest.warns(BagWarning):
+        bag = open_bag(cut)
+    found = found_in(bag)
+    assert 10 < len(found) < len(DRIVE)
+    assert found == DRIVE[: len(found)]
+    with pytest.warns(BagWarning):
+        buffer = frames(cut)
+    assert buffer.has_frame("base_link")
+
+
+def test_bag_that_is_still_being_written_is_read_again_as_it_grows(tmp_path: Path) -> None:
+    whole = write_mcap(tmp_path / "whole.mcap", DRIVE).read_bytes()
+    growing = tmp_path / "growing.mcap"
+    counts = []
+    for part in (2, 1.3, 1):
+        growing.write_bytes(whole[: int(len(whole) / part)])
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", BagWarning)
+            counts.append(len(found_in(open_bag(growing))))
+    assert counts == sorted(set(counts))
+
+
+def test_errors_name_the_file_the_place_and_what_to_do(tmp_path: Path) -> None:
+    whole = write_mcap(tmp_path / "whole.mcap", DRIVE, "zstd").read_bytes()
+    cases = {
+        "empty.mcap": (b"", "the file is empty: its recorder ended before it wrote anything"),
+        "short.mcap": (whole[:5], "the file ends after 5 bytes, within the first bytes of an MCAP file"),
+        "other.mcap": (b"SQLite format 3\0" * 9, "byte 0: this is no MCAP file: it begins with b'SQLite f'"),
+        "header.mcap": (whole[:20], "byte 8: the header is damaged or cut off"),
+        "name.txt": (whole, "a file of a recording ends in .mcap, .db3, .bag"),
+    }
+    wrong = []
+    for name, (data, text) in cases.items():
+        (tmp_path / name).write_bytes(data)
+        try:
+            open_bag(tmp_path / name)
+        except BagError as error:
+            if not str(error).startswith(str(tmp_path / name)) or text not in str(error):
+                wrong.append((name, str(error)))
+        else:
+            wrong.append((name, "no error"))
+    assert wrong == []
+    with pytest.raises(BagError, match="there is no such file or folder"):
+        open_bag(tmp_path / "nothing")
+
+
+def test_unknown_compression_is_named(tmp_path: Path) -> None:
+    path = write_mcap(tmp_path / "a.mcap", DRIVE, "zstd")
+    path.write_bytes(path.read_bytes().replace(b"\4\0\0\0zstd", b"\4\0\0\0lzma"))
+    bag = open_bag(path)
+    with pytest.raises(
+        BagError, match=r"a\.mcap: byte \d+: the compression is 'lzma', which is none of lz4 and zstd"
+    ):
+        found_in(bag)
+
+
+def test_damaged_chunk_is_left_out_with_a_warning(tmp_path: Path) -> None:
+    path = write_mcap(tmp_path / "a.mcap", DRIVE, "zstd")
+    data = bytearray(path.read_bytes())
+    at = data.index(b"\x28\xb5\x2f\xfd", 3000)
+    data[at + 20 : at + 60] = bytes(40)
+    path.write_bytes(data)
+    bag = open_bag(path)
+    with pytest.warns(
+        BagWarning, match=r"a\.mcap: byte \d+: a chunk of messages is damaged: .*it is left out"
+    ):
+        found = found_in(bag)
+    assert 0 < len(found) < len(DRIVE)
+    assert set(found) < set(DRIVE)
+
+
+def test_chunk_that_declares_a_huge_size_is_not_decompressed(tmp_path: Path) -> None:
+    path = write_mcap(tmp_path / "a.mcap", DRIVE, "lz4")
+    data = path.read_bytes()
+    huge = _with_chunk_sizes(data, 1 << 40)
+    path.write_bytes(huge)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        assert found_in(open_bag(path)) == []
+    assert any("more than the 1073741824 that are accepted" in str(each.message) for each in caught)
+
+
+def _with_chunk_sizes(data: bytes, size: int) -> bytes:
+    """Return a file whose chunks, and no index, declare a size."""
+    changed = bytearray(data[: -len(MAGIC)])
+    at = len(MAGIC)
+    while at + RECORD_HEADER.size < len(changed):
+        opcode, length = RECORD_HEADER.unpack_from(changed, at)
+        if opcode == Opcode.CHUNK:
+            struct.pack_into("<Q", changed, at + RECORD_HEADER.size + 16, size)
+        at += RECORD_HEADER.size + length
+    return bytes(changed)
+
+
+def test_random_damage_gives_errors_and_warnings_only(tmp_path: Path) -> None:
+    whole = write_mcap(tmp_path / "whole.mcap", DRIVE, "lz4").read_bytes()
+    path = tmp_path / "damaged.mcap"
+    chance = random.Random(7)
+    for _ in range(150):
+        data = bytearray(whole)
+        for _ in range(chance.randint(1, 6)):
+            data[chance.randrange(len(data))] = chance.choice([0, 1, 127, 255, chance.randrange(256)])
+        path.write_bytes(data)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", BagWarning)
+            try:
+                bag = open_bag(path)
+                found_in(bag)
+                frames(path)
+            except BagError:
+                pass
+
+
+def test_only_chunks_with_transforms_are_decompressed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    texts = [each for each in DRIVE if each[0] == "/chatter"] * 40
+    others = [(topic, START + 5_000_000_000 + i, data) for i, (topic, _, data) in enumerate(texts)]
+    path = write_mcap(tmp_path / "a.mcap", DRIVE + others, "zstd", chunk_size=4000)
+    from tfloom.bag import mcap_layout
+
+    read = 0
+    real = mcap_layout.read_at
+
+    def counting(file: object, offset: int, size: int) -> bytes:
+        nonlocal read
+        data = real(file, offset, size)  # type: ignore[arg-type]
+        read += len(data)
+        return data
+
+    for module in ("mcap_layout", "mcap_sparse"):
+        monkeypatch.setattr(f"tfloom.bag.{module}.read_at", counting)
+    assert_drive(path)
+    with path.open("rb") as file:
+        summary = make_reader(file).get_summary()
+    assert summary is not None
+    channel = next(each.id for each in summary.channels.values() if each.topic == "/tf")
+    needed = sum(each.chunk_length for each in summary.chunk_indexes if channel in each.message_index_offsets)
+    everything = sum(each.chunk_length for each in summary.chunk_indexes)
+    assert needed * 0.9 <= read < needed + everything // 4
+
+
+def test_transforms_between_large_messages_are_read_by_the_index(tmp_path: Path) -> None:
+    """The chunks are not compressed, so only the transforms' own bytes are read."""
+    messages = []
+    for each in DRIVE:
+        messages.append(each)
+        if each[0] == "/tf":
+            messages.append(
+                ("/chatter", each[1], b"\0\1\0\0" + struct.pack("<I", 200_000) + b"x" * 199_999 + b"\0")
+            )
+    for compression in ("", "lz4", "zstd"):
+        path = write_mcap(tmp_path / f"a{compression}.mcap", messages, compression, chunk_size=600_000)
+        assert_drive(path)
+        assert_drive_in(path)
+
+
+def assert_drive_in(path: Path) -> None:
+    start, end = START + 100_000_000, START + 199_999_999
+    edges = {each.child_frame_id: each for each in frames(path, start_ns=start, end_ns=end).edges()}
+    assert edges["odom"].sample_count == 10
+    assert edges["lidar"].is_static
+
+
+def test_metadata_record_of_rosbag2() -> None:
+    from tfloom.bag.mcap_reader import McapFile
+
+    golden = Path(__file__).parents[1] / "golden" / "bags" / "mcap" / "b1_0.mcap"
+    found = McapFile(golden).metadata("rosbag2")
+    assert found is not None
+    assert "message_count: 876" in found["serialized_metadata"]
+    assert McapFile(golden).metadata("another") is None
