@@ -13,10 +13,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tfloom.cli.errors import CommandError
+from tfloom.cli.graph import MOST_S
+from tfloom.cli.names import full_topic_name
 from tfloom.cli.numbers import seconds
 from tfloom.terminal_text import unescaped
 from tfloom.tf2_tools.doctor.catalogue import KINDS, Severity
 from tfloom.tf2_tools.doctor.limits import Limits
+from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC
 
 if TYPE_CHECKING:
     from tfloom.tf2_tools.doctor.report import Report
@@ -45,7 +48,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "path", nargs="?", type=Path, help="a bag, or a YAML file of static transforms; without it: the graph"
     )
-    parser.add_argument("--bag", type=Path, metavar="PATH", help="the same as the positional path")
+    parser.add_argument("-b", "--bag", type=Path, metavar="PATH", help="the same as the positional path")
     parser.add_argument(
         "--seconds",
         type=seconds,
@@ -56,6 +59,19 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--json", action="store_true", help="print the report as JSON")
     parser.add_argument(
         "--topics", action="store_true", help="check the frames in the headers of all topics as well"
+    )
+    parser.add_argument(
+        "--tf-topic", metavar="TOPIC", default=TF_TOPIC, help=f"topic of transforms ({TF_TOPIC})"
+    )
+    parser.add_argument(
+        "--tf-static-topic", metavar="TOPIC", default=STATIC_TOPIC, help=f"of static ones ({STATIC_TOPIC})"
+    )
+    parser.add_argument(
+        "--spin-time",
+        type=seconds,
+        default=MOST_S,
+        metavar="S",
+        help=f"longest time of discovery ({MOST_S:g}; it ends when nothing new arrives)",
     )
     parser.add_argument("--strict", action="store_true", help="count warnings as failures")
     parser.add_argument(
@@ -106,15 +122,29 @@ def main(args: argparse.Namespace) -> int:
 
 
 def _listened(args: argparse.Namespace) -> Subject:
-    from tfloom.cli.graph import joined_participant
+    from tfloom.cli.graph import joined_participant, wait_until_quiet
     from tfloom.tf2_tools.doctor.live import listen
 
     with joined_participant() as participant:
-        return listen(participant, args.seconds, with_topics=args.topics)
+        wait_until_quiet(participant.graph, args.spin_time)
+        return listen(participant, args.seconds, with_topics=args.topics, topics=_topics(args))
 
 
-def _read(path: Path, args: argparse.Namespace) -> Subject:  # noqa: ARG001
-    raise CommandError(f"{path}: recordings can't be read yet", UNUSABLE)
+def _read(path: Path, args: argparse.Namespace) -> Subject:
+    from tfloom.bag.errors import BagError
+    from tfloom.tf2_tools.doctor.recorded import read
+    from tfloom.tf2_tools.static_file import StaticFileError
+
+    try:
+        return read(path, with_topics=args.topics, topics=_topics(args))
+    except (BagError, StaticFileError) as error:
+        raise CommandError(str(error), UNUSABLE) from None
+    except OSError as error:
+        raise CommandError(f"{path}: {error.strerror}", UNUSABLE) from None
+
+
+def _topics(args: argparse.Namespace) -> tuple[str, str]:
+    return full_topic_name(args.tf_topic), full_topic_name(args.tf_static_topic)
 
 
 def _print_codes(code: str | None) -> int:

@@ -20,8 +20,9 @@ class Source(NamedTuple):
     """32 hex digits; empty if unknown."""
 
     def __str__(self) -> str:
-        known = self.node or (f"an unknown node (GID {self.gid})" if self.gid else "an unknown node")
-        return f"{known} on {self.topic}"
+        if not (self.node or self.gid):
+            return self.topic
+        return f"{self.node or f'an unknown node (GID {self.gid})'} on {self.topic}"
 
 
 class Evidence(NamedTuple):

@@ -9,10 +9,12 @@ from contextlib import contextmanager
 
 from tfloom._native import HeaderSink
 from tfloom.rmw.action_names import SEND_GOAL, SEND_GOAL_TYPE
-from tfloom.rmw.base import NodeName, Participant, Reader, Sample, Service
+from tfloom.rmw.base import NodeName, Participant, Reader, Sample, Service, Writer
+from tfloom.rmw.cyclone_graph import FAST_DDS
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, QoS, ReliabilityPolicy
-from tfloom.rmw.topic_names import request_topic
+from tfloom.rmw.topic_names import request_topic, response_topic
 from tfloom.tf2_tools.doctor.finding import Source
+from tfloom.tf2_tools.doctor.headers import begins_with_header
 from tfloom.tf2_tools.doctor.requests import requested_frames
 from tfloom.tf2_tools.doctor.subject import FrameUse, Subject
 from tfloom.tf2_tools.watch.live import LiveWatch
@@ -35,10 +37,10 @@ def listen(
     with_topics: bool = False,
     topics: tuple[str, str] = TOPICS,
 ) -> Subject:
-    """Listen for a time, and return what was seen.
+    """Listen for a time, and return what was seen. Where /clock is published, stamps are compared with its time.
 
     Args:
-        participant: The participant that reads.
+        participant: The participant that reads; its discovery is complete.
         duration_s: How long [s].
         with_topics: Whether to subscribe to all topics with headers as well.
         topics: The topics of moving and of static transforms.
@@ -72,18 +74,23 @@ class _Ears:
         self._participant = participant
         self._node = node
         self._started_ns = time.time_ns()
-        self._skipped = {*topics, CLOCK_TOPIC}
+        self._topics = topics
+        self._skipped = set(topics)
         self._headers: dict[str, tuple[Reader, HeaderSink]] = {}
         self._requests: dict[str, Reader] = {}
+        self._responses: dict[str, Writer] = {}
         self._asked: dict[tuple[bytes, str, str], int] = {}
         """Numbers of requests by the client's gid, the name of the server, and the frame."""
-        self._watch = LiveWatch(participant, node, topics=topics)
+        self._is_simulated = any(
+            end.is_writer and end.topic.name == CLOCK_TOPIC for end in participant.graph.endpoints()
+        )
+        self._watch = LiveWatch(participant, node, topics=topics, simulated=self._is_simulated)
         self._changes = -1
         self._nodes: dict[bytes, str] = {}
 
     def refresh(self, *, with_topics: bool) -> None:
         """Read the graph if it has changed, and take what came in requests."""
-        self._watch.observation()
+        self._watch.look()
         graph = self._participant.graph
         if (changes := graph.changes()) != self._changes:
             self._changes = changes
@@ -108,10 +115,19 @@ class _Ears:
                 self._headers[name] = reader, sink
 
     def _open_requests(self) -> None:
+        """Read the requests to each server, and stand beside it as a writer of responses for clients of Fast DDS.
+
+        These take a service for absent while the numbers of its readers and its writers differ.
+        """
         for end in self._participant.graph.service_ends():
-            if end.name not in self._requests and end.type_name == LOOKUP_TYPE + SEND_GOAL_TYPE:
+            if end.type_name != LOOKUP_TYPE + SEND_GOAL_TYPE:
+                continue
+            if end.is_server and end.name not in self._requests:
                 topic = request_topic(Service(end.name, end.type_name))._replace(is_native=True)
                 self._requests[end.name] = self._participant.create_reader(self._node, topic, _ALL_REQUESTS)
+            if end.gid.startswith(FAST_DDS) and not end.is_server and end.name not in self._responses:
+                topic = response_topic(Service(end.name, end.type_name))._replace(is_native=True)
+                self._responses[end.name] = self._participant.create_writer(self._node, topic, QoS())
 
     def _take_requests(self) -> None:
         for name, reader in self._requests.items():
@@ -129,6 +145,8 @@ class _Ears:
             (self._started_ns, until_ns),
             self._header_uses(),
             self._request_uses(),
+            static_topic=self._topics[True],
+            is_simulated=self._is_simulated,
         )
 
     def _source(self, gid: bytes, topic: str) -> Source:
@@ -150,20 +168,10 @@ class _Ears:
     def close(self) -> None:
         """Close all readers."""
         self._watch.close()
-        readers = [*self._requests.values(), *(reader for reader, _ in self._headers.values())]
+        headers = [reader for reader, _ in self._headers.values()]
+        readers = [*self._requests.values(), *self._responses.values(), *headers]
         for reader in readers:
             reader.close()
-
-
-def begins_with_header(type_name: str) -> bool:
-    """Return whether the messages of a type begin with a std_msgs/msg/Header; False if the type is unknown here."""
-    from tfloom.rosidl.registry import get_message_class
-
-    try:
-        fields = get_message_class(type_name).get_fields_and_field_types()
-    except (LookupError, ValueError):
-        return False
-    return next(iter(fields.values()), "") == "std_msgs/Header"
 
 
 def _taken(reader: Reader) -> Iterator[Sample]:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from tfloom.tf2_tools.doctor.finding import Evidence, Finding, Source
-from tfloom.tf2_tools.watch.model import Edge, Observation, Publisher
+from tfloom.tf2_tools.watch.model import STATIC_TOPIC, Edge, Observation, Publisher
 from tfloom.tf2_tools.watch.tree import Tree
 
 SHOWN = 4
@@ -36,6 +36,8 @@ class Subject:
     """Frames in the headers of topics."""
     requests: Sequence[FrameUse] = ()
     """Frames in requests to buffer servers."""
+    static_topic: str = STATIC_TOPIC
+    """The topic of static transforms."""
     is_simulated: bool = False
     """Whether stamps were compared with /clock."""
 

@@ -11,7 +11,6 @@ from tfloom.rmw.qos import DurabilityPolicy, QoSPolicyKind, ReliabilityPolicy
 from tfloom.tf2_tools.doctor.finding import Evidence, Finding, Source
 from tfloom.tf2_tools.doctor.limits import Limits
 from tfloom.tf2_tools.doctor.subject import Subject, listed, source_of
-from tfloom.tf2_tools.watch.model import STATIC_TOPIC
 
 TYPE = TFMessage._TYPE_NAME
 
@@ -26,7 +25,7 @@ def check_topics(subject: Subject, limits: Limits) -> Iterator[Finding]:  # noqa
         for finding in _mismatches(writer, [end for end in ends if not end.is_writer]):
             mismatched.update((writer.gid, *(bytes.fromhex(source.gid) for source in finding.sources)))
             yield finding
-    yield from _unusual([end for end in ends if end.gid not in mismatched])
+    yield from _unusual([end for end in ends if end.gid not in mismatched], subject.static_topic)
 
 
 def end_source(end: EndpointInfo) -> Source:
@@ -88,10 +87,10 @@ def _policy(end: EndpointInfo, policy: QoSPolicyKind) -> str:
     return str(getattr(value, "name", None) or policy.name.lower())
 
 
-def _unusual(ends: list[EndpointInfo]) -> Iterator[Finding]:
+def _unusual(ends: list[EndpointInfo], static_topic: str) -> Iterator[Finding]:
     for end in ends:
         is_volatile = (
-            end.topic.name == STATIC_TOPIC and end.qos.durability != DurabilityPolicy.TRANSIENT_LOCAL
+            end.topic.name == static_topic and end.qos.durability != DurabilityPolicy.TRANSIENT_LOCAL
         )
         is_lossy = end.is_writer and end.qos.reliability == ReliabilityPolicy.BEST_EFFORT
         verb = "offers" if end.is_writer else "requests"

@@ -70,7 +70,7 @@ class LiveWatch:
             self._read_clock()
         for is_static, qos in enumerate(REQUESTED_QOS):
             self._read(qos, static=bool(is_static))
-        self._look()
+        self.look()
 
     def _read(self, qos: QoS, *, static: bool, only: list[bytes] | None = None) -> TfObserverSink:
         topic = topic_of(TFMessage, self._topics[static])
@@ -83,7 +83,7 @@ class LiveWatch:
         reader.feed(sink)
         return sink
 
-    def _look(self) -> None:
+    def look(self) -> None:
         """Read the graph if it has changed: publishers' names, and those of another quality."""
         self._started_ns = self._started_ns or self.now_ns()
         graph = self._participant.graph
@@ -126,14 +126,14 @@ class LiveWatch:
     def wait(self, end_s: float) -> None:
         """Wait for a transform until `end_s` on the monotonic clock [s]; return at once if one came since last time."""
         while not any(sink.take_pushed() for sink in self._sinks):
-            self._look()
+            self.look()
             left_s = end_s - time.monotonic()
             if left_s <= 0 or self._queue.wait(int(min(left_s, LOOK_S) * 1e9) + 1, quiet=True):
                 return
 
     def observation(self) -> Observation:
         """Return all that is known now."""
-        self._look()
+        self.look()
         return observation_of(
             self._observer.snapshot(),
             self._described,
