@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
-from tfloom.tf2_tools.doctor.finding import Finding
+from tfloom.tf2_tools.doctor.finding import Finding, counted
 from tfloom.tf2_tools.doctor.limits import Limits
 from tfloom.tf2_tools.doctor.subject import (
     Subject,
@@ -26,7 +26,7 @@ _BY_LETTERS = {name.replace("_", ""): name for name in CONVENTIONAL}
 def check_names(subject: Subject, limits: Limits) -> Iterator[Finding]:  # noqa: ARG001 - as all checks
     """Yield the findings on names."""
     slashed = [
-        (edge, evidence_of(edge, f"{edge.statistics.count} times", count=edge.statistics.count))
+        (edge, evidence_of(edge, counted(edge.statistics.count, "time"), count=edge.statistics.count))
         for edge in subject.seen.edges
         if edge.child.startswith("/") or edge.parent.startswith("/")
     ]

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from tfloom._native import Spread
-from tfloom.tf2_tools.doctor.finding import Evidence, Finding
+from tfloom.tf2_tools.doctor.finding import Evidence, Finding, counted
 from tfloom.tf2_tools.doctor.limits import GAP_PERIODS, LEAST_COUNT, LEAST_JITTER_S, Limits
 from tfloom.tf2_tools.doctor.subject import Subject, evidence_of, for_each_publisher
 from tfloom.tf2_tools.watch.model import Edge
@@ -33,7 +33,7 @@ def _rarity(subject: Subject, edge: Edge, limits: Limits) -> Evidence | None:
     if period_s * limits.min_rate_hz <= 1.0:
         return None
     rate_hz = 1.0 / period_s
-    text = f"{rate_hz:.2f} Hz, {seen.count} transforms in {subject.duration_s:.1f} s"
+    text = f"{rate_hz:.2f} Hz, {counted(seen.count, 'transform')} in {subject.duration_s:.1f} s"
     return evidence_of(edge, text, rate_hz=rate_hz, count=seen.count)
 
 

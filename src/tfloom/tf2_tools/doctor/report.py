@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from tfloom.tf2_tools.doctor.catalogue import GROUPS, Kind, Severity
-from tfloom.tf2_tools.doctor.finding import Finding
+from tfloom.tf2_tools.doctor.finding import Finding, counted
 from tfloom.tf2_tools.doctor.subject import Subject
 
 SHOWN = 5
@@ -41,6 +41,7 @@ class Report(NamedTuple):
         return {
             "origin": self.origin,
             "is_live": seen.is_live,
+            "is_simulated": self.subject.is_simulated,
             "duration_s": round(self.subject.duration_s, 3),
             "frames": len(self.subject.frames),
             "edges": len(self.subject.tree.parents),
@@ -73,11 +74,6 @@ class Report(NamedTuple):
         errors = counted(self.count(Severity.ERROR), "error")
         warnings = counted(self.count(Severity.WARNING), "warning")
         return f"{errors}, {warnings}; `tfloom tf doctor --explain CODE` says more of one"
-
-
-def counted(number: int, noun: str) -> str:
-    """Return a number with its noun."""
-    return f"{number} {noun}{'' if number == 1 else 's'}"
 
 
 def body(finding: Finding) -> Iterator[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
-from tfloom.tf2_tools.doctor.finding import Evidence, Finding
+from tfloom.tf2_tools.doctor.finding import Evidence, Finding, counted
 from tfloom.tf2_tools.doctor.limits import Limits
 from tfloom.tf2_tools.doctor.subject import (
     Subject,
@@ -146,11 +146,11 @@ def _trees(subject: Subject) -> Iterator[Finding]:
 
 def _rejected(subject: Subject) -> Iterator[Finding]:
     """Yield the findings on edges that no listener stores."""
-    counted = [
-        (edge, evidence_of(edge, f"{edge.statistics.count} times", count=edge.statistics.count))
+    all_edges = [
+        (edge, evidence_of(edge, counted(edge.statistics.count, "time"), count=edge.statistics.count))
         for edge in subject.seen.edges
     ]
-    empty = [(edge, seen) for edge, seen in counted if not (edge.child and edge.parent)]
-    own = [(edge, seen) for edge, seen in counted if edge.child and is_own_parent(edge)]
+    empty = [(edge, seen) for edge, seen in all_edges if not (edge.child and edge.parent)]
+    own = [(edge, seen) for edge, seen in all_edges if edge.child and is_own_parent(edge)]
     yield from for_each_publisher("TF106", "sends a frame as its own parent: {}", own)
     yield from for_each_publisher("TF107", "sends an empty frame id: {}", empty)

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from tfloom.tf2_tools.doctor.finding import Evidence, Finding
+from tfloom.tf2_tools.doctor.finding import Evidence, Finding, counted
 from tfloom.tf2_tools.doctor.limits import Limits
 from tfloom.tf2_tools.doctor.subject import FrameUse, Subject
 
 
 def check_uses(subject: Subject, limits: Limits) -> Iterator[Finding]:  # noqa: ARG001 - as all checks
     """Yield the findings on frames that are named and that no transform holds."""
-    yield from _unknown(subject, "TF601", subject.headers, "is in the frame", "messages")
-    yield from _unknown(subject, "TF602", subject.requests, "requests the frame", "requests")
+    yield from _unknown(subject, "TF601", subject.headers, "is in the frame", "message")
+    yield from _unknown(subject, "TF602", subject.requests, "requests the frame", "request")
 
 
 def _unknown(
@@ -21,7 +21,7 @@ def _unknown(
     for use in uses:
         if use.frame and use.frame not in subject.frames:
             hint = subject.near(use.frame)
-            evidence = Evidence(f"{use.count} {what}{hint}", {"count": use.count, "frame": use.frame})
+            evidence = Evidence(f"{counted(use.count, what)}{hint}", {"count": use.count, "frame": use.frame})
             summary = f"what {use.source} publishes" if code == "TF601" else str(use.source)
             yield Finding(
                 code,
