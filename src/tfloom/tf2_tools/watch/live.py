@@ -12,13 +12,13 @@ from tfloom.rmw.compatibility import incompatible_policies
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, QoS, ReliabilityPolicy
 from tfloom.rmw.typed_names import topic_of
 from tfloom.tf2.buffer import Buffer
-from tfloom.tf2_tools.watch.model import TOPICS, Description, Observation, observation_of
+from tfloom.tf2_tools.watch.model import LISTENER_QOS, TOPICS, Description, Observation, observation_of
 
 __all__ = ["LOOSE_QOS", "REQUESTED_QOS", "LiveWatch"]
 
 REQUESTED_QOS = (
-    QoS(depth=1000),
-    QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_ALL),
+    LISTENER_QOS[False]._replace(depth=1000),
+    LISTENER_QOS[True]._replace(history=HistoryPolicy.KEEP_ALL),
 )
 """Of the readers of moving and of static transforms: as a transform listener requests, but for the depth."""
 LOOSE_QOS = QoS(ReliabilityPolicy.BEST_EFFORT, DurabilityPolicy.VOLATILE, depth=1000)
@@ -37,7 +37,8 @@ class LiveWatch:
     Args:
         participant: The participant that reads.
         node: The node whose readers these are, which was added to the participant.
-        buffer: A buffer to fill as well, in the same pass; authorities are the publishers' gids in hexadecimal.
+        buffer: A buffer to fill as well, in the same pass, with what a transform listener would receive; authorities
+            are the publishers' gids in hexadecimal.
         topics: The topics of moving and of static transforms.
         cache_time_ns: Age beyond a frame's newest stamp above which a transform counts as too old [ns].
         simulated: Whether stamps are compared with the time on /clock, not with this machine's.
@@ -74,7 +75,7 @@ class LiveWatch:
 
     def _read(self, qos: QoS, *, static: bool, only: list[bytes] | None = None) -> TfObserverSink:
         topic = topic_of(TFMessage, self._topics[static])
-        sink = self._observer.sink(static, self.buffer)
+        sink = self._observer.sink(static, self.buffer if only is None else None)
         sink.accept_only(only)
         sink.notify(self._queue, len(self._sinks))
         reader = self._participant.create_reader(self._node, topic, qos)

@@ -7,12 +7,15 @@ from dataclasses import dataclass, field
 
 from tfloom._native import EdgeStatistics, TfChild, TfSnapshot, TfTraffic
 from tfloom.rmw.base import EndpointInfo, NodeName
-from tfloom.rmw.qos import QoS
+from tfloom.rmw.compatibility import incompatible_policies
+from tfloom.rmw.qos import DurabilityPolicy, QoS, QoSPolicyKind
 
 TF_TOPIC = "/tf"
 STATIC_TOPIC = "/tf_static"
 TOPICS = (TF_TOPIC, STATIC_TOPIC)
 """The topics of moving and of static transforms."""
+LISTENER_QOS = (QoS(depth=100), QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, depth=100))
+"""What a transform listener requests for the topics of moving and of static transforms."""
 
 
 @dataclass(frozen=True)
@@ -47,6 +50,13 @@ class Publisher:
     def label(self) -> str:
         """The name, followed by the gid where no node is known."""
         return self.name if self.node is not None or self.origin else f"unknown (GID {self.gid_text})"
+
+    @property
+    def mismatches(self) -> list[QoSPolicyKind]:
+        """The policies for which a transform listener receives nothing from it; empty if it does, or if unknown."""
+        if self.qos is None:
+            return []
+        return incompatible_policies(self.qos.resolved(), LISTENER_QOS[self.is_static].resolved())
 
     @property
     def has_left(self) -> bool:
