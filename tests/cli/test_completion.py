@@ -184,6 +184,8 @@ def test_programs_of_a_workspace_are_completed(tmp_path: Path, monkeypatch: pyte
 
 FREE = {
     "bag_path",
+    "target_frame",
+    "source_frame",
     "value",
     "argv",
     "parameter_file",

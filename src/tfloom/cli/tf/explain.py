@@ -99,10 +99,8 @@ def _time(text: str) -> Callable[[int], int]:
         raise argparse.ArgumentTypeError(
             f"must be latest, now, seconds with a sign, or a stamp in seconds or whole nanoseconds, not {text!r}"
         )
-    if text.isdigit() and len(text) >= LEAST_NS_DIGITS:
-        stamp_ns = int(text)
-    else:
-        stamp_ns = int(Decimal(text) * 1_000_000_000)
+    is_ns = text.isdigit() and len(text) >= LEAST_NS_DIGITS
+    stamp_ns = int(text) if is_ns else int(Decimal(text) * 1_000_000_000)
     if abs(stamp_ns) >= MOST_NS:
         raise argparse.ArgumentTypeError(f"is no time, because it is beyond the year 2262: {text}")
     if text[0] in "+-":
@@ -112,7 +110,7 @@ def _time(text: str) -> Callable[[int], int]:
 
 def _cache_time_ns(args: argparse.Namespace) -> int | None:
     if args.buffer is not None:
-        return round(args.buffer * 1e9)
+        return int(args.buffer * 1e9)
     return round(BUFFER_S * 1e9) if source.is_live(args.bag) else None
 
 

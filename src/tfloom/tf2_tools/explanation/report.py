@@ -42,7 +42,8 @@ def _when(stamp_ns: int, now_ns: int) -> str:
 
 
 def _chain_lines(lookup: Lookup, chain: Chain) -> list[str]:
-    line = TimeLine(chain.spans, lookup.stamp_ns, lookup.now_ns)
+    now = "now" if lookup.seen.is_live else "the end"
+    line = TimeLine(chain.spans, lookup.stamp_ns, lookup.now_ns, now)
     width = max(len(span.name) for span in chain.spans)
     lines = [f"  source {lookup.source}"]
     for place, span in enumerate(chain.spans):
@@ -147,12 +148,13 @@ def _plain_span(span: Span) -> dict[str, Any]:
 
 def _plain_source(edge: Edge) -> dict[str, Any]:
     statistics = edge.statistics
+    delay = None if edge.is_static or not statistics.delay.count else statistics.delay
     return {
         "node": edge.publisher.name,
         "gid": edge.publisher.gid_text,
         "topic": edge.topic,
         "rate_hz": edge.rate_hz,
         "count": statistics.count,
-        "delay_mean_s": statistics.delay.mean if statistics.delay.count else None,
-        "delay_greatest_s": statistics.delay.greatest if statistics.delay.count else None,
+        "delay_mean_s": None if delay is None else delay.mean,
+        "delay_greatest_s": None if delay is None else delay.greatest,
     }

@@ -20,12 +20,14 @@ class TimeLine:
         spans: The edges.
         stamp_ns: The time to mark; 0: none.
         now_ns: The time at the right end, unless a stamp is later.
+        now: What that time is called.
     """
 
-    def __init__(self, spans: Sequence[Span], stamp_ns: int, now_ns: int) -> None:
+    def __init__(self, spans: Sequence[Span], stamp_ns: int, now_ns: int, now: str) -> None:
         moving = [span for span in spans if not span.is_static]
         marked = [stamp_ns] if stamp_ns else []
         self._now_ns = now_ns
+        self._now = now
         self._stamp_ns = stamp_ns
         self._begin_ns = min([span.oldest_ns for span in moving] + marked, default=now_ns)
         self._end_ns = max([now_ns, *(span.newest_ns for span in moving), *marked])
@@ -47,7 +49,7 @@ class TimeLine:
     def axis(self) -> str:
         """Return the row with the times at both ends."""
         left, right = ago(self._begin_ns, self._now_ns), ago(self._end_ns, self._now_ns)
-        right = "now" if self._end_ns == self._now_ns else right
+        right = self._now if self._end_ns == self._now_ns else right
         return f"{left}{right.rjust(WIDTH - len(left))}"
 
     def pointer(self, text: str) -> str:

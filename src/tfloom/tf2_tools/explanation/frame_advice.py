@@ -1,0 +1,120 @@
+"""Sentences on a lookup of frames that are unknown, in a loop, or not connected."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+
+from tfloom.tf2_tools.explanation.durations import NS_PER_S, seconds_text
+from tfloom.tf2_tools.explanation.lookup import Lookup
+from tfloom.tf2_tools.watch.tree import Tree
+
+__all__ = ["bad_name", "loop", "not_connected", "unknown_frame"]
+
+
+def bad_name(lookup: Lookup) -> list[str]:
+    """Return what is wrong with a name."""
+    bad = [frame for frame in (lookup.target, lookup.source) if not frame or frame.startswith("/")]
+    if not all(bad):
+        return ["A frame has no name: give both."]
+    names = " and ".join(repr(frame.lstrip("/")) for frame in bad)
+    return [f"tf2 rejects names that start with a slash: use {names}."]
+
+
+def unknown_frame(lookup: Lookup) -> list[str]:
+    """Return which frames nobody publishes, those of similar names, and publishers that listeners do not hear."""
+    tree = Tree(lookup.parents)
+    if not tree.frames():
+        return _nothing_came(lookup)
+    sentences = []
+    for frame in lookup.missing:
+        sentences.append(f"No transform has the frame {frame!r}.{_near(frame, tree.frames())}")
+        sentences += _unheard(lookup, frozenset({frame}))
+    child = lookup.missing[0]
+    sentences.append(
+        f"Use a frame that is there, or start the node that publishes the transform of {child!r} "
+        f"(child_frame_id: {child})."
+    )
+    return sentences
+
+
+def _nothing_came(lookup: Lookup) -> list[str]:
+    if not lookup.seen.is_live:
+        return ["There is no transform in it."]
+    waited = seconds_text((lookup.seen.taken_ns - lookup.seen.started_ns) / NS_PER_S)
+    unheard = _unheard(lookup)
+    if unheard:
+        return unheard
+    if lookup.seen.publishers:
+        names = ", ".join(f"{each.label} on {each.topic}" for each in lookup.seen.publishers)
+        return [
+            f"No transform came in {waited}, although there are publishers: {names}. Check what they wait for."
+        ]
+    return [
+        f"No transform came in {waited}, and nobody publishes any: start the nodes that do, on this ROS_DOMAIN_ID."
+    ]
+
+
+def _unheard(lookup: Lookup, frames: frozenset[str] | None = None) -> list[str]:
+    """Return a sentence for each publisher of these frames, or of any, from which listeners receive nothing."""
+    found = {
+        edge.publisher.gid: edge.publisher
+        for edge in lookup.seen.edges
+        if edge.publisher.mismatches and (frames is None or frames & {edge.child, edge.parent})
+    }
+    return [
+        f"{each.label} publishes it on {each.topic}, but transform listeners receive nothing from there, because its "
+        f"{' and '.join(kind.name.lower() for kind in each.mismatches)} is less than they request: publish with "
+        f"{'RELIABLE and TRANSIENT_LOCAL' if each.is_static else 'RELIABLE'}."
+        for each in found.values()
+    ]
+
+
+def _near(frame: str, frames: Iterable[str]) -> str:
+    """Return a sentence with the frames of similar names, or nothing; case and slashes don't matter."""
+    plain = {each.strip("/").casefold(): each for each in frames}
+    near = difflib.get_close_matches(frame.strip("/").casefold(), list(plain), 3, 0.6)
+    return f" Similar: {', '.join(repr(plain[each]) for each in near)}." if near else ""
+
+
+def not_connected(lookup: Lookup) -> list[str]:
+    """Return the trees of both frames, and what would connect them."""
+    tree = Tree(lookup.parents)
+    target_root, source_root = tree.root(lookup.target), tree.root(lookup.source)
+    sentences = [
+        (
+            f"{lookup.source!r} is in the tree of {source_root!r} ({_size(tree, source_root)}), and {lookup.target!r} "
+            f"in that of {target_root!r} ({_size(tree, target_root)}); no transform connects the two."
+        )
+    ]
+    roots = frozenset({source_root, target_root})
+    sentences += _unheard(lookup, roots)
+    left = [edge for edge in lookup.seen.edges if edge.publisher.has_left and edge.child in roots]
+    sentences += [
+        f"{edge.publisher.label}, which sent {edge.parent} -> {edge.child}, has left." for edge in left
+    ]
+    sentences.append(
+        f"Start the node that publishes the transform of {source_root!r} (child_frame_id: {source_root}) from a frame "
+        f"of the other tree, or if it is fixed: tfloom run tf2_ros static_transform_publisher --frame-id {target_root} "
+        f"--child-frame-id {source_root}, with its position and angles."
+    )
+    return sentences
+
+
+def _size(tree: Tree, root: str) -> str:
+    count = sum(1 for _ in tree.walk(root))
+    return f"{count} frame{'' if count == 1 else 's'}"
+
+
+def loop(lookup: Lookup) -> list[str]:
+    """Return each loop and who publishes it."""
+    tree = Tree(lookup.parents)
+    sentences = []
+    for each in tree.loops():
+        way = " -> ".join(reversed([*each, each[0]]))
+        edges = [edge for frame in each for edge in lookup.seen.edges_of(frame)[-1:]]
+        sources = dict.fromkeys(f"{edge.publisher.label} ({edge.parent} -> {edge.child})" for edge in edges)
+        sentences.append(
+            f"The frames form a loop: {way}. It is published by {', '.join(sources)}: end one of these."
+        )
+    return sentences

@@ -1,0 +1,102 @@
+"""`tf explain` as a process, on broadcasters over DDS: nodes by name, what to wait for, exit codes."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tfloom.tf2_tools.static_file import StaticTransform, file_text
+
+BROADCASTER = Path(__file__).with_name("a_broadcaster.py")
+NO_TURN = (0.0, 0.0, 0.0, 1.0)
+STATICS = [
+    StaticTransform("base", "laser", (0.5, 0.0, 0.0), NO_TURN),
+    StaticTransform("rig", "camera", (0.0, 0.0, 0.0), NO_TURN),
+]
+
+Explain = Callable[..., tuple[int, str]]
+
+
+@pytest.fixture(scope="module")
+def graph(
+    module_domain_id: int, start_module_program: Callable[..., Any], tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    """Start /odometry (odom -> base, 50 Hz), /localization (map -> odom, 10 Hz, 0.08 s late) and a file of statics."""
+    path = tmp_path_factory.mktemp("statics") / "robot.yaml"
+    path.write_text(file_text(STATICS))
+    start_module_program("tfloom", "tf", "publish", path).wait_for("until Ctrl-C")
+    start_module_program("python", BROADCASTER).wait_for("broadcasting")
+
+
+@pytest.fixture
+def explain(graph: None, start_program: Callable[..., Any]) -> Explain:
+    """Run `tfloom tf explain …` to its end; return exit code and output."""
+
+    def run(*words: str) -> tuple[int, str]:
+        program = start_program("tfloom", "tf", "explain", *words)
+        return program.wait(), program.output
+
+    return run
+
+
+def test_the_chain_names_each_node(explain: Explain) -> None:
+    code, text = explain("map", "laser", "--listen", "0.5")
+    assert code == 0
+    assert "The lookup of map from laser at the latest time succeeds." in text
+    rows = {
+        line.split("  ")[-1].split(",")[0]: line
+        for line in text.splitlines()
+        if " -> " in line and "up" in line
+    }
+    assert set(rows) == {"/static_transforms_robot", "/odometry", "/localization"}
+    assert "delay 0.08" in rows["/localization"]
+    assert "limited by map -> odom of /localization" in text
+
+
+def test_a_lookup_for_now_says_how_long_to_wait(explain: Explain) -> None:
+    code, text = explain("map", "laser", "--at", "now", "--json")
+    values = json.loads(text)
+    assert (code, values["outcome"], values["newest_limited_by"]) == (1, "future", "odom")
+    assert "extrapolation into the future" in values["error"]
+    (_, why, what) = values["advice"]
+    assert why.startswith("/localization sends one each 0.1")
+    timeout_s = float(what.split("a timeout of ")[1].split()[0])
+    assert 0.18 < timeout_s < 1.0
+
+
+def test_a_time_in_the_past_is_there_after_listening(explain: Explain) -> None:
+    code, text = explain("map", "laser", "--at", "-0.5")
+    assert (code, "(0.500 s ago) succeeds" in text) == (0, True)
+    code, text = explain("map", "laser", "--at", "-100", "--wait", "1", "--listen", "0.1")
+    assert (code, "This command has listened for" in text) == (1, True)
+
+
+def test_frames_that_are_not_there_or_not_connected(explain: Explain) -> None:
+    code, text = explain("map", "camera", "--wait", "0.5")
+    assert (code, "'camera' is in the tree of 'rig'" in text) == (1, True)
+    code, text = explain("map", "Laser ", "--wait", "0.5")
+    assert (code, "Similar: 'laser'" in text) == (1, True)
+
+
+def test_a_publisher_that_listeners_do_not_hear_is_named(explain: Explain) -> None:
+    code, text = explain("map", "gps", "--wait", "1")
+    assert code == 1
+    assert "/localization publishes it on /tf, but transform listeners receive nothing from there" in text
+    assert "reliability" in text
+
+
+def test_a_time_that_is_none(explain: Explain) -> None:
+    code, text = explain("map", "laser", "--at", "soon")
+    assert (code, "must be latest, now, seconds with a sign" in text) == (2, True)
+
+
+def test_a_file_is_explained_without_a_graph(start_program: Callable[..., Any], tmp_path: Path) -> None:
+    path = tmp_path / "robot.yaml"
+    path.write_text(file_text(STATICS))
+    program = start_program("tfloom", "tf", "explain", "base", "laser", "--bag", path)
+    assert program.wait() == 0
+    assert f"static, valid at any time =======  {path}" in program.output
