@@ -183,6 +183,7 @@ def test_programs_of_a_workspace_are_completed(tmp_path: Path, monkeypatch: pyte
 
 
 FREE = {
+    "path",
     "bag_path",
     "target_frame",
     "source_frame",
