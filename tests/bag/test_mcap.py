@@ -77,7 +77,9 @@ def test_file_cut_off_anywhere_is_read_to_its_last_whole_record(compression: str
             warnings.simplefilter("always")
             found = found_in(open_bag(cut))
         texts = [str(each.message) for each in caught]
-        assert len(found) == len(DRIVE) or any("still being written or its recorder" in text for text in texts)
+        assert len(found) == len(DRIVE) or any(
+            "still being written or its recorder" in text for text in texts
+        )
         assert found == DRIVE[: len(found)], size
         assert len(found) >= most, size
         most = len(found)
