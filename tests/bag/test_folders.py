@@ -1,0 +1,212 @@
+"""Folders of rosbag2: metadata of each version, split and compressed files, what is missing in them."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+import zstandard
+from tests.bag.recordings import START, drive, found_in, write_mcap
+
+from tfloom.bag import BagError, frames, open_bag
+from tfloom.bag.metadata import parse_metadata, read_metadata
+
+GOLDEN = Path(__file__).parents[1] / "golden" / "bags"
+DRIVE = drive()
+
+HUMBLE = """\
+rosbag2_bagfile_information:
+  version: 5
+  storage_identifier: sqlite3
+  duration:
+    nanoseconds: 490000001
+  starting_time:
+    nanoseconds_since_epoch: 1700000000000000000
+  message_count: 101
+  topics_with_message_count:
+    - topic_metadata:
+        name: /tf
+        type: tf2_msgs/msg/TFMessage
+        serialization_format: cdr
+        offered_qos_profiles: "- history: 3\\n  depth: 0\\n  reliability: 1"
+      message_count: 50
+  compression_format: ""
+  compression_mode: ""
+  relative_file_paths:
+    - bag_0.mcap
+  files:
+    - path: bag_0.mcap
+      starting_time:
+        nanoseconds_since_epoch: 1700000000000000000
+      duration:
+        nanoseconds: 490000001
+      message_count: 101
+"""
+
+
+def folder_of(path: Path, names: dict[str, list[object]], text: str = HUMBLE) -> Path:
+    path.mkdir()
+    for name, messages in names.items():
+        write_mcap(path / name, messages)  # type: ignore[arg-type]
+    files = "".join(f"    - {name}\n" for name in names)
+    (path / "metadata.yaml").write_text(text.replace("    - bag_0.mcap\n", files, 1), "utf-8")
+    return path
+
+
+def test_metadata_of_humble(tmp_path: Path) -> None:
+    found = parse_metadata(HUMBLE, tmp_path)
+    assert (found.version, found.storage_identifier, found.ros_distro) == (5, "sqlite3", "")
+    assert found.topics[0].offered_qos == "- history: 3\n  depth: 0\n  reliability: 1"
+    assert found.files[0].message_count == 101
+
+
+def test_metadata_of_jazzy() -> None:
+    found = read_metadata(GOLDEN / "mcap")
+    assert (found.version, found.ros_distro, found.message_count) == (9, "jazzy", 876)
+    assert found.topics[0].offered_qos.startswith("- history: keep_last\n  depth: 10\n")
+    assert found.topics[0].type_hash.startswith("RIHS01_df66")
+    with open_bag(GOLDEN / "mcap") as bag:
+        assert bag.topics["/tf_static"].offered_qos == found.topics[1].offered_qos
+
+
+def test_files_of_one_recording_are_one(tmp_path: Path) -> None:
+    parts = {f"b_{i}.mcap": DRIVE[i * 40 : (i + 1) * 40] for i in range(3)}
+    with open_bag(folder_of(tmp_path / "b", parts)) as bag:  # type: ignore[arg-type]
+        assert found_in(bag) == DRIVE
+        assert bag.topics["/tf"].message_count == 50
+        assert bag.message_count == len(DRIVE)
+    assert len(frames(tmp_path / "b").trajectory("map", "lidar").stamps_ns) == 50
+
+
+def test_files_that_overlap_in_time_are_merged(tmp_path: Path) -> None:
+    parts = {"b_0.mcap": DRIVE[::2], "b_1.mcap": DRIVE[1::2]}
+    assert found_in(open_bag(folder_of(tmp_path / "b", parts))) == DRIVE  # type: ignore[arg-type]
+
+
+def test_files_with_the_folders_name_before_them(tmp_path: Path) -> None:
+    folder = folder_of(tmp_path / "b", {"b_0.mcap": DRIVE})  # type: ignore[dict-item]
+    text = (folder / "metadata.yaml").read_text("utf-8").replace("    - b_0.mcap", "    - b/b_0.mcap")
+    (folder / "metadata.yaml").write_text(text, "utf-8")
+    assert found_in(open_bag(folder)) == DRIVE
+
+
+def test_decompressed_file_is_removed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    temporary = tmp_path / "temporary"
+    temporary.mkdir()
+    monkeypatch.setattr("tempfile.tempdir", str(temporary))
+    path = write_mcap(tmp_path / "a.mcap", DRIVE)
+    whole = path.read_bytes()
+    compressed = tmp_path / "a.mcap.zstd"
+    compressed.write_bytes(zstandard.ZstdCompressor().compress(whole))
+    with open_bag(compressed) as bag:
+        assert found_in(bag) == DRIVE
+        assert len(list(temporary.iterdir())) == 1
+    assert frames(compressed).has_frame("lidar")
+    compressed.write_bytes(compressed.read_bytes()[:-200])
+    with pytest.raises(BagError, match=r"a\.mcap\.zstd: the (file is cut off|zstd data is damaged)"):
+        open_bag(compressed)
+    assert list(temporary.iterdir()) == []
+
+
+def test_read_only_folder_is_read(tmp_path: Path) -> None:
+    for name in ("mcap", "sqlite3", "zstd_file"):
+        folder = Path(shutil.copytree(GOLDEN / name, tmp_path / name))
+        for each in folder.iterdir():
+            each.chmod(0o444)
+        folder.chmod(0o555)
+        try:
+            before = sorted(folder.iterdir())
+            with open_bag(folder) as bag:
+                assert len(found_in(bag)) == bag.message_count
+            assert sorted(folder.iterdir()) == before
+        finally:
+            folder.chmod(0o755)
+
+
+def test_what_is_missing_or_wrong_in_a_folder_is_named(tmp_path: Path) -> None:
+    empty = tmp_path / "empty"
+    empty.mkdir()
+    cases: dict[str, tuple[str, str]] = {
+        "yaml": ("a: [", "it is no valid YAML"),
+        "list": ("- 1", "this is no metadata of a recording"),
+        "keys": ("rosbag2_bagfile_information: {version: 9}", "'storage_identifier' is missing"),
+        "numbers": (HUMBLE.replace("message_count: 101", "message_count: many"), "this is no metadata"),
+        "files": (
+            HUMBLE.replace("bag_0.mcap", "gone.mcap"),
+            "there is no such file, which metadata.yaml names",
+        ),
+        "none": (HUMBLE.replace("\n    - bag_0.mcap", " []", 1), "names no files: `ros2 bag reindex"),
+        "compression": (
+            HUMBLE.replace('format: ""', "format: lzma").replace('mode: ""', "mode: MESSAGE"),
+            "the messages' compression is 'lzma', which isn't zstd",
+        ),
+    }
+    wrong = []
+    for name, (text, expected) in cases.items():
+        folder = tmp_path / name
+        folder.mkdir()
+        (folder / "metadata.yaml").write_text(text, "utf-8")
+        try:
+            open_bag(folder)
+        except BagError as error:
+            if not str(error).startswith(str(folder)) or expected not in str(error):
+                wrong.append((name, str(error)))
+        else:
+            wrong.append((name, "no error"))
+    assert wrong == []
+    with pytest.raises(
+        BagError, match=r"the folder has no metadata\.yaml: `ros2 bag reindex .*empty` writes one"
+    ):
+        open_bag(empty)
+
+
+def test_missing_library_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    wrong = []
+    for method, module in (("zstd", "zstandard"), ("lz4", "lz4.frame")):
+        path = write_mcap(tmp_path / f"{method}.mcap", DRIVE, method)
+        with monkeypatch.context() as patch:
+            patch.setitem(__import__("sys").modules, module, None)
+            try:
+                found_in(open_bag(path))
+            except BagError as error:
+                if "pip install 'tfloom[bag]'" not in str(error):
+                    wrong.append(str(error))
+            else:
+                wrong.append(method)
+    assert wrong == []
+
+
+def test_topic_that_is_not_there_is_named() -> None:
+    with (
+        open_bag(GOLDEN / "mcap") as bag,
+        pytest.raises(
+            BagError, match="no topic '/scan'; the topics are: /chatter, /tf_static, /turtle1/pose"
+        ),
+    ):
+        bag.messages("/scan")
+
+
+def test_namespaces_and_other_topics(tmp_path: Path) -> None:
+    path = write_mcap(tmp_path / "a.mcap", drive(namespace="/robot1"))
+    assert len(frames(path, namespace="robot1").edges()) == 3
+    both = frames(path, tf_topics=["/robot1/tf"], static_topics=["/robot1/tf_static"])
+    assert both.lookup("map", "lidar", START).translation == pytest.approx((1.5, 0, 0))
+    with pytest.raises(
+        BagError, match="no topics /tf and /tf_static; transforms are on /robot1/tf_static, /robot1/tf"
+    ):
+        frames(path)
+    with pytest.raises(BagError, match="the topic /chatter has the type std_msgs/msg/String, not TFMessage"):
+        frames(path, tf_topics=["/chatter"])
+    with pytest.raises(BagError, match="no others with transforms"):
+        frames(GOLDEN / "split")
+
+
+def test_progress_is_shown_on_standard_error(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = write_mcap(tmp_path / "a.mcap", DRIVE)
+    frames(path, progress=True)
+    shown = capsys.readouterr().err
+    assert shown.startswith(f"\rReading the transforms of {path} [")
+    assert shown.endswith(" \r")
+    frames(path)
+    assert capsys.readouterr().err == ""

@@ -1,0 +1,149 @@
+"""sqlite3 files: of each schema version, with messages in the log beside them, damaged ones."""
+
+from __future__ import annotations
+
+import shutil
+import sqlite3
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+import zstandard
+from tests.bag.recordings import SECOND, START, drive, found_in, write_sqlite
+
+from tfloom.bag import BagError, frames, open_bag, sqlite_reader
+
+DRIVE = drive()
+
+
+@pytest.mark.parametrize("version", [1, 2, 4])
+def test_each_schema_version_is_read(version: int, tmp_path: Path) -> None:
+    path = write_sqlite(tmp_path / "a b ü#?.db3", DRIVE, version)
+    with open_bag(path) as bag:
+        assert found_in(bag) == DRIVE
+        assert bag.topics["/tf"].message_count == 50
+    buffer = frames(path)
+    assert buffer.lookup("map", "lidar", START + 250_000_000).stamp_ns == START + 250_000_000
+    part = frames(path, start_ns=START + SECOND // 10, end_ns=START + SECOND // 5 - 1)
+    assert {each.child_frame_id: each.sample_count for each in part.edges()} == {
+        "odom": 10,
+        "base_link": 10,
+        "lidar": 1,
+    }
+
+
+def test_messages_in_the_write_ahead_log_are_read(tmp_path: Path) -> None:
+    """As of a recorder that is still writing, or was killed."""
+    path = write_sqlite(tmp_path / "a.db3", DRIVE[:20])
+    writer = sqlite3.connect(path, isolation_level=None)
+    writer.execute("PRAGMA journal_mode=WAL")
+    writer.execute("PRAGMA wal_autocheckpoint=0")
+    topics = dict(writer.execute("SELECT name, id FROM topics").fetchall())
+    for topic, stamp, data in DRIVE[20:]:
+        writer.execute(
+            "INSERT INTO messages(topic_id, timestamp, data) VALUES (?, ?, ?)", (topics[topic], stamp, data)
+        )
+    killed = tmp_path / "killed"
+    killed.mkdir()
+    for each in tmp_path.glob("a.db3*"):
+        if not each.name.endswith("-shm"):
+            shutil.copy(each, killed)
+    assert found_in(open_bag(path)) == DRIVE
+    writer.close()
+    assert found_in(open_bag(killed / "a.db3")) == DRIVE
+
+
+def test_read_only_folder_with_a_write_ahead_log(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where sqlite3 can't write the file that it needs beside the log, both are copied."""
+    path = write_sqlite(tmp_path / "a.db3", DRIVE)
+    database = sqlite3.connect(path)
+    database.execute("PRAGMA journal_mode=WAL")
+    database.execute("UPDATE topics SET type = 'std_msgs/String' WHERE name = '/chatter'")
+    database.commit()
+    folder = tmp_path / "read only"
+    folder.mkdir()
+    for name in ("a.db3", "a.db3-wal"):
+        shutil.copy(tmp_path / name, folder)
+    database.close()
+    before = sorted(each.name for each in folder.iterdir())
+    real = sqlite_reader._opened
+    modes = []
+
+    class Refused:
+        def execute(self, text: str) -> None:
+            raise sqlite3.OperationalError("unable to open database file")
+
+    @contextmanager
+    def refusing(path: Path, mode: str) -> Iterator[object]:
+        modes.append(mode)
+        if path.parent == folder:
+            yield Refused()
+            return
+        with real(path, mode) as opened:
+            yield opened
+
+    monkeypatch.setattr(sqlite_reader, "_opened", refusing)
+    assert found_in(open_bag(folder / "a.db3")) == DRIVE
+    assert modes[:2] == ["mode=ro", "mode=rw"]
+    assert sorted(each.name for each in folder.iterdir()) == before
+
+
+def test_errors_name_the_file_and_the_reason(tmp_path: Path) -> None:
+    whole = write_sqlite(tmp_path / "whole.db3", DRIVE).read_bytes()
+    other = tmp_path / "other.db3"
+    with sqlite3.connect(other) as database:
+        database.execute("CREATE TABLE something(id INTEGER)")
+    database.close()
+    cases = {
+        "empty.db3": (b"", "the file is empty"),
+        "mcap.db3": (b"\x89MCAP0\r\n" + bytes(40), "byte 0: this is no sqlite3 file: it begins with"),
+        "other.db3": (other.read_bytes(), "the database has no tables of a recording: topics, messages"),
+        "cut.db3": (whole[:5000], "the database can't be read: "),
+        "damaged.db3": (whole[:4096] + bytes(8192) + whole[12288:], "the database can't be read: "),
+    }
+    wrong = []
+    for name, (data, text) in cases.items():
+        path = tmp_path / name
+        path.write_bytes(data)
+        try:
+            found_in(open_bag(path))
+        except BagError as error:
+            if not str(error).startswith(str(path)) or text not in str(error):
+                wrong.append((name, str(error)))
+        else:
+            wrong.append((name, "no error"))
+    assert wrong == []
+
+
+def test_message_that_is_no_blob_is_an_error(tmp_path: Path) -> None:
+    path = write_sqlite(tmp_path / "a.db3", DRIVE[:3])
+    with sqlite3.connect(path) as database:
+        database.execute("UPDATE messages SET data = 'text' WHERE id = 2")
+    database.close()
+    with pytest.raises(BagError, match="a message is no blob but str"):
+        found_in(open_bag(path))
+
+
+def test_messages_that_are_compressed_one_by_one(tmp_path: Path) -> None:
+    folder = tmp_path / "bag"
+    folder.mkdir()
+    compress = zstandard.ZstdCompressor().compress
+    write_sqlite(folder / "bag_0.db3", [(topic, stamp, compress(data)) for topic, stamp, data in DRIVE])
+    golden = Path(__file__).parents[1] / "golden" / "bags" / "sqlite3" / "metadata.yaml"
+    text = golden.read_text("utf-8").replace("b6_0.db3", "bag_0.db3")
+    text = text.replace('compression_format: ""', "compression_format: zstd")
+    text = text.replace('compression_mode: ""', "compression_mode: MESSAGE")
+    (folder / "metadata.yaml").write_text(text, "utf-8")
+    assert found_in(open_bag(folder)) == DRIVE
+    assert frames(folder).has_frame("lidar")
+    with sqlite3.connect(folder / "bag_0.db3") as database:
+        database.execute("UPDATE messages SET data = x'0102030405' WHERE id = 4")
+    database.close()
+    with pytest.raises(BagError, match="the message isn't compressed by zstd"):
+        found_in(open_bag(folder))
+
+
+if sys.platform == "win32":  # pragma: no cover
+    pytestmark = pytest.mark.skip(reason="Windows holds files that are open")
