@@ -22,7 +22,7 @@ SHELVES = [
     ["tf2_ros", "workspace"],
     ["bag"],
     ["tf2_tools", "turtlesim", "sensing", "robot", "demos", "drop_in", "launch"],
-    ["cli", "pyinstaller"],
+    ["cli", "pyinstaller", "testing"],
 ]
 """The rooms, from the bottom up; rooms on one shelf don't import each other, except interfaces rosidl."""
 
@@ -57,7 +57,7 @@ DOORS = {
     "zstandard": ("bag/compression.py",),
     "rosbags": ("bag/ros1_reader.py",),
     "PyInstaller": ("pyinstaller/",),
-    "pytest": ("launch/testing/",),
+    "pytest": ("launch/testing/", "testing/plugin.py"),
     "catkin_pkg": ("workspace/colcon/",),
     "colcon_core": ("workspace/colcon/",),
     "colcon_parallel_executor": ("workspace/colcon/",),

@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import gc
 import os
-import random
 import signal
-import socket
 import subprocess
 import sys
 import threading
@@ -21,20 +18,13 @@ from tfloom.node.context.context import Context
 from tfloom.node.node import Node
 from tfloom.rmw.cyclone_library import find_library
 from tfloom.rmw.errors import NoBackendError
+from tfloom.testing import domains
 
-# By the RTPS port formula, domains up to 100 don't use Linux's ephemeral ports; the rest of them is for programs
-# that are started by hand while the tests run.
-DOMAINS = range(1, 71)
-FIRST_LOCK_PORT = 7400
 TIMEOUT_S = 30.0
-DOMAIN_TIMEOUT_S = 300.0
 DOMAIN_FIXTURES = {"domain_id", "module_domain_id"}
 
 COLCON_PYTHON = {"COLCON_PYTHON_EXECUTABLE": str(Path(sys.executable).resolve())}
 """For a shell that sources what colcon wrote: colcon's own choice breaks where its path has a space."""
-
-_lock_descriptors: set[int] = set()
-"""Of the locks of the domains that this process's tests are on."""
 
 
 def pytest_configure() -> None:
@@ -197,36 +187,12 @@ def _signal_handlers() -> Iterator[None]:
 def hold_domain() -> Iterator[int]:
     """Hold a DDS domain that no other test on this machine uses, and set ROS_DOMAIN_ID to it.
 
-    The lock is a bound TCP port of the loopback interface, which only one process on the machine can hold. Each program
-    that a test starts inherits it, so that the domain stays in use while a program outlives its test. The ports, 7650
-    to 24900, are below the ephemeral ones, and Cyclone's are of UDP. If all domains are in use, wait for one.
+    Each program that a test starts holds it, too, so that the domain stays in use while a program outlives its test.
     """
-    with _lock_a_domain() as (domain, lock), pytest.MonkeyPatch.context() as patch:
+    with domains.hold_domain() as domain, pytest.MonkeyPatch.context() as patch:
         patch.setenv("ROS_DOMAIN_ID", str(domain))
         patch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
-        _lock_descriptors.add(lock.fileno())
-        try:
-            yield domain
-        finally:
-            _lock_descriptors.discard(lock.fileno())
-        _expect_nobody_left(domain)
-
-
-@contextmanager
-def _lock_a_domain() -> Iterator[tuple[int, socket.socket]]:
-    end = time.monotonic() + DOMAIN_TIMEOUT_S
-    while True:
-        for domain in random.sample(DOMAINS, len(DOMAINS)):
-            with socket.socket() as lock:
-                try:
-                    lock.bind(("127.0.0.1", FIRST_LOCK_PORT + 250 * domain))
-                except OSError:
-                    continue
-                yield domain, lock
-                return
-        if time.monotonic() > end:
-            pytest.fail(f"all DDS domains have been in use for {DOMAIN_TIMEOUT_S:g} s")
-        time.sleep(0.1)
+        yield domain
 
 
 @pytest.fixture
@@ -247,23 +213,9 @@ def module_domain_id(start_module_program: Callable[..., Program]) -> Iterator[i
         yield domain
 
 
-def _expect_nobody_left(domain: int) -> None:
-    """Fail a test that leaves a participant on its domain, because a later test there would discover its nodes."""
-    wire = sys.modules.get("tfloom.rmw.cyclonedds")
-    if wire is None:
-        return
-
-    def left() -> list[object]:
-        return [each for each in wire._open_participants if each.domain_id == domain and not each._closed]
-
-    if left():
-        gc.collect()
-    assert not left(), "the test left a participant open"
-
-
 def _locks_go_along() -> dict[str, object]:
     """Return the options by which a program holds the locks of this process's domains too."""
-    return {} if os.name == "nt" else {"pass_fds": tuple(_lock_descriptors)}
+    return {} if os.name == "nt" else {"pass_fds": domains.held_locks()}
 
 
 class Program:

@@ -66,6 +66,11 @@ def open_participant(domain_id: int, enclave: str = "/", announce_s: float | Non
     return participant
 
 
+def is_joined(domain_id: int) -> bool:
+    """Return whether this process has a participant on a domain."""
+    return any(each.domain_id == domain_id and not each._closed for each in _open_participants)  # noqa: SLF001
+
+
 def _inherit_all() -> None:
     """In a forked child, let the copies of the parent's participants raise errors."""
     global _library  # noqa: PLW0603  # guarded by there being one thread after a fork

@@ -1,0 +1,213 @@
+"""The plug-in in pytests of its own: what is left after failures, bad use, other ROSs, and the example package."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "testing"
+BIN = Path(sys.executable).parent
+Run = Callable[..., str]
+
+
+@pytest.fixture
+def run(tmp_path: Path) -> Run:
+    """Return a function that runs pytest on the text of a file, and returns what it printed."""
+
+    def run_pytest(text: str, *words: str, **environment: str) -> str:
+        (tmp_path / "test_it.py").write_text(text, "utf-8")
+        return pytest_in(tmp_path, *words, **environment)
+
+    return run_pytest
+
+
+def pytest_in(folder: Path, *words: str, **environment: str) -> str:
+    (folder / "pytest.ini").write_text("[pytest]\naddopts = --strict-markers -p no:cacheprovider\n", "utf-8")
+    options = ["-W", "ignore::pytest.PytestAssertRewriteWarning"]  # of an editable install
+    result = subprocess.run(
+        [sys.executable, "-m", "pytest", *options, *words],
+        cwd=folder,
+        env=os.environ | environment,
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+    )
+    return result.stdout + result.stderr
+
+
+def test_nothing_is_left_after_failures(run: Run) -> None:
+    output = run(
+        """
+import gc, os, signal, threading
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from tfloom.node.context.context import live_contexts
+
+contexts = []
+
+def test_fails(ros_node, ros_context):
+    contexts.append(ros_context)
+    assert ros_node is None
+
+def test_raises_in_a_fixture_of_the_user(ros_domain):
+    rclpy.init()
+    contexts.append(rclpy.get_default_context())
+    Node("never_destroyed")
+    raise OSError("of the test")
+
+def test_spins_a_thread(ros_graph, ros_context):
+    def spin():
+        try:
+            rclpy.spin(Node("in_thread"))
+        except ExternalShutdownException:
+            pass
+    thread = threading.Thread(target=spin)
+    thread.start()
+    contexts.append((ros_context, thread))
+    assert False
+
+def test_is_clean(ros_node):
+    context, thread = contexts.pop()
+    thread.join(10)
+    assert not thread.is_alive()
+    assert not any(each.ok() for each in [*contexts, context])
+    assert live_contexts() == [ros_node.context]
+    assert ros_node.get_node_names() == ["test_node"]
+
+def test_is_clean_without_fixtures():
+    assert "RMW_IMPLEMENTATION" not in os.environ and "ROS_DOMAIN_ID" not in os.environ
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    assert live_contexts() == []
+""",
+        "-q",
+    )
+    assert "3 failed, 2 passed" in output, output
+
+
+MISUSE = """
+import pytest
+
+@pytest.mark.ros_wire("carrier pigeon")
+def test_wire(ros_node): pass
+
+@pytest.mark.ros_wire
+def test_no_wire(ros_node): pass
+
+def test_late_time(request, ros_node):
+    request.getfixturevalue("ros_time")
+
+def test_wait(ros_node, wait_for_message):
+    from std_msgs.msg import String
+    wait_for_message(String, "chatter", 0.01)
+"""
+
+
+def test_misuse_is_named_without_a_traceback(run: Run) -> None:
+    output = run(MISUSE, "-q")
+    assert output.count('write @pytest.mark.ros_wire("local") or @pytest.mark.ros_wire("dds")') >= 2, output
+    assert "name ros_time among the test's arguments" in output
+    assert "no message on /chatter within 0.01 s: nobody publishes there; topics of the graph: " in output
+    assert "src/tfloom/testing/graph.py" not in output, "the failure is shown where the test waits"
+    assert "1 failed, 3 errors" in output or "2 failed, 2 errors" in output
+
+
+def test_a_real_rclpy_is_left_alone(run: Run, tmp_path: Path) -> None:
+    other = tmp_path / "other_ros" / "rclpy"
+    other.mkdir(parents=True)
+    (other / "__init__.py").write_text("ok = True\n")
+    output = run(
+        "import rclpy\ndef test_other(): assert rclpy.ok is True\ndef test_ours(ros_node): pass\n",
+        "-q",
+        PYTHONPATH=str(other.parent),
+    )
+    assert "1 passed, 1 error" in output, output
+    assert f"are for tfloom's rclpy, and this one is {other / '__init__.py'}: take that ROS out of" in output
+
+
+def test_start_imports_nothing_else(run: Run) -> None:
+    """Nothing of tfloom is imported before a test asks for it."""
+    output = run(
+        "import sys\ndef test_it():\n"
+        "    loaded = {name for name in sys.modules if name.startswith('tfloom.')}\n"
+        "    rooms = {name.split('.')[1] for name in loaded}\n"
+        "    assert rooms <= {'launch', 'testing', 'ros_guard', 'ros_finder'}\n"
+        "    assert not {name for name in loaded if name.startswith('tfloom.testing.')} - {'tfloom.testing.plugin'}\n"
+        "    assert 'numpy' not in sys.modules\n",
+        "-q",
+    )
+    assert "1 passed" in output, output
+
+
+def test_fixtures_are_listed_with_their_texts(run: Run) -> None:
+    output = run("", "--fixtures", "-q")
+    for name in (
+        "ros_domain",
+        "ros_context",
+        "ros_graph",
+        "ros_executor",
+        "ros_node",
+        "ros_time",
+        "wait_for_message",
+        "tf_buffer_from",
+    ):
+        assert f"\n{name} -- " in output, output
+    assert "no docstring available" not in output
+
+
+def test_a_fixture_of_the_user_takes_precedence(run: Run) -> None:
+    own = "import pytest\n@pytest.fixture\ndef ros_node(): return 'own'\n"
+    assert "1 passed" in run(f"{own}def test_it(ros_node): assert ros_node == 'own'\n", "-q")
+
+
+def test_without_the_plugin(run: Run) -> None:
+    assert "fixture 'ros_node' not found" in run(
+        "def test_it(ros_node): pass\n", "-q", "-p", "no:tfloom_testing"
+    )
+
+
+@pytest.mark.wire
+def test_the_option_selects_dds(run: Run) -> None:
+    wire = "rclpy.get_rmw_implementation_identifier()"
+    text = f"import rclpy\ndef test_it(ros_node): assert {wire} == 'rmw_cyclonedds_cpp'\n"
+    assert "1 passed" in run(text, "-q", "--ros-wire", "dds")
+
+
+@pytest.fixture
+def workspace(tmp_path: Path) -> Path:
+    """Return a copy of the example, in a folder with a space and an umlaut."""
+    copied = tmp_path / "my wörk" / "src"
+    shutil.copytree(EXAMPLE, copied, ignore=shutil.ignore_patterns("__pycache__", ".pytest_cache"))
+    return copied.parent
+
+
+@pytest.mark.wire
+def test_the_example_under_plain_pytest(workspace: Path) -> None:
+    package = workspace / "src" / "command_gate"
+    assert "10 passed" in pytest_in(package, "-q"), "launch_testing's plug-in is there, too"
+
+
+@pytest.mark.slow
+@pytest.mark.wire
+def test_the_example_under_colcon(workspace: Path) -> None:
+    environment = {name: value for name, value in os.environ.items() if name != "AMENT_PREFIX_PATH"}
+    environment["PATH"] = f"{BIN}{os.pathsep}{environment['PATH']}"
+    for words in (["build"], ["test", "--event-handlers", "console_direct+"], ["test-result", "--verbose"]):
+        result = subprocess.run(
+            [BIN / "colcon", *words],
+            cwd=workspace,
+            env=environment,
+            capture_output=True,
+            text=True,
+            timeout=240,
+            check=False,
+        )
+        assert result.returncode == 0, result.stdout + result.stderr
+    assert "10 tests, 0 errors, 0 failures, 0 skipped" in result.stdout
