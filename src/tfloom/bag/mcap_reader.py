@@ -9,6 +9,7 @@ from pathlib import Path
 
 from tfloom import _native
 from tfloom.bag import mcap_records as records
+from tfloom.bag.compression import CompressionError, decompress_message
 from tfloom.bag.errors import BagError
 from tfloom.bag.mcap_layout import Layout, Span, read_at, warn_of_damage, whole_records
 from tfloom.bag.mcap_scan import Scan
@@ -115,7 +116,15 @@ class McapFile:
             for log, channel, publish, data in _in_order(
                 spans, lambda span: self._read(file, span, names, start_ns, end_ns)
             ):
-                yield RawMessage(names[channel], log, publish, data)
+                yield RawMessage(names[channel], log, publish, self._message(data))
+
+    def _message(self, data: bytes) -> bytes:
+        if not self._is_compressed:
+            return data
+        try:
+            return decompress_message(data)
+        except CompressionError as error:
+            raise BagError(self.path, str(error)) from None
 
     def _wanted(self, file: io.FileIO, channels: Collection[int], start_ns: int, end_ns: int) -> list[Span]:
         """Return the spans that may have messages of these channels and times, by their first log time."""
@@ -161,6 +170,9 @@ class McapFile:
         Raises:
             BagError: the file can't be decompressed.
         """
+        if self._is_compressed:
+            self._insert_decompressed(into, topics, (start_ns, end_ns), progress)
+            return
         known = self._layout.channels.values()
         channels = {each.id: topics[each.topic].number for each in known if each.topic in topics}
         static = {each.id for each in known if each.id in channels and topics[each.topic].is_static}
@@ -174,6 +186,20 @@ class McapFile:
                 for data in reader.records(span):
                     self._insert(into, span, data, channels, (start_ns, end_ns))
                 progress(span.stored_size)
+
+    def _insert_decompressed(
+        self,
+        into: _native.TfRecords,
+        topics: Mapping[str, TfTopic],
+        times: tuple[int, int],
+        progress: Progress,
+    ) -> None:
+        """Do the same where each message is compressed by itself."""
+        for is_static, (start, end) in ((False, times), (True, (EARLIEST, LATEST))):
+            names = [name for name, each in topics.items() if each.is_static == is_static]
+            for message in self.messages(names, start, end):
+                into.insert(topics[message.topic].number, message.data)
+                progress(len(message.data))
 
     def _insert(
         self,

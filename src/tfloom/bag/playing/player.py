@@ -14,6 +14,7 @@ from tfloom.bag.playing.player_services import PlayerServices
 from tfloom.bag.values import RawMessage
 from tfloom.interfaces.rosbag2_interfaces.msg import ReadSplitEvent
 from tfloom.interfaces.rosgraph_msgs.msg import Clock
+from tfloom.node.context.context import Context
 from tfloom.node.node import Node
 from tfloom.node.values.time import Time
 
@@ -40,10 +41,17 @@ class Player(Node):
         bag: The bag.
         options: What is played.
         node_name: The node's name.
+        context: The node's context; None: the default one.
     """
 
-    def __init__(self, bag: Bag, options: PlayOptions, node_name: str = "rosbag2_player") -> None:
-        super().__init__(node_name)
+    def __init__(
+        self,
+        bag: Bag,
+        options: PlayOptions,
+        node_name: str = "rosbag2_player",
+        context: Context | None = None,
+    ) -> None:
+        super().__init__(node_name, context=context)
         self.bag = bag
         self.options = options
         self.failure: BagError | None = None

@@ -46,7 +46,7 @@ class ReadAhead:
         if isinstance(found, BaseException):
             raise found
         self._batch = iter(found)
-        return next(self._batch)
+        return next(self)
 
     def close(self) -> None:
         """End the thread."""
@@ -68,6 +68,7 @@ class ReadAhead:
                 self._put(batch)
             self._put(None)
         except Exception as error:  # noqa: BLE001 - it is raised where the messages are used
+            self._put(batch)
             self._put(error)
 
     def _put(self, batch: list[RawMessage] | BaseException | None) -> bool:

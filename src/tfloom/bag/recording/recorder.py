@@ -15,6 +15,7 @@ from tfloom.bag.writing.bag_writer import BagWriter, WriterSettings
 from tfloom.interfaces.rosbag2_interfaces.msg import WriteSplitEvent
 from tfloom.interfaces.rosbag2_interfaces.srv import IsPaused, Pause, Resume, Snapshot, SplitBagfile
 from tfloom.node.clock.time_jump import JumpThreshold
+from tfloom.node.context.context import Context
 from tfloom.node.log.logging import get_logger
 from tfloom.node.node import Node
 from tfloom.node.parameters.parameter import Parameter
@@ -40,6 +41,7 @@ class Recorder(Node):
         options: What is recorded.
         node_name: The node's name.
         learn: Called for a type without a definition here.
+        context: The node's context; None: the default one.
 
     Raises:
         BagError: the folder exists, or can't be written.
@@ -52,9 +54,10 @@ class Recorder(Node):
         options: RecordOptions,
         node_name: str = "rosbag2_recorder",
         learn: Learn | None = None,
+        context: Context | None = None,
     ) -> None:
         overrides = [Parameter("use_sim_time", value=True)] if options.use_sim_time else []
-        super().__init__(node_name, parameter_overrides=overrides)
+        super().__init__(node_name, context=context, parameter_overrides=overrides)
         self.options = options
         self.failure: BagError | None = None
         """Why recording ended, if it could not go on."""

@@ -1,0 +1,247 @@
+"""Bags that we write, as other readers and we read them."""
+
+from __future__ import annotations
+
+import errno
+import os
+import sqlite3
+from pathlib import Path
+from typing import Any
+
+import pytest
+from mcap.reader import NonSeekingReader, make_reader
+from mcap.records import Schema
+from mcap.stream_reader import StreamReader
+from tests.bag.written_bags import QOS, START_NS, STEP_NS, read_by_rosbags, text, topic, write_bag
+
+from tfloom.bag import frames, open_bag
+from tfloom.bag.errors import BagError
+from tfloom.bag.metadata import parse_metadata, read_metadata
+from tfloom.bag.writing.bag_writer import BagWriter, WriterSettings
+from tfloom.bag.writing.metadata_text import metadata_file_text
+from tfloom.bag.writing.storage import StorageSettings
+from tfloom.bag.writing.storage_config import PRESETS, storage_settings
+
+GOLDEN = Path(__file__).parents[1] / "golden" / "bags"
+SETTINGS = {
+    "mcap": WriterSettings(),
+    "sqlite3": WriterSettings("sqlite3"),
+    "zstd chunks": WriterSettings(storage=StorageSettings("zstd")),
+    "lz4 chunks": WriterSettings(storage=StorageSettings("lz4", chunk_size=1000, has_chunk_crc=True)),
+    "no chunks": WriterSettings(storage=PRESETS["mcap"]["fastwrite"]),
+    "no summary": WriterSettings(storage=StorageSettings(has_summary=False)),
+    "zstd file": WriterSettings(compression_mode="FILE", max_file_size=2000),
+    "zstd messages": WriterSettings(compression_mode="MESSAGE"),
+    "zstd sqlite3 messages": WriterSettings("sqlite3", compression_mode="MESSAGE"),
+    "split by size": WriterSettings(max_file_size=1500),
+    "split by time": WriterSettings("sqlite3", max_file_duration_ns=20 * STEP_NS),
+    "no cache": WriterSettings(cache_size=0),
+}
+
+
+@pytest.mark.parametrize("name", SETTINGS)
+def test_rosbags_and_we_read_each_byte(name: str, tmp_path: Path) -> None:
+    rows = write_bag(tmp_path / "bag", SETTINGS[name])
+    if name != "no summary":  # rosbags needs it
+        assert read_by_rosbags(tmp_path / "bag") == rows
+    with open_bag(tmp_path / "bag") as bag:
+        found = [(each.topic, each.log_time_ns, each.data) for each in bag.messages()]
+        assert found == rows
+        assert bag.message_count == len(rows)
+        assert {each.name: each.message_count for each in bag.topics.values()} == {
+            "/chatter": 50,
+            "/silent": 0,
+            "/tf": 50,
+        }
+        assert {each.offered_qos for each in bag.topics.values()} == {QOS}
+    assert {each.child_frame_id for each in frames(tmp_path / "bag").edges()} == {"base"}
+
+
+def test_mcaps_own_readers_find_all(tmp_path: Path) -> None:
+    rows = write_bag(
+        tmp_path / "bag", WriterSettings(storage=StorageSettings("zstd", chunk_size=2000, has_chunk_crc=True))
+    )
+    with (tmp_path / "bag" / "bag_0.mcap").open("rb") as file:
+        reader = make_reader(file, validate_crcs=True)
+        found = list(reader.iter_messages())
+        summary = reader.get_summary()
+    assert [(channel.topic, message.log_time, message.data) for _, channel, message in found] == rows
+    assert all(message.publish_time == message.log_time - 1 for _, _, message in found)
+    assert summary is not None
+    assert summary.statistics is not None
+    assert summary.statistics.message_count == len(rows)
+    assert summary.statistics.chunk_count == len(summary.chunk_indexes) > 3
+    with (tmp_path / "bag" / "bag_0.mcap").open("rb") as file:
+        assert len(list(NonSeekingReader(file, validate_crcs=True).iter_messages())) == len(rows)
+
+
+def kinds_of_records(path: Path) -> list[str]:
+    with path.open("rb") as file:
+        return [type(record).__name__ for record in StreamReader(file, emit_chunks=True).records]
+
+
+def test_records_are_those_of_rosbag2(tmp_path: Path) -> None:
+    golden = kinds_of_records(GOLDEN / "mcap" / "b1_0.mcap")
+    write_bag(tmp_path / "bag")
+    assert kinds_of_records(tmp_path / "bag" / "bag_0.mcap") == [
+        each for at, each in enumerate(golden) if each != "MessageIndex" or golden[at - 1] != "Chunk"
+    ]
+
+
+def test_schema_has_the_definitions_that_rosbag2_has(tmp_path: Path) -> None:
+    def sections(path: Path) -> dict[str, list[list[str]]]:
+        with path.open("rb") as file:
+            schemas = [each for each in StreamReader(file).records if isinstance(each, Schema)]
+        return {
+            each.name: [
+                [
+                    line.partition("#")[0].strip()
+                    for line in part.splitlines()
+                    if line.partition("#")[0].strip()
+                ]
+                for part in each.data.decode().split("=" * 80)
+            ]
+            for each in schemas
+        }
+
+    write_bag(tmp_path / "bag")
+    ours, theirs = sections(tmp_path / "bag" / "bag_0.mcap"), sections(GOLDEN / "mcap" / "b1_0.mcap")
+    for name in ("tf2_msgs/msg/TFMessage", "std_msgs/msg/String"):
+        assert ours[name] == theirs[name]
+
+
+@pytest.mark.parametrize("name", ["mcap", "sqlite3", "split", "zstd_file"])
+def test_metadata_is_written_as_rosbag2_does(name: str) -> None:
+    path = GOLDEN / name / "metadata.yaml"
+    assert metadata_file_text(parse_metadata(path.read_text("utf-8"), path)) == path.read_text("utf-8")
+
+
+def test_tables_of_sqlite3_are_those_of_rosbag2(tmp_path: Path) -> None:
+    def tables(path: Path) -> list[Any]:
+        with sqlite3.connect(path) as database:
+            return database.execute("SELECT type, name, sql FROM sqlite_master ORDER BY name").fetchall()
+
+    write_bag(tmp_path / "bag", WriterSettings("sqlite3"))
+    assert tables(tmp_path / "bag" / "bag_0.db3") == tables(GOLDEN / "sqlite3" / "b6_0.db3")
+    assert sorted(path.name for path in (tmp_path / "bag").iterdir()) == ["bag_0.db3", "metadata.yaml"]
+
+
+def test_files_are_split_where_they_must_be(tmp_path: Path) -> None:
+    splits: list[tuple[str, str]] = []
+    writer = BagWriter(
+        tmp_path / "bag",
+        WriterSettings(max_file_duration_ns=10 * STEP_NS),
+        lambda closed, opened: splits.append((closed.name, opened.name)),
+    )
+    channel = writer.add_topic(topic("/chatter", "std_msgs/msg/String"))
+    for number in range(25):
+        writer.push(channel, text(number), START_NS + number * STEP_NS, START_NS)
+    writer.close()
+    files = read_metadata(tmp_path / "bag").files
+    assert [(each.start_ns - START_NS, each.message_count) for each in files] == [
+        (0, 11),
+        (11 * STEP_NS, 11),
+        (22 * STEP_NS, 3),
+    ]
+    assert splits == [("bag_0.mcap", "bag_1.mcap"), ("bag_1.mcap", "bag_2.mcap")]
+
+
+def test_custom_data_and_odd_names_are_kept(tmp_path: Path) -> None:
+    custom = {"robot": "Ä: 1", "empty": "", "number": "12", "line": "a\nb", "hash": "a # b"}
+    folder = tmp_path / "a bag: with 'odd' name"
+    write_bag(folder, WriterSettings(custom_data=custom))
+    assert read_metadata(folder).custom_data == custom
+    with open_bag(folder) as bag:
+        assert bag.message_count == 100
+
+
+@pytest.mark.parametrize("storage_id", ["mcap", "sqlite3"])
+def test_bag_that_is_not_closed_keeps_all_chunks_but_the_last(storage_id: str, tmp_path: Path) -> None:
+    writer = BagWriter(tmp_path / "bag", WriterSettings(storage_id, StorageSettings(chunk_size=400)))
+    channel = writer.add_topic(topic("/chatter", "std_msgs/msg/String"))
+    for number in range(100):
+        writer.push(channel, text(number), START_NS + number, START_NS)
+    path = writer.file_path
+    if storage_id == "mcap":
+        with pytest.warns(match="the file has no end"), open_bag(path) as bag:
+            count = bag.message_count
+    else:
+        with open_bag(path) as bag:
+            count = bag.message_count
+    assert 90 <= count < 100
+    writer.close()
+
+
+def push_many(writer: BagWriter, channel: int, count: int) -> None:
+    for number in range(count):
+        writer.push(channel, text(number), START_NS + number, START_NS)
+
+
+def test_full_disk_keeps_what_was_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    import resource
+    import signal
+
+    monkeypatch.setattr(signal, "SIGXFSZ", signal.SIGXFSZ)
+    before, handler = resource.getrlimit(resource.RLIMIT_FSIZE), signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    writer = BagWriter(tmp_path / "bag", WriterSettings(storage=StorageSettings(chunk_size=1000)))
+    channel = writer.add_topic(topic("/chatter", "std_msgs/msg/String"))
+    written = 0
+    resource.setrlimit(resource.RLIMIT_FSIZE, (30_000, before[1]))
+    try:
+        with pytest.raises(
+            BagError, match=r"bag_0\.mcap: it can't be written: File too large\. What was recorded"
+        ):
+            push_many(writer, channel, 10_000)
+        written = writer.message_count
+        with pytest.raises(BagError, match="reindex"):
+            writer.close()
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+        signal.signal(signal.SIGXFSZ, handler)
+    assert written > 100
+    with pytest.warns(match="the file has no end"), open_bag(tmp_path / "bag" / "bag_0.mcap") as bag:
+        assert bag.message_count == written == len(list(bag.messages()))
+
+
+def test_folder_that_cannot_be_made_is_an_error(tmp_path: Path) -> None:
+    (tmp_path / "there").mkdir()
+    with pytest.raises(BagError, match="exists already"):
+        BagWriter(tmp_path / "there")
+    (tmp_path / "file").touch()
+    with pytest.raises(BagError, match="it can't be created: Not a directory"):
+        BagWriter(tmp_path / "file" / "bag")
+
+
+def test_read_only_folder_is_an_error(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*_: object, **__: object) -> None:
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+
+    monkeypatch.setattr(Path, "mkdir", refuse)
+    with pytest.raises(BagError, match="bag: it can't be created: Permission denied"):
+        BagWriter(tmp_path / "bag")
+
+
+def test_configurations_of_storages(tmp_path: Path) -> None:
+    path = tmp_path / "config.yaml"
+    path.write_text(
+        "noChunkCRC: false\nchunkSize: 5\ncompression: Lz4\ncompressionLevel: Fast\nnoStatistics: true"
+    )
+    assert storage_settings("mcap", "", str(path)) == StorageSettings("lz4", "Fast", 5, has_chunk_crc=True)
+    path.write_text('write:\n  pragmas: ["page_size=8192"]')
+    assert storage_settings("sqlite3", "resilient", str(path)).pragmas == (
+        "synchronous=NORMAL",
+        "page_size=8192",
+    )
+    for text_, reason in (
+        ("chunkSize: -1", "a positive number of bytes"),
+        ("chunksize: 1", "unknown option chunksize"),
+        ("noChunking: 3", "true or false"),
+        ("compression: bz2", "None, Lz4 or Zstd"),
+        ("[1]", "must be a map"),
+        ("a: [", "isn't YAML"),
+    ):
+        path.write_text(text_)
+        with pytest.raises(BagError, match=reason):
+            storage_settings("mcap", "", str(path))
+    with pytest.raises(BagError, match="'fastwrite' is no preset of sqlite3: none, resilient"):
+        storage_settings("sqlite3", "fastwrite")

@@ -1,0 +1,272 @@
+"""Recorders on the wire inside the process, and what they choose."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tfloom.bag import open_bag
+from tfloom.bag.errors import BagError
+from tfloom.bag.qos_profiles import parse_profiles, profiles_text, read_overrides
+from tfloom.bag.recording import recorder as recorder_module
+from tfloom.bag.recording.record_options import RecordOptions
+from tfloom.bag.recording.recorder import Recorder
+from tfloom.bag.topic_choice import TopicChoice
+from tfloom.bag.writing.bag_writer import WriterSettings
+from tfloom.interfaces.rosbag2_interfaces.srv import IsPaused, Pause, Resume, Snapshot, SplitBagfile
+from tfloom.interfaces.rosgraph_msgs.msg import Clock
+from tfloom.interfaces.std_msgs.msg import String
+from tfloom.node.context.context import Context
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.node import Node
+from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
+from tfloom.node.values.time import Time
+from tfloom.rmw.qos import PROFILES, HistoryPolicy, QoS, ReliabilityPolicy
+from tfloom.rmw.qos import DurabilityPolicy as Durability
+
+
+@pytest.fixture
+def node(local_context: Context) -> Node:
+    return Node("talker", context=local_context)
+
+
+@pytest.fixture
+def record(local_context: Context, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., Any]:
+    monkeypatch.setattr(recorder_module, "FLUSH_NS", 10_000_000)
+
+    @contextmanager
+    def run(
+        choice: TopicChoice, settings: WriterSettings | None = None, **options: Any
+    ) -> Iterator[Recorder]:
+        asked = RecordOptions(choice, polling_interval_s=0.01, has_keyboard=False, **options)
+        recorder = Recorder(tmp_path / "bag", settings or WriterSettings(), asked, context=local_context)
+        recorder.start()
+        try:
+            yield recorder
+        finally:
+            recorder.stop()
+            recorder.destroy_node()
+
+    return run
+
+
+def wait_until(condition: Callable[[], bool]) -> None:
+    end = time.monotonic() + 10.0
+    while not condition():
+        assert time.monotonic() < end, "timeout"
+        time.sleep(0.002)
+
+
+def texts(folder: Path, topic: str = "/chatter") -> list[str]:
+    with open_bag(folder) as bag:
+        return [message.data for _, message in bag.read(topic)]
+
+
+def test_topics_that_exist_and_that_appear_are_recorded(node: Node, record: Any, tmp_path: Path) -> None:
+    early = node.create_publisher(String, "chatter", 10)
+    with record(TopicChoice(["/chatter", "/late"])) as recorder:
+        early.publish(String(data="a"))
+        late = node.create_publisher(
+            String, "late", QoSProfile(depth=3, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        )
+        late.publish(String(data="b"))
+        wait_until(lambda: recorder.writer.queue.message_count == 2)
+    assert texts(tmp_path / "bag") == ["a"]
+    assert texts(tmp_path / "bag", "/late") == ["b"]
+    with open_bag(tmp_path / "bag") as bag:
+        (offered,) = parse_profiles(bag.topics["/late"].offered_qos)
+        assert (offered.depth, offered.durability) == (3, Durability.TRANSIENT_LOCAL)
+        (message,) = bag.messages("/chatter")
+        assert 0 <= message.log_time_ns - message.publish_time_ns < 10**10
+
+
+def test_messages_are_discarded_while_paused(node: Node, record: Any, tmp_path: Path) -> None:
+    publisher = node.create_publisher(String, "chatter", 10)
+    with record(TopicChoice(["/chatter"]), is_start_paused=True) as recorder:
+        assert recorder.is_paused
+        publisher.publish(String(data="a"))
+        recorder.toggle_paused()
+        publisher.publish(String(data="b"))
+        recorder.toggle_paused()
+        publisher.publish(String(data="c"))
+    assert texts(tmp_path / "bag") == ["b"]
+
+
+def test_services_pause_split_and_resume(
+    node: Node, record: Any, local_context: Context, tmp_path: Path
+) -> None:
+    publisher = node.create_publisher(String, "chatter", 10)
+    with (
+        record(TopicChoice(["/chatter"])) as recorder,
+        SingleThreadedExecutor(context=local_context) as executor,
+    ):
+        executor.add_node(recorder)
+        executor.add_node(node)
+
+        def call(kind: Any, name: str) -> Any:
+            client = node.create_client(kind, f"/rosbag2_recorder/{name}")
+            assert client.wait_for_service(5.0)
+            future = client.call_async(kind.Request())
+            executor.spin_until_future_complete(future, 5.0)
+            return future.result()
+
+        publisher.publish(String(data="a"))
+        call(SplitBagfile, "split_bagfile")
+        publisher.publish(String(data="b"))
+        call(Pause, "pause")
+        assert call(IsPaused, "is_paused").paused
+        publisher.publish(String(data="lost"))
+        call(Resume, "resume")
+        assert not call(IsPaused, "is_paused").paused
+        publisher.publish(String(data="c"))
+        assert not call(Snapshot, "snapshot").success
+    assert sorted(path.name for path in (tmp_path / "bag").glob("*.mcap")) == ["bag_0.mcap", "bag_1.mcap"]
+    with open_bag(tmp_path / "bag") as bag:
+        assert [each.message_count for each in bag.files] == [1, 2]
+    assert texts(tmp_path / "bag") == ["a", "b", "c"]
+
+
+def test_snapshot_has_the_newest_messages(node: Node, record: Any, tmp_path: Path) -> None:
+    publisher = node.create_publisher(String, "chatter", 10)
+    with record(TopicChoice(["/chatter"]), WriterSettings(cache_size=4000, is_snapshot=True)) as recorder:
+        for number in range(500):
+            publisher.publish(String(data=f"{number}"))
+        assert recorder.take_snapshot()
+        publisher.publish(String(data="never written"))
+    found = texts(tmp_path / "bag")
+    assert 30 < len(found) < 100
+    assert found == [str(number) for number in range(500 - len(found), 500)]
+
+
+def test_full_cache_drops_and_counts(node: Node, record: Any, tmp_path: Path, capfd: Any) -> None:
+    publisher = node.create_publisher(String, "chatter", 10)
+    settings = WriterSettings(cache_size=500)
+    with (
+        record(TopicChoice(["/chatter"]), settings) as recorder,
+        recorder._lock,
+    ):  # nothing is written meanwhile
+        for number in range(100):
+            publisher.publish(String(data=f"{number}"))
+        queue = recorder.writer.queue
+        assert queue.message_count + queue.dropped_count == 100
+        assert queue.size <= 1000
+    assert "Cache buffers lost messages: " in capfd.readouterr().err
+    assert len(texts(tmp_path / "bag")) == recorder.writer.queue.message_count < 100
+
+
+def test_simulated_time_stamps_messages(
+    node: Node, record: Any, local_context: Context, tmp_path: Path
+) -> None:
+    publisher = node.create_publisher(String, "chatter", 10)
+    clock = node.create_publisher(Clock, "/clock", 10)
+    with record(TopicChoice(["/chatter"]), use_sim_time=True) as recorder:
+        publisher.publish(String(data="before the first /clock"))
+        with SingleThreadedExecutor(context=local_context) as executor:
+            executor.add_node(recorder)
+            clock.publish(Clock(clock=Time(seconds=5).to_msg()))
+            while recorder.get_clock().now().nanoseconds == 0:
+                executor.spin_once(1.0)
+        publisher.publish(String(data="a"))
+    with open_bag(tmp_path / "bag") as bag:
+        assert [each.log_time_ns for each in bag.messages()] == [5 * 10**9]
+
+
+def test_error_while_writing_ends_the_recording(
+    node: Node, record: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    publisher = node.create_publisher(String, "chatter", 10)
+    with record(TopicChoice(["/chatter"])) as recorder:
+        publisher.publish(String(data="a"))
+        wait_until(lambda: recorder.writer.message_count == 1)
+
+        def fail(_: object) -> None:
+            raise OSError(28, "No space left on device")
+
+        monkeypatch.setattr(recorder.writer._file, "write", fail)
+        publisher.publish(String(data="b"))
+        wait_until(lambda: recorder.failure is not None)
+        assert "it can't be written: No space left on device" in str(recorder.failure)
+    assert texts(tmp_path / "bag") == ["a"]
+
+
+def test_hidden_topics_and_those_of_two_types_are_left_out(node: Node, record: Any, capfd: Any) -> None:
+    node.create_publisher(String, "_hidden", 1)
+    node.create_publisher(String, "two", 1)
+    node.create_publisher(Clock, "two", 1)
+    node.create_subscription(String, "unpublished", print, 1)
+    with record(TopicChoice(all_topics=True)) as recorder:
+        assert recorder._topics._recorded.keys() == {"/events/write_split", "/parameter_events", "/rosout"}
+    said = capfd.readouterr().err
+    assert "Hidden topics are not recorded. Enable them with --include-hidden-topics" in said
+    assert "Topic '/two' has more than one type, and can't be recorded: rosgraph_msgs" in said
+
+
+def test_choices() -> None:
+    types = {"/scan": "sensor_msgs/msg/LaserScan", "/tf": "tf2_msgs/msg/TFMessage"}
+    add = "/add/_service_event"
+    topics = {**types, "/front/scan": types["/scan"], add: "example_interfaces/srv/AddTwoInts_Event"}
+    for choice, expected in (
+        (TopicChoice(), set[str]()),
+        (TopicChoice(all_topics=True), {"/scan", "/tf", "/front/scan"}),
+        (TopicChoice(all_services=True), {add}),
+        (TopicChoice(services=["/add"]), {add}),
+        (TopicChoice(["/tf"]), {"/tf"}),
+        (TopicChoice(topic_types=[types["/scan"]]), {"/scan", "/front/scan"}),
+        (TopicChoice(regex="scan|add"), {"/scan", "/front/scan", add}),
+        (TopicChoice(all_topics=True, exclude_regex="^/front"), {"/scan", "/tf"}),
+        (TopicChoice(all_topics=True, exclude_topics=["/tf"]), {"/scan", "/front/scan"}),
+        (TopicChoice(all_topics=True, exclude_topic_types=[types["/scan"]]), {"/tf"}),
+        (TopicChoice(all_topics=True, all_services=True, exclude_services=["/add"]), {*types, "/front/scan"}),
+    ):
+        assert {name for name, kind in topics.items() if choice.wants(name, kind)} == expected, choice
+
+
+def test_profiles_in_yaml(tmp_path: Path) -> None:
+    profiles = [
+        QoS(),
+        QoS(ReliabilityPolicy.BEST_EFFORT, depth=3, deadline_ns=1_500_000_000),
+        PROFILES["sensor_data"],
+    ]
+    assert [each.resolved() for each in parse_profiles(profiles_text(profiles))] == [
+        each.resolved() for each in profiles
+    ]
+    old = "- history: 3\n  depth: 0\n  reliability: 1\n  durability: 2\n  liveliness: 1\n"
+    old += "  deadline:\n    sec: 2147483647\n    nsec: 4294967295"
+    (humble,) = parse_profiles(old)
+    assert (humble.history, humble.reliability) == (HistoryPolicy.UNKNOWN, ReliabilityPolicy.RELIABLE)
+    assert parse_profiles("- {reliability: odd}") == parse_profiles("[") == parse_profiles("") == []
+    path = tmp_path / "qos.yaml"
+    path.write_text("/scan: {reliability: best_effort, depth: 2}")
+    assert read_overrides(path) == {"/scan": QoS(ReliabilityPolicy.BEST_EFFORT, depth=2)}
+    for text, reason in (
+        ("/scan: {relibility: 1}", "relibility"),
+        ("3", "must be a map"),
+        ("a: [", "isn't YAML"),
+    ):
+        path.write_text(text)
+        with pytest.raises(BagError, match=reason):
+            read_overrides(path)
+
+
+def test_no_message_is_lost_from_many_threads(node: Node, record: Any, tmp_path: Path) -> None:
+    publishers = [node.create_publisher(String, f"t{number}", 10) for number in range(4)]
+    with record(TopicChoice(regex="^/t[0-9]$")) as recorder:
+
+        def publish(publisher: Any) -> None:
+            for number in range(500):
+                publisher.publish(String(data=f"{number}"))
+
+        wait_until(lambda: len(recorder._topics._recorded) == 4)
+        threads = [threading.Thread(target=publish, args=(each,)) for each in publishers]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+    for number in range(4):
+        assert texts(tmp_path / "bag", f"/t{number}") == [str(each) for each in range(500)]

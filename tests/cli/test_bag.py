@@ -1,0 +1,243 @@
+"""The verbs of `bag`, compared with the recorded ones, and real processes that record and play."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import signal
+from collections.abc import Callable
+from contextlib import nullcontext
+from pathlib import Path
+from typing import Any
+
+import pytest
+import transcript
+from tests.bag.written_bags import START_NS, read_by_rosbags, topic
+
+from tfloom.bag import open_bag
+from tfloom.bag.writing.bag_writer import BagWriter
+from tfloom.cli.main import main
+
+BAGS = Path(__file__).parents[1] / "golden" / "bags"
+CLOCK = re.compile(r"\[\d+\.\d+\] ")
+SIGNAL_LINE = re.compile(r"\[INFO\] \[rclcpp\]: signal_handler\(signum=\d+\)\n?")
+NO_KEYS = "stdin is not a terminal device. Keyboard handling disabled."
+
+
+@pytest.fixture
+def bags(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Return a folder with copies of the recorded bags, under the names that the transcripts have."""
+    monkeypatch.setenv("TZ", "UTC")
+    for name, short in {"mcap": "b1", "zstd_file": "b3", "split": "b4", "sqlite3": "b6"}.items():
+        shutil.copytree(BAGS / name, tmp_path / short, copy_function=shutil.copyfile)
+        (tmp_path / short).chmod(0o755)
+    return tmp_path
+
+
+def unstamped(text: str) -> str:
+    """Remove what differs between any two runs: the times of log lines, and the signal's line (row signal-line)."""
+    return SIGNAL_LINE.sub("", CLOCK.sub("", text).replace(NO_KEYS + "\n", NO_KEYS)).strip("\n")
+
+
+def sorted_choices(text: str) -> str:
+    """Order the choices of the usage text, because those of the reference are in the order of a set."""
+    return re.sub(r"\{(\w+),(\w+)\}", lambda match: "{" + ",".join(sorted(match.groups())) + "}", text)
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "bag_info",
+        "bag_info_v",
+        "bag_info_topics",
+        "bag_info_split",
+        "bag_info_bad",
+        "bag_play_bad",
+        "bag_record_bad",
+    ],
+)
+def test_answers_are_the_recorded_ones(name: str, bags: Path) -> None:
+    recorded = transcript.golden(name)
+    found = transcript.run(*recorded.command, cwd=bags)
+    assert sorted_choices(found.text) == sorted_choices(recorded.text)
+    assert found.exit_code == recorded.exit_code
+
+
+def test_bag_without_metadata_and_reindexing(bags: Path) -> None:
+    shutil.copytree(bags / "b1", bags / "b5")
+    (bags / "b5" / "metadata.yaml").unlink()
+    recorded = transcript.golden("bag_info_no_metadata")
+    assert transcript.run(*recorded.command, cwd=bags)[1:] == recorded[1:]
+    recorded_lines = (transcript.GOLDEN / "bag_reindex.txt").read_text("utf-8")
+    found = transcript.run("bag", "reindex", "b5", cwd=bags)
+    assert found.exit_code == 0
+    text = f"{found.text}\n{(bags / 'b5' / 'metadata.yaml').read_text('utf-8')}[exit 0]\n"
+    assert CLOCK.sub("", text) == CLOCK.sub("", recorded_lines.partition("\n")[2])
+
+
+def test_conversion(bags: Path) -> None:
+    shutil.rmtree(bags / "b6")
+    (bags / "conv.yaml").write_text("output_bags:\n- uri: b6\n  storage_id: sqlite3\n  all: true\n")
+    found = transcript.run("bag", "convert", "-i", "b1", "-o", "conv.yaml", cwd=bags)
+    info = transcript.run("bag", "info", "b6", cwd=bags)
+    recorded = transcript.golden("bag_convert").text
+    # Types that we know have hashes in the converted bag, so it is larger.
+    size = re.compile(r"Bag size:          \d+\.\d KiB")
+    assert size.sub("", unstamped(f"{found.text}\n{info.text}")) == size.sub("", unstamped(recorded))
+    assert read_by_rosbags(bags / "b6") == read_by_rosbags(BAGS / "mcap")
+
+
+def test_conversion_joins_filters_and_compresses(bags: Path) -> None:
+    (bags / "two.yaml").write_text(
+        """output_bags:
+- {uri: joined, exclude_topics: [/tf_static]}
+- {uri: chatter, topics: [/chatter], compression_mode: file, compression_format: zstd, max_bagfile_size: 1000}
+- {uri: part, regex: pose, start_time_ns: 1795304290532093605, end_time_ns: 1795304291532093605}
+"""
+    )
+    assert (
+        transcript.run("bag", "convert", "-i", "b1", "-i", "b4", "mcap", "-o", "two.yaml", cwd=bags).text
+        == ""
+    )
+    with open_bag(bags / "joined") as bag:
+        assert bag.message_count == 876 - 1 + 1521
+        stamps = [each.log_time_ns for each in bag.messages()]
+        assert stamps == sorted(stamps)
+    with open_bag(bags / "chatter") as bag:
+        assert [each.message_count for each in bag.files] != [16]
+        assert bag.message_count == 16
+    with open_bag(bags / "part") as bag:
+        assert bag.topics.keys() == {"/turtle1/pose"}
+        assert bag.end_ns - bag.start_ns <= 10**9
+
+
+MISTAKES: list[tuple[tuple[str, ...], str]] = [
+    (("record", "-o", "b1", "/x"), "[ERROR] [ros2bag]: Output folder 'b1' already exists."),
+    (("record", "-a", "--compression-mode", "file"), "Compression format must be specified"),
+    (("record", "-a", "--compression-format", "zstd"), "without a compression mode"),
+    (("record", "-a", "--custom-data", "a"), "--custom-data needs KEY=VALUE, not 'a'"),
+    (("record", "-e", "("), "'(' is not a regular expression"),
+    (("record", "-a", "-s", "sqlite3", "--storage-preset-profile", "fastwrite"), "a preset of mcap"),
+    (("play", "b1", "-r", "0"), "Value 0 must be greater than zero."),
+    (("play", "b1", "-m", "a"), "'a' is no remap"),
+    (("convert", "-i", "b1", "-o", "none.yaml"), "none.yaml: it can't be read: No such file"),
+    (("convert", "-i", "b1", "-o", "empty.yaml"), 'must have the key "output_bags"'),
+    (("convert", "-i", "b1", "odd", "-o", "empty.yaml"), "Unknown storage 'odd'; known are sqlite3, mcap"),
+    (("reindex", "b1/metadata.yaml"), "Must specify a bag directory"),
+    (("reindex", "."), "there are no files of a bag in it"),
+    (("info", "empty.yaml"), "empty.yaml: a file of a recording ends in .mcap"),
+    (("play", "empty.yaml"), "empty.yaml: a file of a recording ends in .mcap"),
+]
+
+
+def test_mistakes_are_explained_in_a_sentence(
+    bags: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(bags)
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+    (bags / "empty.yaml").touch()
+    wrong = []
+    for words, said in MISTAKES:
+        try:
+            exit_code = main(["bag", *words], prog="ros2")
+        except SystemExit as ended:
+            exit_code = int(ended.code or 0)
+        text = "".join(capfd.readouterr())
+        if said not in text or "Traceback" in text or exit_code not in {1, 2}:
+            wrong.append((words, exit_code, text))
+    assert wrong == []
+
+
+def test_lists() -> None:
+    lines = [
+        line
+        for kind in ("storage", "converter", "compressor", "decompressor")
+        for line in transcript.run("bag", "list", kind).text.splitlines()
+    ]
+    recorded = (transcript.GOLDEN / "bag_list.txt").read_text("utf-8").splitlines()
+    assert lines == recorded[1:-1]
+    assert "zstd: " in transcript.run("bag", "list", "-v", "compressor").text
+
+
+def test_services_are_counted(tmp_path: Path) -> None:
+    writer = BagWriter(tmp_path / "bag")
+    channel = writer.add_topic(topic("/add/_service_event", "example_interfaces/srv/AddTwoInts_Event"))
+    for number, kind in enumerate([0, 1, 2, 3, 1]):
+        writer.push(channel, bytes([0, 1, 0, 0, kind, *bytes(40)]), START_NS + number, START_NS)
+    writer.close()
+    lines = "\n".join(
+        transcript.run("bag", "info", *words, cwd=tmp_path).text for words in (("bag",), ("-v", "bag"))
+    )
+    start = "Service information: Service: /add | Type: example_interfaces/srv/AddTwoInts | "
+    assert f"{start}Event Count: 5 | Serialization Format: cdr" in lines
+    assert f"{start}Request Count: 2 | Response Count: 1 | Serialization Format: cdr" in lines
+    assert lines.count("Service:           1") == 2
+
+
+@pytest.fixture
+def talker(domain_id: int, start_program: Callable[..., Any]) -> Any:
+    program = start_program("tfloom", "run", "demo_nodes_py", "talker")
+    program.wait_for("Hello World: 0")
+    return program
+
+
+def recorder_lines(recorded: str) -> list[str]:
+    return sorted(line for line in unstamped(recorded).replace(NO_KEYS, "").splitlines() if line)
+
+
+def test_recording_and_playing_as_recorded(
+    talker: Any, domain_id: int, start_program: Callable[..., Any], tmp_path: Path
+) -> None:
+    recorder = start_program("tfloom", "bag", "record", "-o", tmp_path / "b1", "/chatter", cwd=tmp_path)
+    recorder.wait_for("Stopping discovery...")
+    talker.wait_for("Hello World: 3")
+    recorder.process.send_signal(signal.SIGINT)
+    assert recorder.process.wait(20.0) == 0
+    expected = recorder_lines(transcript.golden("bag_record").text)
+    expected = [line for line in expected if "/turtle1/pose" not in line and "/tf_static" not in line]
+    assert recorder_lines("\n".join(recorder.lines)) == expected
+    talker.process.send_signal(signal.SIGINT)
+    talker.process.wait(20.0)
+
+    listener = start_program("tfloom", "run", "demo_nodes_py", "listener")
+    player = start_program(
+        "tfloom",
+        "bag",
+        "play",
+        tmp_path / "b1",
+        "--rate",
+        "3",
+        "--clock",
+        "--delay",
+        "1.5",
+        "--wait-for-all-acked",
+        "0",
+    )
+    assert player.process.wait(30.0) == 0
+    recorded = recorder_lines(transcript.golden("bag_play_rate").text)
+    assert [line for line in recorder_lines("\n".join(player.lines)) if "Sleep" not in line] == recorded
+    with open_bag(tmp_path / "b1") as bag:
+        texts = [message.data for _, message in bag.read("/chatter")]
+    assert len(texts) >= 2
+    listener.wait_for(texts[-1])
+    heard = [line.partition("I heard: [")[2].rstrip("]") for line in listener.lines if "I heard" in line]
+    assert heard == texts
+
+
+def test_killed_recorder_loses_at_most_the_last_second(
+    talker: Any, domain_id: int, start_program: Callable[..., Any], tmp_path: Path
+) -> None:
+    for storage_id in ("mcap", "sqlite3"):
+        folder = tmp_path / storage_id
+        recorder = start_program(
+            "tfloom", "bag", "record", "-s", storage_id, "-o", folder, "--topics", "/chatter"
+        )
+        recorder.wait_for("Stopping discovery...")
+        count = len(talker.lines)
+        talker.wait_for(f"Hello World: {count + 3}")
+        os.kill(recorder.process.pid, signal.SIGKILL)
+        recorder.process.wait(20.0)
+        assert transcript.run("bag", "reindex", str(folder)).exit_code == 0
+        with pytest.warns(match="no end") if storage_id == "mcap" else nullcontext(), open_bag(folder) as bag:
+            assert len(list(bag.messages("/chatter"))) >= 2
