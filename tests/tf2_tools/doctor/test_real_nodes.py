@@ -3,8 +3,15 @@
 from __future__ import annotations
 
 import json
+import signal
 from collections.abc import Callable
 from typing import Any
+
+from tfloom.interfaces.tf2_msgs.msg import TFMessage
+from tfloom.rmw.backends import open_participant
+from tfloom.rmw.base import NodeName
+from tfloom.rmw.qos import QoS
+from tfloom.rmw.typed_names import topic_of
 
 STATIC = ("tfloom", "run", "tf2_ros", "static_transform_publisher")
 SPINNING = "Spinning until stopped"
@@ -92,3 +99,20 @@ def test_stamps_are_compared_with_the_simulated_time(
     report = report_of(start_program, "--seconds", "1.5", "--max-gap", "1")
     assert found(report) == [("TF402", ["/stray"]), ("TF403", ["/stray"])]
     assert report["is_simulated"] is True
+
+
+def test_ctrl_c_ends_listening_with_a_report(
+    domain_id: int, start_program: Callable[..., Any], wait_until: Callable[..., None]
+) -> None:
+    observer = open_participant()
+    try:
+        node = NodeName("/", "elsewhere")
+        observer.create_writer(node, topic_of(TFMessage, "/robot1/tf"), QoS())
+        program = start_program("tfloom", "tf", "doctor", "--seconds", "600")
+        wait_until(lambda: any(end.topic.name == "/tf_static" for end in observer.graph.endpoints()))
+        program.signal(signal.SIGINT)
+        assert program.wait() == 1
+        assert "TF108 error: no transform came within" in program.output
+        assert "transforms are on /robot1/tf: try `--tf-topic /robot1/tf`" in program.output
+    finally:
+        observer.close()

@@ -31,3 +31,9 @@ def test_loops_end() -> None:
     assert looped.roots() == ["a", "own"]
     assert looped.branch("d") == ["d", "c", "a", "b"]
     assert list(looped.walk("a")) == [(0, "a"), (1, "c"), (2, "b"), (2, "d")]
+
+
+def test_long_chains_take_a_moment() -> None:
+    tree = Tree({f"{number}": f"{number + 1}" for number in range(20_000)})
+    assert (tree.roots(), tree.loops()) == (["20000"], [])
+    assert Tree({"a": "", "b": "a"}).roots() == [""]

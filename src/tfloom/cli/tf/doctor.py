@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import shutil
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
     from tfloom.tf2_tools.doctor.subject import Subject
 
 DURATION_S = 5.0
+LEAST_WIDTH = 50
+"""Least number of columns into which the report is wrapped."""
 UNUSABLE = 2
 """Exit code where nothing could be checked."""
 COLOURS = {Severity.ERROR: "31", Severity.WARNING: "33"}
@@ -127,6 +130,8 @@ def _listened(args: argparse.Namespace) -> Subject:
 
     with joined_participant() as participant:
         wait_until_quiet(participant.graph, args.spin_time)
+        if sys.stderr.isatty():
+            print(f"listening for {args.seconds:g} s; Ctrl-C ends it", file=sys.stderr)
         return listen(participant, args.seconds, with_topics=args.topics, topics=_topics(args))
 
 
@@ -159,13 +164,14 @@ def _print_codes(code: str | None) -> int:
 
 
 def _print_text(report: Report) -> None:
-    from tfloom.tf2_tools.doctor.report import body
+    from tfloom.tf2_tools.doctor.report import MOST_WIDTH, body
 
+    width = shutil.get_terminal_size().columns if sys.stdout.isatty() else MOST_WIDTH
     print(report.head())
     for finding in report.findings:
         print()
         print(_coloured(finding.code, finding.kind.severity), end=" ", file=unescaped(sys.stdout))
-        lines = body(finding)
+        lines = body(finding, max(width, LEAST_WIDTH))
         print(f"{finding.kind.severity.value}: {next(lines)}")
         for line in lines:
             print(line)

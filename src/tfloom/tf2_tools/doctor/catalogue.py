@@ -201,7 +201,7 @@ _KINDS = (
         "All its stamps are off by the same time, so that lookups with data of other hosts fail as extrapolation, or "
         "give poses of another time.",
         "The host's clock is not synchronised; a node mixes simulated and system time; a constant is added to the "
-        "stamps.",
+        "stamps (`transform_tolerance` of AMCL).",
         "Synchronise the clocks (chrony or PTP), and set `use_sim_time` alike on all nodes.",
     ),
     Kind(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 
 from tfloom._native import HeaderSink
 from tfloom.rmw.action_names import SEND_GOAL, SEND_GOAL_TYPE
@@ -17,6 +17,7 @@ from tfloom.tf2_tools.doctor.finding import Source
 from tfloom.tf2_tools.doctor.headers import begins_with_header
 from tfloom.tf2_tools.doctor.requests import requested_frames
 from tfloom.tf2_tools.doctor.subject import FrameUse, Subject
+from tfloom.tf2_tools.doctor.topic_checks import TYPE
 from tfloom.tf2_tools.watch.live import LiveWatch
 from tfloom.tf2_tools.watch.model import TOPICS
 
@@ -37,7 +38,9 @@ def listen(
     with_topics: bool = False,
     topics: tuple[str, str] = TOPICS,
 ) -> Subject:
-    """Listen for a time, and return what was seen. Where /clock is published, stamps are compared with its time.
+    """Listen for a time, or until Ctrl-C, and return what was seen.
+
+    Where /clock is published, stamps are compared with its time.
 
     Args:
         participant: The participant that reads; its discovery is complete.
@@ -47,9 +50,10 @@ def listen(
     """
     with _ears(participant, topics) as ears:
         end_s = time.monotonic() + duration_s
-        while (now_s := time.monotonic()) < end_s:
-            ears.refresh(with_topics=with_topics)
-            time.sleep(min(LOOK_S, max(0.0, end_s - now_s)))
+        with suppress(KeyboardInterrupt):
+            while (now_s := time.monotonic()) < end_s:
+                ears.refresh(with_topics=with_topics)
+                time.sleep(min(LOOK_S, max(0.0, end_s - now_s)))
         return ears.subject()
 
 
@@ -146,8 +150,13 @@ class _Ears:
             self._header_uses(),
             self._request_uses(),
             static_topic=self._topics[True],
+            other_topics=self._other_topics(),
             is_simulated=self._is_simulated,
         )
+
+    def _other_topics(self) -> list[str]:
+        ends = [end for end in self._participant.graph.endpoints() if end.is_writer]
+        return sorted({end.topic.name for end in ends if end.topic.type_name == TYPE} - set(self._topics))
 
     def _source(self, gid: bytes, topic: str) -> Source:
         return Source(self._nodes.get(gid, ""), topic, gid.hex())

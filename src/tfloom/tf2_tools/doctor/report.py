@@ -12,7 +12,7 @@ from tfloom.tf2_tools.doctor.subject import Subject
 
 SHOWN = 5
 """Number of lines of evidence that the text has of one finding."""
-WIDTH = 110
+MOST_WIDTH = 110
 INDENT = " " * 9
 
 
@@ -76,16 +76,16 @@ class Report(NamedTuple):
         return f"{errors}, {warnings}; `tfloom tf doctor --explain CODE` says more of one"
 
 
-def body(finding: Finding) -> Iterator[str]:
-    """Yield the lines of a finding that follow its code and severity."""
-    first, *rest = _wrapped(finding.summary, INDENT)
+def body(finding: Finding, width: int = MOST_WIDTH) -> Iterator[str]:
+    """Yield the lines of a finding that follow its code and severity, of at most `width` columns where words allow."""
+    first, *rest = _wrapped(finding.summary, INDENT, width=width)
     yield first.lstrip()
     yield from rest
     for each in finding.evidence[:SHOWN]:
-        yield from _wrapped(f"- {each.text}", INDENT, f"{INDENT}  ")
+        yield from _wrapped(f"- {each.text}", INDENT, f"{INDENT}  ", width)
     if len(finding.evidence) > SHOWN:
         yield f"{INDENT}- and {len(finding.evidence) - SHOWN} more"
-    yield from _wrapped(f"mend: {finding.kind.mend}", INDENT, f"{INDENT}      ")
+    yield from _wrapped(f"mend: {finding.kind.mend}", INDENT, f"{INDENT}      ", width)
 
 
 def explanation(kind: Kind) -> str:
@@ -96,10 +96,10 @@ def explanation(kind: Kind) -> str:
     return "\n".join(lines)
 
 
-def _wrapped(text: str, indent: str, further: str | None = None) -> list[str]:
+def _wrapped(text: str, indent: str, further: str | None = None, width: int = MOST_WIDTH) -> list[str]:
     return textwrap.wrap(
         text,
-        WIDTH,
+        min(width, MOST_WIDTH),
         initial_indent=indent,
         subsequent_indent=indent if further is None else further,
         break_long_words=False,

@@ -13,6 +13,8 @@ from tfloom.tf2_tools.watch.tree import Tree
 
 SHOWN = 4
 """Number of names that a sentence lists."""
+MOST_COMPARED = 2000
+"""Number of frames up to which a misspelled one is looked for among them."""
 
 
 @dataclass(frozen=True)
@@ -38,6 +40,8 @@ class Subject:
     """Frames in requests to buffer servers."""
     static_topic: str = STATIC_TOPIC
     """The topic of static transforms."""
+    other_topics: Sequence[str] = ()
+    """Other topics of transforms on the graph."""
     is_simulated: bool = False
     """Whether stamps were compared with /clock."""
 
@@ -69,6 +73,8 @@ class Subject:
 
     def near(self, frame: str) -> str:
         """Return a hint at a known frame that is spelled alike; empty if there is none."""
+        if len(self.frames) > MOST_COMPARED:
+            return ""
         names = difflib.get_close_matches(stored(frame), sorted(self.frames), 1, 0.6)
         return f"; did you mean {names[0]}?" if names else ""
 

@@ -38,7 +38,13 @@ def check_tree(subject: Subject, limits: Limits) -> Iterator[Finding]:  # noqa: 
 def _nothing(subject: Subject) -> Finding:
     sources = [source_of(publisher) for publisher in subject.seen.publishers]
     who = f"from {listed(str(source) for source in sources)}" if sources else "and there is no publisher"
-    return Finding("TF108", f"no transform came within {subject.duration_s:.1f} s {who}", sources)
+    evidence = [
+        Evidence(f"transforms are on {topic}: try `--tf-topic {topic}`", {"topic": topic})
+        for topic in subject.other_topics
+    ]
+    return Finding(
+        "TF108", f"no transform came within {subject.duration_s:.1f} s {who}", sources, [], evidence
+    )
 
 
 def _owner(publisher: Publisher) -> tuple[str, bytes]:

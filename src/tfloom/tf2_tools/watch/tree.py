@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import cached_property
 
 __all__ = ["Tree"]
 
@@ -38,10 +39,22 @@ class Tree:
 
     def root(self, frame: str) -> str:
         """Return the frame's root; in a loop, its first frame by name."""
-        branch = self.branch(frame)
-        if branch[-1] not in self.parents:
-            return branch[-1]
-        return min(self._loop_from(branch[-1]))
+        return self._roots.get(frame, frame)
+
+    @cached_property
+    def _roots(self) -> dict[str, str]:
+        """The root of each frame; each edge is followed once, because a branch may be thousands of frames long."""
+        roots: dict[str, str] = {}
+        for frame in self.frames():
+            branch: dict[str, None] = {}
+            top = frame
+            while top not in roots and top not in branch and top in self.parents:
+                branch[top] = None
+                top = self.parents[top]
+            if top not in roots:
+                roots[top] = min(self._loop_from(top)) if top in branch else top
+            roots.update(dict.fromkeys(branch, roots[top]))
+        return roots
 
     def _loop_from(self, frame: str) -> list[str]:
         loop = [frame]
@@ -51,17 +64,11 @@ class Tree:
 
     def roots(self) -> list[str]:
         """Return the roots of all trees, in order of their names; for a loop, its first frame by name."""
-        return sorted({self.root(frame) for frame in self.frames()})
+        return sorted(set(self._roots.values()))
 
     def loops(self) -> list[list[str]]:
         """Return each loop, from its first frame by name upward."""
-        found = {}
-        for frame in self.frames():
-            top = self.branch(frame)[-1]
-            if top in self.parents:
-                first = min(self._loop_from(top))
-                found[first] = self._loop_from(first)
-        return [found[first] for first in sorted(found)]
+        return [self._loop_from(root) for root in self.roots() if root in self.parents]
 
     def walk(self, root: str) -> Iterator[tuple[int, str]]:
         """Yield the frames of a tree from its root down, each with its depth; children in order of their names."""
