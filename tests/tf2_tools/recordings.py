@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from contextlib import closing
+from pathlib import Path
 
+from tfloom.bag.values import Topic
+from tfloom.bag.writing.bag_writer import BagWriter
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rosidl import cdr
@@ -34,3 +38,14 @@ def transform(
 def recorded(received_ns: int, *transforms: TransformStamped, topic: str = "/tf") -> RecordedMessage:
     """Return a message as a recording holds it."""
     return topic, received_ns, cdr.encode(TFMessage(transforms=list(transforms)))
+
+
+def write_bag(folder: Path, messages: Iterable[RecordedMessage]) -> Path:
+    """Write a recording of these messages, and return its folder."""
+    with closing(BagWriter(folder)) as writer:
+        channels = {
+            name: writer.add_topic(Topic(name, "tf2_msgs/msg/TFMessage")) for name in ("/tf", "/tf_static")
+        }
+        for topic, received_ns, data in messages:
+            writer.push(channels[topic], data, received_ns, received_ns)
+    return folder

@@ -126,6 +126,7 @@ COMMANDS: dict[str, str | Group] = {
             "diff": "Compare the transforms of two bags, files or graphs",
             "doctor": "Check the transforms: what is wrong, who causes it, how to mend it",
             "explain": "Explain a lookup: its chain, who publishes it, what limits it",
+            "plot": "Draw position and yaw of one frame in another over time",
             "publish": "Publish the static transforms of a file",
             "save": "Write the static transforms of a live graph or a bag to a file",
             "top": "Show the transforms as they change: rates, ages, delays and publishers",

@@ -1,0 +1,1 @@
+"""The transform between two frames over time, as a picture."""
