@@ -57,6 +57,7 @@ DOORS = {
     "zstandard": ("bag/compression.py",),
     "rosbags": ("bag/ros1_reader.py",),
     "PyInstaller": ("pyinstaller/",),
+    "xacro": ("robot/xacro_program.py",),
     "pytest": ("launch/testing/", "testing/plugin.py"),
     "catkin_pkg": ("workspace/colcon/",),
     "colcon_core": ("workspace/colcon/",),

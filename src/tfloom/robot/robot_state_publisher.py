@@ -17,6 +17,7 @@ from tfloom.node.cpp_nodes import (
     listen_to_parameter_events,
     wrong_type,
 )
+from tfloom.node.executing.events_executor import EventsExecutor
 from tfloom.node.node import Node
 from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.program import run_program
@@ -220,7 +221,7 @@ def main(args: list[str] | None = None) -> int:
             node = RobotStatePublisher(files)
         except StartError:
             return 1
-        spin(node)
+        spin(node, EventsExecutor())  # less CPU time for each message
         return 0
 
     return run_program(args, body)

@@ -32,6 +32,9 @@ PROGRAMS: dict[str, dict[str, str]] = {
         "talker_qos": "tfloom.demos.demo_nodes_py.talker_qos:main",
         "use_logger_service": "tfloom.demos.demo_nodes_py.use_logger_service:main",
     },
+    "joint_state_publisher": {
+        "joint_state_publisher": "tfloom.robot.joint_state_publisher:main",
+    },
     "robot_state_publisher": {
         "robot_state_publisher": "tfloom.robot.robot_state_publisher:main",
     },
@@ -58,6 +61,9 @@ PROGRAMS: dict[str, dict[str, str]] = {
         "mimic": "tfloom.turtlesim.mimic:main",
         "turtle_teleop_key": "tfloom.turtlesim.teleop_key:main",
         "turtlesim_node": "tfloom.turtlesim.node:main",
+    },
+    "xacro": {
+        "xacro": "tfloom.robot.xacro_program:main",
     },
 }
 """tfloom's own programs: `module:function` for each, by package and name. The function takes the arguments."""

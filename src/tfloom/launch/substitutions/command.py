@@ -12,6 +12,7 @@ from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitution import Substitution
 from tfloom.launch.substitutions.described import described
 from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
+from tfloom.launch.utilities.find_program import command_of
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 from tfloom.launch.utilities.perform_substitutions import perform_substitutions
 
@@ -66,7 +67,6 @@ class Command(Substitution):
         Raises:
             SubstitutionFailure: the command is not found, fails, or writes to its standard error where that fails.
         """
-        import shlex
         import subprocess
 
         line = perform_substitutions(context, self._command)
@@ -77,7 +77,7 @@ class Command(Substitution):
             )
         try:
             result = subprocess.run(
-                shlex.split(line),
+                _words(context, line),
                 stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT if on_stderr == "capture" else subprocess.PIPE,
                 env=context.environment,
@@ -100,3 +100,16 @@ class Command(Substitution):
                 raise SubstitutionFailure(shown)
             get_logger().warning(shown)
         return result.stdout
+
+
+def _words(context: LaunchContext, line: str) -> list[str]:
+    """Return the words of a command's line, the first one replaced by what runs the program.
+
+    Raises:
+        ValueError: the line ends within quotes.
+        IndexError: it has no words.
+    """
+    import shlex
+
+    words = shlex.split(line)
+    return [*command_of(context, words[0]), *words[1:]]

@@ -11,6 +11,7 @@ from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitution import Substitution
 from tfloom.launch.substitutions.described import described
 from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
+from tfloom.launch.utilities.find_program import find_program
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 from tfloom.launch.utilities.perform_substitutions import perform_substitutions
 
@@ -19,7 +20,7 @@ __all__ = ["FindExecutable"]
 
 @expose_substitution("find-exec")
 class FindExecutable(Substitution):
-    """The path of an executable that PATH leads to.
+    """The path of an executable that PATH leads to, or that the environment has whose Python launches.
 
     Args:
         name: Name of the executable.
@@ -53,12 +54,10 @@ class FindExecutable(Substitution):
         """Return the path.
 
         Raises:
-            SubstitutionFailure: no folder of PATH has the executable.
+            SubstitutionFailure: no folder of PATH has the executable, nor has the environment that launches.
         """
-        import shutil
-
         name = perform_substitutions(context, self._name)
-        found = shutil.which(name, path=context.environment.get("PATH"))
+        found = find_program(context, name)
         if found is None:
             raise SubstitutionFailure(f"executable '{name}' not found on the PATH")
         return found
