@@ -62,11 +62,10 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 @pytest.fixture
-def local_context(monkeypatch: pytest.MonkeyPatch) -> Iterator[Context]:
-    """Return a context on the wire inside the process."""
-    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+def local_context(ros_domain: int) -> Iterator[Context]:
+    """Return a context, not the default one, on the wire inside the process."""
     context = Context()
-    context.init(args=[], domain_id=0)
+    context.init(args=[], domain_id=ros_domain)
     yield context
     context.try_shutdown()
 

@@ -167,6 +167,48 @@ def test_a_fixture_of_the_user_takes_precedence(run: Run) -> None:
     assert "1 passed" in run(f"{own}def test_it(ros_node): assert ros_node == 'own'\n", "-q")
 
 
+LAUNCH_TEST = """
+import sys, unittest
+import launch, launch.actions, launch_testing.actions, launch_testing.markers, pytest
+
+@pytest.mark.launch_test
+def generate_test_description():
+    wait = launch.actions.ExecuteProcess(cmd=[sys.executable, "-c", "import time; time.sleep(60)"])
+    return launch.LaunchDescription([wait, launch_testing.actions.ReadyToTest()])
+
+class TestLaunch(unittest.TestCase):
+    def test_it(self):
+        pass
+"""
+
+
+def test_launch_tests_are_in_the_same_run(run: Run, tmp_path: Path) -> None:
+    (tmp_path / "test_launch.py").write_text(LAUNCH_TEST, "utf-8")
+    output = run("def test_node(ros_node, ros_time): ros_time.step(1)\n", "-q")
+    assert "2 passed" in output, output
+
+
+@pytest.mark.wire
+def test_workers_have_domains_of_their_own(run: Run) -> None:
+    """Four tests at a time on DDS, each of which publishes under the same names, and sees itself alone."""
+    text = """
+import pytest, time
+from std_msgs.msg import Int32
+
+@pytest.mark.ros_wire("dds")
+@pytest.mark.parametrize("number", range(8))
+def test_it(ros_graph, ros_node, number):
+    publisher = ros_node.create_publisher(Int32, "number", 10)
+    received = ros_graph.collect(Int32, "number")
+    ros_node.create_timer(0.01, lambda: publisher.publish(Int32(data=number)))
+    ros_graph.spin_until(lambda: len(received) > 20)
+    assert {message.data for message in received} == {number}
+    assert set(ros_node.get_node_names()) == {"test_node", "test_observer"}
+"""
+    output = run(text, "-q", "-n", "4")
+    assert "8 passed" in output, output
+
+
 def test_without_the_plugin(run: Run) -> None:
     assert "fixture 'ros_node' not found" in run(
         "def test_it(ros_node): pass\n", "-q", "-p", "no:tfloom_testing"

@@ -18,9 +18,8 @@ from tfloom.node.node import Node
 
 
 @pytest.fixture
-def pumped(node: Node, monkeypatch: pytest.MonkeyPatch) -> Iterator[Node]:
-    """Return a node that publishes all the time, on the domain that WaitForTopics takes."""
-    monkeypatch.setenv("ROS_DOMAIN_ID", "0")
+def pumped(node: Node) -> Iterator[Node]:
+    """Return a node that is spun all the time, on the domain of ROS_DOMAIN_ID, as WaitForTopics."""
     pump = MessagePump(node)
     pump.start()
     yield node
