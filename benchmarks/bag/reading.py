@@ -87,7 +87,9 @@ PEERS: dict[str, Callable[[Path], list[Any]]] = {
 
 
 def run(folder: Path, count: int, other_mb: int) -> None:
-    print(f"{count} TFMessages of {made.TRANSFORMS} transforms {'MB':>17} {'s':>8} {'µs/message':>11} {'ratio':>7}")
+    print(
+        f"{count} TFMessages of {made.TRANSFORMS} transforms {'MB':>17} {'s':>8} {'µs/message':>11} {'ratio':>7}"
+    )
     ours = 0.0
     for compression in made.COMPRESSIONS:
         path = made.write(folder / f"tf_{compression}.mcap", compression, count)
@@ -119,7 +121,9 @@ def main(arguments: list[str] | None = None) -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--messages", type=int, default=20_000, help="number of TFMessages")
     parser.add_argument("--other-mb", type=int, default=2_000, help="size of the topic beside them [MiB]")
-    parser.add_argument("--folder", type=Path, help="where to write the recordings; default: a temporary folder")
+    parser.add_argument(
+        "--folder", type=Path, help="where to write the recordings; default: a temporary folder"
+    )
     options = parser.parse_args(arguments)
     with TemporaryDirectory(prefix="tfloom-bag-", dir=options.folder) as folder:
         run(Path(folder), options.messages, options.other_mb)

@@ -9,6 +9,18 @@ for message in bag.messages("/scan"): …
 
 from __future__ import annotations
 
+__all__ = [
+    "Bag",
+    "BagError",
+    "BagWarning",
+    "Definition",
+    "RawMessage",
+    "Topic",
+    "clouds",
+    "frames",
+    "open_bag",
+]
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from tfloom.bag.bag import Bag as Bag
