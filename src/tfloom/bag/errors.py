@@ -7,7 +7,7 @@ import os
 __all__ = ["BagError", "BagWarning"]
 
 
-class BagError(Exception):
+class BagError(RuntimeError):
     """A recording can't be read or written; the text states the file, the place in it, and what to do.
 
     Attributes:

@@ -41,7 +41,7 @@ class WriterSettings(NamedTuple):
     max_file_duration_ns: int = 0
     """A message later than this after a file's first begins the next file; 0: no limit."""
     cache_size: int = DEFAULT_CACHE_SIZE
-    """Half of the size of messages that may wait to be written [bytes]; 0: each message is written at once."""
+    """Half of the size of messages that may wait to be written [bytes]; 0: `DEFAULT_CACHE_SIZE`."""
     compression_mode: str = ""
     """Empty, `FILE` or `MESSAGE`."""
     custom_data: Mapping[str, str] = {}
@@ -292,8 +292,5 @@ def make_queue(settings: WriterSettings) -> ChunkQueue:
     if settings.is_snapshot:
         chunk_size = max(1, min(chunk_size, settings.cache_size // 8))
         return ChunkQueue(chunk_size, settings.cache_size, settings.max_file_duration_ns, ring=True)
-    if settings.cache_size == 0:
-        return ChunkQueue(1, 2 * DEFAULT_CACHE_SIZE, settings.max_file_duration_ns)
-    return ChunkQueue(
-        min(chunk_size, settings.cache_size), 2 * settings.cache_size, settings.max_file_duration_ns
-    )
+    cache_size = settings.cache_size or DEFAULT_CACHE_SIZE
+    return ChunkQueue(min(chunk_size, cache_size), 2 * cache_size, settings.max_file_duration_ns)

@@ -104,7 +104,7 @@ def _add_writing(parser: argparse.ArgumentParser) -> None:
         type=common.not_negative_int,
         default=DEFAULT_CACHE_SIZE,
         help="size in bytes of each of two caches; what doesn't fit in is dropped and counted (default "
-        f"{DEFAULT_CACHE_SIZE}; 0: each message is written at once)",
+        f"{DEFAULT_CACHE_SIZE}, and for 0)",
     )
 
 

@@ -1,0 +1,207 @@
+"""Readers that return one message after the other."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from tfloom.bag.bag import Bag
+from tfloom.bag.errors import BagError
+from tfloom.bag.opening import open_bag
+from tfloom.bag.rosbag2_names.storage import (
+    BagMetadata,
+    ConverterOptions,
+    MessageDefinition,
+    ReadOrder,
+    ReadOrderSortBy,
+    StorageFilter,
+    StorageOptions,
+    TopicMetadata,
+)
+from tfloom.bag.values import RawMessage
+from tfloom.bag.whole_metadata import metadata_of, size_of
+from tfloom.bag.writing.storage import STORAGES
+
+__all__ = ["SequentialCompressionReader", "SequentialReader", "get_registered_readers"]
+
+_PARTS = 64
+"""Into how many parts of equal time a bag is divided, to read it in reverse."""
+
+
+class SequentialReader:
+    """Reads the messages of a bag in the order of log times."""
+
+    def __init__(self) -> None:
+        self._bag: Bag | None = None
+        self._bounds: tuple[int | None, int | None] = (None, None)
+        self._start_ns: int | None = None
+        self._filter = StorageFilter()
+        self._is_reverse = False
+        self._messages: Iterator[RawMessage] | None = None
+        self._next: RawMessage | None = None
+
+    def open(self, arg0: StorageOptions, arg1: ConverterOptions) -> None:
+        """Open a bag.
+
+        Raises:
+            BagError: there is no such bag, it can't be read, or a serialization format is not cdr.
+        """
+        for name in (arg1.input_serialization_format, arg1.output_serialization_format):
+            if name not in {"", "cdr"}:
+                raise BagError(arg0.uri, f"the format is cdr; it can't be converted from or to '{name}'")
+        self.close()
+        self._bag = open_bag(Path(arg0.uri))
+        limits = (arg0.start_time_ns, arg0.end_time_ns)
+        self._bounds = (None if limits[0] < 0 else limits[0], None if limits[1] < 0 else limits[1])
+        self._start_ns = None
+        self._rewind()
+
+    def open_uri(self, arg0: str) -> None:
+        """Open a bag by its path.
+
+        Raises:
+            BagError: there is no such bag, or it can't be read.
+        """
+        self.open(StorageOptions(arg0), ConverterOptions())
+
+    def close(self) -> None:
+        """Close the bag. Closing again does nothing."""
+        bag, self._bag = self._bag, None
+        self._messages = self._next = None
+        if bag is not None:
+            bag.close()
+
+    def has_next(self) -> bool:
+        """Return whether there is another message.
+
+        Raises:
+            BagError: no bag is open, or it can't be read.
+        """
+        if self._next is None:
+            if self._messages is None:
+                self._messages = self._begin()
+            self._next = next(self._messages, None)
+        return self._next is not None
+
+    def read_next(self) -> tuple[str, bytes, int]:
+        """Return the next message: topic, serialized bytes, log time [ns since epoch].
+
+        Raises:
+            BagError: there is none, no bag is open, or it can't be read.
+        """
+        if not self.has_next() or self._next is None:
+            raise BagError(self._opened().path, "there are no more messages")
+        message, self._next = self._next, None
+        return message.topic, message.data, message.log_time_ns
+
+    def seek(self, arg0: int) -> None:
+        """Go on with the messages from a log time on [ns since epoch]; in reverse, up to it."""
+        self._start_ns = arg0
+        self._rewind()
+
+    def set_filter(self, arg0: StorageFilter) -> None:
+        """Return only messages of some topics from now on, from the present place."""
+        self._keep_place()
+        self._filter = arg0
+        self._rewind()
+
+    def reset_filter(self) -> None:
+        """Return messages of all topics from now on, from the present place."""
+        self.set_filter(StorageFilter())
+
+    def set_read_order(self, arg0: ReadOrder) -> bool:
+        """Set the order, and begin again; return False, and change nothing, for an order that bags don't have here.
+
+        That is any but the order of log times, forward or in reverse.
+        """
+        if arg0.sort_by != ReadOrderSortBy.ReceivedTimestamp:
+            return False
+        self._is_reverse = arg0.reverse
+        self._rewind()
+        return True
+
+    def get_all_topics_and_types(self) -> list[TopicMetadata]:
+        """Return the topics.
+
+        Raises:
+            BagError: no bag is open.
+        """
+        topics = self._opened().topics.values()
+        return [TopicMetadata.from_topic(topic, number) for number, topic in enumerate(topics, 1)]
+
+    def get_all_message_definitions(self) -> list[MessageDefinition]:
+        """Return the definitions of the topics' types that the bag has.
+
+        Raises:
+            BagError: no bag is open.
+        """
+        by_type = {topic.type: topic for topic in self._opened().topics.values() if topic.definition}
+        return [MessageDefinition.of_topic(topic) for topic in by_type.values()]
+
+    def get_metadata(self) -> BagMetadata:
+        """Return what is known of the bag.
+
+        Raises:
+            BagError: no bag is open.
+        """
+        bag = self._opened()
+        return BagMetadata.from_metadata(metadata_of(bag), size_of(bag.path))
+
+    def _opened(self) -> Bag:
+        if self._bag is None:
+            raise BagError("rosbag2_py", "no bag is open: call open() before")
+        return self._bag
+
+    def _rewind(self) -> None:
+        self._messages = self._next = None
+
+    def _keep_place(self) -> None:
+        """Let the next reading begin at the message that would be next."""
+        if self._messages is not None and self.has_next() and self._next is not None:
+            self._start_ns = self._next.log_time_ns
+
+    def _begin(self) -> Iterator[RawMessage]:
+        bag = self._opened()
+        first, last = self._bounds
+        if self._start_ns is not None:
+            if self._is_reverse:
+                last = self._start_ns if last is None else min(last, self._start_ns)
+            else:
+                first = self._start_ns if first is None else max(first, self._start_ns)
+        topics = [name for name in bag.topics if self._is_wanted(name)]
+        if self._is_reverse:
+            return _in_reverse(bag, topics, first, last)
+        return bag.messages(topics, first, last)
+
+    def _is_wanted(self, topic: str) -> bool:
+        asked = self._filter
+        if topic in asked.exclude_topics or topic in asked.exclude_service_events:
+            return False
+        if asked.regex_to_exclude and re.search(asked.regex_to_exclude, topic):
+            return False
+        if not (asked.topics or asked.services_events or asked.regex):
+            return True
+        is_named = topic in asked.topics or topic in asked.services_events
+        return is_named or bool(asked.regex and re.search(asked.regex, topic))
+
+
+def _in_reverse(
+    bag: Bag, topics: list[str], first_ns: int | None, last_ns: int | None
+) -> Iterator[RawMessage]:
+    first = bag.start_ns if first_ns is None else max(first_ns, bag.start_ns)
+    last = bag.end_ns if last_ns is None else min(last_ns, bag.end_ns)
+    step = max((last - first) // _PARTS, 1)
+    while last >= first:
+        start = max(last - step + 1, first)
+        yield from reversed(list(bag.messages(topics, start, last)))
+        last = start - 1
+
+
+class SequentialCompressionReader(SequentialReader):
+    """The same as `SequentialReader`, which reads compressed bags too."""
+
+
+def get_registered_readers() -> set[str]:
+    """Return the storages that are read."""
+    return set(STORAGES)

@@ -1,0 +1,275 @@
+"""Recorder and player, and the conversion of bags."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Sequence
+from datetime import timedelta
+from enum import IntEnum
+from pathlib import Path
+from typing import Any
+
+from tfloom.bag.converting import convert, parse_outputs
+from tfloom.bag.playing import play_options as playing
+from tfloom.bag.playing.run import play
+from tfloom.bag.recording import record_options as recording
+from tfloom.bag.recording.run import record
+from tfloom.bag.rosbag2_names.qos import wire_profile
+from tfloom.bag.rosbag2_names.storage import StorageOptions
+from tfloom.bag.rosbag2_names.writers import writer_settings
+from tfloom.bag.topic_choice import SERVICE_EVENT_SUFFIX, TopicChoice
+from tfloom.node.client_library import init
+from tfloom.node.context.utilities import get_default_context, try_shutdown
+
+__all__ = ["PlayOptions", "Player", "RecordOptions", "Recorder", "ServiceRequestsSource", "bag_rewrite"]
+
+
+class ServiceRequestsSource(IntEnum):
+    """Whose recorded requests are sent."""
+
+    SERVICE_INTROSPECTION = 0
+    CLIENT_INTROSPECTION = 1
+
+
+class RecordOptions:
+    """What is recorded."""
+
+    def __init__(self) -> None:
+        self.all_topics = False
+        self.all_services = False
+        self.is_discovery_disabled = False
+        self.topics: list[str] = []
+        self.topic_types: list[str] = []
+        self.services: list[str] = []
+        self.exclude_topics: list[str] = []
+        self.exclude_topic_types: list[str] = []
+        self.exclude_service_events: list[str] = []
+        self.rmw_serialization_format = ""
+        self.topic_polling_interval = timedelta(milliseconds=100)
+        self.regex = ""
+        self.exclude_regex = ""
+        self.node_prefix = ""
+        self.compression_mode = ""
+        self.compression_format = ""
+        self.compression_queue_size = 1
+        self.compression_threads = 0
+        self.compression_threads_priority = 0
+        self.topic_qos_profile_overrides: dict[str, Any] = {}
+        self.include_hidden_topics = False
+        self.include_unpublished_topics = False
+        self.ignore_leaf_topics = False
+        self.start_paused = False
+        self.use_sim_time = False
+        self.disable_keyboard_controls = False
+
+    def to_options(self) -> recording.RecordOptions:
+        """Return the options of a recorder."""
+        choice = TopicChoice(
+            topics=_full_names(self.topics),
+            topic_types=self.topic_types,
+            services=_services(self.services),
+            all_topics=self.all_topics,
+            all_services=self.all_services,
+            regex=self.regex,
+            exclude_regex=self.exclude_regex,
+            exclude_topics=_full_names(self.exclude_topics),
+            exclude_topic_types=self.exclude_topic_types,
+            exclude_services=_services(self.exclude_service_events),
+        )
+        return recording.RecordOptions(
+            choice=choice,
+            is_discovery_disabled=self.is_discovery_disabled,
+            polling_interval_s=max(self.topic_polling_interval.total_seconds(), 0.001),
+            include_hidden_topics=self.include_hidden_topics,
+            include_unpublished_topics=self.include_unpublished_topics,
+            ignore_leaf_topics=self.ignore_leaf_topics,
+            qos_overrides={name: wire_profile(qos) for name, qos in self.topic_qos_profile_overrides.items()},
+            is_start_paused=self.start_paused,
+            use_sim_time=self.use_sim_time,
+            has_keyboard=not self.disable_keyboard_controls,
+        )
+
+
+class PlayOptions:
+    """What is played, and how."""
+
+    def __init__(self) -> None:
+        self.read_ahead_queue_size = 1000
+        self.node_prefix = ""
+        self.rate = 1.0
+        self.topics_to_filter: list[str] = []
+        self.services_to_filter: list[str] = []
+        self.regex_to_filter = ""
+        self.exclude_regex_to_filter = ""
+        self.exclude_topics_to_filter: list[str] = []
+        self.exclude_service_events_to_filter: list[str] = []
+        self.topic_qos_profile_overrides: dict[str, Any] = {}
+        self.loop = False
+        self.topic_remapping_options: list[str] = []
+        self.clock_publish_frequency = 0.0
+        self.clock_publish_on_topic_publish = False
+        self.clock_topics: list[str] = []
+        self.delay = 0.0
+        self.playback_duration = -1.0
+        self.playback_until_timestamp = -1
+        self.start_paused = False
+        self.start_offset = 0.0
+        self.disable_keyboard_controls = False
+        self.wait_acked_timeout = -1
+        self.disable_loan_message = False
+        self.publish_service_requests = False
+        self.service_requests_source = ServiceRequestsSource.SERVICE_INTROSPECTION
+
+    def to_options(self) -> playing.PlayOptions:
+        """Return the options of a player."""
+        wants_all = not (self.topics_to_filter or self.services_to_filter or self.regex_to_filter)
+        choice = TopicChoice(
+            topics=_full_names(self.topics_to_filter),
+            services=_services(self.services_to_filter),
+            all_topics=wants_all,
+            all_services=wants_all,
+            regex=self.regex_to_filter,
+            exclude_regex=self.exclude_regex_to_filter,
+            exclude_topics=_full_names(self.exclude_topics_to_filter),
+            exclude_services=_services(self.exclude_service_events_to_filter),
+        )
+        remaps = [word for word in self.topic_remapping_options if ":=" in word]
+        return playing.PlayOptions(
+            choice=choice,
+            rate=self.rate,
+            is_loop=self.loop,
+            remaps=playing.parse_remaps(remaps),
+            clock_hz=self.clock_publish_frequency,
+            clock_topics=_full_names(self.clock_topics),
+            is_clock_on_all=self.clock_publish_on_topic_publish and not self.clock_topics,
+            delay_s=_seconds(self.delay),
+            start_offset_s=_seconds(self.start_offset),
+            duration_s=_seconds(self.playback_duration),
+            until_ns=self.playback_until_timestamp,
+            is_start_paused=self.start_paused,
+            wait_acked_ms=self.wait_acked_timeout,
+            qos_overrides={name: wire_profile(qos) for name, qos in self.topic_qos_profile_overrides.items()},
+            read_ahead=self.read_ahead_queue_size,
+            has_keyboard=not self.disable_keyboard_controls,
+            publishes_requests=self.publish_service_requests,
+            is_client_source=self.service_requests_source == ServiceRequestsSource.CLIENT_INTROSPECTION,
+        )
+
+
+class _Stoppable:
+    """The runs of one class, which `cancel` ends."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._stops: set[threading.Event] = set()  # guarded by _lock
+
+    def run(self, work: Callable[[threading.Event], None]) -> None:
+        """Call `work` with the event that ends it, in the default context, which is initialised if it isn't."""
+        stop = threading.Event()
+        with self._lock:
+            self._stops.add(stop)
+        is_ours = not get_default_context().ok()
+        if is_ours:
+            init(args=[])
+        try:
+            work(stop)
+        finally:
+            if is_ours:
+                try_shutdown()
+            with self._lock:
+                self._stops.discard(stop)
+
+    def cancel(self) -> None:
+        """End all runs."""
+        with self._lock:
+            for stop in self._stops:
+                stop.set()
+
+
+class Recorder:
+    """Records until `cancel`, Ctrl-C or a shutdown."""
+
+    _runs = _Stoppable()
+
+    def record(
+        self,
+        storage_options: StorageOptions,
+        record_options: RecordOptions,
+        node_name: str = "rosbag2_recorder",
+    ) -> None:
+        """Record into a new bag.
+
+        Raises:
+            BagError: it can't be written; what was written before stays readable.
+        """
+        mode = record_options.compression_mode.upper()
+        settings = writer_settings(storage_options, "" if mode == "NONE" else mode)
+        options = record_options.to_options()
+        self._runs.run(
+            lambda stop: record(Path(storage_options.uri), settings, options, node_name=node_name, stop=stop)
+        )
+
+    @staticmethod
+    def cancel() -> None:
+        """End all recordings of this process."""
+        Recorder._runs.cancel()
+
+
+class Player:
+    """Plays until the bag's end, `cancel`, Ctrl-C or a shutdown."""
+
+    _runs = _Stoppable()
+
+    def play(self, storage_options: StorageOptions, play_options: PlayOptions) -> None:
+        """Play a bag.
+
+        Raises:
+            BagError: it can't be read.
+        """
+        options = play_options.to_options()
+        self._runs.run(lambda stop: play(Path(storage_options.uri), options, stop=stop))
+
+    def burst(self, storage_options: StorageOptions, play_options: PlayOptions, num_messages: int) -> None:
+        """Publish messages of a bag at once, and go on in the paused state; 0: all messages.
+
+        Raises:
+            BagError: it can't be read.
+        """
+        options = play_options.to_options()
+        options.is_start_paused = True
+        self._runs.run(lambda stop: play(Path(storage_options.uri), options, burst=num_messages, stop=stop))
+
+    @staticmethod
+    def cancel() -> None:
+        """End all playing of this process."""
+        Player._runs.cancel()
+
+
+def bag_rewrite(arg0: Sequence[StorageOptions], arg1: str) -> None:
+    """Write bags from others.
+
+    Args:
+        arg0: The bags that are read.
+        arg1: The options of the bags that are written, as the YAML that `ros2 bag convert` takes, or as its path.
+
+    Raises:
+        BagError: a bag can't be read or written, or an option can't be used.
+    """
+    is_path = "\n" not in arg1 and Path(arg1).is_file()
+    text = Path(arg1).read_text("utf-8") if is_path else arg1
+    outputs = parse_outputs(text, Path(arg1 if is_path else "output_options"))
+    convert([Path(each.uri) for each in arg0], outputs)
+
+
+def _full_names(names: Sequence[str]) -> list[str]:
+    return [name if name.startswith("/") else f"/{name}" for name in names]
+
+
+def _services(names: Sequence[str]) -> list[str]:
+    """Return services, given by their names or by those of their events."""
+    return [name.removesuffix(SERVICE_EVENT_SUFFIX) for name in _full_names(names)]
+
+
+def _seconds(value: Any) -> float:
+    """Return a duration [s], which is given as a number or as rclpy's Duration."""
+    return float(value.nanoseconds / 1e9) if hasattr(value, "nanoseconds") else float(value)
