@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import fcntl
 import json
 import os
+import pty
+import select
+import struct
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
+import termios
+import time
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import NamedTuple
 
@@ -18,6 +24,7 @@ SHORT_S, LONG_S = 1.0, 6.0
 """Two lengths of a run; the difference of their CPU times has no start in it."""
 TURNS = 3
 ENVIRONMENT = os.environ | {"ROS_DOMAIN_ID": str(DOMAIN_ID), "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
+TF = ("-m", "tfloom", "tf")
 LISTENER = """
 import sys, time, rclpy
 from tf2_ros import Buffer, TransformListener
@@ -55,21 +62,44 @@ def run(*command: str) -> Run:
         return Run(usage.ru_utime + usage.ru_stime, output.read())
 
 
-def share(*command: str) -> float:
-    """Return the share of a core of a program whose last argument is its duration [s]."""
-    long, short = run(*command, str(LONG_S)), run(*command, str(SHORT_S))
-    return (long.cpu_s - short.cpu_s) / (LONG_S - SHORT_S)
+def run_on_terminal(seconds: float, *command: str) -> Run:
+    """Run a program on a terminal of 140 columns and 50 lines, and press q after some seconds of its first output."""
+    ours, theirs = pty.openpty()
+    fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 50, 140, 0, 0))
+    environment = ENVIRONMENT | {"TERM": "xterm-256color"}
+    process = subprocess.Popen(
+        [sys.executable, *command], stdin=theirs, stdout=theirs, stderr=theirs, env=environment
+    )
+    output, end_s = os.read(ours, 65536), time.monotonic() + seconds
+    while (left_s := end_s - time.monotonic()) > 0.0:
+        if select.select([ours], [], [], left_s)[0]:
+            output += os.read(ours, 65536)
+    os.write(ours, b"q")
+    _, _, usage = os.wait4(process.pid, 0)
+    os.close(theirs)
+    os.close(ours)
+    return Run(usage.ru_utime + usage.ru_stime, output.decode("utf-8", "replace"))
+
+
+def share(run_for: Callable[[float], Run]) -> float:
+    """Return the share of a core of a program that is run for a time [s]."""
+    return (run_for(LONG_S).cpu_s - run_for(SHORT_S).cpu_s) / (LONG_S - SHORT_S)
 
 
 def main() -> None:
     with robot():
-        report = json.loads(run("-m", "tfloom", "tf", "doctor", "--json", "--seconds", "3").output)
+        report = json.loads(run(*TF, "doctor", "--json", "--seconds", "3").output)
         rate_hz = report["transforms"] / report["duration_s"]
-        listener = min(share("-c", LISTENER) for _ in range(TURNS))
-        doctor = min(share("-m", "tfloom", "tf", "doctor", "--json", "--seconds") for _ in range(TURNS))
+        listener = min(share(lambda s: run("-c", LISTENER, str(s))) for _ in range(TURNS))
+        doctor = min(share(lambda s: run(*TF, "doctor", "--json", "--seconds", str(s))) for _ in range(TURNS))
+        top = min(share(lambda s: run_on_terminal(s, *TF, "top")) for _ in range(TURNS))
+        screen = run_on_terminal(SHORT_S, *TF, "top").output
+    if f"{FRAMES + 1} frames, {FRAMES} edges" not in screen:
+        raise RuntimeError(f"tf top does not show the frames: {screen[:300]!r}")
     print(f"{rate_hz:,.0f} transforms/s seen, {report['frames']} frames")
     print(f"TransformListener    {listener:6.1%} of a core")
     print(f"tfloom tf doctor     {doctor:6.1%} of a core, {doctor / listener:.2f} times the listener's")
+    print(f"tfloom tf top        {top:6.1%} of a core, {top / listener:.2f} times the listener's")
 
 
 if __name__ == "__main__":

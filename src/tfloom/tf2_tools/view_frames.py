@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from itertools import chain
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from tfloom.node.client_library import spin_once
 from tfloom.node.context.utilities import ok, remove_ros_args
@@ -21,6 +21,7 @@ from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener
 from tfloom.tf2_tools.frame_records import FrameRecord, parse_frames_yaml, write_gv
 from tfloom.tf2_tools.frame_tree import FrameTree, build_tree, tree_json
+from tfloom.tf2_tools.static_file import StaticFileError
 from tfloom.tf2_tools.watch.live import LiveWatch
 from tfloom.tf2_tools.watch.model import Observation
 from tfloom.whole_files import write_file
@@ -53,6 +54,13 @@ def parse_arguments(words: list[str]) -> argparse.Namespace:
         dest="formats",
         help=f"what to write instead, as NAME.FORMAT: one or more of {', '.join(FORMATS)}, with commas or by "
         "giving the flag several times",
+    )
+    parser.add_argument(
+        "-b",
+        "--bag",
+        type=Path,
+        metavar="PATH",
+        help="draw the frames of a bag, or of a .yaml file of static transforms, instead of listening",
     )
     options = parser.parse_args(words)
     options.formats = list(dict.fromkeys(chain(*options.formats))) if options.formats else None
@@ -178,19 +186,65 @@ def publishers_of(observation: Observation) -> dict[str, list[str]]:
     return {child: list(each) for child, each in names.items()}
 
 
-def run(node: Node, options: argparse.Namespace) -> int:
-    """Collect transforms and write the files; return the exit code."""
+class Gathered(NamedTuple):
+    """What is known of all frames."""
+
+    frames_yaml: str
+    """As a buffer's `all_frames_as_yaml` returns it."""
+    publishers: dict[str, list[str]]
+    """Names of nodes by child; empty if the source has none."""
+    at_s: float
+    """When it was gathered; of a bag, its end [s since epoch]."""
+
+
+def listened(node: Node, wait_time_s: float) -> Gathered:
+    """Gather the frames that are published within a time [s]."""
     report = node.get_logger()
     with watching(node) as watch:
         buffer = Buffer(node=node)
         listener = TransformListener(buffer, node)
-        report.info(f"Listening to tf data for {options.wait_time} seconds...")
-        spin_for(node, options.wait_time)
+        report.info(f"Listening to tf data for {wait_time_s} seconds...")
+        spin_for(node, wait_time_s)
         report.info("Generating graph...")
         frames_yaml = buffer.all_frames_as_yaml()
         publishers = publishers_of(watch.observation())
-        report.info(f"Result:tf2_msgs.srv.FrameGraph_Response(frame_yaml={frames_yaml!r})")
         listener.unregister()
+    return Gathered(frames_yaml, publishers, time.time())
+
+
+def read(path: Path) -> Gathered:
+    """Gather the frames of a bag, or of a file of static transforms.
+
+    Raises:
+        BagError, StaticFileError: it is no such file.
+        OSError: it can't be read.
+    """
+    from tfloom.tf2.buffer import Buffer as PlainBuffer
+    from tfloom.tf2_tools.watch.sources import open_path
+
+    buffer = PlainBuffer(None)
+    seen = open_path(path, buffer=buffer).observation()
+    return Gathered(buffer.all_frames_as_yaml(), {}, seen.taken_ns / 1e9)
+
+
+def run(node: Node, options: argparse.Namespace) -> int:
+    """Collect transforms and write the files; return the exit code."""
+    report = node.get_logger()
+    if options.bag is None:
+        gathered = listened(node, options.wait_time)
+    else:
+        from tfloom.bag.errors import BagError
+
+        try:
+            gathered = read(options.bag)
+        except (BagError, StaticFileError) as error:
+            report.error(str(error))
+            return 1
+        except OSError as error:
+            report.error(f"can't read {error.filename}: {error.strerror}")
+            return 1
+    frames_yaml = gathered.frames_yaml
+    report.info(f"Result:tf2_msgs.srv.FrameGraph_Response(frame_yaml={frames_yaml!r})")
     name = options.output or f"frames_{time.strftime('%Y-%m-%d_%H.%M.%S')}"
     try:
         records = parse_frames_yaml(frames_yaml)
@@ -199,7 +253,7 @@ def run(node: Node, options: argparse.Namespace) -> int:
         return 1
     if not records:
         report.warning("No tf data received: is anything publishing /tf or /tf_static in this ROS_DOMAIN_ID?")
-    tree = build_tree(records, time.time(), publishers)
+    tree = build_tree(records, gathered.at_s, gathered.publishers)
     try:
         _export(node, (tree, records), options.formats, name)
     except OSError as error:
