@@ -10,6 +10,7 @@ from pathlib import Path
 from tfloom.cli.tf.doctor import LIMIT_OPTIONS
 from tfloom.tf2_tools.doctor.catalogue import GROUPS, KINDS, Kind
 from tfloom.tf2_tools.doctor.limits import GAP_PERIODS, MAX_SPIN_DEG_S, Limits
+from tfloom.tf2_tools.doctor.value_checks import SUDDEN
 
 PAGE = Path(__file__).with_suffix(".md")
 
@@ -61,7 +62,8 @@ def _limits() -> str:
         for option, (field, placeholder, summary) in LIMIT_OPTIONS.items()
     ]
     notes = (
-        f"\nA pause is at least {GAP_PERIODS:g} mean periods as well, and a turn is a teleport above "
+        f"\nA pause is at least {GAP_PERIODS:g} mean periods long. A step is a teleport only if it is {SUDDEN:g} times as "
+        "fast as the others, because those of a fast vehicle or of a spinning sensor are all long; a turn only above "
         f"{MAX_SPIN_DEG_S:g} deg/s.\n\n"
     )
     return "\n".join(["## Thresholds\n", "| option | usual | unit | |", "|---|---|---|---|", *rows, notes])

@@ -153,6 +153,7 @@ void bind_statistics(nb::module_& m) {
                    nb::sig("def rotation_xyzw(self) -> tuple[float, float, float, float]"),
                    "Rotation x, y, z, w of the same transform.")
       .def_ro("distance", &EdgeStatistics::distance, "Distances of the steps [m].")
+      .def_ro("cosine", &EdgeStatistics::cosine, "Cosines of half the angles of the steps.")
       .def_ro("longest", &EdgeStatistics::longest, "The step of the greatest distance.")
       .def_ro("widest", &EdgeStatistics::widest, "The step of the greatest angle.")
       .def_ro("fastest", &EdgeStatistics::fastest, "The step of the greatest speed.");

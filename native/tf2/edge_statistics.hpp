@@ -65,6 +65,7 @@ struct EdgeStatistics {
 
   Transform value;  // of the newest stamp; of a static edge, the last
   Spread distance;  // of the steps [m]
+  Spread cosine;    // of half the angles of the steps, because an arc cosine for each one would take longer
   Step longest, widest, fastest;  // the steps of greatest distance, angle and speed
 
   // Add a transform. `now` is the time with which the stamp is compared; 0: unknown.

@@ -939,6 +939,10 @@ class EdgeStatistics:
         """Distances of the steps [m]."""
 
     @property
+    def cosine(self) -> Spread:
+        """Cosines of half the angles of the steps."""
+
+    @property
     def longest(self) -> Step:
         """The step of the greatest distance."""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from tfloom._native import Step
+from tfloom._native import EdgeStatistics, Step
 from tfloom.tf2_tools.doctor.finding import Evidence, Finding
 from tfloom.tf2_tools.doctor.limits import MAX_SPIN_DEG_S, Limits
 from tfloom.tf2_tools.doctor.subject import Subject, evidence_of, for_each_publisher
@@ -13,7 +13,11 @@ from tfloom.tf2_tools.watch.model import Edge
 
 REJECTED_NORM_ERROR = 0.005
 """From this difference of |q| from 1 on, listeners reject the transform: |q|² then differs by 0.01."""
-LEAST_UNCHANGED = 10
+SUDDEN = 3.0
+"""A sudden step is faster than this number of usual ones."""
+IMPOSSIBLE = 5.0
+"""Times the greatest speed; a step that is faster is a teleport even if all steps are."""
+LEAST_UNCHANGED = 5
 """Number of equal transforms on /tf from which a frame counts as fixed."""
 LEAST_UNCHANGED_S = 1.0
 
@@ -49,16 +53,32 @@ def _teleports(subject: Subject, limits: Limits) -> Iterator[tuple[Edge, Evidenc
     for edge in subject.moving:
         seen = edge.statistics
         for step in (seen.longest, seen.fastest, seen.widest):
-            if _is_teleport(step, limits):
+            if _is_teleport(edge, step, limits):
                 yield edge, _jump(edge, step)
                 break
 
 
-def _is_teleport(step: Step, limits: Limits) -> bool:
+def _is_teleport(edge: Edge, step: Step, limits: Limits) -> bool:
+    """Return whether a step is long and sudden: those of a fast vehicle, or of a spinning sensor, are all long."""
+    if step.elapsed_ns <= 0:
+        return False
     elapsed_s, turn_deg = step.elapsed_ns / 1e9, math.degrees(step.angle_rad)
-    is_far = step.distance > limits.max_jump_m and step.distance > limits.max_speed_m_s * elapsed_s
-    is_wide = turn_deg > limits.max_turn_deg and turn_deg > MAX_SPIN_DEG_S * elapsed_s
-    return step.elapsed_ns > 0 and (is_far or is_wide)
+    usual_m_s, usual_deg_s = _usual_speeds(edge.statistics)
+    least_m_s = min(max(limits.max_speed_m_s, SUDDEN * usual_m_s), IMPOSSIBLE * limits.max_speed_m_s)
+    is_far = step.distance > limits.max_jump_m and step.distance > least_m_s * elapsed_s
+    least_deg_s = max(MAX_SPIN_DEG_S, SUDDEN * usual_deg_s)
+    return is_far or (turn_deg > limits.max_turn_deg and turn_deg > least_deg_s * elapsed_s)
+
+
+def _usual_speeds(seen: EdgeStatistics) -> tuple[float, float]:
+    """Return the mean speeds without the longest and the widest step [m/s, deg/s]; 0 with one step."""
+    others = seen.distance.count - 1
+    if others < 1 or seen.stamp_period.mean <= 0.0:
+        return 0.0, 0.0
+    distance = (seen.distance.mean * (others + 1) - seen.longest.distance) / others
+    cosine = (seen.cosine.mean * (others + 1) - math.cos(seen.widest.angle_rad / 2)) / others
+    angle_deg = math.degrees(2 * math.acos(min(1.0, cosine)))
+    return distance / seen.stamp_period.mean, angle_deg / seen.stamp_period.mean
 
 
 def _jump(edge: Edge, step: Step) -> Evidence:
