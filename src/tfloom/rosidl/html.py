@@ -16,17 +16,21 @@ MOST_LETTERS = 500
 
 def message_html(message: Any) -> str:
     """Return a message as a table; messages in it are tables that can be folded."""
+    return f"<b>{escape(message._TYPE_NAME)}</b>{_table(message)}"
+
+
+def _table(message: Any) -> str:
     rows = "".join(
         f"<tr><th style='text-align:left'>{escape(name)}</th>"
         f"<td style='text-align:left'>{_value(getattr(message, name), kind)}</td></tr>"
         for name, kind in message._FIELDS.items()
     )
-    return f"<b>{escape(message._TYPE_NAME)}</b><table>{rows}</table>"
+    return f"<table>{rows}</table>"
 
 
 def _value(value: Any, kind: str) -> str:
     if hasattr(value, "_FIELDS"):
-        return _folded(kind, message_html(value), is_open=len(value._FIELDS) <= 4)
+        return _folded(kind, _table(value), is_open=len(value._FIELDS) <= 4)
     if isinstance(value, str):
         shown = value[:MOST_LETTERS]
         return escape(shown) + ("…" if len(value) > MOST_LETTERS else "")
@@ -38,7 +42,7 @@ def _value(value: Any, kind: str) -> str:
 def _sequence(values: Any, kind: str) -> str:
     count = len(values)
     if count and hasattr(values[0], "_FIELDS"):
-        shown = "".join(message_html(each) for each in values[:MOST_SHOWN])
+        shown = "".join(_table(each) for each in values[:MOST_SHOWN])
         rest = f"{count - MOST_SHOWN} more" if count > MOST_SHOWN else ""
         return _folded(f"{kind}: {count}", shown + rest, is_open=count <= 1)
     shown = ", ".join(_number(each) for each in list(values[:MOST_NUMBERS]))
