@@ -62,8 +62,8 @@ def _limits() -> str:
         for option, (field, placeholder, summary) in LIMIT_OPTIONS.items()
     ]
     notes = (
-        f"\nA pause is at least {GAP_PERIODS:g} mean periods long. A step is a teleport only if it is {SUDDEN:g} times as "
-        "fast as the others, because those of a fast vehicle or of a spinning sensor are all long; a turn only above "
+        f"\nA pause is at least {GAP_PERIODS:g} mean periods long. A step is a teleport only if it is {SUDDEN:g} times "
+        "as fast as the others, because those of a fast vehicle or of a spinning sensor are all long; a turn only above "
         f"{MAX_SPIN_DEG_S:g} deg/s.\n\n"
     )
     return "\n".join(["## Thresholds\n", "| option | usual | unit | |", "|---|---|---|---|", *rows, notes])
