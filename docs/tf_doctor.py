@@ -63,8 +63,8 @@ def _limits() -> str:
     ]
     notes = (
         f"\nA pause is at least {GAP_PERIODS:g} mean periods long. A step is a teleport only if it is {SUDDEN:g} times "
-        "as fast as the others, because those of a fast vehicle or of a spinning sensor are all long; a turn only above "
-        f"{MAX_SPIN_DEG_S:g} deg/s.\n\n"
+        "as fast as the others, because all steps of a fast vehicle, or of a spinning sensor, are long; a turn only "
+        f"above {MAX_SPIN_DEG_S:g} deg/s.\n\n"
     )
     return "\n".join(["## Thresholds\n", "| option | usual | unit | |", "|---|---|---|---|", *rows, notes])
 
