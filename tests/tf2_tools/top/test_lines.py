@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import io
 import math
-import os
+import re
 from pathlib import Path
+from xml.etree import ElementTree as ET
 
 import pytest
 from rich.cells import cell_len
+from rich.console import Console
+from rich.text import Text
+from tests.tf2_tools.kept_pictures import WRITES
 from tests.tf2_tools.recordings import MS, START_NS, recorded, transform
 
 from tfloom.tf2.buffer import Buffer
@@ -18,7 +23,7 @@ from tfloom.tf2_tools.top.view import View
 from tfloom.tf2_tools.watch.recorded import RecordedMessage, observe_recorded
 
 REFERENCE = Path(__file__).parent / "screen.txt"
-"""To write it anew, and look at it: WRITE_PICTURES=1 pytest tests/tf2_tools/top."""
+SCREENSHOT = Path(__file__).parents[3] / "docs" / "pictures" / "tf_top.svg"
 SUMMARY = Summary(9, 2, 123.4, "domain 7")
 
 
@@ -88,9 +93,36 @@ def test_the_screen_is_the_one_that_was_looked_at(rows: list[Row], buffer: Buffe
     assert len(lines) == 16
     assert {cell_len(line.text) for line in lines} == {100}
     text = "".join(f"{line.style:12}|{line.text.rstrip()}\n" for line in lines)
-    if "WRITE_PICTURES" in os.environ:
+    if WRITES:
         REFERENCE.write_text(text, "utf-8")
     assert text == REFERENCE.read_text("utf-8")
+
+
+NODES = {"odom": "/localization", "base": "/wheels", "arm": "/arm_driver", "\x1b[2Jbad": "/gripper_driver"}
+NAMES = {"\x1b[2Jbad": "gripper", "激光": "camera"}
+
+
+def test_the_screenshot_of_the_docs_has_these_lines(rows: list[Row], buffer: Buffer) -> None:
+    panel = follow_lines(buffer, ("map", "laser"), START_NS + 9950 * MS)
+    view = View(pair=("map", "laser"))
+    named = [
+        row._replace(
+            child=NAMES.get(row.child, row.child),
+            publisher=NODES.get(row.child, "/robot_state_publisher") if row.parent else "",
+        )
+        for row in rows
+    ]
+    view.selected = 2
+    lines = screen(named, SUMMARY, view, panel, (96, 14))
+    if WRITES:
+        console = Console(record=True, width=96, file=io.StringIO(), color_system="truecolor")
+        for line in lines:
+            console.print(Text(line.text, line.style or ""), no_wrap=True)
+        svg = console.export_svg(title="tfloom tf top", unique_id="top")
+        SCREENSHOT.write_text(re.sub(r"@font-face \{.*?\}\n", "", svg, flags=re.DOTALL), "utf-8")
+    words = "".join(ET.parse(SCREENSHOT).getroot().itertext()).replace("\xa0", " ")
+    assert [line.text for line in lines if line.text.strip() not in words] == []
+    assert "url(http" not in SCREENSHOT.read_text("utf-8").replace('"', "")
 
 
 @pytest.mark.parametrize("size", [(1, 1), (20, 4), (79, 24), (300, 80)])
@@ -104,7 +136,7 @@ def test_a_table_for_a_file_has_all_columns_and_no_control_characters(rows: list
     lines = table(rows, SUMMARY, View())
     assert len(lines) == 2 + len(rows)
     assert "\x1b" not in "".join(lines)
-    assert "domain 7: 9 frames, 6 edges, 2 publishers  123 transforms/s  3 not well" in lines[0]
+    assert "domain 7: 9 frames, 6 edges, 2 publishers  123 transforms/s  3 faulty" in lines[0]
     assert any(line.startswith("    └ \\x1b[2Jbad") or "\\x1b[2Jbad" in line for line in lines)
 
 

@@ -25,7 +25,8 @@ def follow_lines(buffer: Buffer, pair: tuple[str, str], now_ns: int) -> list[str
     except TransformException as error:
         return [heading, f"  {shown_name(str(error).splitlines()[0])}", ""]
     x, y, z = found.translation
-    roll, pitch, yaw = map(math.degrees, rpy_from_matrix(matrix_from_quaternion(found.rotation_xyzw)))
+    angles = rpy_from_matrix(matrix_from_quaternion(found.rotation_xyzw))
+    roll, pitch, yaw = (round(math.degrees(angle), 2) + 0.0 for angle in angles)  # no -0.00
     age = f"age {(now_ns - found.stamp_ns) / 1e9:.3f} s" if found.stamp_ns else "static"
     return [
         f"{heading}  {age}",

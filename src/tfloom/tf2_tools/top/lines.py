@@ -88,7 +88,7 @@ def title(rows: Sequence[Row], summary: Summary, view: View, shown: int) -> str:
     parts = [
         f"{summary.place}: {', '.join(counts)}",
         f"{summary.rate_hz:.0f} transforms/s",
-        f"{bad} not well" if bad else "all well",
+        f"{bad} faulty" if bad else "no faults",
     ]
     if view.sort != "tree" or view.is_reversed:
         parts.append(f"by {view.sort}{', reversed' if view.is_reversed else ''}")
