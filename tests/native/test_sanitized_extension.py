@@ -24,6 +24,7 @@ TESTS = {
         "tests/tf2",
         "tests/rosidl/test_cdr.py",
         "tests/rosidl/test_message.py",
+        "tests/kdl",
     ],
 }
 RUNTIMES = {"thread": "libtsan.so", "address,undefined": "libasan.so"}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -107,6 +108,9 @@ def test_late_time(request, ros_node):
 def test_wait(ros_node, wait_for_message):
     from std_msgs.msg import String
     wait_for_message(String, "chatter", 0.01)
+
+def test_table(tf_buffer_from):
+    tf_buffer_from("frame_id child_frame_id x\\nmap base one")
 """
 
 
@@ -115,8 +119,11 @@ def test_misuse_is_named_without_a_traceback(run: Run) -> None:
     assert output.count('write @pytest.mark.ros_wire("local") or @pytest.mark.ros_wire("dds")') >= 2, output
     assert "name ros_time among the test's arguments" in output
     assert "no message on /chatter within 0.01 s: nobody publishes there; topics of the graph: " in output
-    assert "src/tfloom/testing/graph.py" not in output, "the failure is shown where the test waits"
-    assert "1 failed, 3 errors" in output or "2 failed, 2 errors" in output
+    assert "line 2 of the table: x is one, which is no finite number" in output
+    assert not re.search(r"tfloom/testing/(graph|transform_table)\.py", output), (
+        "shown where the test is wrong"
+    )
+    assert "3 failed, 2 errors" in output
 
 
 def test_a_real_rclpy_is_left_alone(run: Run, tmp_path: Path) -> None:

@@ -20,6 +20,8 @@ __all__ = ["NotSeenError", "RosGraph"]
 
 AnyNode = TypeVar("AnyNode", bound=Node)
 
+__tracebackhide__ = True  # pytest shows a failure where the test waits
+
 LONGEST_NAP_S = 0.02
 """How often a condition is checked that another thread may fulfil [s]."""
 DEPTH = 1000
@@ -96,7 +98,6 @@ class RosGraph:
             NotSeenError: it was not true in time.
             Exception: raised by a callback.
         """
-        __tracebackhide__ = True
         if not callable(condition):
             raise TypeError(f"spin_until takes a function that returns whether to stop, not {condition!r}")
         if not self._spins_until(condition, timeout_s):
@@ -174,7 +175,6 @@ class RosGraph:
             NotSeenError: none was received in time; the text has what is on the topic instead.
             Exception: raised by a callback.
         """
-        __tracebackhide__ = True
         messages: list[Any] = []
         found: list[Any] = []
 

@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Row", "TableError", "buffer_of", "messages_of", "read_table"]
 
+__tracebackhide__ = True  # pytest shows an error where the test gives the table
+
 FRAMES = ("frame_id", "child_frame_id")
 POSITION = ("x", "y", "z")
 ANGLES = ("roll", "pitch", "yaw")
