@@ -1,4 +1,5 @@
-// Fuzzes the path from the bytes of /tf to a buffer, the filter of stamps far ahead, and a freeze of what was stored.
+// Fuzzes the path from the bytes of /tf to a buffer, the filter of stamps far ahead, the statistics of an observer, and
+// a freeze of what was stored.
 //
 // An input: which of four publishers, which time, whether static or filtered; then the bytes of a TFMessage. For the
 // arguments, see fuzzing.hpp.
@@ -7,6 +8,7 @@
 #include <optional>
 
 #include "cdr/tf_message.hpp"
+#include "cdr/tf_observer.hpp"
 #include "fuzzing.hpp"
 
 namespace {
@@ -22,6 +24,10 @@ struct Target {
   cdr::TfSink filtered{buffer, "filtered", false, [](const auto&...) {}};
   cdr::TfSink moving{buffer, "moving", false, {}};
   cdr::TfSink fixed{buffer, "fixed", true, {}};
+  std::shared_ptr<cdr::TfObserver> observer = std::make_shared<cdr::TfObserver>();
+  cdr::TfObserverSink observed{observer, false, nullptr};
+  cdr::TfObserverSink observed_fixed{observer, true, nullptr};
+  cdr::TfClockSink clock{observer};
   int inputs = 0;
 };
 
@@ -38,10 +44,29 @@ void check(const tf2::Buffer& buffer) {
   static_cast<void>(buffer.all_frames_as_yaml(0.0));
 }
 
+// All that came is counted: by edge, or as beyond the limits.
+void check(const cdr::TfObserver& observer) {
+  const cdr::TfSnapshot snapshot = observer.snapshot();
+  std::uint64_t sent = 0, recorded = snapshot.unrecorded;
+  for (const cdr::TfTraffic& each : snapshot.publishers) sent += each.transforms;
+  for (const cdr::TfEdge& each : snapshot.edges) {
+    const tf2::EdgeStatistics& statistics = each.statistics;
+    recorded += statistics.count;
+    if (statistics.oldest_stamp > statistics.newest_stamp || statistics.non_finite > statistics.count ||
+        statistics.receipt_period.count != statistics.count - 1) {
+      fuzzing::fail("fuzz_tf", "the statistics of an edge contradict each other");
+    }
+  }
+  if (sent != recorded) fuzzing::fail("fuzz_tf", "the observer has not counted each transform once");
+}
+
 bool run(std::span<const std::uint8_t> bytes) {
   static std::optional<Target> target;
   if (!target || target->inputs >= inputs_per_buffer) {
-    if (target) check(*target->buffer);
+    if (target) {
+      check(*target->buffer);
+      check(*target->observer);
+    }
     target.emplace();
   }
   ++target->inputs;
@@ -54,6 +79,10 @@ bool run(std::span<const std::uint8_t> bytes) {
   info.received_stamp_ns = times[bytes[1] % std::size(times)];
   cdr::TfSink& sink = bytes[2] % 4 == 0 ? target->fixed : bytes[2] % 4 == 1 ? target->moving : target->filtered;
   if (bytes[2] == 0xff) sink.forget(info.publisher_gid);
+  cdr::TfObserverSink& observed = bytes[2] % 4 == 0 ? target->observed_fixed : target->observed;
+  if (bytes[2] == 0xff) observed.forget(info.publisher_gid);
+  if (bytes[2] == 0xfe) target->clock.push(data, info);
+  observed.push(data, info);
   const auto dropped = sink.dropped_count();
   sink.push(data, info);
   if (sink.publisher_count() > 4 || sink.held_count() > 4 * 128) fuzzing::fail("fuzz_tf", "the filter grows");
