@@ -18,6 +18,7 @@ from contextlib import contextmanager
 from typing import NamedTuple
 
 from benchmarks.domain import DOMAIN_ID
+from benchmarks.tf2_tools.observer import main as time_of_observer
 
 FRAMES, RATE_HZ = 100, 1000
 SHORT_S, LONG_S = 1.0, 6.0
@@ -33,6 +34,24 @@ node = rclpy.create_node("listener")
 TransformListener(Buffer(), node)
 rclpy.spin_until_future_complete(node, rclpy.Future(), timeout_sec=float(sys.argv[1]))
 """
+
+OBSERVER = """
+import sys, time
+from contextlib import closing
+from tfloom.rmw.backends import open_participant
+from tfloom.rmw.base import NodeName
+from tfloom.tf2.buffer import Buffer
+from tfloom.tf2_tools.watch.live import LiveWatch
+node = NodeName("/", "_observer")
+with closing(open_participant()) as participant:
+    participant.add_node(node)
+    with closing(LiveWatch(participant, node, buffer=Buffer())) as watch:
+        end_s = time.monotonic() + float(sys.argv[1])
+        while time.monotonic() < end_s:
+            time.sleep(0.1)
+            watch.observation()
+"""
+"""Observes, fills a buffer, and takes ten observations a second."""
 
 
 class Run(NamedTuple):
@@ -87,10 +106,12 @@ def share(run_for: Callable[[float], Run]) -> float:
 
 
 def main() -> None:
+    time_of_observer()
     with robot():
         report = json.loads(run(*TF, "doctor", "--json", "--seconds", "3").output)
         rate_hz = report["transforms"] / report["duration_s"]
         listener = min(share(lambda s: run("-c", LISTENER, str(s))) for _ in range(TURNS))
+        observer = min(share(lambda s: run("-c", OBSERVER, str(s))) for _ in range(TURNS))
         doctor = min(share(lambda s: run(*TF, "doctor", "--json", "--seconds", str(s))) for _ in range(TURNS))
         top = min(share(lambda s: run_on_terminal(s, *TF, "top")) for _ in range(TURNS))
         screen = run_on_terminal(SHORT_S, *TF, "top").output
@@ -98,6 +119,7 @@ def main() -> None:
         raise RuntimeError(f"tf top does not show the frames: {screen[:300]!r}")
     print(f"{rate_hz:,.0f} transforms/s seen, {report['frames']} frames")
     print(f"TransformListener    {listener:6.1%} of a core")
+    print(f"observer and buffer  {observer:6.1%} of a core, {observer / listener:.2f} times the listener's")
     print(f"tfloom tf doctor     {doctor:6.1%} of a core, {doctor / listener:.2f} times the listener's")
     print(f"tfloom tf top        {top:6.1%} of a core, {top / listener:.2f} times the listener's")
 
