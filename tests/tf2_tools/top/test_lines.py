@@ -209,6 +209,16 @@ def test_rates_are_those_of_the_last_second() -> None:
     assert rates.total() == pytest.approx(10.0)
 
 
+def test_ages_and_delays_are_by_the_clock_of_the_stamps() -> None:
+    messages = [
+        recorded(START_NS + i * 100 * MS, transform("map", "odom", 5_000 * MS + i * 100 * MS))
+        for i in range(30)
+    ]
+    seen = observe_recorded(messages, "test")
+    (_, row) = rows_of(seen, 5_000 * MS + 3_100 * MS, Rates())
+    assert (row.age_s, row.delay_s, row.health) == (pytest.approx(0.2), pytest.approx(0.2), Health.OK)
+
+
 def test_two_parents_and_a_loop_are_named() -> None:
     found = [
         recorded(

@@ -70,6 +70,9 @@ def main(args: argparse.Namespace) -> int:
 
 
 def _has_terminal() -> bool:
+    """Return whether keys can be read and the screen can be drawn."""
+    if os.environ.get("TERM") in {"dumb", "unknown"}:
+        return False
     return sys.stdin is not None and sys.stdin.isatty() and sys.stdout is not None and sys.stdout.isatty()
 
 

@@ -26,6 +26,19 @@ LEAST_NORM_ERROR = 1e-3
 """Difference of a quaternion's length from 1 that is wrong."""
 
 
+OTHER_CLOCK_NS = 1_000_000_000
+"""Stamps are of another clock than times of receipt if the two differ by more than this [ns]."""
+
+
+class Clock(NamedTuple):
+    """The time of an observation."""
+
+    taken_ns: int
+    """By the clock of receipts [ns since epoch]."""
+    ahead_ns: int
+    """By how much the clock of stamps, as that of a simulation, is ahead of it [ns]."""
+
+
 class Health(IntEnum):
     """How well an edge is, the worst last; its name in lower case is shown."""
 
@@ -122,9 +135,11 @@ def rows_of(seen: Observation, now_ns: int, rates: Rates) -> list[Row]:
 
     Args:
         seen: The observation.
-        now_ns: The time with which stamps are compared [ns since epoch].
+        now_ns: The time with which stamps are compared [ns since epoch]: this machine's, or a simulation's.
         rates: The rates, to which the observation has been added.
     """
+    ahead_ns = now_ns - seen.taken_ns
+    clock = Clock(seen.taken_ns, ahead_ns if abs(ahead_ns) > OTHER_CLOCK_NS else 0)
     edges: dict[str, list[Edge]] = {}
     for edge in seen.edges:
         edges.setdefault(edge.child, []).append(edge)
@@ -148,7 +163,7 @@ def rows_of(seen: Observation, now_ns: int, rates: Rates) -> list[Row]:
                 faults.append(f"parent {shown_name(edge.parent)}")
             if reparented:
                 faults.append(f"re-parented {reparented} times")
-            rows.append(_row(edge, prefix, faults, seen.taken_ns if not seen.is_live else now_ns, rates))
+            rows.append(_row(edge, prefix, faults, clock, rates))
     return rows
 
 
@@ -168,7 +183,7 @@ def _walk(tree: Tree) -> Iterator[tuple[str, str]]:
             yield frame, branches + ("└ " if ends[-1] else "├ ")
 
 
-def _row(edge: Edge, prefix: str, faults: list[str], now_ns: int, rates: Rates) -> Row:
+def _row(edge: Edge, prefix: str, faults: list[str], clock: Clock, rates: Rates) -> Row:
     statistics = edge.statistics
     if statistics.non_finite:
         faults.append(f"{statistics.non_finite} with NaN")
@@ -181,11 +196,11 @@ def _row(edge: Edge, prefix: str, faults: list[str], now_ns: int, rates: Rates) 
     if not edge.is_static:
         if statistics.zero_stamps:
             faults.append("stamp 0")
-        age_s = (now_ns - statistics.newest_stamp_ns) / 1e9
-        delay_s = (statistics.last_received_ns - statistics.last_stamp_ns) / 1e9
+        age_s = (clock.taken_ns + clock.ahead_ns - statistics.newest_stamp_ns) / 1e9
+        delay_s = (statistics.last_received_ns + clock.ahead_ns - statistics.last_stamp_ns) / 1e9
         if delay_s < -AHEAD_S:
             faults.append("stamped ahead of now")
-        health = _health(edge, age_s, delay_s, now_ns)
+        health = _health(edge, age_s, delay_s, clock)
         states = [health.name.lower()] if health is not Health.OK else []
     if edge.publisher.has_left:
         states.append("its publisher has left")
@@ -203,10 +218,10 @@ def _row(edge: Edge, prefix: str, faults: list[str], now_ns: int, rates: Rates) 
     )
 
 
-def _health(edge: Edge, age_s: float, delay_s: float, now_ns: int) -> Health:
+def _health(edge: Edge, age_s: float, delay_s: float, clock: Clock) -> Health:
     """Return the health of a moving edge by its times."""
     period_s = 1.0 / edge.rate_hz if edge.rate_hz > 0.0 else 0.0
-    silent_s = (now_ns - edge.statistics.last_received_ns) / 1e9
+    silent_s = (clock.taken_ns - edge.statistics.last_received_ns) / 1e9
     if min(silent_s, age_s) > max(STALE_S, STALE_PERIODS * period_s):
         return Health.STALE
     return Health.LATE if delay_s > LATE_S else Health.OK

@@ -57,7 +57,9 @@ class Screen:
     def __init__(self, output: int, keys: int) -> None:
         self._output = output
         self._keys = keys
-        self._colors = COLORS[Console(file=sys.__stdout__).color_system]
+        console = Console(file=sys.__stdout__)
+        self._colors = COLORS[console.color_system]
+        self._has_colors = not console.no_color
         self._drawn: list[Line] = []
         self._styles: dict[str, Style] = {}
 
@@ -87,7 +89,8 @@ class Screen:
         if not line.style:
             return line.text
         if line.style not in self._styles:
-            self._styles[line.style] = Style.parse(line.style)
+            style = Style.parse(line.style)
+            self._styles[line.style] = style if self._has_colors else style.without_color
         return self._styles[line.style].render(line.text, color_system=self._colors)
 
     def write(self, text: str) -> None:
@@ -103,7 +106,10 @@ class Screen:
         """
         if not self._wait(end_s - time.monotonic()):
             return []
-        data = os.read(self._keys, 1024)
+        try:
+            data = os.read(self._keys, 1024)
+        except OSError:  # EIO: the other end of the terminal is closed
+            data = b""
         if not data:
             return ["q"]
         while data.endswith(b"\x1b") and self._wait(ESCAPE_S):
