@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 import json
+import tempfile
+import warnings
 from collections.abc import Callable
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
+from tfloom.bag import BagError, frames, open_bag
+from tfloom.bag.message_classes import class_of
 from tfloom.cli.errors import CommandError
 from tfloom.cli.interfaces import fill_message, parse_yaml
 from tfloom.interfaces.diagnostic_msgs.msg import DiagnosticArray
@@ -18,6 +23,7 @@ from tfloom.rmw.cyclone_graph import CycloneGraph
 from tfloom.rosidl import cdr, class_table, described, sources
 from tfloom.rosidl.idl_spec import parse_idl
 from tfloom.rosidl.parse import ParseError, parse_interface
+from tfloom.rosidl.recorded import recorded_class
 from tfloom.rosidl.yaml_text import message_to_yaml
 
 KINDS = ("msg", "srv", "action")
@@ -84,8 +90,8 @@ def _are_types(names: set[str]) -> bool:
 
 def _own_hash(description: TypeDescription) -> str:
     types = described._table(description)
-    described._check_size(DESCRIBED, types)
-    return described._hash(DESCRIBED, types)
+    described.check_size(DESCRIBED, types)
+    return described.hash_of(DESCRIBED, types)
 
 
 def graph(data: bytes) -> bool:
@@ -145,11 +151,50 @@ def cdr_bytes(data: bytes) -> bool:
     return True
 
 
+def mcap(data: bytes) -> bool:
+    """Read an MCAP file: its topics, its messages, its transforms and the classes of its types."""
+    with tempfile.TemporaryDirectory() as folder, warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        path = Path(folder) / "fuzz.mcap"
+        path.write_bytes(data)
+        try:
+            bag = open_bag(path)
+            messages = list(bag.messages())
+            assert [each.log_time_ns for each in messages] == sorted(each.log_time_ns for each in messages)
+            frames(bag)
+            for topic in bag.topics.values():
+                class_of(path, topic)
+        except BagError as error:
+            return _refused(error, is_clear=error.path == str(path))
+        assert all(str(path) in str(each.message) for each in caught)
+    return bool(messages)
+
+
+def recorded_definitions(data: bytes) -> bool:
+    """Make the class of a type that a recording defines; the first octet selects the form."""
+    if not data:
+        return False
+    encoding = ("ros2msg", "ros2idl")[data[0] % 2]
+    before = sources._defined.copy()
+    try:
+        made = recorded_class("fuzz_msgs/msg/Fuzz", encoding, data[1:].decode("utf-8", "replace"))
+        cdr.decode(made, cdr.encode(made()))
+    except described.DescriptionError as error:
+        return _refused(error, is_clear="fuzz_msgs/msg/Fuzz" in str(error))
+    finally:
+        for name in sources._defined.keys() - before.keys():
+            sources.replace(name, None)
+            class_table.forget(name)
+    return True
+
+
 TARGETS: dict[str, Callable[[bytes], bool]] = {
     "cdr": cdr_bytes,
     "definitions": definitions,
     "descriptions": descriptions,
     "graph": graph,
     "idl": idl,
+    "mcap": mcap,
+    "recorded_definitions": recorded_definitions,
     "yaml": yaml,
 }
