@@ -3,12 +3,16 @@
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
+#include <nanobind/stl/unique_ptr.h>
 #include <nanobind/stl/vector.h>
 
 #include <array>
+#include <atomic>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -17,9 +21,12 @@
 #include <vector>
 
 #include "bindings/bindings.hpp"
+#include "bindings/callback.hpp"
 #include "bindings/gil.hpp"
 #include "cdr/cursor.hpp"
+#include "dds/writer.hpp"
 #include "robot/chain.hpp"
+#include "robot/state_sink.hpp"
 #include "robot/state_transforms.hpp"
 
 namespace nb = nanobind;
@@ -33,6 +40,7 @@ using robot::Joint;
 using robot::JointKind;
 using robot::StateTransforms;
 using tf2::Transform;
+using Writer = ClosedWithoutGil<dds::Writer>;
 
 // Kind, origin, axis.
 using JointRow = std::tuple<std::string, std::array<double, 7>, std::array<double, 3>>;
@@ -102,6 +110,62 @@ nb::object convert(StateTransforms& self, const nb::bytes& data, std::int64_t no
   return nb::bytes(message.data(), message.size());
 }
 
+// The function that a sink tells: it hands bytes to one of two callables, or transforms to a writer without Python. Calls
+// that wait for the other thread are limited in number, because writing may wait for slow readers.
+class Teller {
+ public:
+  // `writer` may be of another wire: then `publish` is called.
+  Teller(nb::callable publish, nb::callable report, const nb::object& writer)
+      : publish_(std::move(publish)), report_(std::move(report)) {
+    if (!nb::try_cast(writer, writer_)) writer_ = nullptr;
+    if (writer_ != nullptr) writer_owner_.emplace(nb::cast<nb::callable>(writer.attr("write")));
+  }
+
+  void operator()(robot::Told told, std::vector<std::byte> data) const {
+    constexpr int most_waiting = 100;
+    DeferredQueue* queue = DeferredQueue::current();
+    if (queue == nullptr) {
+      call(told, data);
+    } else if (waiting_->fetch_add(1) < most_waiting) {
+      queue->defer([self = *this, told, kept = std::move(data)] {
+        self.call(told, kept);
+        self.waiting_->fetch_sub(1);
+      });
+    } else {
+      waiting_->fetch_sub(1);
+    }
+  }
+
+ private:
+  void call(robot::Told told, const std::vector<std::byte>& data) const {
+    if (told == robot::Told::transforms && writer_ != nullptr) {
+      try {
+        writer_->write(data);
+      } catch (const std::exception&) {  // the writer is closed, as at the end of a program
+      }
+      return;
+    }
+    const AcquiredGil gil;
+    if (!gil) return;
+    const nb::bytes bytes(data.data(), data.size());
+    switch (told) {
+      case robot::Told::transforms:
+        return publish_(bytes);
+      case robot::Told::refused:
+        return report_("refused", bytes);
+      case robot::Told::left_out:
+        return report_("left out", bytes);
+      case robot::Told::moved_back:
+        return report_("moved back", bytes);
+    }
+  }
+
+  Callback publish_, report_;
+  Writer* writer_ = nullptr;
+  std::optional<Callback> writer_owner_;  // a bound method, for a reference to the writer that any thread may release
+  std::shared_ptr<std::atomic<int>> waiting_ = std::make_shared<std::atomic<int>>(0);
+};
+
 }  // namespace
 
 void bind_robot(nb::module_& m) {
@@ -135,7 +199,25 @@ void bind_robot(nb::module_& m) {
            "Raises ValueError if the bytes are no such message, or names and positions differ in number.")
       .def("forget_stamps", &StateTransforms::forget_stamps, "Make the next message due, after a jump in time.")
       .def_prop_ro("left_out", &StateTransforms::left_out,
-                   "A joint of the last message that was left out because its position is not finite; or empty.");
+                   "A joint of the last message that was left out because its position is not finite; or empty.")
+      .def(
+          "sink",
+          [](std::shared_ptr<StateTransforms> self, std::optional<std::int64_t> interval_ns, nb::callable publish,
+             nb::callable report, const nb::object& writer) {
+            return std::make_unique<robot::StateSink>(std::move(self), interval_ns,
+                                                      Teller(std::move(publish), std::move(report), writer));
+          },
+          "interval_ns"_a.none(), "publish"_a, "report"_a, "writer"_a.none() = nb::none(),
+          nb::sig("def sink(self, interval_ns: int | None, publish: collections.abc.Callable[[bytes], object], report: "
+                  "collections.abc.Callable[[str, bytes], object], writer: object = None) -> StateSink"),
+          "Return a sink for `Reader.feed` that converts messages, as `convert` does, on the wire's thread.\n\n"
+          "`publish(data)` and `report(what, data)` are called on a thread that may wait, in order; messages are lost "
+          "while a hundred calls wait. `what` is \"refused\", with the message; \"left out\", with a joint's name; or "
+          "\"moved back\", for a time before that of the last message. The callables must not refer to the sink. "
+          "With a `DdsWriter`, transforms are written by it, and `publish` is not called.");
+  nb::class_<robot::StateSink, Sink>(m, "StateSink", "A sink of `sensor_msgs/msg/JointState`.")
+      .def("set_simulated_time", &robot::StateSink::set_simulated_time, "now_ns"_a.none(),
+           "Set the time of messages that arrive from now on [ns since epoch]; None: the system's.");
 }
 
 }  // namespace tfloom::bindings

@@ -12,7 +12,8 @@
 //  6. dds, acquired in listeners: Reader::listener_mutex_, Events::mutex_, the feeder's
 //  7. core: Sink::mutex_; tf2: Requests::mutex_, then Buffer::frames_mutex_
 //  8. no other lock is acquired below these: ReadyQueue::mutex_, SampleQueue::mutex_, Waker::mutex_ (Windows),
-//     Buffer::waiting_mutex_, Log::mutex_, TfSink::mutex_
+//     Buffer::waiting_mutex_, Log::mutex_, TfSink::mutex_,
+//     StateTransforms::mutex_
 //
 // Two locks with the same number are not held together, except where the line says "then".
 #pragma once

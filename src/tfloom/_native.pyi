@@ -2057,3 +2057,18 @@ class StateTransforms:
         """
         A joint of the last message that was left out because its position is not finite; or empty.
         """
+
+    def sink(self, interval_ns: int | None, publish: Callable[[bytes], object], report: Callable[[str, bytes], object], writer: object = None) -> StateSink:
+        """
+        Return a sink for `Reader.feed` that converts messages, as `convert` does, on the wire's thread.
+
+        `publish(data)` and `report(what, data)` are called on a thread that may wait, in order; messages are lost while a hundred calls wait. `what` is "refused", with the message; "left out", with a joint's name; or "moved back", for a time before that of the last message. The callables must not refer to the sink. With a `DdsWriter`, transforms are written by it, and `publish` is not called.
+        """
+
+class StateSink(Sink):
+    """A sink of `sensor_msgs/msg/JointState`."""
+
+    def set_simulated_time(self, now_ns: int | None) -> None:
+        """
+        Set the time of messages that arrive from now on [ns since epoch]; None: the system's.
+        """

@@ -106,6 +106,11 @@ class CycloneWriter(CycloneEndpoint):
         super().__init__(native, topic_name, forget)
         self._native = native
 
+    @property
+    def native(self) -> DdsWriter:
+        """The native writer."""
+        return self._native
+
     def write(self, data: bytes) -> None:
         """Send one sample; blocks while readers of a reliable topic lag behind.
 

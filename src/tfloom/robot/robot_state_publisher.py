@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import sys
+import weakref
+from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 
 from tfloom.interfaces.rcl_interfaces.msg import SetParametersResult
@@ -10,6 +13,8 @@ from tfloom.interfaces.sensor_msgs.msg import JointState
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.node.client_library import spin
+from tfloom.node.clock.clock import ROSClock
+from tfloom.node.clock.time_jump import ANY_JUMP
 from tfloom.node.context.utilities import remove_ros_args
 from tfloom.node.cpp_nodes import (
     EVENT_OVERRIDING,
@@ -17,12 +22,13 @@ from tfloom.node.cpp_nodes import (
     listen_to_parameter_events,
     wrong_type,
 )
-from tfloom.node.executing.events_executor import EventsExecutor
 from tfloom.node.node import Node
 from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.program import run_program
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
 from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions
+from tfloom.node.values.exceptions import InvalidHandle, RCLError
+from tfloom.rmw.errors import ClosedError
 from tfloom.robot.description import Description
 from tfloom.robot.robot_transforms import RobotTransforms
 from tfloom.robot.urdf import UrdfError, parse_urdf
@@ -77,17 +83,17 @@ class RobotStatePublisher(Node):
             TFMessage, "/tf_static", ONE_KEPT, qos_overriding_options=STATIC_OVERRIDING
         )
         self._description = self.create_publisher(String, "robot_description", ONE_KEPT)
-        self._last_received_ns = 0
-        self._interval_ns: int | None = 0
-        self._follow_parameters()
-        self._show_robot()
-        self.create_subscription(
+        self._states = self.create_subscription(
             JointState,
             "joint_states",
-            self._on_states,
+            lambda _: None,  # a sink receives the messages
             qos_profile_sensor_data,
-            raw=True,  # native code reads the bytes
             qos_overriding_options=QoSOverridingOptions.with_default_policies(),
+        )
+        self._follow_parameters()
+        self._show_robot()
+        self._jump_handle = self.get_clock().create_jump_callback(
+            ANY_JUMP, post_callback=_weakly(self._follow_clock)
         )
         self.add_on_set_parameters_callback(self._check)
         self.add_post_set_parameters_callback(self._apply)
@@ -158,9 +164,15 @@ class RobotStatePublisher(Node):
         )
         # Whole milliseconds, as in the reference.
         interval_ns = int(1000.0 / frequency) * 1_000_000 if frequency else 0
-        self._interval_ns = None if ignores else interval_ns
         self._transforms = RobotTransforms(self._parse(text), prefix)
-        self._states = self._transforms.states
+        self._sink = self._transforms.states.sink(
+            None if ignores else interval_ns,
+            _weakly(self._publish),
+            _weakly(self._report),
+            getattr(self._tf.wire_endpoint, "native", None),  # on DDS, transforms are sent without Python
+        )
+        self._follow_clock()
+        self._states.feed(self._sink)
 
     def _show_robot(self) -> None:
         text = self.get_parameter("robot_description").value
@@ -175,28 +187,34 @@ class RobotStatePublisher(Node):
     def _publish_static(self) -> None:
         self._tf_static.publish(self._transforms.static_message(self.get_clock().now().to_msg()))
 
-    def _on_states(self, data: bytes) -> None:
-        now_ns = self.get_clock().now().nanoseconds
-        if now_ns < self._last_received_ns:
-            self.get_logger().warning("Moved backwards in time, re-publishing joint transforms!")
-            self._states.forget_stamps()
-        self._last_received_ns = now_ns
-        try:
-            message = self._states.convert(data, now_ns, self._interval_ns)
-        except ValueError as error:
-            self._refuse(data, error)
-            return
-        if message is not None:
-            self._tf.publish(message)
-        if name := self._states.left_out:
-            reason = f"The joint '{name}' is not published, because its position is not a finite number"
-            self.get_logger().warning(reason, throttle_duration_sec=LOG_PERIOD_S)
+    def _follow_clock(self, _: object = None) -> None:
+        """Tell the sink the time while it is simulated, because native code can't read the node's clock."""
+        clock = self.get_clock()
+        simulated = isinstance(clock, ROSClock) and clock.ros_time_is_active
+        self._sink.set_simulated_time(clock.now().nanoseconds if simulated else None)
 
-    def _refuse(self, data: bytes, error: ValueError) -> None:
+    def _publish(self, data: bytes) -> None:
+        # The node may be destroyed, or its context shut down, while a message is on its way.
+        with suppress(InvalidHandle, RCLError, ClosedError):
+            self._tf.publish(data)
+
+    def _report(self, what: str, data: bytes) -> None:
+        """Log what was wrong with a message."""
+        if what == "moved back":
+            self.get_logger().warning("Moved backwards in time, re-publishing joint transforms!")
+        elif what == "left out":
+            reason = (
+                f"The joint '{data.decode()}' is not published, because its position is not a finite number"
+            )
+            self.get_logger().warning(reason, throttle_duration_sec=LOG_PERIOD_S)
+        else:
+            self._refuse(data)
+
+    def _refuse(self, data: bytes) -> None:
         """Log why a message is ignored."""
         try:
             state = cdr.decode(JointState, data)
-        except cdr.DecodeError:
+        except cdr.DecodeError as error:
             self.get_logger().error(
                 f"Ignored an unreadable message: {error}", throttle_duration_sec=LOG_PERIOD_S
             )
@@ -212,6 +230,17 @@ class RobotStatePublisher(Node):
             self.get_logger().error(reason, throttle_duration_sec=LOG_PERIOD_S)
 
 
+def _weakly(method: Callable[..., object]) -> Callable[..., None]:
+    """Return a function that calls a method as long as its object exists."""
+    reference = weakref.WeakMethod(method)
+
+    def call(*values: object) -> None:
+        if (living := reference()) is not None:
+            living(*values)
+
+    return call
+
+
 def main(args: list[str] | None = None) -> int:
     """Publish until stopped; return the exit code."""
     files = _files(remove_ros_args(sys.argv[1:] if args is None else args))
@@ -221,7 +250,7 @@ def main(args: list[str] | None = None) -> int:
             node = RobotStatePublisher(files)
         except StartError:
             return 1
-        spin(node, EventsExecutor())  # less CPU time for each message
+        spin(node)
         return 0
 
     return run_program(args, body)
