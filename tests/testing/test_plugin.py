@@ -12,7 +12,10 @@ from pathlib import Path
 
 import pytest
 
-EXAMPLE = Path(__file__).parents[2] / "examples" / "testing"
+from tfloom.testing import plugin
+
+ROOT = Path(__file__).parents[2]
+EXAMPLE = ROOT / "examples" / "testing"
 BIN = Path(sys.executable).parent
 Run = Callable[..., str]
 
@@ -43,11 +46,8 @@ def pytest_in(folder: Path, *words: str, **environment: str) -> str:
     return result.stdout + result.stderr
 
 
-def test_nothing_is_left_after_failures(run: Run) -> None:
-    output = run(
-        """
-import gc, os, signal, threading
-import rclpy
+FAILURES = """import gc, os, signal, threading
+import pytest, rclpy
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 from tfloom.node.context.context import live_contexts
@@ -58,7 +58,7 @@ def test_fails(ros_node, ros_context):
     contexts.append(ros_context)
     assert ros_node is None
 
-def test_raises_in_a_fixture_of_the_user(ros_domain):
+def test_raises(ros_domain):
     rclpy.init()
     contexts.append(rclpy.get_default_context())
     Node("never_destroyed")
@@ -87,11 +87,51 @@ def test_is_clean_without_fixtures():
     assert "RMW_IMPLEMENTATION" not in os.environ and "ROS_DOMAIN_ID" not in os.environ
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
     assert live_contexts() == []
-""",
-        "-q",
-    )
-    assert "3 failed, 2 passed" in output, output
 
+class TestOfTheUser:
+    @pytest.fixture
+    def ros_node(self):
+        return "own"
+
+    def test_own_fixture(self, ros_node):
+        assert ros_node == "own"
+"""
+
+LAUNCH_TEST = """
+import sys, unittest
+import launch, launch.actions, launch_testing.actions, launch_testing.markers, pytest
+
+@pytest.mark.launch_test
+def generate_test_description():
+    wait = launch.actions.ExecuteProcess(cmd=[sys.executable, "-c", "import time; time.sleep(60)"])
+    return launch.LaunchDescription([wait, launch_testing.actions.ReadyToTest()])
+
+class TestLaunch(unittest.TestCase):
+    def test_it(self):
+        pass
+"""
+
+
+def test_one_run_of_all_kinds(run: Run, tmp_path: Path) -> None:
+    """Nothing is left after failures, and launch tests are in the same run."""
+    (tmp_path / "test_launch.py").write_text(LAUNCH_TEST, "utf-8")
+    output = run(FAILURES, "-q")
+    assert "3 failed, 4 passed" in output, output
+    for name in ("test_fails", "test_raises", "test_spins_a_thread"):
+        assert f"FAILED test_it.py::{name}" in output
+
+
+START = """
+import sys
+
+LOADED = set(sys.modules)
+
+def test_start_imports_nothing_else():
+    loaded = {name for name in LOADED if name.startswith("tfloom.")}
+    assert {name.split(".")[1] for name in loaded} <= {"launch", "testing", "ros_guard", "ros_finder"}
+    assert {name for name in loaded if name.startswith("tfloom.testing.")} == {"tfloom.testing.plugin"}
+    assert "numpy" not in LOADED
+"""
 
 MISUSE = """
 import pytest
@@ -115,7 +155,8 @@ def test_table(tf_buffer_from):
 
 
 def test_misuse_is_named_without_a_traceback(run: Run) -> None:
-    output = run(MISUSE, "-q")
+    """Before that, nothing of tfloom but the plug-ins is imported."""
+    output = run(START + MISUSE, "-q")
     assert output.count('write @pytest.mark.ros_wire("local") or @pytest.mark.ros_wire("dds")') >= 2, output
     assert "name ros_time among the test's arguments" in output
     assert "no message on /chatter within 0.01 s: nobody publishes there; topics of the graph: " in output
@@ -123,7 +164,7 @@ def test_misuse_is_named_without_a_traceback(run: Run) -> None:
     assert not re.search(r"tfloom/testing/(graph|transform_table)\.py", output), (
         "shown where the test is wrong"
     )
-    assert "3 failed, 2 errors" in output
+    assert "3 failed, 1 passed, 2 errors" in output
 
 
 def test_a_real_rclpy_is_left_alone(run: Run, tmp_path: Path) -> None:
@@ -139,72 +180,23 @@ def test_a_real_rclpy_is_left_alone(run: Run, tmp_path: Path) -> None:
     assert f"are for tfloom's rclpy, and this one is {other / '__init__.py'}: take that ROS out of" in output
 
 
-def test_start_imports_nothing_else(run: Run) -> None:
-    """Nothing of tfloom is imported before a test asks for it."""
-    output = run(
-        "import sys\ndef test_it():\n"
-        "    loaded = {name for name in sys.modules if name.startswith('tfloom.')}\n"
-        "    rooms = {name.split('.')[1] for name in loaded}\n"
-        "    assert rooms <= {'launch', 'testing', 'ros_guard', 'ros_finder'}\n"
-        "    assert not {name for name in loaded if name.startswith('tfloom.testing.')} - {'tfloom.testing.plugin'}\n"
-        "    assert 'numpy' not in sys.modules\n",
-        "-q",
-    )
-    assert "1 passed" in output, output
-
-
-def test_fixtures_are_listed_with_their_texts(run: Run) -> None:
-    output = run("", "--fixtures", "-q")
-    for name in (
-        "ros_domain",
-        "ros_context",
-        "ros_graph",
-        "ros_executor",
-        "ros_node",
-        "ros_time",
-        "wait_for_message",
-        "tf_buffer_from",
-    ):
-        assert f"\n{name} -- " in output, output
-    assert "no docstring available" not in output
-
-
-def test_a_fixture_of_the_user_takes_precedence(run: Run) -> None:
-    own = "import pytest\n@pytest.fixture\ndef ros_node(): return 'own'\n"
-    assert "1 passed" in run(f"{own}def test_it(ros_node): assert ros_node == 'own'\n", "-q")
-
-
-LAUNCH_TEST = """
-import sys, unittest
-import launch, launch.actions, launch_testing.actions, launch_testing.markers, pytest
-
-@pytest.mark.launch_test
-def generate_test_description():
-    wait = launch.actions.ExecuteProcess(cmd=[sys.executable, "-c", "import time; time.sleep(60)"])
-    return launch.LaunchDescription([wait, launch_testing.actions.ReadyToTest()])
-
-class TestLaunch(unittest.TestCase):
-    def test_it(self):
-        pass
-"""
-
-
-def test_launch_tests_are_in_the_same_run(run: Run, tmp_path: Path) -> None:
-    (tmp_path / "test_launch.py").write_text(LAUNCH_TEST, "utf-8")
-    output = run("def test_node(ros_node, ros_time): ros_time.step(1)\n", "-q")
-    assert "2 passed" in output, output
+def test_each_fixture_has_a_row_in_the_docs() -> None:
+    page = (ROOT / "docs" / "testing.md").read_text("utf-8")
+    names = {name for name in plugin.__all__ if not name.startswith("pytest_")}
+    assert names == set(re.findall(r"^\| `(\w+)` \|", page, re.MULTILINE))
+    assert all(getattr(plugin, name).__doc__ for name in names)
 
 
 @pytest.mark.wire
 def test_workers_have_domains_of_their_own(run: Run) -> None:
     """Four tests at a time on DDS, each of which publishes under the same names, and sees itself alone."""
     text = """
-import pytest, time
+import pytest, rclpy
 from std_msgs.msg import Int32
 
-@pytest.mark.ros_wire("dds")
 @pytest.mark.parametrize("number", range(8))
 def test_it(ros_graph, ros_node, number):
+    assert rclpy.get_rmw_implementation_identifier() == "rmw_cyclonedds_cpp"
     publisher = ros_node.create_publisher(Int32, "number", 10)
     received = ros_graph.collect(Int32, "number")
     ros_node.create_timer(0.01, lambda: publisher.publish(Int32(data=number)))
@@ -212,21 +204,8 @@ def test_it(ros_graph, ros_node, number):
     assert {message.data for message in received} == {number}
     assert set(ros_node.get_node_names()) == {"test_node", "test_observer"}
 """
-    output = run(text, "-q", "-n", "4")
+    output = run(text, "-q", "-n", "4", "--ros-wire", "dds")
     assert "8 passed" in output, output
-
-
-def test_without_the_plugin(run: Run) -> None:
-    assert "fixture 'ros_node' not found" in run(
-        "def test_it(ros_node): pass\n", "-q", "-p", "no:tfloom_testing"
-    )
-
-
-@pytest.mark.wire
-def test_the_option_selects_dds(run: Run) -> None:
-    wire = "rclpy.get_rmw_implementation_identifier()"
-    text = f"import rclpy\ndef test_it(ros_node): assert {wire} == 'rmw_cyclonedds_cpp'\n"
-    assert "1 passed" in run(text, "-q", "--ros-wire", "dds")
 
 
 @pytest.fixture
