@@ -233,6 +233,19 @@ def test_two_parents_and_a_loop_are_named() -> None:
     assert {row.health for row in rows_of(seen, START_NS, Rates())} == {Health.BAD}
 
 
+def test_each_publisher_of_a_frame_has_a_row_that_names_the_others() -> None:
+    messages = [
+        recorded(START_NS, transform("map", "laser", START_NS), topic="/tf_static"),
+        recorded(START_NS, transform("map", "laser", START_NS)),
+    ]
+    rows = rows_of(observe_recorded(messages, "test"), START_NS, Rates())
+    assert [(row.child, row.health.name, row.note) for row in rows] == [
+        ("map", "ROOT", ""),
+        ("laser", "BAD", "2 publishers"),
+        ("laser", "BAD", "2 publishers"),
+    ]
+
+
 def test_a_followed_pair_that_is_not_connected_says_why(buffer: Buffer) -> None:
     lines = follow_lines(buffer, ("map", "nowhere\x1b"), START_NS)
     assert lines[0] == "map from nowhere\\x1b"

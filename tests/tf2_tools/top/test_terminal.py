@@ -44,6 +44,14 @@ while True:
 """
 
 
+WITH_A_TERMINAL = """
+import fcntl, os, sys, termios
+fcntl.ioctl(0, termios.TIOCSCTTY, 0)
+os.execv(sys.executable, [sys.executable, "-m", "tfloom.cli", *sys.argv[1:]])
+"""
+"""Runs tfloom with standard input as its controlling terminal, whose Ctrl-C and Ctrl-Z it gets."""
+
+
 class Terminal:
     """A terminal that runs a program, and shows where each text is."""
 
@@ -54,13 +62,12 @@ class Terminal:
         environment = os.environ | {"TERM": "xterm-256color"}
         environment.pop("NO_COLOR", None)
         self.process = subprocess.Popen(
-            [sys.executable, "-m", "tfloom.cli", *words],
+            [sys.executable, "-c", WITH_A_TERMINAL, *words],
             stdin=self._theirs,
             stdout=self._theirs,
             stderr=self._theirs,
             env=environment,
             start_new_session=True,
-            preexec_fn=lambda: fcntl.ioctl(0, termios.TIOCSCTTY, 0) and None,  # noqa: PLW1509
         )
         self.raw = ""
 

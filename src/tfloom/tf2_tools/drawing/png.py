@@ -16,7 +16,7 @@ RESOLUTION = 2.0
 """Pixels for each point: 144 dpi."""
 FINER = 2
 """Each pixel is averaged from this many, in x and in y."""
-MOST_PIXELS = 40e6
+MOST_PIXELS = 16e6
 """A larger picture has fewer pixels for each point."""
 STEPS = 24
 """Straight lines for a curve."""
