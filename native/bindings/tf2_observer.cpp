@@ -69,6 +69,10 @@ std::vector<tf2::Entry> read_entries(std::span<const std::byte> octets, bool is_
   try {
     if (is_ros1) {
       bag::read_ros1_tf_message(octets, entries);
+      for (tf2::Entry& entry : entries) {  // names of ROS 1 may begin with a slash, which a buffer drops
+        if (entry.frame_id.starts_with('/')) entry.frame_id.remove_prefix(1);
+        if (entry.child_frame_id.starts_with('/')) entry.child_frame_id.remove_prefix(1);
+      }
     } else {
       cdr::read_tf_message(octets, entries);
     }

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 from tfloom.tf2.transform import Transform
-from tfloom.tf2_tools.watch.model import Edge, Observation
+from tfloom.tf2_tools.watch.model import Edge, Observation, stored_name
 
 __all__ = ["Difference", "Link", "differences", "links_of"]
 
@@ -48,9 +48,9 @@ def links_of(seen: Observation, *, only_static: bool = False) -> dict[str, Link]
     """
     edges: Iterable[Edge] = sorted(seen.edges, key=lambda edge: edge.statistics.last_received_ns)
     return {
-        edge.child: Link(
-            edge.child,
-            edge.parent,
+        stored_name(edge.child): Link(
+            stored_name(edge.child),
+            stored_name(edge.parent),
             edge.is_static,
             edge.statistics.translation,
             edge.statistics.rotation_xyzw,

@@ -157,6 +157,13 @@ def test_an_edge_that_is_static_and_moving_is_remarked() -> None:
     assert "both static and moving" in text
 
 
+def test_names_with_a_slash_are_those_that_a_buffer_stores() -> None:
+    messages = [message("/base", "/laser", 0.0, static=True)]
+    chain = looked_up("base", "laser", messages=messages).chain
+    assert chain is not None
+    assert [(span.name, span.publishers) for span in chain.spans] == [("base -> laser", "drive.mcap")]
+
+
 def test_nothing_was_recorded() -> None:
     lookup = looked_up("map", "base", messages=[])
     assert (lookup.outcome, advise(lookup)) == (Outcome.UNKNOWN_FRAME, ["There is no transform in it."])

@@ -5,6 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from tests.bag.recordings import SECOND, START, drive, write_mcap, write_sqlite
+from tests.bag.test_ros1 import write as write_ros1
 
 from tfloom.bag.errors import BagError
 from tfloom.bag.tf_frames import frames
@@ -15,26 +17,48 @@ from tfloom.tf2_tools.watch.sources import open_path
 BAGS = Path(__file__).parents[2] / "golden" / "bags"
 
 
-def test_bags_hold_the_edges_that_a_buffer_of_them_holds() -> None:
+def test_bags_hold_the_edges_that_a_buffer_of_them_holds(tmp_path: Path) -> None:
+    paths = [
+        BAGS / "mcap",
+        BAGS / "sqlite3",
+        write_mcap(tmp_path / "drive.mcap", drive(), "zstd"),
+        write_sqlite(tmp_path / "drive.db3", drive()),
+        write_ros1(tmp_path / "ros1.bag"),
+    ]
     wrong = {}
-    for name in ("mcap", "sqlite3"):
+    for path in paths:
         buffer = Buffer(None)
-        seen = open_path(BAGS / name, buffer=buffer).observation()
+        seen = open_path(path, buffer=buffer).observation()
         found = {
-            (edge.child, edge.parent, edge.is_static, edge.statistics.newest_stamp_ns) for edge in seen.edges
+            (
+                edge.child,
+                edge.parent,
+                edge.is_static,
+                *_newest(edge.is_static, edge.statistics.newest_stamp_ns),
+            )
+            for edge in seen.edges
         }
         expected = {
-            (edge.child_frame_id, edge.frame_id, edge.is_static, edge.newest_ns)
-            for edge in frames(BAGS / name).edges()
+            (edge.child_frame_id, edge.frame_id, edge.is_static, *_newest(edge.is_static, edge.newest_ns))
+            for edge in frames(path).edges()
         }
-        if {each[:3] for each in found} != {each[:3] for each in expected} or not found:
-            wrong[name] = (found, expected)
-        if {each for each in found if not each[2]} != {each for each in expected if not each[2]}:
-            wrong[name] = (found, expected)
-        assert len(buffer.edges()) == len(expected)
-        assert {each.label for each in seen.publishers} == {str(BAGS / name)}
+        if found != expected or not found or len(buffer.edges()) != len(expected):
+            wrong[path.name] = (found, expected, buffer.edges())
+        assert {each.label for each in seen.publishers} == {str(path)}
         assert 0 < seen.started_ns <= seen.taken_ns
     assert wrong == {}
+
+
+def _newest(is_static: bool, stamp_ns: int) -> tuple[int, ...]:  # a flag of an edge
+    """Return the stamp of an edge that moves, to be compared; a buffer keeps none of a static one."""
+    return () if is_static else (stamp_ns,)
+
+
+def test_a_drive_has_the_rates_that_were_recorded(tmp_path: Path) -> None:
+    seen = open_path(write_mcap(tmp_path / "drive.mcap", drive(50))).observation()
+    (edge,) = seen.edges_of("base_link")
+    assert (edge.statistics.count, round(edge.rate_hz, 3)) == (50, 100.0)
+    assert (seen.started_ns, seen.taken_ns) == (START, START + 49 * SECOND // 100)
 
 
 def test_a_bag_without_transforms_names_those_it_has() -> None:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from tfloom.tf2.buffer import Buffer
-from tfloom.tf2_tools.watch.model import Edge, Observation
+from tfloom.tf2_tools.watch.model import Edge, Observation, stored_name
 from tfloom.tf2_tools.watch.tree import Tree
 
 __all__ = ["Chain", "Span", "find_chain", "tree_of"]
@@ -83,6 +83,9 @@ def find_chain(buffer: Buffer, seen: Observation, target: str, source: str) -> C
     up, down = ways
     links = [(child, True) for child in up[:-1]] + [(child, False) for child in reversed(down[:-1])]
     stored = {edge.child_frame_id: edge for edge in buffer.edges()}
+    sources: dict[str, list[Edge]] = {}
+    for edge in sorted(seen.edges, key=lambda edge: edge.statistics.last_received_ns):
+        sources.setdefault(stored_name(edge.child), []).append(edge)
     spans = [
         Span(
             child,
@@ -91,7 +94,7 @@ def find_chain(buffer: Buffer, seen: Observation, target: str, source: str) -> C
             stored[child].oldest_ns,
             stored[child].newest_ns,
             stored[child].sample_count,
-            [edge for edge in seen.edges_of(child) if edge.parent == stored[child].frame_id],
+            [edge for edge in sources.get(child, ()) if stored_name(edge.parent) == stored[child].frame_id],
             is_up,
         )
         for child, is_up in links

@@ -18,6 +18,11 @@ LISTENER_QOS = (QoS(depth=100), QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL,
 """What a transform listener requests for the topics of moving and of static transforms."""
 
 
+def stored_name(frame: str) -> str:
+    """Return the name under which a buffer stores a frame: without a slash at its start, if there is one."""
+    return frame.removeprefix("/")
+
+
 @dataclass(frozen=True)
 class Publisher:
     """A publisher of transforms on one topic."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tfloom.tf2_tools.static_file import StaticTransform
-from tfloom.tf2_tools.watch.model import Edge, Observation
+from tfloom.tf2_tools.watch.model import Edge, Observation, stored_name
 
 __all__ = ["last_statics", "quarrels"]
 
@@ -13,10 +13,12 @@ def last_statics(seen: Observation) -> list[StaticTransform]:
     last: dict[str, Edge] = {}
     for edge in sorted(seen.edges, key=lambda edge: edge.statistics.last_received_ns):
         if edge.is_static and not edge.statistics.non_finite:
-            last[edge.child] = edge
+            last[stored_name(edge.child)] = edge
     return [
-        StaticTransform(edge.parent, edge.child, edge.statistics.translation, edge.statistics.rotation_xyzw)
-        for _, edge in sorted(last.items())
+        StaticTransform(
+            stored_name(edge.parent), child, edge.statistics.translation, edge.statistics.rotation_xyzw
+        )
+        for child, edge in sorted(last.items())
     ]
 
 

@@ -1,0 +1,77 @@
+"""The observer's limits: it counts what is beyond them, and publishers that have left make room."""
+
+from __future__ import annotations
+
+import random
+
+from tfloom._native import TfObserver
+from tfloom.interfaces.geometry_msgs.msg import TransformStamped
+from tfloom.interfaces.tf2_msgs.msg import TFMessage
+from tfloom.rosidl import cdr
+
+MOST_PUBLISHERS = 4096
+MOST_EDGES = 65536
+MOST_NAME = 1024
+
+
+def message(children: list[str], parent: str = "base") -> bytes:
+    """Return a message with a transform for each child."""
+    transforms = [TransformStamped(child_frame_id=child) for child in children]
+    for transform in transforms:
+        transform.header.frame_id = parent
+    return cdr.encode(TFMessage(transforms=transforms))
+
+
+def gid(number: int) -> bytes:
+    """Return the gid of a publisher."""
+    return number.to_bytes(16, "big")
+
+
+def test_edges_have_a_limit() -> None:
+    observer = TfObserver()
+    for first in range(0, MOST_EDGES + 1000, 1000):
+        observer.record(message([f"frame_{number}" for number in range(first, first + 1000)]), gid(1), 1)
+    snapshot = observer.snapshot()
+    assert len(snapshot.edges) == MOST_EDGES
+    assert len(snapshot.edges) + snapshot.unrecorded == snapshot.publishers[0].transforms
+
+
+def test_publishers_that_have_left_make_room() -> None:
+    observer = TfObserver()
+    sink = observer.sink(False)
+    data = message(["laser"])
+    for number in range(MOST_PUBLISHERS):
+        sink.push(data, 0, 1, gid(number))
+    sink.push(data, 0, 1, gid(MOST_PUBLISHERS))
+    assert observer.snapshot().unrecorded == 1
+    for number in range(10, 20):
+        sink.forget(gid(number))
+    sink.push(data, 0, 1, gid(MOST_PUBLISHERS))
+    snapshot = observer.snapshot()
+    left = {gid(number) for number in range(MOST_PUBLISHERS + 1)} - {gid(number) for number in range(10, 20)}
+    assert {each.gid for each in snapshot.publishers} == {each.gid for each in snapshot.edges} == left
+    assert [each.statistics.count for each in snapshot.edges if each.gid == gid(MOST_PUBLISHERS)] == [1]
+
+
+def test_long_names_are_not_recorded() -> None:
+    observer = TfObserver()
+    assert observer.record(message(["x" * MOST_NAME, "x" * (MOST_NAME + 1)]), gid(1), 1)
+    snapshot = observer.snapshot()
+    assert ([len(edge.child) for edge in snapshot.edges], snapshot.unrecorded) == ([MOST_NAME], 1)
+
+
+def test_spoilt_messages_are_counted_and_nothing_else() -> None:
+    observer = TfObserver()
+    sound, numbers = message(["a", "b"]), random.Random(1)
+    unreadable = 0
+    for _ in range(2000):
+        spoilt = bytearray(sound)
+        for _ in range(3):
+            spoilt[numbers.randrange(len(spoilt))] = numbers.randrange(256)
+        data = bytes(spoilt[: numbers.randrange(len(spoilt) + 1)])
+        unreadable += not observer.record(data, gid(1), 2**63 - 1)
+    (traffic,) = observer.snapshot().publishers
+    assert (traffic.messages, traffic.unreadable) == (2000, unreadable)
+    assert unreadable > 0
+    observer.clear()
+    assert observer.snapshot().publishers == []
