@@ -6,10 +6,12 @@ import json
 import tempfile
 import warnings
 from collections.abc import Callable
+from functools import lru_cache
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
+from tfloom._native import StateTransforms
 from tfloom.bag import BagError, frames, open_bag
 from tfloom.bag.message_classes import class_of
 from tfloom.cli.errors import CommandError
@@ -17,9 +19,13 @@ from tfloom.cli.interfaces import fill_message, parse_yaml
 from tfloom.interfaces.diagnostic_msgs.msg import DiagnosticArray
 from tfloom.interfaces.nav_msgs.msg import OccupancyGrid
 from tfloom.interfaces.sensor_msgs.msg import JointState
+from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.interfaces.type_description_interfaces.msg import TypeDescription
 from tfloom.rmw import node_lists
 from tfloom.rmw.cyclone_graph import CycloneGraph
+from tfloom.robot.model import RobotModel
+from tfloom.robot.robot_transforms import RobotTransforms
+from tfloom.robot.urdf import UrdfError, parse_urdf
 from tfloom.rosidl import cdr, class_table, described, sources
 from tfloom.rosidl.idl_spec import parse_idl
 from tfloom.rosidl.parse import ParseError, parse_interface
@@ -188,12 +194,45 @@ def recorded_definitions(data: bytes) -> bool:
     return True
 
 
+def urdf(data: bytes) -> bool:
+    """Read a robot's description, and compute where its links are."""
+    try:
+        model = RobotModel.from_urdf(b"<" + data.lstrip()[1:])
+    except UrdfError as error:
+        return _refused(error, is_clear=error.line >= 1 and bool(error.reason.strip()))
+    poses = model.forward([0.0] * len(model.variables))
+    assert poses.shape == (len(model.links), 7)
+    RobotTransforms(model.description)
+    return True
+
+
+def joint_states(data: bytes) -> bool:
+    """Convert the states of an arm's joints to transforms."""
+    try:
+        message = _arm().convert(data, 10**18, None)
+    except ValueError as error:
+        return _refused(error, is_clear=str(error).startswith("JointState: byte "))
+    if message is not None:
+        for each in cdr.decode(TFMessage, message).transforms:
+            turn = each.transform.rotation
+            assert abs(turn.x**2 + turn.y**2 + turn.z**2 + turn.w**2 - 1) < 1e-6
+    return True
+
+
+@lru_cache(maxsize=1)
+def _arm() -> StateTransforms:
+    path = Path(__file__).parents[1] / "golden" / "arm.urdf"
+    return RobotTransforms(parse_urdf(path.read_bytes())).states
+
+
 TARGETS: dict[str, Callable[[bytes], bool]] = {
     "cdr": cdr_bytes,
     "definitions": definitions,
     "descriptions": descriptions,
     "graph": graph,
     "idl": idl,
+    "joint_states": joint_states,
+    "urdf": urdf,
     "mcap": mcap,
     "recorded_definitions": recorded_definitions,
     "yaml": yaml,

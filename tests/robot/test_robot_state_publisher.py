@@ -13,6 +13,7 @@ from tests.robot.test_model import arm_by_hand
 from tests.robot.test_urdf import joint, robot
 
 from tfloom.interfaces.builtin_interfaces.msg import Time
+from tfloom.interfaces.rosgraph_msgs.msg import Clock
 from tfloom.interfaces.sensor_msgs.msg import JointState
 from tfloom.interfaces.std_msgs.msg import Header, String
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
@@ -203,6 +204,18 @@ def test_a_jump_back_in_time_publishes_again(
     stage.send(["roll"], [1.0], 9)
     assert stage.children() == [["spin"], ["spin"]]
     assert "Moved backwards in time, re-publishing joint transforms!" in capfd.readouterr().err
+
+
+def test_simulated_time(start: Callable[..., Stage], capfd: pytest.CaptureFixture[str]) -> None:
+    stage = start(ARM, "-p", "use_sim_time:=true")
+    clock = stage.user.create_publisher(Clock, "/clock", 10)
+    for sec in (100, 50):
+        clock.publish(Clock(clock=Time(sec=sec)))
+        stage.run()
+        stage.send(["roll"], [1.0], sec)
+        stage.send(["roll"], [1.0], sec)
+    assert [each.transforms[0].header.stamp.sec for each in stage.moving] == [100, 50]
+    assert capfd.readouterr().err.count("Moved backwards in time") == 1
 
 
 def test_the_prefix_changes_at_run_time(
