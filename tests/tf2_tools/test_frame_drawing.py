@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import io
 import re
 from collections.abc import Callable, Iterator
+from contextlib import closing
 from itertools import combinations
 from pathlib import Path
 
@@ -11,6 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from PIL import Image
+from pypdfium2 import PdfDocument
 from tests.tf2_tools import trees
 from tests.tf2_tools.kept_pictures import MOST_IN_A_BLOCK, WRITES, assert_looks_as_kept, grey, worst_block
 
@@ -51,6 +54,15 @@ def test_the_comparison_notices_a_box_instead_of_a_letter() -> None:
     }
     drawn = grey(png_bytes(draw_page(build_tree(renamed, tree.recorded_at_s, publishers))))
     assert drawn.size != kept.size or worst_block(drawn, kept) >= MOST_IN_A_BLOCK
+
+
+@pytest.mark.parametrize(("name", "page", "of_pages"), [("scripts", 1, 1), ("100_frames", 2, 2)])
+def test_pages_of_pdf_are_those_that_were_looked_at(name: str, page: int, of_pages: int) -> None:
+    with closing(PdfDocument(pdf_bytes(draw_pages(EXAMPLES[name]())))) as document:
+        assert len(document) == of_pages
+        image = io.BytesIO()
+        document[page - 1].render(scale=1.6).to_pil().save(image, "PNG")
+    assert_looks_as_kept(PICTURES / f"{name}_page_{page}.png", image.getvalue())
 
 
 def test_svg_is_the_one_that_was_looked_at() -> None:

@@ -140,6 +140,10 @@ def test_a_table_for_a_file_has_all_columns_and_no_control_characters(rows: list
     assert any(line.startswith("    └ \\x1b[2Jbad") or "\\x1b[2Jbad" in line for line in lines)
 
 
+def test_a_silent_graph_is_no_graph_without_faults() -> None:
+    assert "no transforms yet" in table([], SUMMARY, View())[0]
+
+
 def test_orders_and_the_filter(rows: list[Row]) -> None:
     def first(sort: str, words: str = "", *, is_reversed: bool = False) -> str:
         view = View(sort, words)

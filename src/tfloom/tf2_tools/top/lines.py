@@ -88,7 +88,7 @@ def title(rows: Sequence[Row], summary: Summary, view: View, shown: int) -> str:
     parts = [
         f"{summary.place}: {', '.join(counts)}",
         f"{summary.rate_hz:.0f} transforms/s",
-        f"{bad} faulty" if bad else "no faults",
+        f"{bad} faulty" if bad else "no faults" if rows else "no transforms yet",
     ]
     if view.sort != "tree" or view.is_reversed:
         parts.append(f"by {view.sort}{', reversed' if view.is_reversed else ''}")
