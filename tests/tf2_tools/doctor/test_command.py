@@ -122,3 +122,14 @@ def test_explanations(capsys: pytest.CaptureFixture[str]) -> None:
     assert all(word in explained for word in ("meaning:", "cause:", "mend:", "TF_NAN_INPUT"))
     main(["tf", "doctor", "--list"])
     assert "TF503  error    quality of service that does not match\n" in capsys.readouterr().out
+
+
+def test_the_text_has_the_first_findings_of_a_code(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    scans = [("/scan", 1000.0, scan(f"laser_{number:02}")) for number in range(30)]
+    bag = write_bag(tmp_path / "bag.db3", [("/tf", 1000.0, moving("odom", "base", 1000.0)), *scans])
+    assert main(["tf", "doctor", str(bag), "--topics"]) == 1
+    printed = capsys.readouterr().out
+    assert printed.count("TF601 error") == 20
+    assert "TF601: and 10 more; `--json` has all\n" in printed

@@ -13,12 +13,14 @@ from tfloom._native import HeaderSink
 from tfloom.interfaces.geometry_msgs.msg import PointStamped
 from tfloom.interfaces.sensor_msgs.msg import Image
 from tfloom.interfaces.std_msgs.msg import String
+from tfloom.interfaces.tf2_msgs.action import LookupTransform
 from tfloom.rmw.backends import open_participant
-from tfloom.rmw.base import Participant
+from tfloom.rmw.base import Participant, Sample
 from tfloom.rosidl import cdr
 from tfloom.tf2_tools.doctor.diagnosis import diagnose
 from tfloom.tf2_tools.doctor.headers import begins_with_header
 from tfloom.tf2_tools.doctor.live import listen
+from tfloom.tf2_tools.doctor.requests import requested_frames
 from tfloom.tf2_tools.doctor.subject import Subject
 
 
@@ -133,3 +135,16 @@ def test_the_memory_for_headers_is_bounded() -> None:
         name = f"{number:06}\0".encode()
         sink.push(HEADER + len(name).to_bytes(4, "little") + name, 0, 0, bytes(16))
     assert len(sink.uses()) == 4096
+
+
+def test_requests_in_both_forms_of_services() -> None:
+    goal = LookupTransform.Goal(target_frame="map", source_frame="laser", fixed_frame="odom")
+    request = cdr.encode(LookupTransform.Impl.SendGoalService.Request(goal=goal))
+    with_header = request[:4] + bytes(16) + request[4:]
+    cyclone, fast_dds = b"\x01\x10" + bytes(14), b"\x01\x0f" + bytes(14)
+    assert requested_frames(Sample(with_header, 0, 0, cyclone)) == ["map", "laser"]
+    assert requested_frames(Sample(request, 0, 0, fast_dds)) == ["map", "laser"]
+    for gid in (cyclone, fast_dds):
+        for size in (0, 3, 4, 19, 20, 25, 60):
+            assert requested_frames(Sample(with_header[:size], 0, 0, gid)) == [], size
+        assert requested_frames(Sample(b"\0\1\0\0" + b"\xff" * 100, 0, 0, gid)) == []

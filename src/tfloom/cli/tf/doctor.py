@@ -10,6 +10,7 @@ import argparse
 import os
 import shutil
 import sys
+from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -23,12 +24,15 @@ from tfloom.tf2_tools.doctor.limits import Limits
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC
 
 if TYPE_CHECKING:
+    from tfloom.tf2_tools.doctor.finding import Finding
     from tfloom.tf2_tools.doctor.report import Report
     from tfloom.tf2_tools.doctor.subject import Subject
 
 DURATION_S = 5.0
 LEAST_WIDTH = 50
 """Least number of columns into which the report is wrapped."""
+MOST_OF_A_CODE = 20
+"""Number of findings of one code that the text has."""
 UNUSABLE = 2
 """Exit code where nothing could be checked."""
 COLOURS = {Severity.ERROR: "31", Severity.WARNING: "33"}
@@ -164,18 +168,28 @@ def _print_codes(code: str | None) -> int:
 
 
 def _print_text(report: Report) -> None:
-    from tfloom.tf2_tools.doctor.report import MOST_WIDTH, body
+    from tfloom.tf2_tools.doctor.report import MOST_WIDTH
 
-    width = shutil.get_terminal_size().columns if sys.stdout.isatty() else MOST_WIDTH
+    columns = shutil.get_terminal_size().columns if sys.stdout.isatty() else MOST_WIDTH
     print(report.head())
-    for finding in report.findings:
-        print()
-        print(_coloured(finding.code, finding.kind.severity), end=" ", file=unescaped(sys.stdout))
-        lines = body(finding, max(width, LEAST_WIDTH))
-        print(f"{finding.kind.severity.value}: {next(lines)}")
-        for line in lines:
-            print(line)
+    for code, group in groupby(report.findings, key=lambda finding: finding.code):
+        findings = list(group)
+        for finding in findings[:MOST_OF_A_CODE]:
+            _print_finding(finding, max(columns, LEAST_WIDTH))
+        if len(findings) > MOST_OF_A_CODE:
+            print(f"\n{code}: and {len(findings) - MOST_OF_A_CODE} more; `--json` has all")
     print(f"\n{report.end()}")
+
+
+def _print_finding(finding: Finding, columns: int) -> None:
+    from tfloom.tf2_tools.doctor.report import body
+
+    lines = body(finding, columns)
+    print()
+    print(_coloured(finding.code, finding.kind.severity), end=" ", file=unescaped(sys.stdout))
+    print(f"{finding.kind.severity.value}: {next(lines)}")
+    for line in lines:
+        print(line)
 
 
 def _coloured(text: str, severity: Severity) -> str:

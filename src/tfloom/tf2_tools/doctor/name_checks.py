@@ -15,6 +15,7 @@ from tfloom.tf2_tools.doctor.subject import (
     source_of,
     stored,
 )
+from tfloom.tf2_tools.watch.model import Edge
 
 CONVENTIONAL = ("earth", "map", "odom", "base_link", "base_footprint")
 """The frames of REP 105 from the outermost inward, and that of REP 120."""
@@ -59,7 +60,7 @@ def _misorder(subject: Subject, outer: str, inner: str) -> Finding:
     outer_branch = tree.branch(outer)
     is_reversed = inner in outer_branch
     chain = outer_branch[: outer_branch.index(inner)] if is_reversed else [inner]
-    edges = [edge for edge in subject.edges if stored(edge.child) in chain]
+    edges = [edge for frame in chain for edge in subject.edges_of[frame]]
     sources = sorted({source_of(edge.publisher) for edge in edges})
     summary = (
         f"{outer} hangs below {inner}, but REP 105 puts {inner} below {outer}"
@@ -70,12 +71,17 @@ def _misorder(subject: Subject, outer: str, inner: str) -> Finding:
     return Finding("TF202", summary, sources, [outer, inner], evidence)
 
 
+def _frames(edge: Edge) -> tuple[str, str]:
+    return stored(edge.child), stored(edge.parent)
+
+
 def _misspelled(subject: Subject, frame: str) -> Iterator[Finding]:
     prefix, slash, name = frame.rpartition("/")
     meant = _BY_LETTERS.get("".join(letter for letter in name.lower() if letter.isalnum()))
     if meant is None or name == meant:
         return
-    edges = [edge for edge in subject.edges if frame in {stored(edge.child), stored(edge.parent)}]
+    near = [frame, *subject.tree.children.get(frame, ())]
+    edges = [e for each in near for e in subject.edges_of.get(each, ()) if frame in _frames(e)]
     sources = sorted({source_of(edge.publisher) for edge in edges})
     yield Finding(
         "TF203",

@@ -51,6 +51,14 @@ class Subject:
         return [edge for edge in self.seen.edges if edge.child and edge.parent and not is_own_parent(edge)]
 
     @cached_property
+    def edges_of(self) -> dict[str, list[Edge]]:
+        """The edges of each child, by its name as listeners store it."""
+        found: dict[str, list[Edge]] = {}
+        for edge in self.edges:
+            found.setdefault(stored(edge.child), []).append(edge)
+        return found
+
+    @cached_property
     def tree(self) -> Tree:
         """The frames by their parents, without leading slashes, as listeners store them."""
         ordered = sorted(self.edges, key=lambda edge: edge.statistics.last_received_ns)

@@ -23,10 +23,7 @@ def check_tree(subject: Subject, limits: Limits) -> Iterator[Finding]:  # noqa: 
     """Yield the findings on the tree."""
     if not subject.seen.edges:
         yield _nothing(subject)
-    children: dict[str, list[Edge]] = {}
-    for edge in subject.edges:
-        children.setdefault(stored(edge.child), []).append(edge)
-    for child, edges in children.items():
+    for child, edges in subject.edges_of.items():
         yield from _several_publishers(child, edges)
         yield from _static_and_dynamic(child, edges)
         yield from _reparented(subject, child, edges)
@@ -117,8 +114,8 @@ def _rate(edge: Edge) -> Evidence:
 
 def _loops(subject: Subject) -> Iterator[Finding]:
     for loop in subject.tree.loops():
-        closed = set(zip(loop, [*loop[1:], loop[0]], strict=True))
-        edges = [edge for edge in subject.edges if (stored(edge.child), stored(edge.parent)) in closed]
+        parents = zip(loop, [*loop[1:], loop[0]], strict=True)
+        edges = [e for child, up in parents for e in subject.edges_of[child] if stored(e.parent) == up]
         sources = sorted({source_of(edge.publisher) for edge in edges})
         way = " -> ".join([*reversed(loop), loop[-1]])
         yield Finding(
@@ -135,7 +132,7 @@ def _trees(subject: Subject) -> Iterator[Finding]:
     members = {root: [frame for _, frame in tree.walk(root)] for root in roots}
     roots.sort(key=lambda root: (-len(members[root]), root))
     outer = {frame for root in roots[1:] for frame in members[root]}
-    sources = {source_of(edge.publisher) for edge in subject.edges if stored(edge.child) in outer}
+    sources = {source_of(edge.publisher) for frame in outer for edge in subject.edges_of.get(frame, ())}
     evidence = [
         Evidence(f"the tree of {root}: {listed(members[root])}", {"root": root, "frames": len(members[root])})
         for root in roots
