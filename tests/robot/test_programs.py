@@ -10,6 +10,9 @@ from typing import Any
 
 import pytest
 
+from tfloom.node.context.context import Context
+from tfloom.node.node import Node
+
 GOLDEN = Path(__file__).parents[1] / "golden"
 ARM = GOLDEN / "arm.urdf"
 RSP = ("tfloom", "run", "robot_state_publisher", "robot_state_publisher")
@@ -59,17 +62,30 @@ def test_what_it_shows_matches_the_reference(ask: Callable[..., list[str]]) -> N
     assert ask("param", "describe", node, *names, "--no-daemon") == golden("rsp_describe")
 
 
-def test_the_endpoints_have_the_references_policies(ask: Callable[..., list[str]]) -> None:
+def test_the_endpoints_have_the_references_policies(
+    publisher: Any, module_domain_id: int, wait_until: Callable[..., None]
+) -> None:
     wanted = {
         "/joint_states": ("BEST_EFFORT", "VOLATILE"),
         "/robot_description": ("RELIABLE", "TRANSIENT_LOCAL"),
         "/tf": ("RELIABLE", "VOLATILE"),
         "/tf_static": ("RELIABLE", "TRANSIENT_LOCAL"),
     }
-    for topic, policies in wanted.items():
-        text = "\n".join(ask("topic", "info", "-v", topic, "--no-daemon"))
-        found = re.findall(r"(?:Reliability|Durability): (\w+)", text)
-        assert tuple(found) == policies, topic
+    context = Context()
+    context.init(args=[], domain_id=module_domain_id)
+    node = Node("onlooker", context=context)
+
+    def policies(topic: str) -> list[tuple[str, str]]:
+        found = [*node.get_publishers_info_by_topic(topic), *node.get_subscriptions_info_by_topic(topic)]
+        return [(each.qos_profile.reliability.name, each.qos_profile.durability.name) for each in found]
+
+    try:
+        wait_until(lambda: all(policies(topic) for topic in wanted))
+        assert {topic: policies(topic) for topic in wanted} == {
+            topic: [each] for topic, each in wanted.items()
+        }
+    finally:
+        context.destroy()
 
 
 def test_the_description_and_the_fixed_joints_reach_late_subscriptions(ask: Callable[..., list[str]]) -> None:
