@@ -168,6 +168,13 @@ def test_old_transforms_and_jumps() -> None:
     finding = scene.findings()[0]
     assert finding.code == "TF408"
     assert "20.980 s" in finding.evidence[0].text
+    beside = Scene()
+    for step in range(50):
+        beside.send("map", "base", step * 0.02 + 60.0, node="fast", late_s=-59.9)
+        beside.send("map", "base", step * 0.02, node="right", late_s=0.11)
+    [old] = [each for each in beside.findings() if each.code == "TF407"]
+    assert old.sources[0].node == "/right"
+    assert old.evidence[0].text.endswith("older than the newest, which is from /fast on /tf")
     swapped = Scene()
     for place, step in enumerate((0, 2, 1, 4, 3, 6, 5, 8, 7, 10, 9)):
         swapped.send("map", "base", step * 0.02, late_s=0.05 + (place - step) * 0.02)

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 
 import pytest
 from tests.conftest import wait_until
-from tests.tf2_tools.doctor.faulty_nodes import Node, edge
+from tests.tf2_tools.doctor.faulty_nodes import Node, S, edge
 
 from tfloom._native import HeaderSink
 from tfloom.interfaces.geometry_msgs.msg import PointStamped
@@ -60,6 +60,22 @@ def test_a_publisher_that_restarts(participant: Participant) -> None:
     subject = listen_while(participant, restart)
     assert [edge.publisher.has_left for edge in subject.seen.edges] == [True, False]
     assert diagnose(subject) == []
+
+
+def test_a_simulation_that_restarts(participant: Participant) -> None:
+    former, later = Node(participant, "simulator"), Node(participant, "simulator")
+
+    def restart() -> None:
+        for number in range(10):
+            former.send(edge("map", "base", stamp_ns=100 * S + number * S // 50, x=number * 0.01))
+        former.writer("/tf").close()
+        for number in range(10):
+            later.send(edge("map", "base", stamp_ns=S + number * S // 50, x=number * 0.01))
+
+    findings = {finding.code: finding for finding in diagnose(listen_while(participant, restart))}
+    assert "TF407" not in findings
+    text = findings["TF408"].evidence[0].text
+    assert text == "map -> base: by 99.180 s at most, 10 of 10 transforms are rejected as old"
 
 
 def test_headers_are_read_on_request(participant: Participant) -> None:

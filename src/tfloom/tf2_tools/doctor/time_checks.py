@@ -7,7 +7,14 @@ from collections.abc import Iterable, Iterator
 
 from tfloom.tf2_tools.doctor.finding import Evidence, Finding
 from tfloom.tf2_tools.doctor.limits import LEAST_COUNT, Limits
-from tfloom.tf2_tools.doctor.subject import Subject, by_publisher, evidence_of, for_each_publisher
+from tfloom.tf2_tools.doctor.subject import (
+    Subject,
+    by_publisher,
+    evidence_of,
+    for_each_publisher,
+    source_of,
+    stored,
+)
 from tfloom.tf2_tools.watch.model import Edge
 
 OTHER_TIME_S = 3600.0
@@ -95,24 +102,40 @@ def _clock(edge: Edge) -> str:
 
 def _jumps(subject: Subject) -> Iterator[tuple[Edge, Evidence]]:
     for edge in subject.moving:
-        if is_jump(edge):
+        if (back_ns := _jump_ns(subject, edge)) > 0:
             seen = edge.statistics
-            back_s = seen.largest_step_back_ns / 1e9
-            text = f"by {back_s:.3f} s at most, {seen.too_old} of {seen.count} transforms are rejected as old"
-            yield edge, evidence_of(edge, text, back_s=back_s, rejected=seen.too_old, count=seen.count)
+            text = f"by {back_ns / 1e9:.3f} s at most, {seen.too_old} of {seen.count} transforms are rejected as old"
+            figures = {"rejected": seen.too_old, "count": seen.count}
+            yield edge, evidence_of(edge, text, back_s=back_ns / 1e9, **figures)
 
 
-def is_jump(edge: Edge) -> bool:
-    """Return whether the stamps went back, and went on from there; an old transform in between is no jump."""
+def _jump_ns(subject: Subject, edge: Edge) -> int:
+    """Return how far an edge's stamps went back to go on from there [ns]; 0: they did not.
+
+    They may be those of a publisher that left, as before a simulation was restarted. An old one in between is no jump.
+    """
     seen = edge.statistics
-    return seen.largest_step_back_ns > LEAST_JUMP_NS and seen.out_of_order > seen.steps_back + 1
+    if seen.largest_step_back_ns > LEAST_JUMP_NS and seen.out_of_order > seen.steps_back + 1:
+        return seen.largest_step_back_ns
+    if not seen.too_old:
+        return 0
+    former = [e.statistics for e in subject.edges_of[stored(edge.child)] if e.publisher.has_left]
+    back_ns = max((each.newest_stamp_ns - seen.oldest_stamp_ns for each in former), default=0)
+    return back_ns if back_ns > LEAST_JUMP_NS else 0
 
 
 def _too_old(subject: Subject) -> Iterable[tuple[Edge, Evidence]]:
     for edge in subject.moving:
         seen = edge.statistics
-        if seen.too_old and not is_jump(edge):
-            newest_ns = subject.seen.children[edge.child].newest_stamp_ns
-            age_s = (newest_ns - seen.oldest_stamp_ns) / 1e9
-            text = f"{seen.too_old} of {seen.count} transforms, up to {age_s:.1f} s older than the newest"
+        if seen.too_old and not _jump_ns(subject, edge):
+            newest = max(
+                subject.edges_of[stored(edge.child)], key=lambda each: each.statistics.newest_stamp_ns
+            )
+            age_s = (newest.statistics.newest_stamp_ns - seen.oldest_stamp_ns) / 1e9
+            whose = (
+                "" if newest.publisher is edge.publisher else f", which is from {source_of(newest.publisher)}"
+            )
+            text = (
+                f"{seen.too_old} of {seen.count} transforms, up to {age_s:.1f} s older than the newest{whose}"
+            )
             yield edge, evidence_of(edge, text, rejected=seen.too_old, count=seen.count, age_s=age_s)
