@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import os
+import pty
 import re
 import shutil
 import signal
+import time
 from collections.abc import Callable
 from contextlib import nullcontext
 from pathlib import Path
@@ -13,9 +15,11 @@ from typing import Any
 
 import pytest
 import transcript
+from test_usage import VERBS
 from tests.bag.written_bags import START_NS, read_by_rosbags, topic
 
 from tfloom.bag import open_bag
+from tfloom.bag.reindexing import reindex
 from tfloom.bag.writing.bag_writer import BagWriter
 from tfloom.cli.main import main
 
@@ -228,16 +232,90 @@ def test_recording_and_playing_as_recorded(
 def test_killed_recorder_loses_at_most_the_last_second(
     talker: Any, domain_id: int, start_program: Callable[..., Any], tmp_path: Path
 ) -> None:
-    for storage_id in ("mcap", "sqlite3"):
-        folder = tmp_path / storage_id
-        recorder = start_program(
-            "tfloom", "bag", "record", "-s", storage_id, "-o", folder, "--topics", "/chatter"
-        )
+    folders = {storage_id: tmp_path / storage_id for storage_id in ("mcap", "sqlite3")}
+    recorders = [
+        start_program("tfloom", "bag", "record", "-s", storage_id, "-o", folder, "--topics", "/chatter")
+        for storage_id, folder in folders.items()
+    ]
+    for recorder in recorders:
         recorder.wait_for("Stopping discovery...")
-        count = len(talker.lines)
-        talker.wait_for(f"Hello World: {count + 3}")
-        os.kill(recorder.process.pid, signal.SIGKILL)
-        recorder.process.wait(20.0)
-        assert transcript.run("bag", "reindex", str(folder)).exit_code == 0
-        with pytest.warns(match="no end") if storage_id == "mcap" else nullcontext(), open_bag(folder) as bag:
-            assert len(list(bag.messages("/chatter"))) >= 2
+    talker.wait_for(f"Hello World: {len(talker.lines) + 3}")
+    for recorder in recorders:
+        recorder.signal(signal.SIGKILL)
+        recorder.wait()
+    for storage_id, folder in folders.items():
+        with pytest.warns(match="no end") if storage_id == "mcap" else nullcontext():
+            reindex(folder)
+            with open_bag(folder) as bag:
+                assert len(list(bag.messages("/chatter"))) >= 2
+
+
+@pytest.mark.parametrize("verb", ["burst", "convert", "info", "list", "play", "record", "reindex"])
+def test_usage_is_the_recorded_one(verb: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    recorded = transcript.golden(f"help_bag_{verb}").text
+    usage = recorded[: recorded.index("\n\n")]
+    found = VERBS[f"bag {verb}"].format_usage().rstrip("\n")
+    assert sorted_choices(found) == sorted_choices(usage)
+
+
+def test_type_that_only_a_peer_knows_is_recorded_with_its_definition(
+    domain_id: int, start_program: Callable[..., Any], tmp_path: Path
+) -> None:
+    lab = start_program("python", Path(__file__).with_name("a_node_with_own_types.py"))
+    lab.wait_for("ready")
+    recorder = start_program("tfloom", "bag", "record", "-o", tmp_path / "bag", "-e", "^/samples$")
+    recorder.wait_for("Subscribed to topic '/samples'")
+    wait_for_size(tmp_path / "bag" / "bag_0.mcap", 3000)
+    recorder.signal(signal.SIGINT)
+    assert recorder.wait() == 0
+    with open_bag(tmp_path / "bag") as bag:
+        definition = bag.topics["/samples"].definition
+        assert definition is not None
+        assert "MSG: lab_msgs/Part" in definition.text
+        (first, *_) = [list(message.at) for _, message in bag.read("/samples")]
+        assert first == [1.0, 2.0, 3.0]
+    assert read_by_rosbags(tmp_path / "bag")
+
+
+def wait_for_size(path: Path, size: int) -> None:
+    end = time.monotonic() + 20.0
+    while not path.exists() or path.stat().st_size < size:
+        assert time.monotonic() < end, "timeout"
+        time.sleep(0.01)
+
+
+def test_keys_of_a_terminal_pause_and_step(
+    domain_id: int, start_program: Callable[..., Any], tmp_path: Path
+) -> None:
+    terminal, theirs = pty.openpty()
+    player = start_program("tfloom", "bag", "play", BAGS / "mcap", "-p", "--rate", "100", stdin=theirs)
+    os.close(theirs)
+    try:
+        player.wait_for("Playback until timestamp")
+        for keys, said in (
+            (b" ", "Resuming play."),
+            (b" ", "Pausing play."),
+            (b"\x1b[A", "Set rate to 110"),
+            (b"\x1b[B", "Set rate to 99"),
+        ):
+            os.write(terminal, keys)
+            player.wait_for(said)
+        os.write(terminal, b"\x1b[C<>")
+        os.write(terminal, b" ")
+        assert player.wait() == 0
+        assert "Keyboard handling disabled" not in player.output
+    finally:
+        os.close(terminal)
+
+
+def test_full_disk_is_explained(
+    talker: Any, domain_id: int, start_program: Callable[..., Any], tmp_path: Path
+) -> None:
+    command = f"ulimit -f 1; exec {transcript.PROGRAM} bag record -o '{tmp_path / 'bag'}' -a"
+    recorder = start_program("bash", "-c", command)
+    assert recorder.wait(30.0) == 1
+    assert (
+        "bag_0.mcap: it can't be written: File too large. What was recorded before is kept" in recorder.output
+    )
+    assert "Traceback" not in recorder.output

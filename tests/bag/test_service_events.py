@@ -1,0 +1,72 @@
+"""Services in bags: their events are recorded, and their requests are sent again."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from tfloom.bag import open_bag
+from tfloom.bag.playing.play_options import PlayOptions
+from tfloom.bag.playing.player import Player
+from tfloom.bag.recording.record_options import RecordOptions
+from tfloom.bag.recording.recorder import Recorder
+from tfloom.bag.topic_choice import TopicChoice
+from tfloom.bag.writing.bag_writer import WriterSettings
+from tfloom.interfaces.example_interfaces.srv import AddTwoInts
+from tfloom.node.context.context import Context
+from tfloom.node.endpoints.service_introspection import ServiceIntrospectionState
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.node import Node
+from tfloom.node.qos.qos import qos_profile_system_default
+
+
+def test_requests_are_recorded_and_sent_again(local_context: Context, tmp_path: Path) -> None:
+    node = Node("adder", context=local_context)
+    sums: list[int] = []
+
+    def add(request: Any, response: Any) -> Any:
+        response.sum = request.a + request.b
+        sums.append(response.sum)
+        return response
+
+    service = node.create_service(AddTwoInts, "add", add)
+    service.configure_introspection(
+        node.get_clock(), qos_profile_system_default, ServiceIntrospectionState.CONTENTS
+    )
+    client = node.create_client(AddTwoInts, "add")
+    with SingleThreadedExecutor(context=local_context) as executor:
+        executor.add_node(node)
+        options = RecordOptions(TopicChoice(services=["/add"]), has_keyboard=False)
+        recorder = Recorder(tmp_path / "bag", WriterSettings(), options, context=local_context)
+        recorder.start()
+        for number in range(5):
+            executor.spin_until_future_complete(client.call_async(AddTwoInts.Request(a=number, b=10)), 5.0)
+        recorder.stop()
+        recorder.destroy_node()
+        assert sums == [10, 11, 12, 13, 14]
+
+        def spin_until(condition: Callable[[], bool]) -> None:
+            end = time.monotonic() + 10.0
+            while not condition():
+                assert time.monotonic() < end, sums
+                executor.spin_once(0.02)
+
+        with open_bag(tmp_path / "bag") as bag:
+            assert bag.topics.keys() == {"/add/_service_event"}
+            assert bag.message_count == 10
+            for options_, expected in (
+                (PlayOptions(publishes_requests=True), [10, 11, 12, 13, 14]),
+                (PlayOptions(publishes_requests=True, is_client_source=True), []),
+                (PlayOptions(), []),
+            ):
+                sums.clear()
+                options_.has_keyboard = False
+                player = Player(bag, options_, context=local_context)
+                player.start()
+                spin_until(player.ended.is_set)
+                spin_until(lambda: len(sums) >= len(expected))  # noqa: B023
+                player.stop()
+                player.destroy_node()
+                assert sums == expected
