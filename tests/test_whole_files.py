@@ -79,7 +79,8 @@ try:
 except OSError:
     pass
 init()
-code = view_frames.run(Node("view_frames", enable_rosout=False), Namespace(wait_time=0.0, output="out", formats=None, bag=None))
+options = Namespace(wait_time=0.0, output="out", formats=None, bag=None)
+code = view_frames.run(Node("view_frames", enable_rosout=False), options)
 print(code, open("out.gv").read(), open("out.pdf").read(), sorted(os.listdir()))
 import sys
 sys.stdout.flush()
