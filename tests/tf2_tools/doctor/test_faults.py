@@ -14,7 +14,9 @@ from tests.tf2_tools.doctor.faulty_nodes import FAULTS
 from tfloom.tf2_tools.doctor.catalogue import KINDS
 
 NODES = Path(__file__).with_name("faulty_nodes.py")
-DOCTOR = ("tfloom", "tf", "doctor", "--json", "--topics", "--seconds", "3")
+DOCTOR = ("tfloom", "tf", "doctor", "--json", "--topics")
+LISTENING_S = 2.6
+"""Longer than the period of the slowest fault, of 2 s."""
 BUSY = ("--max-gap", "0.75", "--max-ahead", "0.5")
 """Limits for a machine on which other tests run, too: the gap among the faults is 1 s long."""
 
@@ -80,9 +82,11 @@ def expected_names(fault: str) -> dict[str, set[str]]:
     return dict.fromkeys(EXPECTED[fault].codes, nodes)
 
 
-def run_doctor(start: Callable[..., Any], *words: str, code: int) -> dict[str, Any]:
+def run_doctor(
+    start: Callable[..., Any], *words: str, code: int, seconds: float = LISTENING_S
+) -> dict[str, Any]:
     """Run the doctor, and return its report; fail the test if its exit code is another one."""
-    program = start(*DOCTOR, *BUSY, *words)
+    program = start(*DOCTOR, "--seconds", f"{seconds}", *BUSY, *words)
     assert program.wait() == code, program.output
     report: dict[str, Any] = json.loads(program.output)
     return report
@@ -133,7 +137,7 @@ def test_a_fault_alone_has_no_other_finding(
 
 def test_a_sound_tree_has_no_findings(domain_id: int, start_program: Callable[..., Any]) -> None:
     start_nodes(start_program, "none")
-    report = run_doctor(start_program, "--strict", code=0)
+    report = run_doctor(start_program, "--strict", code=0, seconds=1.2)
     assert report["findings"] == []
     assert (report["frames"], report["roots"]) == (6, ["world"])
 

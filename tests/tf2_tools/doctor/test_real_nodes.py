@@ -72,9 +72,9 @@ def found(report: dict[str, Any]) -> list[tuple[str, list[str]]]:
 
 def test_a_program_that_runs_twice(domain_id: int, start_program: Callable[..., Any]) -> None:
     mounting = ("--frame-id", "world", "--child-frame-id", "camera", "--ros-args", "-r", "__node:=mounting")
-    for _ in range(2):
-        start_program(*STATIC, "--x", "1", *mounting).wait_for(SPINNING)
-    report = report_of(start_program, "--seconds", "1")
+    for program in [start_program(*STATIC, "--x", "1", *mounting) for _ in range(2)]:
+        program.wait_for(SPINNING)
+    report = report_of(start_program, "--seconds", "0.4")
     assert found(report) == [("TF101", ["/mounting"])]
     gids = {source["gid"][:24] for source in report["findings"][0]["sources"]}
     assert len(gids) == 2, "two participants"
@@ -84,7 +84,7 @@ def test_requests_to_a_buffer_server(domain_id: int, start_program: Callable[...
     start_program(*STATIC, "--x", "1", "--frame-id", "world", "--child-frame-id", "camera").wait_for(SPINNING)
     start_program("tfloom", "run", "tf2_ros", "buffer_server")
     start_program("python", "-c", ASKER).wait_for("server True")
-    report = report_of(start_program, "--seconds", "1.5")
+    report = report_of(start_program, "--seconds", "0.8")
     assert found(report) == [("TF602", ["/asker"])]
     finding = report["findings"][0]
     assert finding["frames"] == ["camra"]
@@ -96,7 +96,7 @@ def test_stamps_are_compared_with_the_simulated_time(
     domain_id: int, start_program: Callable[..., Any]
 ) -> None:
     start_program("python", "-c", SIMULATION).wait_for("published")
-    report = report_of(start_program, "--seconds", "1.5", "--max-gap", "1")
+    report = report_of(start_program, "--seconds", "0.8", "--max-gap", "1")
     assert found(report) == [("TF402", ["/stray"]), ("TF403", ["/stray"])]
     assert report["is_simulated"] is True
 
