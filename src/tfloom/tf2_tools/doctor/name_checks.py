@@ -13,9 +13,8 @@ from tfloom.tf2_tools.doctor.subject import (
     for_each_publisher,
     listed,
     source_of,
-    stored,
 )
-from tfloom.tf2_tools.watch.model import Edge
+from tfloom.tf2_tools.watch.model import Edge, stored_name
 
 CONVENTIONAL = ("earth", "map", "odom", "base_link", "base_footprint")
 """The frames of REP 105 from the outermost inward, and that of REP 120."""
@@ -72,7 +71,7 @@ def _misorder(subject: Subject, outer: str, inner: str) -> Finding:
 
 
 def _frames(edge: Edge) -> tuple[str, str]:
-    return stored(edge.child), stored(edge.parent)
+    return stored_name(edge.child), stored_name(edge.parent)
 
 
 def _misspelled(subject: Subject, frame: str) -> Iterator[Finding]:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from tfloom.tf2_tools.doctor.finding import Evidence, Finding, Source
-from tfloom.tf2_tools.watch.model import STATIC_TOPIC, Edge, Observation, Publisher
+from tfloom.tf2_tools.watch.model import STATIC_TOPIC, Edge, Observation, Publisher, stored_name
 from tfloom.tf2_tools.watch.tree import Tree
 
 SHOWN = 4
@@ -55,14 +55,14 @@ class Subject:
         """The edges of each child, by its name as listeners store it."""
         found: dict[str, list[Edge]] = {}
         for edge in self.edges:
-            found.setdefault(stored(edge.child), []).append(edge)
+            found.setdefault(stored_name(edge.child), []).append(edge)
         return found
 
     @cached_property
     def tree(self) -> Tree:
         """The frames by their parents, without leading slashes, as listeners store them."""
         ordered = sorted(self.edges, key=lambda edge: edge.statistics.last_received_ns)
-        return Tree({stored(edge.child): stored(edge.parent) for edge in ordered})
+        return Tree({stored_name(edge.child): stored_name(edge.parent) for edge in ordered})
 
     @cached_property
     def frames(self) -> set[str]:
@@ -83,18 +83,13 @@ class Subject:
         """Return a hint at a known frame that is spelled alike; empty if there is none."""
         if len(self.frames) > MOST_COMPARED:
             return ""
-        names = difflib.get_close_matches(stored(frame), sorted(self.frames), 1, 0.6)
+        names = difflib.get_close_matches(stored_name(frame), sorted(self.frames), 1, 0.6)
         return f"; did you mean {names[0]}?" if names else ""
 
 
 def is_own_parent(edge: Edge) -> bool:
     """Return whether both of an edge's frames are the same."""
-    return stored(edge.child) == stored(edge.parent)
-
-
-def stored(frame: str) -> str:
-    """Return a frame id as listeners store it: without a leading slash."""
-    return frame.removeprefix("/")
+    return stored_name(edge.child) == stored_name(edge.parent)
 
 
 def source_of(publisher: Publisher) -> Source:
@@ -141,6 +136,6 @@ def for_each_publisher(code: str, what: str, edges: Iterable[tuple[Edge, Evidenc
     seen = {id(edge): (edge, evidence) for edge, evidence in edges}
     for source, group in by_publisher(edge for edge, _ in seen.values()):
         names = listed(dict.fromkeys(edge_text(edge) for edge in group))
-        frames = sorted({stored(edge.child) for edge in group if edge.child})
+        frames = sorted({stored_name(edge.child) for edge in group if edge.child})
         summary = f"{source} {what.format(names)}"
         yield Finding(code, summary, [source], frames, [seen[id(edge)][1] for edge in group])

@@ -14,9 +14,8 @@ from tfloom.tf2_tools.doctor.subject import (
     is_own_parent,
     listed,
     source_of,
-    stored,
 )
-from tfloom.tf2_tools.watch.model import Edge, Publisher
+from tfloom.tf2_tools.watch.model import Edge, Publisher, stored_name
 
 
 def check_tree(subject: Subject, limits: Limits) -> Iterator[Finding]:  # noqa: ARG001 - as all checks
@@ -89,7 +88,7 @@ def _static_and_dynamic(child: str, edges: list[Edge]) -> Iterator[Finding]:
 
 
 def _reparented(subject: Subject, child: str, edges: list[Edge]) -> Iterator[Finding]:
-    parents = list(dict.fromkeys(stored(edge.parent) for edge in edges))
+    parents = list(dict.fromkeys(stored_name(edge.parent) for edge in edges))
     spellings = {edge.child for edge in edges}
     changes = sum(
         subject.seen.children[name].reparented for name in spellings if name in subject.seen.children
@@ -115,7 +114,7 @@ def _rate(edge: Edge) -> Evidence:
 def _loops(subject: Subject) -> Iterator[Finding]:
     for loop in subject.tree.loops():
         parents = zip(loop, [*loop[1:], loop[0]], strict=True)
-        edges = [e for child, up in parents for e in subject.edges_of[child] if stored(e.parent) == up]
+        edges = [e for child, up in parents for e in subject.edges_of[child] if stored_name(e.parent) == up]
         sources = sorted({source_of(edge.publisher) for edge in edges})
         way = " -> ".join([*reversed(loop), loop[-1]])
         yield Finding(
