@@ -11,7 +11,7 @@ set_up = @$(PYTHON) -c 'import sys; v = sys.version_info; \
 	sys.exit(v < (3, 10) and "set-up: tfloom needs Python 3.10 or newer, and $(PYTHON) is %d.%d: make PYTHON=python3.12 …" % v[:2])' \
 	&& $(PYTHON) tools/set_up.py --venv "$(VENV)" $(KEEP) $(SET_UP)
 
-.PHONY: setup demo test test-slow test-ros test-all check stub api ros-peer bench docs matrix wheels clean
+.PHONY: setup demo test test-slow test-ros test-all check stub api ros-peer bench docs matrix wheels dist licenses clean
 
 setup:
 	$(set_up) check
@@ -43,6 +43,8 @@ check:
 	"$(BIN)/ruff" check .
 	"$(BIN)/ruff" format --check .
 	"$(BIN)/mypy"
+	"$(BIN)/mypy" --platform win32
+	"$(BIN)/mypy" --platform darwin
 	"$(BIN)/mypy" -p tools
 	"$(BIN)/basedpyright" --pythonpath "$(BIN)/python"
 
@@ -81,6 +83,15 @@ matrix:
 # Collect all downloads of set-up, tests and checks in the folder wheels/, for a machine without a network.
 wheels:
 	$(set_up) wheels
+
+# Build the sdists and this system's wheels in dist/, and check them.
+dist:
+	@$(PYTHON) -m tools.release
+
+# List the licences of what tfloom is built with, needs, and is developed with; fail on one that isn't accepted.
+licenses:
+	$(set_up) check
+	@"$(BIN)/python" -m tools.licenses
 
 clean:
 	rm -rf "$(VENV)" build dist

@@ -23,8 +23,18 @@ namespace {
 constexpr const char* tried_versions[] = {"11.0.1"};
 
 #ifdef _WIN32
+std::wstring utf16_of(const std::string& utf8) {
+  const int size = static_cast<int>(utf8.size());
+  const int length = MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, utf8.data(), size, nullptr, 0);
+  std::wstring text(static_cast<std::size_t>(length), L'\0');
+  MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, utf8.data(), size, text.data(), length);
+  return text;
+}
+
+// Libraries that it needs are searched for beside it, and in the system's folders and those of os.add_dll_directory.
 void* open_shared_library(const std::string& path) {
-  void* handle = LoadLibraryA(path.c_str());
+  constexpr DWORD places = LOAD_LIBRARY_SEARCH_DLL_LOAD_DIR | LOAD_LIBRARY_SEARCH_DEFAULT_DIRS;
+  void* handle = LoadLibraryExW(utf16_of(path).c_str(), nullptr, places);
   if (handle == nullptr) throw Error("cannot open " + path + ": Windows error " + std::to_string(GetLastError()));
   return handle;
 }

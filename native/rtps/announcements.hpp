@@ -19,7 +19,11 @@ struct Address {
   std::array<std::uint8_t, 16> octets{};
   std::uint32_t port = 0;
 
-  auto operator<=>(const Address&) const = default;
+  // Not <=> by default, because std::array has it from libc++ 17 on.
+  bool operator==(const Address&) const = default;
+  bool operator<(const Address& other) const {
+    return octets != other.octets ? octets < other.octets : port < other.port;
+  }
 };
 
 class Addresses {

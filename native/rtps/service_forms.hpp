@@ -34,7 +34,10 @@ struct ServiceHeader {
   std::int64_t number = 0;
 
   static constexpr std::size_t size = 16;
-  auto operator<=>(const ServiceHeader&) const = default;
+  bool operator==(const ServiceHeader&) const = default;  // not <=>, as of Address
+  bool operator<(const ServiceHeader& other) const {
+    return client != other.client ? client < other.client : number < other.number;
+  }
 };
 
 // Append the header's octets: little-endian, whatever the message's encapsulation is.

@@ -58,7 +58,7 @@ def _send(child: subprocess.Popen[bytes], number: int) -> None:
 
 def _terminal_signals_us() -> bool:
     """Return whether this is the terminal's foreground process group, so that a Ctrl-C reaches the child, too."""
-    if os.name != "posix":
+    if sys.platform == "win32":
         return True
     try:
         terminal = os.open("/dev/tty", os.O_RDONLY | os.O_NOCTTY)

@@ -206,7 +206,7 @@ def _ignore_signals() -> None:
 
     The interpreter's exit would restore their default action, which ends the process with another exit code.
     """
-    if hasattr(signal, "setitimer"):
+    if sys.platform != "win32":
         signal.setitimer(signal.ITIMER_REAL, 0)  # of `_interrupt_again`
     for number in (signal.SIGINT, signal.SIGTERM):
         # A pending signal, whose handler has not run yet, is handled by the first call.
@@ -262,7 +262,7 @@ def _interrupt_again(error: sys.UnraisableHookArgs) -> None:
     """Interrupt the main thread again after a Ctrl-C inside a callback, because a callback can't raise it."""
     if error.exc_type is not KeyboardInterrupt:
         sys.__unraisablehook__(error)
-    elif hasattr(signal, "setitimer"):
+    elif sys.platform != "win32":
         signal.signal(signal.SIGALRM, signal.default_int_handler)
         signal.setitimer(signal.ITIMER_REAL, 0.002)
 

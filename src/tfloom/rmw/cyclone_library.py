@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import sys
 from functools import lru_cache
 from importlib.machinery import PathFinder
 
@@ -47,7 +48,7 @@ def copy_library() -> str:
         NoBackendError: as `find_library`.
         ForkedError: the system has no files in memory: it isn't Linux.
     """
-    if not hasattr(os, "memfd_create"):
+    if sys.platform != "linux":
         raise ForkedError(
             "a process that was forked from one with a node can't use DDS on this system: start it by "
             "multiprocessing's method 'spawn', or fork before the first node is created"

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 import signal
+import sys
 import time
 from collections.abc import Collection, Mapping
 
@@ -18,6 +19,12 @@ TAG = "TFLOOM_LAUNCH"
 """Environment variable with the ids of the launch and of the launches that it runs in, separated by colons."""
 
 POLL_S = 0.02
+if sys.platform == "win32":
+    KILL = signal.SIGTERM
+else:
+    KILL = signal.SIGKILL
+"""The signal that ends a process whatever it does. Windows knows no other end, and calls that SIGTERM."""
+
 KILL_S = 10.0
 """Time after which a process that SIGKILL did not end is given up: it is inside the kernel."""
 
@@ -72,13 +79,13 @@ def end(
     """
     alive = find(launch_id, groups, since_s)
     named = [_described(process) for process in alive]
-    for number, wait_s in [*steps.items(), (signal.SIGKILL, KILL_S)]:
+    for number, wait_s in [*steps.items(), (KILL, KILL_S)]:
         stop = time.monotonic() + wait_s
         signalled: set[int] = set()
         while alive:
             for process in alive:
                 # One that appears meanwhile is signalled, too; SIGKILL is repeated.
-                if number == signal.SIGKILL or process.pid not in signalled:
+                if number == KILL or process.pid not in signalled:
                     signalled.add(process.pid)
                     _send(process, number)
             if time.monotonic() > stop:
@@ -91,7 +98,7 @@ def end(
 def _send(process: psutil.Process, number: signal.Signals) -> None:
     try:
         process.send_signal(number)
-    except (psutil.Error, OSError):
+    except (psutil.Error, OSError, ValueError):  # the last, because Windows has no SIGINT for others
         return
 
 

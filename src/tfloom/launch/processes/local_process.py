@@ -88,6 +88,8 @@ class LocalProcess:
 
     @staticmethod
     def _open_terminals() -> list[tuple[int, int]]:
+        if sys.platform == "win32":
+            raise NotImplementedError  # `start` asks for pipes there
         import pty
 
         return [pty.openpty(), pty.openpty()]
@@ -104,11 +106,11 @@ class LocalProcess:
         Raises:
             ProcessLookupError: all have ended.
         """
-        if hasattr(os, "killpg"):
+        if sys.platform != "win32":
             os.killpg(self.pid, number)
         else:
             assert self._transport is not None  # noqa: S101  # after `start`
-            self._transport.send_signal(number)
+            self._transport.terminate()  # Windows sends no SIGINT to a process of another group
 
     def write(self, data: bytes) -> None:
         """Write to the process's stdin."""

@@ -8,6 +8,7 @@ import atexit
 import math
 import os
 import signal
+import sys
 import threading
 import time
 import weakref
@@ -247,14 +248,14 @@ _before_fork = threading.local()
 
 def _block_signals() -> None:
     """Before a fork, block the handled signals, because Python drops those that a child receives too early."""
-    if _previous:
+    if _previous and sys.platform != "win32":
         _before_fork.mask = signal.pthread_sigmask(signal.SIG_BLOCK, list(_previous))
 
 
 def _unblock_signals() -> None:
     """After a fork, undo `_block_signals`."""
     mask = _before_fork.__dict__.pop("mask", None)
-    if mask is not None:
+    if mask is not None and sys.platform != "win32":
         signal.pthread_sigmask(signal.SIG_SETMASK, mask)
 
 

@@ -3,20 +3,16 @@
 from __future__ import annotations
 
 import os
-import select
-import signal
 import sys
-import termios
 import time
-import tty
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from types import FrameType
 
 from rich.color import ColorSystem
 from rich.console import Console
 from rich.style import Style
 
+from tfloom.tf2_tools.top import keys as terminal_keys
 from tfloom.tf2_tools.top.lines import Line
 
 ENTER = "\x1b[?1049h\x1b[?25l\x1b[?7l"
@@ -95,9 +91,7 @@ class Screen:
 
     def write(self, text: str) -> None:
         """Write to the terminal: not by `sys.stdout`, which shows control characters."""
-        data = memoryview(text.encode("utf-8", "replace"))
-        while data:
-            data = data[os.write(self._output, data) :]
+        terminal_keys.write(self._output, text)
 
     def read_keys(self, end_s: float) -> list[str]:
         """Wait for keys until `end_s` on the monotonic clock [s]; return their names, none at the end.
@@ -106,18 +100,15 @@ class Screen:
         """
         if not self._wait(end_s - time.monotonic()):
             return []
-        try:
-            data = os.read(self._keys, 1024)
-        except OSError:  # EIO: the other end of the terminal is closed
-            data = b""
+        data = terminal_keys.read(self._keys)
         if not data:
             return ["q"]
         while data.endswith(b"\x1b") and self._wait(ESCAPE_S):
-            data += os.read(self._keys, 1024)
+            data += terminal_keys.read(self._keys)
         return key_names(data.decode("utf-8", "ignore"))
 
     def _wait(self, timeout_s: float) -> bool:
-        return bool(select.select([self._keys], [], [], max(0.0, timeout_s))[0])
+        return terminal_keys.wait(self._keys, max(0.0, timeout_s))
 
 
 COLORS = {
@@ -152,27 +143,11 @@ def whole_screen(output: int, keys: int) -> Iterator[Screen]:
 
     Ctrl-C raises KeyboardInterrupt as otherwise. Ctrl-Z gives the terminal back until the program continues.
     """
-    before = termios.tcgetattr(keys)
     screen = Screen(output, keys)
 
-    def suspend(_: int, __: FrameType | None) -> None:
-        leave()
-        os.kill(os.getpid(), signal.SIGSTOP)
-        enter()
-
     def enter() -> None:
-        tty.setcbreak(keys)
         screen.write(ENTER + CLEAR + HOME)
         screen.forget()
 
-    def leave() -> None:
-        termios.tcsetattr(keys, termios.TCSADRAIN, before)
-        screen.write(LEAVE)
-
-    former = signal.signal(signal.SIGTSTP, suspend)
-    try:
-        enter()
+    with terminal_keys.single(keys, enter, lambda: screen.write(LEAVE)):
         yield screen
-    finally:
-        signal.signal(signal.SIGTSTP, former)
-        leave()

@@ -1,0 +1,117 @@
+"""native/ compiles with a second compiler and library, clang with libc++, and for the systems that aren't this one.
+
+For the others, clang comes with their headers in the package ziglang. The bindings are left out there, because they
+need the headers of a Python of that system.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import sysconfig
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import nanobind
+import pytest
+from tests.shared_folders import shared_folder
+
+ROOT = Path(__file__).parents[2]
+NATIVE = ROOT / "native"
+WARNINGS = ["-std=c++20", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Werror"]
+OF_SYSTEMS = re.compile(r"_WIN32|__APPLE__|__linux__|_MSC_VER|__aarch64__|__x86_64__|__GNUC__")
+TARGETS = [
+    "x86_64-windows-gnu",
+    "aarch64-macos.11.0",
+    "x86_64-macos.11.0",
+    "aarch64-linux-gnu",
+    "x86_64-linux-musl",
+]
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(os.name != "posix", reason="the places of commands are POSIX's"),
+]
+
+
+def clang() -> str | None:
+    """Return a clang of version 15 or newer that has libc++; None if there is none."""
+    for name in ("clang++", *(f"clang++-{version}" for version in range(21, 14, -1))):
+        if shutil.which(name) is None:
+            continue
+        program = "#include <concepts>\n#include <span>\n"
+        command = [name, "-stdlib=libc++", "-std=c++20", "-fsyntax-only", "-x", "c++", "-"]
+        if not subprocess.run(command, input=program, text=True, capture_output=True, check=False).returncode:
+            return name
+    return None
+
+
+def failures(compiler: list[str], sources: list[Path]) -> list[str]:
+    """Compile each source to nowhere, in parallel; return what the compiler prints of those that fail."""
+
+    def messages(source: Path) -> str:
+        with tempfile.TemporaryDirectory() as folder:
+            command = [*compiler, *WARNINGS, f"-I{NATIVE}", "-c", str(source), "-o", f"{folder}/object"]
+            done = subprocess.run(command, capture_output=True, text=True, timeout=600, check=False)
+        return f"{source.relative_to(ROOT)}:\n{done.stderr}" if done.returncode else ""
+
+    with ThreadPoolExecutor(os.cpu_count()) as threads:
+        return list(filter(None, threads.map(messages, sources)))
+
+
+def test_clang_with_libcxx_compiles_all_without_a_warning() -> None:
+    compiler = clang()
+    if compiler is None:
+        pytest.skip(
+            "no clang with libc++ is installed: apt-get install clang-16 libc++-16-dev libc++abi-16-dev"
+        )
+    headers = [sysconfig.get_path("include"), nanobind.include_dir()]
+    options = [compiler, "-stdlib=libc++", "-fPIC", *(f"-isystem{each}" for each in headers)]
+    failed = failures(options, sorted(NATIVE.rglob("*.cpp")))
+    assert not failed, "\n".join(failed)
+
+
+@pytest.fixture(scope="module")
+def zig(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
+    """Install the package ziglang, and return the command of its clang."""
+    with shared_folder(tmp_path_factory, "ziglang") as folder:
+        python = folder / "venv" / "bin" / "python"
+        if not python.exists():
+            subprocess.run([sys.executable, "-m", "venv", python.parents[1]], check=True, timeout=120)
+        subprocess.run([python, "-m", "pip", "install", "--quiet", "ziglang>=0.13"], check=True, timeout=600)
+        return [str(python), "-m", "ziglang", "c++"]
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_what_differs_between_systems_compiles_for_each(
+    zig: list[str], target: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("ZIG_GLOBAL_CACHE_DIR", str(tmp_path))
+    sources = [path for path in sorted(NATIVE.rglob("*.cpp")) if path.parent.name != "bindings"]
+    of_systems = [
+        path
+        for path in sources
+        if any(
+            OF_SYSTEMS.search(part.read_text("utf-8"))
+            for part in (path, path.with_suffix(".hpp"))
+            if part.exists()
+        )
+    ]
+    assert len(of_systems) > 5
+    failed = failures([*zig, "-target", target], of_systems)
+    assert not failed, "\n".join(failed)
+
+
+def test_a_fault_of_another_system_is_found(
+    zig: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("ZIG_GLOBAL_CACHE_DIR", str(tmp_path))
+    monkeypatch.setattr(f"{__name__}.ROOT", tmp_path)
+    source = tmp_path / "fault.cpp"
+    source.write_text("#ifdef _WIN32\nint f() { return nothing; }\n#endif\nint g();\nint g() { return 1; }\n")
+    assert not failures([*zig, "-target", "x86_64-linux-musl"], [source])
+    assert "nothing" in "".join(failures([*zig, "-target", "x86_64-windows-gnu"], [source]))
