@@ -1,9 +1,7 @@
-"""Measure recordings: reading, writing, recording and playing."""
+"""Measure recordings: reading."""
 
 from __future__ import annotations
 
-from benchmarks.bag import playing, reading, writing
+from benchmarks.bag import reading
 
 reading.main([])
-writing.main([])
-playing.main([])
