@@ -97,7 +97,9 @@ void erase_oldest(Map& map, std::size_t most) {
 
 std::atomic<ServiceForms*> forms_of_process = nullptr;
 
+#ifndef _WIN32
 void start_anew_in_child() { forms_of_process.exchange(new ServiceForms)->abandon(); }
+#endif
 
 }  // namespace
 
