@@ -15,6 +15,7 @@ ROOMS = {"tf2": "tf2", "tf2_ros": "tf2_ros"}
 """The rooms with an API page, by its name."""
 INTERNAL = {
     "tf2.frozen": "its methods are Buffer's",
+    "tf2.html": "used by notebooks",
     "tf2_ros.annotation_types": "names for annotations",
     "tf2_ros.deadlines": "used by buffer",
     "tf2_ros.far_stamps": "used by transform_listener",
