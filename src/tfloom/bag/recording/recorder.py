@@ -149,7 +149,7 @@ class Recorder(Node):
         with self._lock:
             self.writer.queue.restart_file()
             if not self.writer.settings.is_snapshot:
-                self.writer.write_rest()
+                self.writer.write_present()
             self.writer.split()
 
     def take_snapshot(self) -> bool:
@@ -161,8 +161,7 @@ class Recorder(Node):
         if not self.writer.settings.is_snapshot:
             return False
         with self._lock:
-            self.writer.queue.seal()
-            self.writer.write_rest()
+            self.writer.write_present()
         return True
 
     def _serve(self) -> None:

@@ -134,8 +134,17 @@ class BagWriter:
             if chunk is not None:
                 self.write_chunk(chunk)
 
+    def write_present(self) -> None:
+        """Write the messages that are waiting now, and not all of those that arrive meanwhile.
+
+        Raises:
+            BagError: they can't be written; what was written before stays readable.
+        """
+        self.queue.seal()
+        self.write_complete()
+
     def write_rest(self) -> None:
-        """Write all messages that are waiting.
+        """Write all messages that are waiting; the queue must not grow meanwhile.
 
         Raises:
             BagError: they can't be written; what was written before stays readable.

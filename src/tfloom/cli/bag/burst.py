@@ -28,15 +28,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Publish the messages, then go on from the keyboard or by services, until Ctrl-C."""
-    from tfloom.bag.errors import BagError
-
-    try:
+    with common.explained():
         options = play_arguments.common_options(args)
         options.is_start_paused = True
         with common.running_context("info"):
             from tfloom.bag.playing.run import play
 
             play(Path(args.bag_path), options, burst=args.num_messages)
-    except BagError as problem:
-        raise common.error(str(problem)) from None
     return 0

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import argparse
 import re
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from tfloom.cli.errors import CommandError
 
@@ -99,6 +100,30 @@ def add_storage(parser: argparse.ArgumentParser, names: list[str] = STORAGES) ->
 def full_names(names: list[str] | None) -> list[str]:
     """Return names with a slash before them."""
     return [name if name.startswith("/") else f"/{name}" for name in names or []]
+
+
+@contextmanager
+def explained() -> Iterator[None]:
+    """Raise errors of bags as a verb's, and print warnings of bags as a line on stderr, for the block."""
+    import warnings
+
+    from tfloom.bag.errors import BagError, BagWarning
+
+    show = warnings.showwarning
+
+    def show_line(message: Warning | str, category: type[Warning], *rest: Any, **options: Any) -> None:
+        if issubclass(category, BagWarning):
+            print(f"[WARN] [ros2bag]: {message}", file=sys.stderr)
+        else:
+            show(message, category, *rest, **options)
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("always", BagWarning)
+        warnings.showwarning = show_line
+        try:
+            yield
+        except BagError as problem:
+            raise error(str(problem)) from None
 
 
 @contextmanager

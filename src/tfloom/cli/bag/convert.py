@@ -30,16 +30,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(args: argparse.Namespace) -> int:
     """Write the bags."""
     from tfloom.bag.converting import convert, read_outputs
-    from tfloom.bag.errors import BagError
 
     for words in args.input:
         if len(words) > 2:
             raise common.error(f"--input expects 1 or 2 arguments, {len(words)} provided: {' '.join(words)}")
         if len(words) == 2 and words[1] not in common.STORAGES:
             raise common.error(f"Unknown storage '{words[1]}'; known are {', '.join(common.STORAGES)}")
-    try:
+    with common.explained():
         outputs = read_outputs(Path(args.output_options))
         convert([Path(words[0]) for words in args.input], outputs)
-    except BagError as problem:
-        raise common.error(str(problem)) from None
     return 0

@@ -23,23 +23,19 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Print what is known of the bag."""
-    from tfloom.bag.errors import BagError
     from tfloom.bag.metadata import METADATA_FILE
     from tfloom.bag.opening import open_bag
 
     path = Path(args.bag_path)
     if path.is_dir() and not (path / METADATA_FILE).exists():
         raise CommandError(f"Could not find metadata in bag directory {args.bag_path}")
-    try:
-        with open_bag(path) as bag:
-            if args.topic_name:
-                _print_names(list(bag.topics))
-            else:
-                from tfloom.bag.info_text import info_text
+    with common.explained(), open_bag(path) as bag:
+        if args.topic_name:
+            _print_names(list(bag.topics))
+        else:
+            from tfloom.bag.info_text import info_text
 
-                print(info_text(bag, verbose=args.verbose, sort=args.sort))
-    except BagError as problem:
-        raise common.error(str(problem)) from None
+            print(info_text(bag, verbose=args.verbose, sort=args.sort))
     return 0
 
 

@@ -134,16 +134,12 @@ def _add_requests(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Play until the bag's end, or Ctrl-C."""
-    from tfloom.bag.errors import BagError
-
-    try:
+    with common.explained():
         options = _options(args)
         with common.running_context(args.log_level):
             from tfloom.bag.playing.run import play
 
             play(Path(args.bag_path), options)
-    except BagError as problem:
-        raise common.error(str(problem)) from None
     return 0
 
 

@@ -156,16 +156,13 @@ def _add_storage(parser: argparse.ArgumentParser) -> None:
 def main(args: argparse.Namespace) -> int:
     """Record until Ctrl-C."""
     folder = _checked_folder(args)
-    from tfloom.bag.errors import BagError
 
-    try:
+    with common.explained():
         settings, options = _settings(args), _options(args)
         with common.running_context(args.log_level):
             from tfloom.bag.recording.run import record
 
             record(folder, settings, options, node_name=args.node_name, learn=common.learn_type)
-    except BagError as problem:
-        raise common.error(str(problem)) from None
     return 0
 
 

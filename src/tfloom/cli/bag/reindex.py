@@ -16,14 +16,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Write metadata.yaml."""
-    from tfloom.bag.errors import BagError
     from tfloom.bag.reindexing import reindex
 
     path = Path(args.bag_path)
     if not path.is_dir():
         raise common.error("Must specify a bag directory")
-    try:
+    with common.explained():
         reindex(path, args.storage)
-    except BagError as problem:
-        raise common.error(str(problem)) from None
     return 0
