@@ -233,10 +233,10 @@ def jitter(participant: Participant) -> Steps:
 
 
 def gap(participant: Participant) -> Steps:
-    """Publish with a pause of 1 s in every 2 s."""
+    """Publish with a pause of 1 s in every 1.4 s."""
     node = Node(participant, "gap")
     for step in count():
-        if step % 100 < 50:
+        if step % 70 < 20:
             node.send(edge("world", "gap/base"))
         yield
 

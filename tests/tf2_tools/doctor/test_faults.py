@@ -16,7 +16,7 @@ from tfloom.tf2_tools.doctor.catalogue import KINDS
 NODES = Path(__file__).with_name("faulty_nodes.py")
 DOCTOR = ("tfloom", "tf", "doctor", "--json", "--topics")
 LISTENING_S = 2.6
-"""Longer than the period of the slowest fault, of 2 s."""
+"""Longer than the period of the slowest fault, of 2 s, on a busy machine, too."""
 BUSY = ("--max-gap", "0.75", "--max-ahead", "0.5")
 """Limits for a machine on which other tests run, too: the gap among the faults is 1 s long."""
 
