@@ -186,6 +186,18 @@ def talker(domain_id: int, start_program: Callable[..., Any]) -> Any:
     return program
 
 
+def wait_until(condition: Callable[[], bool]) -> None:
+    end = time.monotonic() + 20.0
+    while not condition():
+        assert time.monotonic() < end, "timeout"
+        time.sleep(0.01)
+
+
+def texts_on_disk(folder: Path) -> int:
+    """Return how many of the talker's messages the files of a bag hold."""
+    return sum(path.read_bytes().count(b"Hello World") for path in folder.glob("*_0.*"))
+
+
 def recorder_lines(recorded: str) -> list[str]:
     return sorted(line for line in unstamped(recorded).replace(NO_KEYS, "").splitlines() if line)
 
@@ -195,7 +207,7 @@ def test_recording_and_playing_as_recorded(
 ) -> None:
     recorder = start_program("tfloom", "bag", "record", "-o", tmp_path / "b1", "/chatter", cwd=tmp_path)
     recorder.wait_for("Stopping discovery...")
-    talker.wait_for("Hello World: 3")
+    wait_until(lambda: texts_on_disk(tmp_path / "b1") >= 2)
     recorder.process.send_signal(signal.SIGINT)
     assert recorder.process.wait(20.0) == 0
     expected = recorder_lines(transcript.golden("bag_record").text)
@@ -227,18 +239,6 @@ def test_recording_and_playing_as_recorded(
     listener.wait_for(texts[-1])
     heard = [line.partition("I heard: [")[2].rstrip("]") for line in listener.lines if "I heard" in line]
     assert heard == texts
-
-
-def wait_until(condition: Callable[[], bool]) -> None:
-    end = time.monotonic() + 20.0
-    while not condition():
-        assert time.monotonic() < end, "timeout"
-        time.sleep(0.01)
-
-
-def texts_on_disk(folder: Path) -> int:
-    """Return how many of the talker's messages the files of a bag hold."""
-    return sum(path.read_bytes().count(b"Hello World") for path in folder.glob("*_0.*"))
 
 
 def test_killed_recorder_loses_at_most_the_last_second(
