@@ -30,6 +30,21 @@ def test_several_publishers_may_be_of_one_name() -> None:
     assert [source.node for source in finding.sources] == ["/node", "/node"]
 
 
+def test_a_killed_node_that_restarts_is_one() -> None:
+    scene = Scene()
+    for step in range(50):
+        scene.send("map", "odom", step * 0.02, process=1, x=step * 0.01)
+    for step in range(50, 100):
+        scene.send("map", "odom", step * 0.02 + 0.2, process=2, x=step * 0.01)
+    assert scene.codes(max_gap_s=3.0) == []
+    scene.send("map", "odom", 2.5, node="other", x=1.0)
+    assert scene.codes(max_gap_s=3.0) == ["TF101"]
+    equal = Scene()
+    for process in (1, 2):
+        equal.send("map", "odom", 0.0, process=process, static=True)
+    assert equal.codes() == ["TF101"]
+
+
 def test_parents_that_change_once_do_not_go_back_and_forth() -> None:
     scene = Scene()
     scene.steadily("map", "a", 1, static=True)

@@ -48,30 +48,30 @@ def listen(
         with_topics: Whether to subscribe to all topics with headers as well.
         topics: The topics of moving and of static transforms.
     """
-    with _ears(participant, topics) as ears:
+    with _reading(participant, topics) as readers:
         end_s = time.monotonic() + duration_s
         with suppress(KeyboardInterrupt):
             while (now_s := time.monotonic()) < end_s:
-                ears.refresh(with_topics=with_topics)
+                readers.refresh(with_topics=with_topics)
                 time.sleep(min(LOOK_S, max(0.0, end_s - now_s)))
-        return ears.subject()
+        return readers.subject()
 
 
 @contextmanager
-def _ears(participant: Participant, topics: tuple[str, str]) -> Iterator[_Ears]:
+def _reading(participant: Participant, topics: tuple[str, str]) -> Iterator[_Readers]:
     node = NodeName("/", f"_tfloom_tf_doctor_{os.getpid()}")
     participant.add_node(node)
     try:
-        ears = _Ears(participant, node, topics)
+        readers = _Readers(participant, node, topics)
         try:
-            yield ears
+            yield readers
         finally:
-            ears.close()
+            readers.close()
     finally:
         participant.remove_node(node)
 
 
-class _Ears:
+class _Readers:
     """All readers of a diagnosis. For one thread."""
 
     def __init__(self, participant: Participant, node: NodeName, topics: tuple[str, str]) -> None:

@@ -13,9 +13,8 @@ from tfloom.tf2_tools.doctor.subject import (
     evidence_of,
     for_each_publisher,
     source_of,
-    stored,
 )
-from tfloom.tf2_tools.watch.model import Edge
+from tfloom.tf2_tools.watch.model import Edge, stored_name
 
 OTHER_TIME_S = 3600.0
 """If all stamps are further from now than this, they are of another time, as a simulation's: compare publishers."""
@@ -119,7 +118,7 @@ def _jump_ns(subject: Subject, edge: Edge) -> int:
         return seen.largest_step_back_ns
     if not seen.too_old:
         return 0
-    former = [e.statistics for e in subject.edges_of[stored(edge.child)] if e.publisher.has_left]
+    former = [e.statistics for e in subject.edges_of[stored_name(edge.child)] if e.publisher.has_left]
     back_ns = max((each.newest_stamp_ns - seen.oldest_stamp_ns for each in former), default=0)
     return back_ns if back_ns > LEAST_JUMP_NS else 0
 
@@ -129,7 +128,7 @@ def _too_old(subject: Subject) -> Iterable[tuple[Edge, Evidence]]:
         seen = edge.statistics
         if seen.too_old and not _jump_ns(subject, edge):
             newest = max(
-                subject.edges_of[stored(edge.child)], key=lambda each: each.statistics.newest_stamp_ns
+                subject.edges_of[stored_name(edge.child)], key=lambda each: each.statistics.newest_stamp_ns
             )
             age_s = (newest.statistics.newest_stamp_ns - seen.oldest_stamp_ns) / 1e9
             whose = (

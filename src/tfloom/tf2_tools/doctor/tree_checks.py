@@ -49,15 +49,19 @@ def _owner(publisher: Publisher) -> tuple[str, bytes]:
 
 
 def _are_at_once(edges: list[Edge]) -> bool:
-    """Return whether edges of different publishers were sent in turns: a restarted node sends after the former one."""
-    spans = sorted((e.statistics.first_received_ns, e.statistics.last_received_ns, e) for e in edges)
-    alive = [e for e in edges if not e.publisher.has_left]
-    if len({_owner(e.publisher) for e in alive}) > 1:
+    """Return whether edges of several publishers are sent at the same time.
+
+    A node that was restarted sends after the former one, which the graph may list for a while if it was killed.
+    """
+    present = {_owner(edge.publisher) for edge in edges if not edge.publisher.has_left}
+    if len(present) > 1 and (edges[0].is_static or len({name for name, _ in present}) > 1):
         return True
-    return any(
-        later[0] < former[1] and _owner(later[2].publisher) != _owner(former[2].publisher)
-        for former, later in pairwise(spans)
-    )
+    spans: dict[tuple[str, bytes], tuple[int, int]] = {}
+    for edge in edges:
+        seen, owner = edge.statistics, _owner(edge.publisher)
+        begin, end = spans.get(owner, (seen.first_received_ns, seen.last_received_ns))
+        spans[owner] = min(begin, seen.first_received_ns), max(end, seen.last_received_ns)
+    return any(later[0] < former[1] for former, later in pairwise(sorted(spans.values())))
 
 
 def _several_publishers(child: str, edges: list[Edge]) -> Iterator[Finding]:
