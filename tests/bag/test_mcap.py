@@ -254,6 +254,25 @@ def assert_drive_in(path: Path) -> None:
     assert edges["lidar"].is_static
 
 
+def test_offsets_and_lengths_beyond_the_file(tmp_path: Path) -> None:
+    """Numbers of 8 bytes in the summary are made huge, one after the other."""
+    whole = write_mcap(tmp_path / "whole.mcap", DRIVE[:20], "zstd").read_bytes()
+    path = tmp_path / "huge.mcap"
+    (start,) = struct.unpack_from("<Q", whole, len(whole) - len(MAGIC) - 20)
+    chance = random.Random(3)
+    for at in chance.sample(range(start, len(whole) - len(MAGIC) - 8), 150):
+        data = bytearray(whole)
+        struct.pack_into("<Q", data, at, chance.choice([2**64 - 1, 2**63, 2**62, 2**33]))
+        path.write_bytes(data)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", BagWarning)
+            try:
+                found_in(open_bag(path))
+                frames(path)
+            except BagError:
+                pass
+
+
 def test_metadata_record_of_rosbag2() -> None:
     from tfloom.bag.mcap_reader import McapFile
 

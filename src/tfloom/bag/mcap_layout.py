@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import os
 import struct
 import warnings
 import zlib
@@ -21,6 +22,10 @@ __all__ = ["Layout", "Span", "decompressed", "read_at", "warn_of_damage", "whole
 CHECKSUM = struct.Struct("<I")
 BLOCK = 1 << 22
 """How much is read at once of messages outside of chunks [bytes]."""
+MOST_UNCHECKED = 1 << 20
+"""How much is read without a look at the file's size [bytes]."""
+FARTHEST = (1 << 63) - 1
+"""The greatest offset that a system's files have."""
 
 
 class Span(NamedTuple):
@@ -85,7 +90,11 @@ class Layout:
 
 
 def read_at(file: io.FileIO, offset: int, size: int) -> bytes:
-    """Return bytes of a file; fewer at its end."""
+    """Return bytes of a file; fewer at its end. Offset and size may be any numbers, because files state them."""
+    if size > MOST_UNCHECKED:
+        size = min(size, os.fstat(file.fileno()).st_size - offset)
+    if size <= 0 or not 0 <= offset <= FARTHEST:
+        return b""
     file.seek(offset)
     data: bytes = file.read(size) or b""
     while len(data) < size and (more := file.read(size - len(data))):
