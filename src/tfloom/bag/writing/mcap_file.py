@@ -12,9 +12,10 @@ from pathlib import Path
 
 from tfloom import __version__
 from tfloom._native import Chunk
+from tfloom.bag.mcap_records import MAGIC, Opcode
 from tfloom.bag.values import Topic
 from tfloom.bag.writing import mcap_records as records
-from tfloom.bag.writing.mcap_records import ChunkPlace, McapChannel, MetadataPlace, Opcode
+from tfloom.bag.writing.mcap_records import ChunkPlace, McapChannel, MetadataPlace
 from tfloom.bag.writing.storage import StorageSettings
 
 __all__ = ["McapFile"]
@@ -43,7 +44,7 @@ class McapFile:
         self._size = 0
         self._file: io.FileIO | None = io.FileIO(path, "x")
         try:
-            self._append(records.MAGIC + records.header("ros2", f"tfloom {__version__}"))
+            self._append(MAGIC + records.header("ros2", f"tfloom {__version__}"))
             self._write_metadata(metadata)
         except OSError:
             self._file.close()
@@ -78,7 +79,7 @@ class McapFile:
         try:
             self._write_metadata(metadata)
             end = records.record(Opcode.DATA_END, struct.pack("<I", 0))
-            self._append(end + self._summary(self._size + len(end)) + records.MAGIC)
+            self._append(end + self._summary(self._size + len(end)) + MAGIC)
         finally:
             self._file = None
             file.close()

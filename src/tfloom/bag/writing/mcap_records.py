@@ -6,26 +6,9 @@ import struct
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-__all__ = ["MAGIC", "ChunkPlace", "McapChannel", "MetadataPlace", "Opcode"]
+from tfloom.bag.mcap_records import Opcode
 
-MAGIC = b"\x89MCAP0\r\n"
-
-
-class Opcode:
-    """The kinds of records."""
-
-    HEADER = 0x01
-    FOOTER = 0x02
-    SCHEMA = 0x03
-    CHANNEL = 0x04
-    CHUNK = 0x06
-    MESSAGE_INDEX = 0x07
-    CHUNK_INDEX = 0x08
-    STATISTICS = 0x0B
-    METADATA = 0x0C
-    METADATA_INDEX = 0x0D
-    SUMMARY_OFFSET = 0x0E
-    DATA_END = 0x0F
+__all__ = ["ChunkPlace", "McapChannel", "MetadataPlace"]
 
 
 class McapChannel(NamedTuple):
