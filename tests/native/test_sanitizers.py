@@ -15,7 +15,14 @@ ROOT = Path(__file__).parents[2]
 BUILD_TIMEOUT_S = 1800
 RUN_TIMEOUT_S = 600
 pytestmark = pytest.mark.slow
-PROGRAMS = ["buffer_threads", "chunk_threads", "dds_ownership", "hostile_tf", "queue_threads"]
+PROGRAMS = [
+    "buffer_threads",
+    "chunk_threads",
+    "dds_ownership",
+    "hostile_tf",
+    "observer_threads",
+    "queue_threads",
+]
 CMAKE_OPTIONS = [
     "-DTFLOOM_WARNINGS_AS_ERRORS=ON",
     # The optimiser of GCC 12 warns of code that only instrumentation makes.
