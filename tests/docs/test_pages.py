@@ -21,7 +21,13 @@ TUTORIAL = sorted((DOCS / "tutorial").glob("*.md"))
 HOW_TOS = sorted((DOCS / "how_to").glob("*.md"))
 PAGES = [*TUTORIAL, *HOW_TOS]
 WITH_COMMANDS = [path for path in PAGES if list(page.commands(page.blocks(path)))]
-WITH_PROGRAMS = [path for path in [*sorted(DOCS.glob("*.md")), *PAGES] if page.program(page.blocks(path))[1]]
+QUOTING = {"testing"}
+"""Pages whose blocks are parts of an example, with which tests/testing compares them."""
+WITH_PROGRAMS = [
+    path
+    for path in [*sorted(DOCS.glob("*.md")), *PAGES]
+    if page.program(page.blocks(path))[1] and path.stem not in QUOTING
+]
 BIN = Path(sys.executable).parent
 
 
