@@ -40,7 +40,7 @@ from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 from tfloom.node.values.time import Time
 from tfloom.rmw.qos import DurabilityPolicy as Durability
-from tfloom.rmw.qos import ReliabilityPolicy
+from tfloom.rmw.qos import QoS, ReliabilityPolicy
 
 
 class Listener:
@@ -228,8 +228,9 @@ def static_bag(folder: Path) -> None:
 
 
 def test_static_transforms_reach_late_subscriptions(
-    listener: Listener, local_context: Context, tmp_path: Path
+    listener: Listener, local_context: Context, tmp_path: Path, deviations: dict[str, dict[str, str]]
 ) -> None:
+    assert {"bag-latched", "bag-keys", "bag-mixed-offers"} <= deviations.keys()
     static_bag(tmp_path / "bag")
     late = QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL)
     with open_bag(tmp_path / "bag") as bag:
@@ -245,6 +246,15 @@ def test_static_transforms_reach_late_subscriptions(
                 assert sorted(each.transforms[0].header.stamp.sec for each in received) == [0, 1]
                 listener.node.destroy_subscription(subscription)
             listener.texts.clear()
+
+
+def test_overridden_quality_is_offered(bag: Bag, local_context: Context) -> None:
+    weak = {"/chatter": QoS(ReliabilityPolicy.BEST_EFFORT, depth=3)}
+    with player(bag, local_context, is_start_paused=True, qos_overrides=weak) as node:
+        (info,) = node.get_publishers_info_by_topic("/chatter")
+        assert info.qos_profile.reliability == ReliabilityPolicy.BEST_EFFORT
+        (info,) = node.get_publishers_info_by_topic("/tf")
+        assert info.qos_profile.reliability == ReliabilityPolicy.RELIABLE
 
 
 def test_offered_quality_is_the_strongest_recorded_one(tmp_path: Path) -> None:

@@ -203,8 +203,13 @@ def recorder_lines(recorded: str) -> list[str]:
 
 
 def test_recording_and_playing_as_recorded(
-    talker: Any, domain_id: int, start_program: Callable[..., Any], tmp_path: Path
+    talker: Any,
+    domain_id: int,
+    start_program: Callable[..., Any],
+    tmp_path: Path,
+    deviations: dict[str, dict[str, str]],
 ) -> None:
+    assert {"bag-play-lines", "signal-line"} <= deviations.keys()
     recorder = start_program("tfloom", "bag", "record", "-o", tmp_path / "b1", "/chatter", cwd=tmp_path)
     recorder.wait_for("Stopping discovery...")
     wait_until(lambda: texts_on_disk(tmp_path / "b1") >= 2)
