@@ -185,8 +185,6 @@ def test_programs_of_a_workspace_are_completed(tmp_path: Path, monkeypatch: pyte
 FREE = {
     "path",
     "bag_path",
-    "target_frame",
-    "source_frame",
     "value",
     "argv",
     "parameter_file",
@@ -217,6 +215,22 @@ def test_lifecycle_nodes_and_their_transitions_are_completed(
     start_program("python", Path(__file__).with_name("a_lifecycle_node.py")).wait_for("ready")
     assert complete("tfloom lifecycle get /", tmp_path) == ["/a_node"]
     assert complete("tfloom lifecycle set /a_node con", tmp_path) == ["configure"]
+
+
+def test_frames_of_a_graph_and_of_a_file_are_completed(
+    domain_id: int,
+    tmp_path: Path,
+    start_program: Callable[..., object],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "robot.yaml").write_text(
+        "static_transforms: [{frame_id: base, child_frame_id: laser}, {frame_id: base, child_frame_id: lamp}]"
+    )
+    start_program("tfloom", "tf", "publish", tmp_path / "robot.yaml").wait_for("until Ctrl-C")
+    assert complete("tfloom tf explain ba", tmp_path) == ["base"]
+    assert complete("tfloom tf explain base la", tmp_path) == ["lamp", "laser"]
+    assert complete("tfloom tf plot --bag robot.yaml base las", tmp_path) == ["laser"]
 
 
 def test_live_topics_nodes_and_types_are_completed(

@@ -159,6 +159,16 @@ def _transitions(args: argparse.Namespace) -> list[str]:
         return [each.transition.label for each in nodes[0].transitions()]
 
 
+def _frames(args: argparse.Namespace) -> list[str]:
+    """Return the frames of the live graph, or of the bag or file of --bag."""
+    from tfloom.cli.tf import source
+    from tfloom.tf2_tools.watch.model import stored_name
+
+    with source.open_source(args) as opened:
+        frames = source.settled(opened, MOST_S).frames()
+    return sorted({stored_name(frame) for frame in frames})
+
+
 def _packages(_: argparse.Namespace) -> list[str]:
     return sorted({*index.workspace_packages(), *index.own_packages()})
 
@@ -194,6 +204,8 @@ _OFFERS: dict[tuple[str, ...], Callable[[argparse.Namespace], Iterable[str]]] = 
     ("parameter_names",): _parameters,
     ("topic_type",): lambda _: known_interfaces("msg"),
     ("find", "service_type"): lambda _: known_interfaces("srv"),
+    ("target_frame",): _frames,
+    ("source_frame",): _frames,
     ("transition",): _transitions,
     ("lifecycle", "node_name"): _lifecycle_nodes,
     ("node_name",): _nodes,

@@ -63,7 +63,7 @@ class McapFile:
         if self._settings.is_chunked:
             self._write_chunk(chunk, prefix)
         else:
-            self._append(prefix + chunk.records)
+            self._append(prefix, chunk.records)
         self._written_channels.update(new)
         self._written_schemas.update(self._schema(number) for number in new)
         for number, count in counts:
@@ -85,14 +85,15 @@ class McapFile:
             file.close()
 
     def _write_chunk(self, chunk: Chunk, prefix: bytes) -> None:
-        content = prefix + chunk.records
-        size = len(content)
-        crc = zlib.crc32(content) if self._settings.has_chunk_crc else 0
+        parts = [prefix, chunk.records]
+        size = sum(map(len, parts))
+        crc = zlib.crc32(parts[1], zlib.crc32(prefix)) if self._settings.has_chunk_crc else 0
         compression = self._settings.compression
-        content = _compressed(content, compression, self._settings.level)
-        sizes = (size, len(content))
-        head = records.chunk_head(chunk.start_ns, chunk.end_ns, sizes, crc, compression)
-        length = len(head) + len(content)
+        if compression:
+            parts = [_compressed(b"".join(parts), compression, self._settings.level)]
+        stored_size = sum(map(len, parts))
+        head = records.chunk_head(chunk.start_ns, chunk.end_ns, (size, stored_size), crc, compression)
+        length = len(head) + stored_size
         offset = self._size
         index_offsets: dict[int, int] = {}
         indexes = b""
@@ -100,10 +101,10 @@ class McapFile:
             for number, _ in chunk.counts():
                 index_offsets[number] = offset + length + len(indexes)
                 indexes += records.message_index(number, chunk.index(number, len(prefix)))
-        self._append(b"".join((head, content, indexes)))
+        self._append(head, *parts, indexes)
         times = (chunk.start_ns, chunk.end_ns)
         place = ChunkPlace(
-            *times, offset, length, index_offsets, len(indexes), compression, len(content), size
+            *times, offset, length, index_offsets, len(indexes), compression, stored_size, size
         )
         self._chunks.append(place)
 
@@ -113,20 +114,24 @@ class McapFile:
         self._append(octets)
         self._metadata.append(place)
 
-    def _append(self, octets: bytes) -> None:
-        """Append octets; if not all can be written, leave the file as it was."""
+    def _append(self, *parts: bytes) -> None:
+        """Append octets; if not all can be written, leave the file as it was.
+
+        The parts are not joined, because copying large messages takes as long as writing them.
+        """
         if self._file is None:
             raise ValueError("the file is closed")
-        left = memoryview(octets)
         try:
-            while left:
-                left = left[self._file.write(left) or 0 :]
+            for part in parts:
+                left = memoryview(part)
+                while left:
+                    left = left[self._file.write(left) or 0 :]
         except OSError:
             with suppress(OSError):
                 self._file.truncate(self._size)
                 self._file.seek(self._size, os.SEEK_SET)
             raise
-        self._size += len(octets)
+        self._size += sum(map(len, parts))
 
     def _schema(self, number: int) -> int:
         """Return the number of the schema of a channel."""
@@ -191,8 +196,6 @@ class McapFile:
 
 
 def _compressed(content: bytes, compression: str, level: str) -> bytes:
-    if not compression:
-        return content
     from tfloom.bag.writing.compression import compress
 
     return compress(content, compression, level)

@@ -22,6 +22,8 @@ __all__ = ["add_arguments", "add_topics", "is_live", "open_source", "opened", "s
 
 WAIT_S = 3.0
 """The longest wait for transforms of a live graph, without --wait [s]."""
+LOOK_S = 0.1
+"""Period at which a wait looks again, although nothing has come [s]."""
 SETTLED_S = 0.5
 """A live graph's edges are all known when no new one has come for this time [s]."""
 
@@ -117,7 +119,7 @@ def wait_for(source: Source, is_enough: Callable[[Observation], bool], timeout_s
     """Wait until an observation is enough; return it, or the last one after `timeout_s` [s]."""
     end_s = time.monotonic() + timeout_s
     while not is_enough(seen := source.observation()) and time.monotonic() < end_s:
-        source.wait(end_s)
+        source.wait(min(end_s, time.monotonic() + LOOK_S))  # because time alone may make it enough
     return seen
 
 
