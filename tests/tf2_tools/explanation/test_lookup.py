@@ -18,7 +18,7 @@ from tfloom.tf2_tools.watch.recorded import RecordedMessage, observe_recorded
 
 START_S = 1_700_000_000
 S = 1_000_000_000
-GOLDEN = Path(__file__).parents[2] / "golden" / "tf_explain"
+TEXTS = Path(__file__).with_name("texts")
 
 
 def message(
@@ -175,7 +175,7 @@ def test_nothing_was_recorded() -> None:
 def test_the_report_is_the_recorded_one(name: str, at_s: float | None) -> None:
     """The time-lines; replace the files after a deliberate change of the text."""
     text = report_text(looked_up("map", "laser", at_s)) + "\n"
-    assert text == (GOLDEN / f"{name}.txt").read_text("utf-8")
+    assert text == (TEXTS / f"{name}.txt").read_text("utf-8")
 
 
 def test_plain_values_have_the_same_facts() -> None:
