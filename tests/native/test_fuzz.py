@@ -1,8 +1,8 @@
 """The fuzzers of native code, with some ten thousand inputs each.
 
 `fuzz_cdr` decodes plans of every kind of field; its corpus are bytes that a real ROS 2 wrote. `fuzz_tf` pushes bytes of
-/tf into a buffer, `fuzz_bag` reads records of recordings into one, and `fuzz_frozen` maps frozen buffers; their corpora
-are in `corpus/`. `fuzz_rtps` reads and
+/tf into a buffer, `fuzz_bag` reads records of recordings into one, `fuzz_joints` converts the states of joints, and
+`fuzz_frozen` maps frozen buffers; their corpora are in `corpus/`. `fuzz_rtps` reads and
 rewrites datagrams of services, after some with known answers; it has its corpus itself.
 
 By hand and for longer: `python -m tests.native.test_fuzz NAME AMOUNT [SEED]`; the amount is in seconds, or a number of
@@ -36,6 +36,7 @@ SEEDS = {
     "fuzz_bag": (5, 5),
     "fuzz_cdr": (970, 970),
     "fuzz_frozen": (3, 4),
+    "fuzz_joints": (4, 4),
     "fuzz_rtps": (3, 7),
     "fuzz_tf": (7, 7),
 }
@@ -44,6 +45,7 @@ INPUTS = {
     "fuzz_bag": 50_000,
     "fuzz_cdr": 40_000,
     "fuzz_frozen": 20_000,
+    "fuzz_joints": 100_000,
     "fuzz_rtps": 100_000,
     "fuzz_tf": 50_000,
 }
