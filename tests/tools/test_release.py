@@ -82,6 +82,15 @@ def test_wheel_names_its_c_library_and_is_small(
 
 
 @pytest.mark.slow
+def test_each_wheel_holds_the_licence(files: list[Path]) -> None:
+    text = (ROOT / "LICENSE").read_bytes()
+    for wheel in (path for path in files if path.suffix == ".whl"):
+        with zipfile.ZipFile(wheel) as content:
+            (name,) = (each for each in content.namelist() if each.endswith(".dist-info/licenses/LICENSE"))
+            assert content.read(name) == text, wheel.name
+
+
+@pytest.mark.slow
 def test_sdist_holds_what_a_build_needs_alone(files: list[Path]) -> None:
     (sdist,) = (path for path in files if path.name.startswith("tfloom-") and path.name.endswith(".tar.gz"))
     with tarfile.open(sdist) as archive:
