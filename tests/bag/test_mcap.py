@@ -12,7 +12,7 @@ from mcap.reader import make_reader
 from tests.bag.recordings import START, drive, found_in, write_mcap
 
 from tfloom.bag import BagError, BagWarning, frames, open_bag
-from tfloom.bag.mcap_records import MAGIC, RECORD_HEADER, Opcode
+from tfloom.bag.reading.mcap_records import MAGIC, RECORD_HEADER, Opcode
 
 DRIVE = drive()
 
@@ -209,7 +209,7 @@ def test_only_chunks_with_transforms_are_decompressed(
     texts = [each for each in DRIVE if each[0] == "/chatter"] * 40
     others = [(topic, START + 5_000_000_000 + i, data) for i, (topic, _, data) in enumerate(texts)]
     path = write_mcap(tmp_path / "a.mcap", DRIVE + others, "zstd", chunk_size=4000)
-    from tfloom.bag import mcap_layout
+    from tfloom.bag.reading import mcap_layout
 
     read = 0
     real = mcap_layout.read_at
@@ -221,7 +221,7 @@ def test_only_chunks_with_transforms_are_decompressed(
         return data
 
     for module in ("mcap_layout", "mcap_sparse"):
-        monkeypatch.setattr(f"tfloom.bag.{module}.read_at", counting)
+        monkeypatch.setattr(f"tfloom.bag.reading.{module}.read_at", counting)
     assert_drive(path)
     with path.open("rb") as file:
         summary = make_reader(file).get_summary()
@@ -274,7 +274,7 @@ def test_offsets_and_lengths_beyond_the_file(tmp_path: Path) -> None:
 
 
 def test_metadata_record_of_rosbag2() -> None:
-    from tfloom.bag.mcap_reader import McapFile
+    from tfloom.bag.reading.mcap_reader import McapFile
 
     golden = Path(__file__).parents[1] / "golden" / "bags" / "mcap" / "b1_0.mcap"
     found = McapFile(golden).metadata("rosbag2")

@@ -13,7 +13,8 @@ import pytest
 import zstandard
 from tests.bag.recordings import SECOND, START, drive, found_in, write_sqlite
 
-from tfloom.bag import BagError, frames, open_bag, sqlite_reader
+from tfloom.bag import BagError, frames, open_bag
+from tfloom.bag.reading import sqlite_reader
 
 DRIVE = drive()
 

@@ -8,9 +8,9 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from tfloom.bag.bag_file import BagFile
 from tfloom.bag.errors import BagError
 from tfloom.bag.metadata import Metadata
+from tfloom.bag.reading.bag_file import BagFile
 from tfloom.bag.values import EARLIEST, LATEST, RawMessage, Topic
 
 if TYPE_CHECKING:

@@ -6,9 +6,9 @@ import os
 from pathlib import Path
 
 from tfloom.bag.bag import Bag
-from tfloom.bag.bag_file import BagFile
 from tfloom.bag.errors import BagError
 from tfloom.bag.metadata import FileInformation, Metadata, read_metadata
+from tfloom.bag.reading.bag_file import BagFile
 
 __all__ = ["open_bag"]
 

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from tfloom.bag.bag import Bag
-from tfloom.bag.bag_file import COMPRESSED, BagFile
 from tfloom.bag.metadata import FileInformation, Metadata
+from tfloom.bag.reading.bag_file import COMPRESSED, BagFile
 from tfloom.bag.writing.metadata_text import METADATA_VERSION, NO_TIME_NS, ROS_DISTRO
 from tfloom.bag.writing.storage import STORAGES
 

@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from tfloom._native import Chunk, ChunkQueue
-from tfloom.bag.compression import CompressionError
 from tfloom.bag.errors import BagError
 from tfloom.bag.metadata import METADATA_FILE, FileInformation, Metadata
+from tfloom.bag.reading.compression import CompressionError
 from tfloom.bag.values import Topic
 from tfloom.bag.writing.metadata_text import (
     METADATA_VERSION,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from tfloom.bag.compression import lz4_frame, zstd
+from tfloom.bag.reading.compression import lz4_frame, zstd
 
 __all__ = ["COMPRESSED_SUFFIX", "compress", "compress_file", "compress_message", "compressor"]
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from tfloom import __version__
 from tfloom._native import Chunk
-from tfloom.bag.mcap_records import MAGIC, Opcode
+from tfloom.bag.reading.mcap_records import MAGIC, Opcode
 from tfloom.bag.values import Topic
 from tfloom.bag.writing import mcap_records as records
 from tfloom.bag.writing.mcap_records import ChunkPlace, McapChannel, MetadataPlace

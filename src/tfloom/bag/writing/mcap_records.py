@@ -6,7 +6,7 @@ import struct
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-from tfloom.bag.mcap_records import Opcode
+from tfloom.bag.reading.mcap_records import Opcode
 
 __all__ = ["ChunkPlace", "McapChannel", "MetadataPlace"]
 

@@ -8,13 +8,13 @@ from functools import cached_property
 from pathlib import Path
 
 from tfloom import _native
-from tfloom.bag import mcap_records as records
-from tfloom.bag.compression import CompressionError, decompress_message
 from tfloom.bag.errors import BagError
-from tfloom.bag.mcap_layout import Layout, Span, read_at, warn_of_damage, whole_records
-from tfloom.bag.mcap_scan import Scan
-from tfloom.bag.mcap_sparse import SparseReader
-from tfloom.bag.mcap_summary import read_layout
+from tfloom.bag.reading import mcap_records as records
+from tfloom.bag.reading.compression import CompressionError, decompress_message
+from tfloom.bag.reading.mcap_layout import Layout, Span, read_at, warn_of_damage, whole_records
+from tfloom.bag.reading.mcap_scan import Scan
+from tfloom.bag.reading.mcap_sparse import SparseReader
+from tfloom.bag.reading.mcap_summary import read_layout
 from tfloom.bag.values import EARLIEST, LATEST, Definition, Progress, RawMessage, TfTopic, Topic
 
 __all__ = ["McapFile"]

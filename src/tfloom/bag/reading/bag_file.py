@@ -8,9 +8,9 @@ from collections.abc import Collection, Iterator, Mapping
 from pathlib import Path
 
 from tfloom._native import TfRecords
-from tfloom.bag.compression import CompressionError, copy_decompressed
 from tfloom.bag.errors import BagError
 from tfloom.bag.metadata import FileInformation
+from tfloom.bag.reading.compression import CompressionError, copy_decompressed
 from tfloom.bag.values import Progress, RawMessage, Storage, TfTopic, Topic
 
 __all__ = ["COMPRESSED", "BagFile", "storage_of"]
@@ -27,15 +27,15 @@ def storage_of(path: Path, is_message_compressed: bool = False) -> Storage:
         OSError: it can't be read.
     """
     if path.suffix == ".mcap":
-        from tfloom.bag.mcap_reader import McapFile
+        from tfloom.bag.reading.mcap_reader import McapFile
 
         return McapFile(path, is_message_compressed)
     if path.suffix == ".db3":
-        from tfloom.bag.sqlite_reader import SqliteFile
+        from tfloom.bag.reading.sqlite_reader import SqliteFile
 
         return SqliteFile(path, is_message_compressed)
     if path.suffix == ".bag":
-        from tfloom.bag.ros1_reader import Ros1File
+        from tfloom.bag.reading.ros1_reader import Ros1File
 
         return Ros1File(path)
     raise BagError(

@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any
 
 from tfloom._native import TfRecords
-from tfloom.bag.compression import CompressionError, decompress_message
 from tfloom.bag.errors import BagError
+from tfloom.bag.reading.compression import CompressionError, decompress_message
 from tfloom.bag.values import EARLIEST, LATEST, Definition, Progress, RawMessage, TfTopic, Topic
 
 __all__ = ["SqliteFile"]

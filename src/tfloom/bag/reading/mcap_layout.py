@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 from tfloom import _native
-from tfloom.bag import mcap_records as records
-from tfloom.bag.compression import CompressionError, DamagedError, decompress, decompress_part
 from tfloom.bag.errors import BagError, BagWarning
-from tfloom.bag.mcap_records import Opcode
+from tfloom.bag.reading import mcap_records as records
+from tfloom.bag.reading.compression import CompressionError, DamagedError, decompress, decompress_part
+from tfloom.bag.reading.mcap_records import Opcode
 
 __all__ = ["Layout", "Span", "decompressed", "read_at", "warn_of_damage", "whole_records"]
 

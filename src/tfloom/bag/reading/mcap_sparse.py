@@ -6,9 +6,9 @@ import io
 from collections.abc import Collection, Iterator
 from pathlib import Path
 
-from tfloom.bag import mcap_records as records
-from tfloom.bag.mcap_layout import Span, decompressed, read_at, warn_of_damage, whole_records
-from tfloom.bag.mcap_records import RECORD_HEADER, Opcode, RecordError
+from tfloom.bag.reading import mcap_records as records
+from tfloom.bag.reading.mcap_layout import Span, decompressed, read_at, warn_of_damage, whole_records
+from tfloom.bag.reading.mcap_records import RECORD_HEADER, Opcode, RecordError
 
 __all__ = ["SparseReader"]
 

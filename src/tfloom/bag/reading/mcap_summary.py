@@ -7,11 +7,11 @@ import warnings
 from collections import Counter
 from pathlib import Path
 
-from tfloom.bag import mcap_records as records
 from tfloom.bag.errors import BagError, BagWarning
-from tfloom.bag.mcap_layout import Layout, Span, read_at
-from tfloom.bag.mcap_records import Opcode, RecordError
-from tfloom.bag.mcap_scan import Scan
+from tfloom.bag.reading import mcap_records as records
+from tfloom.bag.reading.mcap_layout import Layout, Span, read_at
+from tfloom.bag.reading.mcap_records import Opcode, RecordError
+from tfloom.bag.reading.mcap_scan import Scan
 
 __all__ = ["read_layout"]
 

@@ -7,10 +7,10 @@ import warnings
 from pathlib import Path
 
 from tfloom import _native
-from tfloom.bag import mcap_records as records
 from tfloom.bag.errors import BagWarning
-from tfloom.bag.mcap_layout import BLOCK, Layout, Span, decompressed, read_at, warn_of_damage
-from tfloom.bag.mcap_records import RECORD_HEADER, Opcode, RecordError
+from tfloom.bag.reading import mcap_records as records
+from tfloom.bag.reading.mcap_layout import BLOCK, Layout, Span, decompressed, read_at, warn_of_damage
+from tfloom.bag.reading.mcap_records import RECORD_HEADER, Opcode, RecordError
 
 __all__ = ["Scan"]
 
