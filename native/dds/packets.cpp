@@ -45,7 +45,7 @@ std::optional<rtps::Address> address_of(const msghdr& message) {
 
 std::size_t size_of(const msghdr& message) {
   std::size_t size = 0;
-  for (std::size_t i = 0; i < message.msg_iovlen; ++i) size += message.msg_iov[i].iov_len;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(message.msg_iovlen); ++i) size += message.msg_iov[i].iov_len;
   return size;
 }
 
@@ -64,7 +64,7 @@ void pace(std::size_t size) {
 
 std::vector<std::byte> joined(const msghdr& message) {
   std::vector<std::byte> datagram;
-  for (std::size_t i = 0; i < message.msg_iovlen; ++i) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(message.msg_iovlen); ++i) {
     const auto* begin = static_cast<const std::byte*>(message.msg_iov[i].iov_base);
     datagram.insert(datagram.end(), begin, begin + message.msg_iov[i].iov_len);
   }
