@@ -110,6 +110,11 @@ std::unique_ptr<Chunk> ChunkQueue::take(std::chrono::nanoseconds timeout) {
   return oldest;
 }
 
+void ChunkQueue::wait(std::chrono::nanoseconds timeout) {
+  std::unique_lock lock(mutex_);
+  changed_.wait_for(lock, timeout, [this] { return !complete_.empty() || is_closed_; });
+}
+
 void ChunkQueue::seal() {
   const std::lock_guard lock(mutex_);
   complete(false);

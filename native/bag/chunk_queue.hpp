@@ -58,6 +58,9 @@ class ChunkQueue {
   // Return nullptr if there is no message, or the queue is closed and empty.
   std::unique_ptr<Chunk> take(std::chrono::nanoseconds timeout);
 
+  // Wait for a complete chunk or the end, until the timeout.
+  void wait(std::chrono::nanoseconds timeout);
+
   void seal();          // complete the unfinished chunk
   void end_file();      // the same, and let the next message be the first one of a new file
   void restart_file();  // let the next message be the first one, as far as `duration_ns` is concerned

@@ -80,6 +80,11 @@ std::unique_ptr<Chunk> take(QueueHandle& self, std::int64_t timeout_ns) {
   return self.queue->take(std::chrono::nanoseconds(timeout_ns));
 }
 
+void wait(QueueHandle& self, std::int64_t timeout_ns) {
+  const ReleasedGil release;
+  self.queue->wait(std::chrono::nanoseconds(timeout_ns));
+}
+
 bool push(QueueHandle& self, std::uint16_t channel, const nb::bytes& data, std::int64_t log_time_ns,
           std::int64_t publish_time_ns) {
   const std::span octets(static_cast<const std::byte*>(data.data()), data.size());
@@ -134,6 +139,7 @@ void bind_bag(nb::module_& m) {
       .def("take", &take, "timeout_ns"_a, nb::sig("def take(self, timeout_ns: int) -> Chunk | None"),
            "Remove and return the oldest complete chunk, or after the timeout the unfinished one; None if there is no "
            "message.")
+      .def("wait", &wait, "timeout_ns"_a, "Wait until there is a complete chunk, the queue is closed, or the timeout.")
       .def("seal", &call<&ChunkQueue::seal>, "Complete the unfinished chunk.")
       .def("end_file", &call<&ChunkQueue::end_file>, "Complete the unfinished chunk, as the last one of its file.")
       .def("restart_file", &call<&ChunkQueue::restart_file>,

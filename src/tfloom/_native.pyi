@@ -1183,6 +1183,11 @@ class ChunkQueue:
         Remove and return the oldest complete chunk, or after the timeout the unfinished one; None if there is no message.
         """
 
+    def wait(self, timeout_ns: int) -> None:
+        """
+        Wait until there is a complete chunk, the queue is closed, or the timeout.
+        """
+
     def seal(self) -> None:
         """Complete the unfinished chunk."""
 

@@ -7,7 +7,6 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from tfloom._native import Chunk
 from tfloom.bag.errors import BagError
 from tfloom.bag.recording.record_options import RecordOptions
 from tfloom.bag.recording.recorded_topics import RecordedTopics
@@ -213,14 +212,16 @@ class Recorder(Node):
             if self.writer.settings.is_snapshot:
                 self._ended.wait(FLUSH_NS / 1e9)
                 continue
-            chunk = queue.take(FLUSH_NS)
-            if chunk is not None and not self._write_chunk(chunk):
+            queue.wait(FLUSH_NS)
+            if not self._write_oldest_chunk():
                 return
 
-    def _write_chunk(self, chunk: Chunk) -> bool:
+    def _write_oldest_chunk(self) -> bool:
         try:
-            with self._lock:
-                self.writer.write_chunk(chunk)
+            with self._lock:  # taken and written by one thread, because a split writes what is left in the queue
+                chunk = self.writer.queue.take(0)
+                if chunk is not None:
+                    self.writer.write_chunk(chunk)
         except BagError as error:
             self._fail(error)
             return False
