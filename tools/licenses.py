@@ -34,6 +34,11 @@ DECIDED = {
         "BSD-2-Clause",
         "the GPL holds for a file of Emacs that wheels lack",
     ),
+    "xacro": (
+        "Copyright Robert Haschke, Bielefeld University",
+        "BSD-3-Clause",
+        "the metadata has the licence's text in place of its name",
+    ),
 }
 """Packages whose metadata needs a reader: what it states, the licence that is used, and the reason."""
 

@@ -19,6 +19,7 @@ from tfloom.interfaces.geometry_msgs.msg import Vector3
 from tfloom.interfaces.sensor_msgs.msg import LaserScan
 
 AT_A_TIME = 4
+BAG = str(Path(__file__).parents[1] / "golden" / "bags" / "mcap")
 POSE = "/turtle1/pose"
 ROTATE = "/turtle1/rotate_absolute"
 ASKED = {
@@ -44,6 +45,7 @@ ASKED = {
     "service info": ("/spawn",),
     "service list": (),
     "service type": ("/spawn",),
+    "tf top": ("--bag", BAG),
     "topic echo": ("--once", POSE),
     "topic find": ("turtlesim/msg/Pose",),
     "topic info": (POSE,),
@@ -51,7 +53,12 @@ ASKED = {
     "topic type": (POSE,),
 }
 """What each verb is asked; its answer is never empty."""
-ELSEWHERE = {"service echo": "tests/cli/test_service.py"}
+ELSEWHERE = {
+    "service echo": "tests/cli/test_service.py",
+    "tf diff": "tests/cli/test_tf_statics.py",
+    "tf doctor": "tests/tf2_tools/doctor/test_command.py",
+    "tf explain": "tests/cli/test_tf_explain.py",
+}
 WITHOUT = {
     **dict.fromkeys(["action send_goal", "service call", "topic pub", "demo", "run"], "does something"),
     **dict.fromkeys(
@@ -62,6 +69,8 @@ WITHOUT = {
         [f"bag {verb}" for verb in ("burst", "convert", "info", "list", "play", "record", "reindex")],
         "works on a bag",
     ),
+    **dict.fromkeys(["tf plot", "tf save"], "writes a file"),
+    "tf publish": "publishes until Ctrl-C",
     **dict.fromkeys(["topic bw", "topic delay", "topic hz"], "reports until Ctrl-C"),
     **dict.fromkeys(
         ["daemon start", "daemon status", "daemon stop", "component", "launch"], "prints a sentence"

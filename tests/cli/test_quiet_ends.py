@@ -14,7 +14,7 @@ from typing import Any
 
 import pytest
 import transcript
-from test_json import ASKED, AT_A_TIME, POSE, ROTATE
+from test_json import ASKED, AT_A_TIME, BAG, POSE, ROTATE
 from test_usage import VERBS
 
 from tfloom.cli import main as cli
@@ -27,7 +27,7 @@ PRINTING = {
     **ASKED,
     "action send_goal": (ROTATE, "turtlesim/action/RotateAbsolute", "{theta: 0.1}"),
     "daemon start": (),
-    "bag info": (str(Path(__file__).parents[1] / "golden/bags/mcap"),),
+    "bag info": (BAG,),
     "bag list": ("storage",),
     "daemon status": (),
     "daemon stop": (),
@@ -42,6 +42,10 @@ PRINTING = {
     "pkg prefix": ("turtlesim",),
     "run": ("tf2_ros", "tf2_echo"),
     "service call": ("/clear", "std_srvs/srv/Empty"),
+    "tf diff": (BAG, "live"),
+    "tf doctor": ("--seconds", "0.2"),
+    "tf explain": ("turtle1", "turtle2", "--wait", "0.2"),
+    "tf save": ("statics.yaml", "--bag", BAG),
     "topic bw": (POSE,),
     "topic echo": (POSE,),
     "topic hz": (POSE,),
@@ -60,6 +64,8 @@ SILENT = {
     "launch": "prints on stderr",
     "pkg xml": "our own packages have no package.xml",
     "service echo": "turtlesim publishes no events",
+    "tf plot": "there are no transforms, as it prints on stderr",
+    "tf publish": "prints on stderr",
     "topic delay": "no topic of turtlesim has a header",
     "multicast receive": "has a test of its own",
     "multicast send": "has a test of its own",

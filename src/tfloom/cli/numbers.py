@@ -8,6 +8,7 @@ import math
 FOREVER_S = 1e9
 """The longest duration, to which longer ones are reduced [s]: 31 years."""
 MOST = 2**31 - 1
+INT64_END = 2**63
 
 
 def seconds(text: str) -> float:
@@ -62,6 +63,33 @@ def positive_count(text: str) -> int:
         argparse.ArgumentTypeError: as `count`, or it is 0.
     """
     return _whole(text, 1)
+
+
+def finite(text: str) -> float:
+    """Return a number, which may be negative.
+
+    Raises:
+        argparse.ArgumentTypeError: it is no number, or not finite.
+    """
+    value = _number(text)
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"must be a number, not {text!r}")
+    return value
+
+
+def whole(text: str) -> int:
+    """Return a whole number of 64 bits, which may be negative.
+
+    Raises:
+        argparse.ArgumentTypeError: it is none.
+    """
+    try:
+        value = int(text)
+    except ValueError:
+        value = INT64_END
+    if not -INT64_END <= value < INT64_END:
+        raise argparse.ArgumentTypeError(f"must be a whole number, not {text!r}")
+    return value
 
 
 def _number(text: str) -> float:

@@ -218,7 +218,9 @@ class Recorder(Node):
 
     def _write_oldest_chunk(self) -> bool:
         try:
-            with self._lock:  # taken and written by one thread, because a split writes what is left in the queue
+            with (
+                self._lock
+            ):  # taken and written by one thread, because a split writes what is left in the queue
                 chunk = self.writer.queue.take(0)
                 if chunk is not None:
                     self.writer.write_chunk(chunk)

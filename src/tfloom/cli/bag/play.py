@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from tfloom.cli import numbers
 from tfloom.cli.bag import common, play_arguments
 
 if TYPE_CHECKING:
@@ -99,20 +100,20 @@ def _add_clock(parser: argparse.ArgumentParser) -> None:
 def _add_limits(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--playback-duration",
-        type=float,
+        type=numbers.finite,
         default=-1.0,
         help="play this many seconds of the bag; negative: all (default -1). The later of two limits counts",
     )
     group = parser.add_mutually_exclusive_group()
     group.add_argument(
         "--playback-until-sec",
-        type=float,
+        type=numbers.finite,
         default=-1.0,
         help="play until this stamp in seconds since the epoch; negative: all (default -1)",
     )
     group.add_argument(
         "--playback-until-nsec",
-        type=int,
+        type=numbers.whole,
         default=-1,
         help="play until this stamp in nanoseconds since the epoch; negative: all (default -1)",
     )

@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from tfloom.cli import numbers
 from tfloom.cli.bag import common
 
 if TYPE_CHECKING:
@@ -138,12 +139,17 @@ def _add_storage(parser: argparse.ArgumentParser) -> None:
     )
     add(
         "--compression-queue-size",
-        type=int,
+        type=numbers.count,
         default=1,
         help="accepted and not used: nothing is dropped before it is compressed",
     )
-    add("--compression-threads", type=int, default=0, help="accepted and not used: one thread compresses")
-    add("--compression-threads-priority", type=int, default=0, help="accepted and not used")
+    add(
+        "--compression-threads",
+        type=numbers.whole,
+        default=0,
+        help="accepted and not used: one thread compresses",
+    )
+    add("--compression-threads-priority", type=numbers.whole, default=0, help="accepted and not used")
     add(
         "--compression-mode",
         choices=["none", "file", "message"],
