@@ -109,7 +109,7 @@ def test_clients_log_the_sum_of_two_and_three(start: Start, name: str) -> None:
     end(server, number=signal.SIGTERM)
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("number", [signal.SIGINT, pytest.param(signal.SIGTERM, marks=pytest.mark.slow)])
 def test_client_without_server_can_be_stopped(start: Start, number: int) -> None:
     client = start("add_two_ints_client")
     client.wait_for("service not available, waiting again...")

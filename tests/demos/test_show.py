@@ -58,7 +58,9 @@ def test_demonstration_prints_draws_and_ends(
     assert alive(mark) == {}
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
+@pytest.mark.parametrize(
+    "number", [signal.SIGINT, pytest.param(signal.SIGTERM, marks=pytest.mark.slow), signal.SIGKILL]
+)
 def test_no_process_is_left(
     start_program: Callable[..., Any],
     wait_until: Callable[..., None],

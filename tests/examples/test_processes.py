@@ -160,7 +160,7 @@ def test_finite_programs_end_with_their_output(scene: str, domain_id: int, start
     end_well(signal.SIGINT if list(ENDING).index(scene) % 2 else signal.SIGTERM, *servers)
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("number", [signal.SIGINT, pytest.param(signal.SIGTERM, marks=pytest.mark.slow)])
 @pytest.mark.parametrize(
     "path",
     [

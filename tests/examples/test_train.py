@@ -42,7 +42,11 @@ def prefix(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return prefix
 
 
-@pytest.mark.parametrize("arguments", [{}, {"gap": "0.9", "speed": "0.5"}], ids=["defaults", "arguments"])
+@pytest.mark.parametrize(
+    "arguments",
+    [pytest.param({}, marks=pytest.mark.slow), {"gap": "0.9", "speed": "0.5"}],
+    ids=["defaults", "arguments"],
+)
 def test_three_formats_start_the_same_processes(
     prefix: Path,
     launch: Callable[..., Ran],  # noqa: F811
