@@ -125,6 +125,12 @@ def planted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
         del sys.modules[name]
 
 
+def is_made_by_the_finder(module: object) -> bool:
+    """Return whether a package was imported from definitions alone, without any of its modules perhaps."""
+    loader = getattr(getattr(module, "__spec__", None), "loader", None)
+    return type(loader).__module__ == "tfloom.ros_finder"
+
+
 @pytest.fixture
 def forget_interfaces() -> Iterator[None]:
     """Forget, after a test, the classes and modules of the interface packages that it has imported."""
@@ -139,6 +145,7 @@ def forget_interfaces() -> Iterator[None]:
         for name, module in imported.items()
         if name.endswith(definition_files.KINDS) and "ros_names" not in str(getattr(module, "__file__", None))
     } - {"tfloom", "tfloom_interfaces"}
+    packages |= {name for name, module in imported.items() if is_made_by_the_finder(module)}
     class_table._classes.clear()
     class_table._classes.update(classes)
     definition_files._added[:] = added

@@ -334,7 +334,7 @@ def test_keys_of_a_terminal_pause_and_step(
 def test_full_disk_is_explained(
     talker: Any, domain_id: int, start_program: Callable[..., Any], tmp_path: Path
 ) -> None:
-    command = f"ulimit -f 1; exec {transcript.PROGRAM} bag record -o '{tmp_path / 'bag'}' -a"
+    command = f"ulimit -f 1; exec '{transcript.PROGRAM}' bag record -o '{tmp_path / 'bag'}' -a"
     recorder = start_program("bash", "-c", command)
     assert recorder.wait(30.0) == 1
     assert (

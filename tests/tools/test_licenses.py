@@ -37,7 +37,7 @@ def test_all_installed_requirements_have_an_accepted_licence() -> None:
     uses = {line.split()[0]: line for line in done.stdout.splitlines()}
     assert COMPILED_IN in uses["nanobind"]
     assert REQUIRED in uses["numpy"]
-    assert DEVELOPMENT in uses["ruff"]
+    assert DEVELOPMENT in uses["hypothesis"]
 
 
 def test_packages_that_others_require_have_their_strictest_use() -> None:
