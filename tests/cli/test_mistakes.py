@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import argparse
 import io
+import re
 import sys
 from pathlib import Path
 
@@ -10,7 +12,7 @@ import pytest
 from test_usage import VERBS
 
 from tfloom.cli import main as cli
-from tfloom.cli.numbers import finite, whole
+from tfloom.cli.numbers import finite, rate, whole
 
 NAMES = [
     "",
@@ -179,13 +181,14 @@ FLAGS_WITH_NUMBERS = [
 
 @pytest.mark.parametrize(("verb", "flag"), FLAGS_WITH_NUMBERS)
 def test_invalid_numbers_are_rejected(verb: str, flag: str, capsys: pytest.CaptureFixture[str]) -> None:
+    action = VERBS[verb]._option_string_actions[flag]
     for number in NUMBERS:
-        if number == "-1" and (flag in {"-r", "--rate"} or type_of(verb, flag) in {finite, whole}):
+        if number == "-1" and action.type in {finite, whole, rate}:
             continue
-        told = fails(
-            capsys, *verb.split(), f"{flag}={number}" if flag.startswith("--") else f"{flag}{number}"
-        )
-        assert any(name in told for name in VERBS[verb]._option_string_actions[flag].option_strings)
+        with pytest.raises(argparse.ArgumentTypeError, match=re.escape(repr(number))):
+            action.type(number)
+    told = fails(capsys, *verb.split(), f"{flag}=abc" if flag.startswith("--") else f"{flag}abc")
+    assert any(name in told for name in action.option_strings)
 
 
 def test_flags_with_numbers_exist() -> None:

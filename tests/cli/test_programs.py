@@ -53,9 +53,8 @@ def graph(domain_id: int) -> Iterator[Node]:
     context.destroy()
 
 
-@pytest.mark.parametrize(
-    "number", [signal.SIGINT, pytest.param(signal.SIGTERM, marks=pytest.mark.slow)], ids=["INT", "TERM"]
-)
+@pytest.mark.slow
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=["INT", "TERM"])
 def test_programs_end_without_traceback_when_stopped(
     graph: Node, number: int, start_program: Callable[..., Program], wait_until: Callable[..., None]
 ) -> None:

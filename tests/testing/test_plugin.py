@@ -188,6 +188,7 @@ def test_each_fixture_has_a_row_in_the_docs() -> None:
 
 
 @pytest.mark.wire
+@pytest.mark.slow
 def test_workers_have_domains_of_their_own(run: Run) -> None:
     """Four tests at a time on DDS, each of which publishes under the same names, and sees itself alone."""
     text = """

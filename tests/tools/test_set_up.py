@@ -79,15 +79,12 @@ def test_missing_network_gives_the_remedy(environment: Path) -> None:
     assert "Traceback" not in done.stdout + done.stderr
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("record", "said"),
     [
         ({"unfinished": "demo"}, "the one that is there was left unfinished"),
-        pytest.param(
-            {"folder": "/elsewhere/.venv"},
-            "the one that is there was made in another folder",
-            marks=pytest.mark.slow,
-        ),
+        ({"folder": "/elsewhere/.venv"}, "the one that is there was made in another folder"),
     ],
 )
 def test_interrupted_or_moved_environment_is_recreated(
