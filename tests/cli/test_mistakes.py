@@ -213,8 +213,8 @@ def test_very_long_durations_are_accepted(number: str, capsys: pytest.CaptureFix
 
 
 def test_very_low_rates_are_accepted(capsys: pytest.CaptureFixture[str]) -> None:
-    for rate in ("1e-308", "1e308", "inf"):
-        assert cli.main(["topic", "pub", "-r", rate, "-t", "1", "-w", "0", "/x", "std_msgs/msg/Empty"]) == 0
+    for low in ("1e-308", "1e308", "inf"):
+        assert cli.main(["topic", "pub", "-r", low, "-t", "1", "-w", "0", "/x", "std_msgs/msg/Empty"]) == 0
 
 
 @pytest.mark.parametrize(
