@@ -18,7 +18,7 @@ templates_path: list[str] = []
 
 myst_enable_extensions = ["colon_fence"]
 myst_heading_anchors = 4
-suppress_warnings = ["myst.header"]
+suppress_warnings = ["myst.header", "ref.python"]  # the latter: several rooms have a `Buffer`
 
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
