@@ -1,8 +1,8 @@
 """native/ compiles with a second compiler and library, clang with libc++, and for the systems that aren't this one.
 
 For the others, clang comes with their headers in the package ziglang, and compiles its own libraries first, which takes
-minutes: TFLOOM_CROSS_COMPILE=1 asks for it. The bindings are left out there, because they need the headers of a Python of
-that system.
+minutes: TFLOOM_CROSS_COMPILE=1 asks for it. The bindings are left out there, because they need the headers of that
+system's Python.
 """
 
 from __future__ import annotations
