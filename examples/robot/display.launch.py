@@ -24,8 +24,8 @@ from launch_ros.parameter_descriptions import ParameterValue
 
 def generate_launch_description() -> LaunchDescription:
     robot = LaunchConfiguration("robot")
-    file = [PathJoinSubstitution([ThisLaunchFileDir(), robot]), ".urdf.xacro"]
-    description = ParameterValue(Command(["xacro '", *file, "'"]), value_type=str)
+    path = PathJoinSubstitution([ThisLaunchFileDir(), robot])
+    description = ParameterValue(Command(["xacro '", path, ".urdf.xacro'"]), value_type=str)
     is_arm = EqualsSubstitution(robot, "arm")
     return LaunchDescription(
         [
