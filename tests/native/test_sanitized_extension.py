@@ -17,17 +17,13 @@ HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
 RUN_TIMEOUT_S = 1200
 EVERYWHERE = ["tests/rmw", "tests/tf2_ros/test_lifetime.py", "tests/tf2_ros/test_wire.py"]
-ROBOT = "tests/robot/test_robot_state_publisher.py"
 TESTS = {
-    "thread": [*EVERYWHERE, "tests/tf2/test_threads.py", "tests/node/wire/test_services.py", ROBOT],
+    "thread": [*EVERYWHERE, "tests/tf2/test_threads.py", "tests/node/wire/test_services.py"],
     "address,undefined": [
         *EVERYWHERE,
         "tests/tf2",
         "tests/rosidl/test_cdr.py",
         "tests/rosidl/test_message.py",
-        "tests/kdl",
-        ROBOT,
-        "tests/robot/test_model.py",
     ],
 }
 RUNTIMES = {"thread": "libtsan.so", "address,undefined": "libasan.so"}
