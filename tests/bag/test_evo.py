@@ -56,7 +56,7 @@ def run(home: Path, *command: str | Path) -> str:
 def test_trajectory_of_evo_equals_ours(programs: Path, tmp_path: Path) -> None:
     bag = tmp_path / "drive"
     run(tmp_path, programs / "python", EXAMPLE, bag)
-    where = run(tmp_path, programs / "python", "-c", WHERE).split()[-2:]
+    where = run(tmp_path, programs / "python", "-c", WHERE).splitlines()[-2:]
     assert all("ros_names" in each for each in where)
     run(tmp_path, programs / "evo_traj", "bag2", bag, "/tf:map.base_link", "--save_as_tum")
     (saved,) = tmp_path.glob("*.tum")
