@@ -193,11 +193,15 @@ child = os.fork()
 if not rclpy.ok():
     rclpy.init(args=[])
 node = Node("child" if child == 0 else "parent")
-heard = []
-node.create_subscription(String, "chatter", lambda message: heard.append(message.data), 10)
+heard, satisfied = [], set()
+def hear(message):
+    name, _, has_all = message.data.partition(" ")
+    heard.append(name)
+    satisfied.update([name] if has_all else [])
+node.create_subscription(String, "chatter", hear, 10)
 publisher = node.create_publisher(String, "chatter", 10)
-while len(set(heard)) < 2:
-    publisher.publish(String(data=node.get_name()))
+while len(satisfied) < 2:  # until the other has heard this one, too: discovery may take longer in one direction
+    publisher.publish(String(data=node.get_name() + (" has all" if len(set(heard)) == 2 else "")))
     rclpy.spin_once(node, timeout_sec=0.05)
 publisher.wait_for_all_acked()
 rclpy.shutdown()
