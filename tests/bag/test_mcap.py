@@ -281,3 +281,16 @@ def test_metadata_record_of_rosbag2() -> None:
     assert found is not None
     assert "message_count: 876" in found["serialized_metadata"]
     assert McapFile(golden).metadata("another") is None
+
+
+@pytest.mark.parametrize("compression", ["", "lz4"])
+def test_message_index_without_messages(compression: str, tmp_path: Path) -> None:
+    """Some writers index in each chunk all channels of the chunks before."""
+    filler = [("/chatter", START, b"\0\1\0\0" + bytes(200_000))]
+    path = write_mcap(tmp_path / "a.mcap", [*DRIVE[:1], *filler], compression, chunk_size=1 << 20)
+    data = bytearray(path.read_bytes())
+    index = RECORD_HEADER.pack(Opcode.MESSAGE_INDEX, 22) + struct.pack("<HI", 1, 16)
+    at = data.index(index)
+    data[at : at + len(index)] = RECORD_HEADER.pack(Opcode.MESSAGE_INDEX, 22) + struct.pack("<HI", 1, 0)
+    path.write_bytes(data)
+    assert not frames(path).has_frame("lidar")

@@ -40,6 +40,8 @@ class SparseReader:
         A damaged chunk is left out, after a warning.
         """
         runs = self._runs(span)
+        if runs == []:
+            return
         if runs is None or sum(end - start for start, end in runs) > span.size // 2:
             yield whole_records(self._file, self._path, span)
         elif span.compression:
