@@ -139,11 +139,12 @@ def test_messages_that_are_compressed_one_by_one(tmp_path: Path) -> None:
     (folder / "metadata.yaml").write_text(text, "utf-8")
     assert found_in(open_bag(folder)) == DRIVE
     assert frames(folder).has_frame("lidar")
-    with sqlite3.connect(folder / "bag_0.db3") as database:
-        database.execute("UPDATE messages SET data = x'0102030405' WHERE id = 4")
-    database.close()
-    with pytest.raises(BagError, match="the message isn't compressed by zstd"):
-        found_in(open_bag(folder))
+    for damaged in ("0102030405", "", "28b52ffd"):
+        with sqlite3.connect(folder / "bag_0.db3") as database:
+            database.execute(f"UPDATE messages SET data = x'{damaged}' WHERE id = 4")
+        database.close()
+        with pytest.raises(BagError, match="the message isn't compressed by zstd"):
+            found_in(open_bag(folder))
 
 
 if sys.platform == "win32":  # pragma: no cover

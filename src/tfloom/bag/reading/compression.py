@@ -70,7 +70,11 @@ def decompress_message(data: bytes) -> bytes:
     Raises:
         DamagedError: the bytes are damaged, or too many.
     """
-    size = zstd().frame_content_size(data) if data[:4] == ZSTD_MAGIC else None
+    module = zstd()
+    try:
+        size = module.frame_content_size(data) if data.startswith(ZSTD_MAGIC) else None
+    except module.ZstdError:  # it ends before its size
+        size = None
     if size is None:
         raise DamagedError("the message isn't compressed by zstd")
     return decompress_part("zstd", data, MOST) if size < 0 else decompress("zstd", data, size)
