@@ -18,6 +18,7 @@ from tfloom.bag import frames, open_bag
 from tfloom.bag.errors import BagError
 from tfloom.bag.metadata import parse_metadata, read_metadata
 from tfloom.bag.writing.bag_writer import BagWriter, WriterSettings
+from tfloom.bag.writing.definition_text import find_definition
 from tfloom.bag.writing.metadata_text import metadata_file_text
 from tfloom.bag.writing.storage import StorageSettings
 from tfloom.bag.writing.storage_config import PRESETS, storage_settings
@@ -245,3 +246,20 @@ def test_configurations_of_storages(tmp_path: Path) -> None:
             storage_settings("mcap", "", str(path))
     with pytest.raises(BagError, match="'fastwrite' is no preset of sqlite3: none, resilient"):
         storage_settings("sqlite3", "fastwrite")
+
+
+def test_topic_of_a_refused_chunk_is_written_with_its_definition_later(tmp_path: Path) -> None:
+    writer = BagWriter(tmp_path / "bag", WriterSettings("sqlite3"))
+    channel = writer.add_topic(topic("/chatter", "std_msgs/msg/String"))
+    with sqlite3.connect(writer.file_path) as database:
+        database.execute(
+            "CREATE TRIGGER refused BEFORE INSERT ON messages BEGIN SELECT RAISE(FAIL, 'refused'); END"
+        )
+        push_many(writer, channel, 1)
+        with pytest.raises(BagError, match="refused"):
+            writer.write_present()
+        database.execute("DROP TRIGGER refused")
+    database.close()
+    writer.close()
+    with open_bag(tmp_path / "bag") as bag:
+        assert bag.topic("/chatter").definition == find_definition("std_msgs/msg/String")

@@ -70,6 +70,7 @@ class SqliteFile:
             raise ValueError("the file is closed")
         rows = [(number, log_ns, data) for number, log_ns, _, data in chunk.messages()]
         with _named(self._path):
+            known, types = self._known.copy(), self._types.copy()
             database.execute("BEGIN")
             try:
                 self._add_topics(database, [number for number, _ in chunk.counts()])
@@ -78,8 +79,7 @@ class SqliteFile:
             except BaseException:
                 with suppress(sqlite3.Error):
                     database.execute("ROLLBACK")
-                self._known.clear()
-                self._known.update(row[0] for row in database.execute("SELECT id FROM topics"))
+                self._known, self._types = known, types
                 raise
         self._size += sum(len(data) + 32 for _, _, data in rows)
 
