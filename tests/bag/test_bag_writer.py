@@ -263,3 +263,24 @@ def test_topic_of_a_refused_chunk_is_written_with_its_definition_later(tmp_path:
     writer.close()
     with open_bag(tmp_path / "bag") as bag:
         assert bag.topic("/chatter").definition == find_definition("std_msgs/msg/String")
+
+
+def test_limits_of_any_size(tmp_path: Path) -> None:
+    huge = 10**30
+    for number, settings in enumerate(
+        (
+            WriterSettings(max_file_size=huge, max_file_duration_ns=huge, cache_size=huge),
+            WriterSettings(cache_size=huge, is_snapshot=True),
+            WriterSettings(cache_size=0, is_snapshot=True),
+        )
+    ):
+        writer = BagWriter(tmp_path / str(number), settings)
+        channel = writer.add_topic(topic("/chatter", "std_msgs/msg/String"))
+        push_many(writer, channel, 10)
+        writer.write_present()
+        assert writer.message_count == 10
+        writer.close()
+    for name in ("max_file_size", "max_file_duration_ns", "cache_size"):
+        with pytest.raises(BagError, match=r"bag: the sizes and the duration .* can't be negative"):
+            BagWriter(tmp_path / "bag", WriterSettings()._replace(**{name: -1}))
+    assert not (tmp_path / "bag").exists()

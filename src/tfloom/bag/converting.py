@@ -13,7 +13,7 @@ from tfloom.bag.errors import BagError
 from tfloom.bag.opening import open_bag
 from tfloom.bag.topic_choice import TopicChoice
 from tfloom.bag.values import RawMessage, Topic
-from tfloom.bag.writing.bag_writer import DEFAULT_CACHE_SIZE, BagWriter, WriterSettings
+from tfloom.bag.writing.bag_writer import BagWriter, WriterSettings
 from tfloom.bag.writing.storage import STORAGES
 from tfloom.bag.writing.storage_config import storage_settings
 from tfloom.node.log.logging import get_logger
@@ -137,7 +137,7 @@ def _output(values: Mapping[str, Any]) -> Output:
         ),
         max_file_size=int(values.get("max_bagfile_size") or 0),
         max_file_duration_ns=int(values.get("max_bagfile_duration") or 0) * 1_000_000_000,
-        cache_size=int(values.get("max_cache_size") or DEFAULT_CACHE_SIZE),
+        cache_size=int(values.get("max_cache_size") or 0),
         compression_mode="" if mode == "NONE" else mode,
         custom_data={str(key): str(value) for key, value in (values.get("custom_data") or {}).items()},
     )

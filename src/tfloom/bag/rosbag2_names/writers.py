@@ -8,7 +8,7 @@ from pathlib import Path
 
 from tfloom.bag.errors import BagError
 from tfloom.bag.rosbag2_names.storage import ConverterOptions, StorageOptions, TopicMetadata
-from tfloom.bag.writing.bag_writer import DEFAULT_CACHE_SIZE, BagWriter, WriterSettings
+from tfloom.bag.writing.bag_writer import BagWriter, WriterSettings
 from tfloom.bag.writing.storage import STORAGES
 from tfloom.bag.writing.storage_config import storage_settings
 
@@ -64,7 +64,7 @@ def writer_settings(options: StorageOptions, mode: str = "") -> WriterSettings:
         storage=storage_settings(storage_id, options.storage_preset_profile, options.storage_config_uri),
         max_file_size=options.max_bagfile_size,
         max_file_duration_ns=options.max_bagfile_duration * 1_000_000_000,
-        cache_size=options.max_cache_size or DEFAULT_CACHE_SIZE,
+        cache_size=options.max_cache_size,
         compression_mode=mode,
         custom_data=dict(options.custom_data),
         is_snapshot=options.snapshot_mode,

@@ -24,7 +24,7 @@ from tfloom.bag.writing.storage import STORAGES, StorageFile, StorageSettings
 from tfloom.bag.writing.storage_files import open_storage_file
 from tfloom.whole_files import write_file
 
-__all__ = ["DEFAULT_CACHE_SIZE", "BagWriter", "WriterSettings"]
+__all__ = ["BagWriter", "WriterSettings"]
 
 DEFAULT_CACHE_SIZE = 100 * 1024 * 1024
 """Of each of the two buffers [bytes]."""
@@ -58,7 +58,7 @@ class BagWriter:
         on_split: Called with the paths of the completed file and of the next one.
 
     Raises:
-        BagError: the folder exists, or can't be written.
+        BagError: the folder exists, or can't be written, or a limit is negative.
     """
 
     def __init__(
@@ -69,6 +69,11 @@ class BagWriter:
     ) -> None:
         self.folder = folder
         self.settings = settings or WriterSettings()
+        limits = (self.settings.max_file_size, self.settings.max_file_duration_ns, self.settings.cache_size)
+        if min(limits) < 0:
+            raise BagError(
+                folder, "the sizes and the duration that limit its files and cache can't be negative"
+            )
         self._on_split = on_split
         self.queue = make_queue(self.settings)
         self._lock = threading.Lock()
@@ -298,8 +303,8 @@ def make_queue(settings: WriterSettings) -> ChunkQueue:
     chunk_size = settings.storage.chunk_size
     if settings.max_file_size:
         chunk_size = min(chunk_size, settings.max_file_size)
+    cache_size = min(settings.cache_size or DEFAULT_CACHE_SIZE, _UNLIMITED)
+    duration_ns = min(settings.max_file_duration_ns, _UNLIMITED)
     if settings.is_snapshot:
-        chunk_size = max(1, min(chunk_size, settings.cache_size // 8))
-        return ChunkQueue(chunk_size, settings.cache_size, settings.max_file_duration_ns, ring=True)
-    cache_size = settings.cache_size or DEFAULT_CACHE_SIZE
-    return ChunkQueue(min(chunk_size, cache_size), 2 * cache_size, settings.max_file_duration_ns)
+        return ChunkQueue(max(1, min(chunk_size, cache_size // 8)), cache_size, duration_ns, ring=True)
+    return ChunkQueue(min(chunk_size, cache_size), 2 * cache_size, duration_ns)
