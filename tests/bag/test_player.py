@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -112,6 +113,17 @@ def test_all_is_published_at_the_rate(bag: Bag, listener: Listener, local_contex
     assert time.monotonic() - start > 0.19
     listener.expect(list(range(0, 100, 2)))
     assert listener.clocks == []
+
+
+def test_rates_and_delays_of_any_size(bag: Bag, listener: Listener, local_context: Context) -> None:
+    with player(bag, local_context, rate=1e-15, clock_hz=1e-15) as node:
+        listener.expect([0])
+        assert not node.set_rate(math.inf)
+        assert node.set_rate(1e308)
+        listener.expect(list(range(0, 100, 2)))
+    assert node.failure is None
+    with player(bag, local_context, delay_s=1e300) as node:
+        assert not node.ended.wait(0.05)
 
 
 def test_part_of_the_bag_is_published(bag: Bag, listener: Listener, local_context: Context) -> None:

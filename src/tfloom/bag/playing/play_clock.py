@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import time
 
+from tfloom.bag.values import LATEST
+
 __all__ = ["PlayClock"]
 
 
@@ -30,7 +32,8 @@ class PlayClock:
         """Return the time of the bag [ns since epoch]."""
         if self._is_paused:
             return self._bag_ns
-        return self._bag_ns + int((time.monotonic_ns() - self._at_ns) * self._rate)
+        passed_ns = (time.monotonic_ns() - self._at_ns) * self._rate
+        return self._bag_ns + int(min(passed_ns, LATEST))  # a high rate makes it infinite
 
     def wait_s(self, stamp_ns: int) -> float:
         """Return how long it takes until a time, if it isn't paused [s]; negative if it has passed."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import threading
 from collections.abc import Callable
 from enum import Enum
@@ -15,6 +16,8 @@ __all__ = ["Playback"]
 
 STEP_PATIENCE_S = 10.0
 """How long a step waits at most until its messages are published [s]."""
+LONGEST_WAIT_S = 1e9
+"""The longest wait at once, because the system's waits have a limit [s]: 31 years."""
 
 
 class _Turn(Enum):
@@ -88,8 +91,8 @@ class Playback:
             self._changed.notify_all()
 
     def set_rate(self, rate: float) -> bool:
-        """Set the rate; return False unless it is above 0."""
-        if not rate > 0.0:
+        """Set the rate; return False unless it is above 0 and finite."""
+        if not 0.0 < rate < math.inf:
             return False
         with self._changed:
             self._clock.set_rate(rate)
@@ -154,7 +157,7 @@ class Playback:
     def wait(self, seconds: float) -> bool:
         """Wait; return False if it was stopped meanwhile."""
         with self._changed:
-            return not self._changed.wait_for(lambda: self._is_stopped, seconds)
+            return not self._changed.wait_for(lambda: self._is_stopped, min(seconds, LONGEST_WAIT_S))
 
     def run(self) -> None:
         """Play from the first to the last time, unless it is stopped.
@@ -211,7 +214,7 @@ class Playback:
                 left_s = self._clock.wait_s(stamp_ns)
                 if left_s <= 0.0:
                     return _Turn.PUBLISH
-                self._changed.wait(left_s)
+                self._changed.wait(min(left_s, LONGEST_WAIT_S))
 
     def _take_step(self, stamp_ns: int) -> None:
         self._steps -= self._steps > 0

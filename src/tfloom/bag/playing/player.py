@@ -126,7 +126,7 @@ class Player(Node):
             self.get_logger().info("Pausing play." if is_paused else "Resuming play.")
 
     def set_rate(self, rate: float) -> bool:
-        """Set the rate; return False unless it is above 0."""
+        """Set the rate; return False unless it is above 0 and finite."""
         is_set = self.playback.set_rate(rate)
         if is_set:
             self.get_logger().info(f"Set rate to {rate:g}")

@@ -42,7 +42,7 @@ class ServedPlayer(Protocol):
         """Pause, or resume."""
 
     def set_rate(self, rate: float) -> bool:
-        """Set the rate; return False unless it is above 0."""
+        """Set the rate; return False unless it is above 0 and finite."""
 
     def play_again(self, start_ns: int, end_ns: int) -> bool:
         """Play a part of the bag, if the last one has ended; otherwise return False."""
