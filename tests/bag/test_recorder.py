@@ -195,6 +195,12 @@ def test_error_while_writing_ends_the_recording(
     assert texts(tmp_path / "bag") == ["a"]
 
 
+def test_node_without_a_bag_leaves(node: Node, local_context: Context, tmp_path: Path) -> None:
+    with pytest.raises(BagError, match="it exists already"):
+        Recorder(tmp_path, WriterSettings(), RecordOptions(has_keyboard=False), context=local_context)
+    assert "rosbag2_recorder" not in node.get_node_names()
+
+
 def test_hidden_topics_and_those_of_two_types_are_left_out(node: Node, record: Any, capfd: Any) -> None:
     node.create_publisher(String, "_hidden", 1)
     node.create_publisher(String, "two", 1)

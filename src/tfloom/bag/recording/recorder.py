@@ -68,7 +68,11 @@ class Recorder(Node):
         self._split_events = self.create_publisher(WriteSplitEvent, "events/write_split", 1)
         if options.has_keyboard:
             self.get_logger().info("Press SPACE for pausing/resuming")
-        self.writer = BagWriter(folder, settings, self._on_split)
+        try:
+            self.writer = BagWriter(folder, settings, self._on_split)
+        except BagError:
+            self.destroy_node()
+            raise
         if settings.storage_id == "sqlite3":
             get_logger("rosbag2_storage").info(f"Opened database '{self.writer.file_path}' for READ_WRITE.")
         self.writer.queue.set_paused(self._is_paused)
@@ -98,10 +102,10 @@ class Recorder(Node):
             return
         self.pause()
         self._ended.set()
-        self._topics.close()
         self.writer.queue.close()
         for thread in self._threads:
             thread.join()
+        self._topics.close()
         get_logger("rosbag2_cpp").info(
             "Writing remaining messages from cache to the bag. It may take a while"
         )
