@@ -197,7 +197,12 @@ def test_compressed_bag_and_its_rewriting(tmp_path: Path) -> None:
 
 def test_mistakes_are_runtime_errors(tmp_path: Path) -> None:
     write(tmp_path / "bag")
+    odd_options = rosbag2_py.RecordOptions()
+    odd_options.compression_mode = "files"
+    new = rosbag2_py.StorageOptions(str(tmp_path / "new"))
     for use, said in (
+        (lambda: rosbag2_py.Recorder().record(new, odd_options), "none, file or message, not 'FILES'"),
+        (lambda: rosbag2_py.bag_rewrite([], f"{{output_bags: [], {'x' * 300}: 1, [}}"), "output_options: "),
         (lambda: rosbag2_py.SequentialReader().open_uri(str(tmp_path / "none")), "there is no such file"),
         (rosbag2_py.SequentialReader().has_next, "call open"),
         (lambda: write(tmp_path / "bag"), "exists already"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import threading
 from collections.abc import Callable, Sequence
 from datetime import timedelta
@@ -9,7 +10,7 @@ from enum import IntEnum
 from pathlib import Path
 from typing import Any
 
-from tfloom.bag.converting import convert, parse_outputs
+from tfloom.bag.converting import convert, parse_outputs, read_outputs
 from tfloom.bag.playing import play_options as playing
 from tfloom.bag.playing.run import play
 from tfloom.bag.recording import record_options as recording
@@ -255,9 +256,8 @@ def bag_rewrite(arg0: Sequence[StorageOptions], arg1: str) -> None:
     Raises:
         BagError: a bag can't be read or written, or an option can't be used.
     """
-    is_path = "\n" not in arg1 and Path(arg1).is_file()
-    text = Path(arg1).read_text("utf-8") if is_path else arg1
-    outputs = parse_outputs(text, Path(arg1 if is_path else "output_options"))
+    is_path = os.path.isfile(arg1)  # noqa: PTH113 - a Path raises OSError for a text longer than names may be
+    outputs = read_outputs(Path(arg1)) if is_path else parse_outputs(arg1, Path("output_options"))
     convert([Path(each.uri) for each in arg0], outputs)
 
 

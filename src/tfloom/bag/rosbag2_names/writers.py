@@ -54,11 +54,13 @@ def writer_settings(options: StorageOptions, mode: str = "") -> WriterSettings:
     """Return the settings of a writer.
 
     Raises:
-        BagError: the storage is unknown, or its configuration can't be used.
+        BagError: the storage or the mode is unknown, or the storage's configuration can't be used.
     """
     storage_id = options.storage_id or "mcap"
     if storage_id not in STORAGES:
         raise BagError(options.uri, f"the storage '{storage_id}' is unknown; known are {', '.join(STORAGES)}")
+    if mode not in {"", "FILE", "MESSAGE"}:
+        raise BagError(options.uri, f"the compression mode is none, file or message, not '{mode}'")
     return WriterSettings(
         storage_id=storage_id,
         storage=storage_settings(storage_id, options.storage_preset_profile, options.storage_config_uri),
