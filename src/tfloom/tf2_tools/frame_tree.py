@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from datetime import datetime, timezone
 from typing import Any, NamedTuple
 
+from tfloom.tf2_tools.counts import counted
 from tfloom.tf2_tools.drawing.tree_layout import Layout, Size, arrange
 from tfloom.tf2_tools.frame_records import FrameRecord
 
@@ -102,11 +103,6 @@ class FrameTree(NamedTuple):
         if stale := states.count("stale"):
             parts.append(f"{stale} stale")
         return ", ".join(parts)
-
-
-def counted(count: int, noun: str) -> str:
-    """Return a count with its noun in the singular or plural."""
-    return f"{count} {noun}{'' if count == 1 else 's'}"
 
 
 def build_tree(

@@ -11,6 +11,7 @@ from tfloom.cli import graph
 from tfloom.cli.errors import CommandError
 from tfloom.cli.listen import shown_node
 from tfloom.cli.names import full_topic_name, named_node
+from tfloom.tf2_tools.counts import counted
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC
 
 
@@ -52,8 +53,7 @@ def main(args: argparse.Namespace) -> int:
                 if args.use_sim_time:
                     wait_until_known(now_ns)
                 writer.write(encoded(transforms, now_ns()))
-            count = len(transforms)
-            print(f"{node.full}: {count} static transform{'' if count == 1 else 's'} on {name}, until Ctrl-C")
+            print(f"{node.full}: {counted(len(transforms), 'static transform')} on {name}, until Ctrl-C")
             while True:
                 threading.Event().wait()
         except KeyboardInterrupt:

@@ -7,6 +7,7 @@ import sys
 
 from tfloom.cli.errors import CommandError
 from tfloom.cli.tf import source
+from tfloom.tf2_tools.counts import counted
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -36,7 +37,7 @@ def main(args: argparse.Namespace) -> int:
         print(text, end="")
         return 0
     write_file(args.file, text)
-    print(f"{args.file}: {len(transforms)} static transform{'' if len(transforms) == 1 else 's'}")
+    print(f"{args.file}: {counted(len(transforms), 'static transform')}")
     return 0
 
 

@@ -60,8 +60,3 @@ class Finding(NamedTuple):
             "evidence": [{"text": each.text, **each.figures} for each in self.evidence],
             "mend": self.kind.mend,
         }
-
-
-def counted(number: int, noun: str) -> str:
-    """Return a number with its noun."""
-    return f"{number} {noun}{'' if number == 1 else 's'}"

@@ -6,8 +6,9 @@ import textwrap
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from tfloom.tf2_tools.counts import counted
 from tfloom.tf2_tools.doctor.catalogue import GROUPS, Kind, Severity
-from tfloom.tf2_tools.doctor.finding import Finding, counted
+from tfloom.tf2_tools.doctor.finding import Finding
 from tfloom.tf2_tools.doctor.subject import Subject
 
 SHOWN = 5

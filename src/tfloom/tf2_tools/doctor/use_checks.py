@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from tfloom.tf2_tools.doctor.finding import Evidence, Finding, counted
+from tfloom.tf2_tools.counts import counted
+from tfloom.tf2_tools.doctor.finding import Evidence, Finding
 from tfloom.tf2_tools.doctor.limits import Limits
 from tfloom.tf2_tools.doctor.subject import FrameUse, Subject
 

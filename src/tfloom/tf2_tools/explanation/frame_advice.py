@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable
 
+from tfloom.tf2_tools.counts import counted
 from tfloom.tf2_tools.explanation.durations import NS_PER_S, seconds_text
 from tfloom.tf2_tools.explanation.lookup import Lookup
 from tfloom.tf2_tools.watch.tree import Tree
@@ -102,8 +103,7 @@ def not_connected(lookup: Lookup) -> list[str]:
 
 
 def _size(tree: Tree, root: str) -> str:
-    count = sum(1 for _ in tree.walk(root))
-    return f"{count} frame{'' if count == 1 else 's'}"
+    return counted(sum(1 for _ in tree.walk(root)), "frame")
 
 
 def loop(lookup: Lookup) -> list[str]:
