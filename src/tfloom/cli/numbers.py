@@ -24,7 +24,7 @@ def seconds(text: str) -> float:
 
 
 def tolerance(text: str) -> float:
-    """Return a distance or an angle that isn't negative.
+    """Return a threshold, as a distance or an angle, that isn't negative.
 
     Raises:
         argparse.ArgumentTypeError: it is not a number, or negative.

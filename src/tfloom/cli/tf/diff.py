@@ -65,9 +65,9 @@ def main(args: argparse.Namespace) -> int:
     before, after = (_links(name, args, only_static=only_static) for name in names)
     found = differences(before, after, translation=args.translation, rotation_rad=math.radians(args.rotation))
     if args.json:
-        from tfloom.cli.json_text import json_text
+        from tfloom.cli.listing import print_json
 
-        print(json_text([_plain(each) for each in found], indent=2))
+        print_json([_plain(each) for each in found])
     elif found:
         print(f"--- {args.before}\n+++ {args.after}")
         for each in found:

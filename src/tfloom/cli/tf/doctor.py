@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 from tfloom.cli.errors import CommandError
 from tfloom.cli.graph import MOST_S
 from tfloom.cli.names import full_topic_name
-from tfloom.cli.numbers import seconds
+from tfloom.cli.numbers import seconds, tolerance
 from tfloom.terminal_text import unescaped
 from tfloom.tf2_tools.doctor.catalogue import KINDS, Severity
 from tfloom.tf2_tools.doctor.limits import Limits
@@ -97,7 +97,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     for option, (field, placeholder, summary) in LIMIT_OPTIONS.items():
         usual = Limits._field_defaults[field]
         limits.add_argument(
-            option, dest=field, type=_limit, default=usual, metavar=placeholder, help=f"{summary} ({usual:g})"
+            option,
+            dest=field,
+            type=tolerance,
+            default=usual,
+            metavar=placeholder,
+            help=f"{summary} ({usual:g})",
         )
 
 
@@ -202,13 +207,3 @@ def _code(text: str) -> str:
     if text.upper() not in KINDS:
         raise argparse.ArgumentTypeError(f"there is no code {text!r}; `--list` prints all")
     return text.upper()
-
-
-def _limit(text: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = -1.0
-    if not value >= 0.0:
-        raise argparse.ArgumentTypeError(f"must be a number that isn't negative, not {text!r}")
-    return value

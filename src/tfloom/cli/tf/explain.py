@@ -81,9 +81,9 @@ def main(args: argparse.Namespace) -> int:
             cache_time_ns=cache_time_ns,
         )
     if args.json:
-        from tfloom.cli.json_text import json_text
+        from tfloom.cli.listing import print_json
 
-        print(json_text(plain_values(lookup), indent=2))
+        print_json(plain_values(lookup))
     else:
         print(report_text(lookup))
     return 0 if lookup.outcome == Outcome.SUCCEEDS else 1

@@ -87,14 +87,13 @@ def _observe(opened: Source, top: Top, args: argparse.Namespace) -> None:
 
 
 def _print_once(top: Top, view: View, args: argparse.Namespace) -> None:
-    from tfloom.cli.json_text import json_text
+    from tfloom.cli.listing import print_json
     from tfloom.tf2_tools.top.lines import table
     from tfloom.tf2_tools.top.rows import Health
 
     rows, summary = top.look()
     if args.json:
-        shown = [row.values() for row in view.arrange(rows) if row.health is not Health.ROOT]
-        print(json_text(shown, indent=2))
+        print_json([row.values() for row in view.arrange(rows) if row.health is not Health.ROOT])
         return
     print("\n".join(table(rows, summary, view)))
     if view.pair is not None:
