@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from tfloom.cli.errors import CommandError
 from tfloom.cli.numbers import rate
 from tfloom.cli.tf import source
+from tfloom.tf2_tools.top.rows import SORTS, Health
 
 if TYPE_CHECKING:
     from tfloom.tf2_tools.top.program import Top
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
     from tfloom.tf2_tools.watch.sources import Source
 
 REFRESH_HZ = 4.0
-SORTS = ("tree", "name", "rate", "age", "delay", "publisher", "health")
 ONCE_S = 1.2
 """How long `--once` observes rates when all edges are known [s]."""
 
@@ -30,7 +30,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--once", action="store_true", help="print the table once, as without a terminal or with --bag"
     )
     parser.add_argument("--json", action="store_true", help="print the rows once, as JSON")
-    parser.add_argument("--sort", choices=SORTS, default="tree", help="order of the rows (default: tree)")
+    parser.add_argument(
+        "--sort", choices=list(SORTS), default="tree", help="order of the rows (default: tree)"
+    )
     parser.add_argument(
         "--filter", metavar="WORDS", default="", help="show only rows that contain these words"
     )
@@ -89,7 +91,6 @@ def _observe(opened: Source, top: Top, args: argparse.Namespace) -> None:
 def _print_once(top: Top, view: View, args: argparse.Namespace) -> None:
     from tfloom.cli.listing import print_json
     from tfloom.tf2_tools.top.lines import table
-    from tfloom.tf2_tools.top.rows import Health
 
     rows, summary = top.look()
     if args.json:
@@ -101,11 +102,8 @@ def _print_once(top: Top, view: View, args: argparse.Namespace) -> None:
 
 
 def _show(top: Top, view: View, period_s: float) -> None:
-    try:
-        from tfloom.tf2_tools.top.terminal import whole_screen
-    except ImportError as error:  # termios is part of POSIX
-        raise CommandError(f"the screen of `tf top` needs a POSIX terminal ({error}): use --once") from None
     from tfloom.tf2_tools.top.program import run
+    from tfloom.tf2_tools.top.terminal import whole_screen
 
     with whole_screen(sys.stdout.fileno(), sys.stdin.fileno()) as terminal:
         run(top, view, terminal, period_s)
