@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 import time
 from pathlib import Path
@@ -83,8 +82,9 @@ def main(args: argparse.Namespace) -> int:
         )
     from tfloom.tf2_tools.plot.chart import chart
 
-    place = f"live, domain {os.environ.get('ROS_DOMAIN_ID') or 0}" if source.is_live(args.bag) else args.bag
-    write_file(args.output, _content(chart(motion, place, all_angles=args.rpy), args.output.suffix.lower()))
+    place = source.place(args.bag)
+    where = f"live, {place}" if source.is_live(args.bag) else place
+    write_file(args.output, _content(chart(motion, where, all_angles=args.rpy), args.output.suffix.lower()))
     gaps = f", {len(motion.gaps_ns)} without data" if motion.gaps_ns else ""
     print(f"{args.output}: {len(motion.times_ns)} samples in {motion.duration_s:.3f} s{gaps}")
     return 0

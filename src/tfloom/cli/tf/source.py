@@ -13,12 +13,13 @@ from tfloom.cli.errors import CommandError
 from tfloom.cli.listen import cli_node, shown_node
 from tfloom.cli.names import full_topic_name
 from tfloom.cli.numbers import seconds
+from tfloom.rmw.backends import domain_id_from_environment
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2_tools.static_file import StaticFileError
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC, Observation
 from tfloom.tf2_tools.watch.sources import LIVE, Source, open_path
 
-__all__ = ["add_arguments", "add_topics", "is_live", "open_source", "opened", "settled", "wait_for"]
+__all__ = ["add_arguments", "add_topics", "is_live", "open_source", "opened", "place", "settled", "wait_for"]
 
 WAIT_S = 3.0
 """The longest wait for transforms of a live graph, without --wait [s]."""
@@ -66,6 +67,11 @@ def add_topics(parser: argparse.ArgumentParser) -> None:
 def is_live(name: str) -> bool:
     """Return whether a source's name is the word for the live graph."""
     return name == LIVE
+
+
+def place(name: str) -> str:
+    """Return where a source's transforms come from, for a title: the domain of the live graph, or the path."""
+    return f"domain {domain_id_from_environment()}" if is_live(name) else name
 
 
 @contextmanager

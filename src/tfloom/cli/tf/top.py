@@ -58,10 +58,11 @@ def main(args: argparse.Namespace) -> int:
         raise CommandError(f"argument --refresh: must be above 0, not {args.refresh:g}")
     is_live = source.is_live(args.bag)
     view = View(args.sort, args.filter, tuple(args.follow) if args.follow else None)
-    place = f"domain {os.environ.get('ROS_DOMAIN_ID') or 0}" if is_live else str(args.bag)
     with (
         source.open_source(args) as opened,
-        closing(Top(opened, place, lambda buffer: source.opened(args.bag, args, buffer=buffer))) as top,
+        closing(
+            Top(opened, source.place(args.bag), lambda buffer: source.opened(args.bag, args, buffer=buffer))
+        ) as top,
     ):
         if args.json or args.once or not is_live or not _has_terminal():
             _observe(opened, top, args)
