@@ -177,9 +177,9 @@ def _walk(tree: Tree) -> Iterator[tuple[str, str]]:
                 yield frame, ""
                 ends.append(True)
                 continue
-            siblings = [each for each in tree.children[tree.parents[frame]] if each != root]
+            last = next(each for each in reversed(tree.children[tree.parents[frame]]) if each != root)
             branches = "".join("  " if end else "│ " for end in ends[1:])
-            ends.append(frame == siblings[-1])
+            ends.append(frame == last)
             yield frame, branches + ("└ " if ends[-1] else "├ ")
 
 
