@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import NamedTuple
 
 from tfloom.tf2.transform import Transform
-from tfloom.tf2_tools.watch.model import Edge, Observation, stored_name
+from tfloom.tf2_tools.watch.model import Observation, stored_name
 
 __all__ = ["Difference", "Link", "differences", "links_of"]
 
@@ -46,7 +46,6 @@ def links_of(seen: Observation, *, only_static: bool = False) -> dict[str, Link]
         seen: The observation.
         only_static: Whether moving transforms are left out.
     """
-    edges: Iterable[Edge] = sorted(seen.edges, key=lambda edge: edge.statistics.last_received_ns)
     return {
         stored_name(edge.child): Link(
             stored_name(edge.child),
@@ -55,7 +54,7 @@ def links_of(seen: Observation, *, only_static: bool = False) -> dict[str, Link]
             edge.statistics.translation,
             edge.statistics.rotation_xyzw,
         )
-        for edge in edges
+        for edge in seen.by_receipt
         if edge.is_static or not only_static
     }
 

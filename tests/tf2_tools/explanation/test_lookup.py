@@ -162,6 +162,11 @@ def test_names_with_a_slash_are_those_that_a_buffer_stores() -> None:
     chain = looked_up("base", "laser", messages=messages).chain
     assert chain is not None
     assert [(span.name, span.publishers) for span in chain.spans] == [("base -> laser", "drive.mcap")]
+    messages += [message("base", "/laser", 0.1), message("base", "laser", 0.2)]
+    assert "both static and moving" in " ".join(remark(looked_up("base", "laser", messages=messages)))
+    loop = [message("/a", "/b", 1.0), message("/b", "/a", 1.0)]
+    text = " ".join(advise(looked_up("other", "a", messages=[*loop, message("z", "other", 1.0)])))
+    assert "It is published by drive.mcap (/b -> /a), drive.mcap (/a -> /b): end one" in text
 
 
 def test_nothing_was_recorded() -> None:

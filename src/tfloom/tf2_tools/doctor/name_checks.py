@@ -15,7 +15,6 @@ from tfloom.tf2_tools.doctor.subject import (
     listed,
     source_of,
 )
-from tfloom.tf2_tools.watch.model import Edge, stored_name
 
 CONVENTIONAL = ("earth", "map", "odom", "base_link", "base_footprint")
 """The frames of REP 105 from the outermost inward, and that of REP 120."""
@@ -71,17 +70,13 @@ def _misorder(subject: Subject, outer: str, inner: str) -> Finding:
     return Finding("TF202", summary, sources, [outer, inner], evidence)
 
 
-def _frames(edge: Edge) -> tuple[str, str]:
-    return stored_name(edge.child), stored_name(edge.parent)
-
-
 def _misspelled(subject: Subject, frame: str) -> Iterator[Finding]:
     prefix, slash, name = frame.rpartition("/")
     meant = _BY_LETTERS.get("".join(letter for letter in name.lower() if letter.isalnum()))
     if meant is None or name == meant:
         return
     near = [frame, *subject.tree.children.get(frame, ())]
-    edges = [e for each in near for e in subject.edges_of.get(each, ()) if frame in _frames(e)]
+    edges = [e for each in near for e in subject.edges_of.get(each, ()) if frame in e.frames]
     sources = sorted({source_of(edge.publisher) for edge in edges})
     yield Finding(
         "TF203",

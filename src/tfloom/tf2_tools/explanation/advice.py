@@ -7,7 +7,7 @@ from collections.abc import Callable
 from tfloom.tf2_tools.explanation.frame_advice import bad_name, loop, not_connected, unknown_frame
 from tfloom.tf2_tools.explanation.lookup import Lookup, Outcome
 from tfloom.tf2_tools.explanation.time_advice import future, one_sample, past
-from tfloom.tf2_tools.watch.model import Edge
+from tfloom.tf2_tools.watch.model import Edge, stored_name
 
 __all__ = ["advise", "remark"]
 
@@ -25,8 +25,8 @@ def remark(lookup: Lookup) -> list[str]:
         names = list(dict.fromkeys(edge.publisher.label for edge in edges))
         if len({edge.publisher.gid for edge in edges}) > 1:
             remarks.append(f"{span.child!r} has {len(edges)} sources: {'; '.join(map(_source, edges))}.")
-        elif len({edge.parent for edge in edges}) > 1:
-            parents = " and ".join(sorted({repr(edge.parent) for edge in edges}))
+        elif len({stored_name(edge.parent) for edge in edges}) > 1:
+            parents = " and ".join(sorted({repr(stored_name(edge.parent)) for edge in edges}))
             remarks.append(f"{names[0]} sends {span.child!r} with the parents {parents}.")
         if len({edge.is_static for edge in edges}) > 1:
             remarks.append(f"{span.child!r} is both static and moving: a buffer keeps only what came last.")

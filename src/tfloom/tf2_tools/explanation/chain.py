@@ -84,7 +84,7 @@ def find_chain(buffer: Buffer, seen: Observation, target: str, source: str) -> C
     links = [(child, True) for child in up[:-1]] + [(child, False) for child in reversed(down[:-1])]
     stored = {edge.child_frame_id: edge for edge in buffer.edges()}
     sources: dict[str, list[Edge]] = {}
-    for edge in sorted(seen.edges, key=lambda edge: edge.statistics.last_received_ns):
+    for edge in seen.by_receipt:
         sources.setdefault(stored_name(edge.child), []).append(edge)
     spans = [
         Span(

@@ -61,7 +61,7 @@ def _unheard(lookup: Lookup, frames: frozenset[str] | None = None) -> list[str]:
     found = {
         edge.publisher.gid: edge.publisher
         for edge in lookup.seen.edges
-        if edge.publisher.mismatches and (frames is None or frames & {edge.child, edge.parent})
+        if edge.publisher.mismatches and (frames is None or frames.intersection(edge.frames))
     }
     return [
         f"{each.label} publishes it on {each.topic}, but transform listeners receive nothing from there, because its "
@@ -90,7 +90,7 @@ def not_connected(lookup: Lookup) -> list[str]:
     ]
     roots = frozenset({source_root, target_root})
     sentences += _unheard(lookup, roots)
-    left = [edge for edge in lookup.seen.edges if edge.publisher.has_left and edge.child in roots]
+    left = [edge for edge in lookup.seen.edges if edge.publisher.has_left and edge.frames[0] in roots]
     sentences += [
         f"{edge.publisher.label}, which sent {edge.parent} -> {edge.child}, has left." for edge in left
     ]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from tfloom._native import EdgeStatistics, TfChild, TfSnapshot, TfTraffic
 from tfloom.rmw.base import EndpointInfo, NodeName
@@ -79,6 +80,11 @@ class Edge:
     statistics: EdgeStatistics
 
     @property
+    def frames(self) -> tuple[str, str]:
+        """The child and the parent, by their names in a buffer."""
+        return stored_name(self.child), stored_name(self.parent)
+
+    @property
     def is_static(self) -> bool:
         """Whether they came on the topic of static transforms."""
         return self.publisher.is_static
@@ -116,10 +122,14 @@ class Observation:
     endpoints: Sequence[EndpointInfo] = field(default=())
     """All publishers and subscriptions of the two topics on the graph; the observer's own are left out."""
 
+    @cached_property
+    def by_receipt(self) -> Sequence[Edge]:
+        """The edges, that of the last receipt last."""
+        return sorted(self.edges, key=lambda edge: edge.statistics.last_received_ns)
+
     def edges_of(self, child: str) -> list[Edge]:
-        """Return the edges of a child, of all publishers and parents; that of the last receipt last."""
-        edges = [edge for edge in self.edges if edge.child == child]
-        return sorted(edges, key=lambda edge: edge.statistics.last_received_ns)
+        """Return the edges of a child, by its name in a buffer, of all publishers and parents, as `by_receipt`."""
+        return [edge for edge in self.by_receipt if stored_name(edge.child) == child]
 
     def frames(self) -> list[str]:
         """Return the names of all frames, in order."""

@@ -11,7 +11,7 @@ __all__ = ["last_statics", "quarrels"]
 def last_statics(seen: Observation) -> list[StaticTransform]:
     """Return the static transform of each child that came last, in order of the children's names."""
     last: dict[str, Edge] = {}
-    for edge in sorted(seen.edges, key=lambda edge: edge.statistics.last_received_ns):
+    for edge in seen.by_receipt:
         if edge.is_static and not edge.statistics.non_finite:
             last[stored_name(edge.child)] = edge
     return [
