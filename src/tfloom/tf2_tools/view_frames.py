@@ -109,23 +109,14 @@ def _content(tree: FrameTree, records: list[FrameRecord], file_format: str) -> b
         return write_gv(records, tree.recorded_at_s)
     if file_format == "json":
         return json.dumps(tree_json(tree), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    from tfloom.tf2_tools.drawing.formats import file_content
     from tfloom.tf2_tools.frame_drawing import draw_page, draw_pages
 
-    if file_format == "pdf":
-        from tfloom.tf2_tools.drawing.pdf import pdf_bytes
+    if file_format == "html":
+        from tfloom.tf2_tools.frame_page import html_text
 
-        return pdf_bytes(draw_pages(tree))
-    if file_format == "png":
-        from tfloom.tf2_tools.drawing.png import png_bytes
-
-        return png_bytes(draw_page(tree))
-    if file_format == "svg":
-        from tfloom.tf2_tools.drawing.svg import svg_text
-
-        return svg_text(draw_page(tree))
-    from tfloom.tf2_tools.frame_page import html_text
-
-    return html_text(tree, draw_page(tree))
+        return html_text(tree, draw_page(tree))
+    return file_content(draw_pages(tree) if file_format == "pdf" else [draw_page(tree)], file_format)
 
 
 def generate_dot(data: Mapping[Any, Mapping[str, Any]], recorded_time: tuple[int, int]) -> str:

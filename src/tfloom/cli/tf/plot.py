@@ -14,7 +14,6 @@ from tfloom.cli.tf import source
 
 if TYPE_CHECKING:
     from tfloom.tf2.buffer import Buffer
-    from tfloom.tf2_tools.drawing.shapes import Picture
     from tfloom.tf2_tools.watch.sources import Source
 
 FORMATS = (".pdf", ".png", ".svg")
@@ -80,11 +79,13 @@ def main(args: argparse.Namespace) -> int:
         raise CommandError(
             f"{args.source_frame} does not move in {args.target_frame}: all transforms between them are static"
         )
+    from tfloom.tf2_tools.drawing.formats import file_content
     from tfloom.tf2_tools.plot.chart import chart
 
     place = source.place(args.bag)
     where = f"live, {place}" if source.is_live(args.bag) else place
-    write_file(args.output, _content(chart(motion, where, all_angles=args.rpy), args.output.suffix.lower()))
+    picture = chart(motion, where, all_angles=args.rpy)
+    write_file(args.output, file_content([picture], args.output.suffix.lower().removeprefix(".")))
     gaps = f", {len(motion.gaps_ns)} without data" if motion.gaps_ns else ""
     print(f"{args.output}: {len(motion.times_ns)} samples in {motion.duration_s:.3f} s{gaps}")
     return 0
@@ -110,18 +111,3 @@ def _record(opened: Source, buffer: Buffer, args: argparse.Namespace) -> None:
 def _advice(args: argparse.Namespace) -> str:
     where = "" if source.is_live(args.bag) else f" --bag {args.bag}"
     return f"Try: tfloom tf explain {args.target_frame} {args.source_frame}{where}"
-
-
-def _content(picture: Picture, ending: str) -> bytes | str:
-    """Return the content of the file; a format is imported when it is needed."""
-    if ending == ".png":
-        from tfloom.tf2_tools.drawing.png import png_bytes
-
-        return png_bytes(picture)
-    if ending == ".pdf":
-        from tfloom.tf2_tools.drawing.pdf import pdf_bytes
-
-        return pdf_bytes([picture])
-    from tfloom.tf2_tools.drawing.svg import svg_text
-
-    return svg_text(picture)
