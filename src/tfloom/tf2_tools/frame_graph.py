@@ -222,5 +222,4 @@ class Graph:
             else:
                 x -= part.width / 2
             shapes += part.shapes(x, y, style)
-        title = self.tree.edges[frame].description() if frame in self.tree.edges else f"{frame}\nroot"
-        return Group(shapes, title, frame)
+        return Group(shapes, self.tree.description_of(frame), frame)

@@ -114,10 +114,7 @@ class Table:
             if text:
                 at = x + self._lefts[i] + self._shift(i, text)
                 shapes.append(Text(at, middle + ROW_TEXT.size * 0.36, text, ROW_TEXT, ink))
-        title = (
-            self.tree.edges[row.frame].description() if row.frame in self.tree.edges else f"{row.frame}\nroot"
-        )
-        return Group(shapes, title, row.frame)
+        return Group(shapes, self.tree.description_of(row.frame), row.frame)
 
     def _lines(self, row: Row, x: float, y: float) -> Iterator[Shape]:
         """Yield the lines of the levels above, and the one to the frame."""

@@ -90,6 +90,10 @@ class FrameTree(NamedTuple):
             return "loop"
         return self.edges[frame].state if frame in self.edges else "root"
 
+    def description_of(self, frame: str) -> str:
+        """Return all that is known of a frame's transform, a line each, or that it is a root."""
+        return self.edges[frame].description() if frame in self.edges else f"{frame}\nroot"
+
     def summary(self) -> str:
         """Return the numbers of frames, transforms and trees, and what is wrong, in one line."""
         states = [edge.state for edge in self.edges.values()]

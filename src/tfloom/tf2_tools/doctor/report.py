@@ -23,7 +23,7 @@ class Report(NamedTuple):
     subject: Subject
     findings: Sequence[Finding]
     origin: str
-    """What was looked at, in words: `a graph`, or the name of a file."""
+    """What was looked at, in words: `the graph`, or the name of a file."""
     is_strict: bool = False
     """Whether warnings count as failures."""
 

@@ -89,13 +89,6 @@ class Font(NamedTuple):
         return float(pdfmetrics.stringWidth(part, face.name, self.size))
 
 
-def without_controls(text: str) -> str:
-    r"""Return `text` with each letter that can't be printed written as `\n` or `\x1b`."""
-    return "".join(
-        letter if letter.isprintable() else letter.encode("unicode_escape").decode() for letter in text
-    )
-
-
 def missing_letters(text: str) -> str:
     """Return the printable letters of `text` that no font here has, each once and in order."""
     return "".join(letter for letter in sorted(set(text)) if letter.isprintable() and not _has_glyph(letter))
