@@ -214,31 +214,28 @@ def skew(participant: Participant) -> Steps:
         yield
 
 
+def send_in_bursts(participant: Participant, name: str, length: int, period: int) -> Steps:
+    """Publish a frame in the first `length` steps of each `period` of them."""
+    node = Node(participant, name)
+    for step in count():
+        if step % period < length:
+            node.send(edge("world", f"{name}/base"))
+        yield
+
+
 def low_rate(participant: Participant) -> Steps:
     """Publish a frame each 0.6 s."""
-    node = Node(participant, "low_rate")
-    for step in count():
-        if step % 30 == 0:
-            node.send(edge("world", "low_rate/base"))
-        yield
+    return send_in_bursts(participant, "low_rate", 1, 30)
 
 
 def jitter(participant: Participant) -> Steps:
-    """Publish two of sixteen steps in a row, then none."""
-    node = Node(participant, "jitter")
-    for step in count():
-        if step % 16 < 5:
-            node.send(edge("world", "jitter/base"))
-        yield
+    """Publish in five of sixteen steps in a row, then not."""
+    return send_in_bursts(participant, "jitter", 5, 16)
 
 
 def gap(participant: Participant) -> Steps:
     """Publish with a pause of 1 s in every 1.4 s."""
-    node = Node(participant, "gap")
-    for step in count():
-        if step % 70 < 20:
-            node.send(edge("world", "gap/base"))
-        yield
+    return send_in_bursts(participant, "gap", 20, 70)
 
 
 def old_data(participant: Participant) -> Steps:
