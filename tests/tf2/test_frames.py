@@ -32,6 +32,18 @@ def test_parents_and_children(buffer: Buffer) -> None:
     assert buffer.children()["laser"] == []
 
 
+def test_children_are_listed_while_a_listener_adds_frames() -> None:
+    class Filling(Buffer):
+        def frame_names(self) -> list[str]:
+            names = super().frame_names()
+            self.set("map", f"child_{len(names)}", SECOND, HERE, UPRIGHT)
+            return names
+
+    buffer = Filling()
+    assert buffer.children() == {}
+    assert buffer.children() == {"map": ["child_0"], "child_0": []}
+
+
 def test_edges_list_the_stored_links(buffer: Buffer) -> None:
     odom, base, laser, *_ = buffer.edges()
     assert (odom.frame_id, odom.child_frame_id, odom.authority) == ("map", "odom", "localisation")

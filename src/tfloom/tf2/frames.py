@@ -72,8 +72,9 @@ class Frames(_native.Buffer):
 
     def children(self) -> dict[str, list[str]]:
         """Return each frame's children, in the order in which they were first inserted."""
+        edges = self.edges()  # before the names, because a listener's thread may add frames
         children: dict[str, list[str]] = {name: [] for name in self.frame_names()}
-        for edge in self.edges():
+        for edge in edges:
             children[edge.frame_id].append(edge.child_frame_id)
         return children
 
