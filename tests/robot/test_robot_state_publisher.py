@@ -185,6 +185,15 @@ def test_states_are_published_as_often_as_the_frequency_allows(start: Callable[.
     assert stage.children() == [["spin"], ["spin"]]
 
 
+@pytest.mark.parametrize("frequency", [1e-10, 1e-13, 5e-324])
+def test_periods_longer_than_all_time_publish_nothing(start: Callable[..., Stage], frequency: float) -> None:
+    stage = start(ARM, "-p", f"publish_frequency:={frequency!r}")
+    assert stage.set("publish_frequency", 2 * frequency).successful
+    for sec in (5, 2**31 - 1):
+        stage.send(["roll"], [1.0], sec)
+    assert stage.children() == []
+
+
 def test_older_stamps_and_none_are_ignored_unless_stamps_are(start: Callable[..., Stage]) -> None:
     stage = start()
     stage.send(["roll"], [1.0], 0)

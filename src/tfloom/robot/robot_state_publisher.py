@@ -38,6 +38,8 @@ __all__ = ["RobotStatePublisher", "StartError", "main"]
 
 DESCRIPTION = "Publish the frames of the robot that the parameter robot_description describes, in URDF."
 MOST_HZ = 1000.0
+LONGEST_MS = 2**62 // 1_000_000
+"""The longest period [ms]: a stamp and such a period add up to less than 2^63 ns."""
 INVALID = "Unable to initialize urdf::model from robot description"
 BY_FILE = (
     "No robot_description parameter, but command-line argument available.  Assuming argument is name of URDF file.  "
@@ -163,7 +165,7 @@ class RobotStatePublisher(Node):
             for name in ("robot_description", "frame_prefix", "publish_frequency", "ignore_timestamp")
         )
         # Whole milliseconds, as in the reference.
-        interval_ns = int(1000.0 / frequency) * 1_000_000 if frequency else 0
+        interval_ns = int(min(1000.0 / frequency, LONGEST_MS)) * 1_000_000 if frequency else 0
         self._transforms = RobotTransforms(self._parse(text), prefix)
         self._sink = self._transforms.states.sink(
             None if ignores else interval_ns,
