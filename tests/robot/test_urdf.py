@@ -217,6 +217,8 @@ def test_hostile_texts_are_refused_quickly() -> None:
         parse_urdf(" " * (64 * 1024 * 1024 + 1))
     with pytest.raises(UrdfError, match="can't be decoded"):
         parse_urdf("<robot name='\ud800'/>")
+    with pytest.raises(UrdfError, match="the robot has no name"):  # a default would multiply its length
+        parse_urdf('<!DOCTYPE robot [<!ATTLIST robot name CDATA "r">]><robot><link name="a"/></robot>')
 
 
 def test_long_chains_take_time_in_proportion() -> None:

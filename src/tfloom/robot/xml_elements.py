@@ -1,4 +1,4 @@
-"""XML as a tree of elements that know their lines. No text can make it larger than itself."""
+"""XML as a tree of elements that know their lines. No text stands for more than itself."""
 
 from __future__ import annotations
 
@@ -56,6 +56,7 @@ class _Builder:
         self.parser.StartElementHandler = self._start
         self.parser.EndElementHandler = self._end
         self.parser.EntityDeclHandler = self._refuse_entity
+        self.parser.specified_attributes = True  # a declared default may be long, and each element would have it
 
     def read(self, text: str | bytes) -> Element:
         try:
