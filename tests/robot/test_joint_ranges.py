@@ -7,7 +7,8 @@ import math
 import pytest
 from tests.robot.test_urdf import joint, robot
 
-from tfloom.robot.joint_ranges import Dependence, JointRange, LoopError, range_of, resolve
+from tfloom.robot.joint_ranges import JointRange, range_of
+from tfloom.robot.mimicry import Dependence, LoopError, resolve
 from tfloom.robot.urdf import parse_urdf
 
 

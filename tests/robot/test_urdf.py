@@ -107,7 +107,7 @@ def test_mimic_joints_follow_by_way_of_others() -> None:
     )
     found = followers(parsed.joints)
     assert list(found) == ["2", "1"], "what is followed comes first"
-    assert [(each.source.name, each.multiplier, each.offset) for each in found.values()] == [
+    assert [(each.parent, each.factor, each.offset) for each in found.values()] == [
         ("3", -3.0, 0.5),
         ("3", -6.0, 2.0),
     ]

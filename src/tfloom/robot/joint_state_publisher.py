@@ -21,7 +21,8 @@ from tfloom.node.parameters.parameter import ParameterType
 from tfloom.node.program import run_program
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 from tfloom.robot.description import Description
-from tfloom.robot.joint_ranges import Dependence, LoopError, dependence_of, range_of, resolve
+from tfloom.robot.joint_ranges import range_of
+from tfloom.robot.mimicry import Dependence, LoopError, dependence_of, resolve
 from tfloom.robot.urdf import UrdfError, parse_urdf
 
 __all__ = ["JointStatePublisher", "main"]

@@ -1,4 +1,4 @@
-"""Joints that follow others, directly or by way of other mimic joints."""
+"""Joints that follow others, directly or by way of others that follow."""
 
 from __future__ import annotations
 
@@ -9,61 +9,72 @@ from tfloom.robot.description import MOVING, Joint
 from tfloom.robot.joint_tree import ring_text
 from tfloom.robot.urdf_error import UrdfError
 
-__all__ = ["Following", "followers"]
+__all__ = ["Dependence", "LoopError", "dependence_of", "followers", "resolve"]
 
 
-class Following(NamedTuple):
-    """What a mimic joint follows in the end: it stands at multiplier * position of `source` + offset."""
+class Dependence(NamedTuple):
+    """A joint stands at factor * position of `parent` + offset."""
 
-    source: Joint
-    """A joint that is no mimic joint."""
-    multiplier: float
-    offset: float
+    parent: str
+    factor: float = 1.0
+    offset: float = 0.0
 
 
-def followers(joints: Mapping[str, Joint]) -> dict[str, Following]:
-    """Return what each mimic joint follows, by name: joints that are followed come before those that follow them.
+class LoopError(ValueError):
+    """Joints depend on each other in a loop.
+
+    Attributes:
+        chain: Their names; the last one is also the first.
+    """
+
+    def __init__(self, chain: list[str]) -> None:
+        super().__init__(f"Found an infinite recursive mimic chain: {chain}")
+        self.chain = chain
+
+
+def dependence_of(joint: Joint) -> Dependence | None:
+    """Return what a mimic joint follows directly; None for another joint."""
+    mimic = joint.mimic
+    return None if mimic is None else Dependence(mimic.joint, mimic.multiplier, mimic.offset)
+
+
+def resolve(dependences: Mapping[str, Dependence]) -> dict[str, Dependence]:
+    """Return what each joint follows in the end, by way of others: those that are followed come first.
+
+    Raises:
+        LoopError: a joint follows itself.
+    """
+    found: dict[str, Dependence] = {}
+    for name in dependences:
+        chain: dict[str, None] = {}  # ordered
+        each = name
+        while each in dependences and each not in found:
+            if each in chain:
+                names = list(chain)
+                raise LoopError([*names[names.index(each) :], each])
+            chain[each] = None
+            each = dependences[each].parent
+        for follower in reversed(chain):
+            parent, factor, offset = dependences[follower]
+            source, first_factor, first_offset = found.get(parent, Dependence(parent))
+            found[follower] = Dependence(source, factor * first_factor, factor * first_offset + offset)
+    return found
+
+
+def followers(joints: Mapping[str, Joint]) -> dict[str, Dependence]:
+    """Return which joint each mimic joint follows in the end, by name: those that are followed come first.
 
     Raises:
         UrdfError: a joint follows one that does not exist or has no single position, or itself by way of others.
     """
-    waiting: dict[str, list[Joint]] = {}
-    for joint in joints.values():
-        if joint.mimic is not None:
-            _check_source(joint, joints)
-            waiting.setdefault(joint.mimic.joint, []).append(joint)
-    found: dict[str, Following] = {}
-    known = [joint for joint in joints.values() if joint.mimic is None]
-    for joint in known:
-        for follower in waiting.pop(joint.name, ()):
-            found[follower.name] = _follow(follower, joint, found)
-            known.append(follower)
-    if waiting:
-        _refuse_loop(next(iter(waiting.values()))[0], joints)
-    return found
-
-
-def _check_source(joint: Joint, joints: Mapping[str, Joint]) -> None:
-    assert joint.mimic is not None  # noqa: S101  # for the type checker
-    source = joints.get(joint.mimic.joint)
-    if source is None or source.type not in MOVING:
-        why = "does not exist" if source is None else f"is of type '{source.type}'"
-        reason = f"the joint '{joint.name}' mimics '{joint.mimic.joint}', which {why}"
-        raise UrdfError(joint.line, reason)
-
-
-def _follow(joint: Joint, directly: Joint, found: Mapping[str, Following]) -> Following:
-    assert joint.mimic is not None  # noqa: S101  # for the type checker
-    source, multiplier, offset = found.get(directly.name, Following(directly, 1.0, 0.0))
-    factor = joint.mimic.multiplier
-    return Following(source, factor * multiplier, factor * offset + joint.mimic.offset)
-
-
-def _refuse_loop(joint: Joint, joints: Mapping[str, Joint]) -> None:
-    path: dict[str, Joint] = {}
-    while joint.name not in path and joint.mimic is not None:
-        path[joint.name] = joint
-        joint = joints[joint.mimic.joint]
-    names = list(path)
-    ring = [*names[names.index(joint.name) :], joint.name]
-    raise UrdfError(joint.line, f"the joints mimic each other in a loop: {ring_text(ring)}")
+    mimics = {name: each for name, joint in joints.items() if (each := dependence_of(joint)) is not None}
+    for name, each in mimics.items():
+        source = joints.get(each.parent)
+        if source is None or source.type not in MOVING:
+            why = "does not exist" if source is None else f"is of type '{source.type}'"
+            raise UrdfError(joints[name].line, f"the joint '{name}' mimics '{each.parent}', which {why}")
+    try:
+        return resolve(mimics)
+    except LoopError as error:
+        reason = f"the joints mimic each other in a loop: {ring_text(error.chain)}"
+        raise UrdfError(joints[error.chain[0]].line, reason) from None

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from tfloom._native import JointChain
 from tfloom.robot.description import Description, Joint, variables_of
 from tfloom.robot.joint_tree import from_root
-from tfloom.robot.mimicry import Following, followers
+from tfloom.robot.mimicry import Dependence, followers
 from tfloom.robot.urdf import parse_urdf
 
 if TYPE_CHECKING:
@@ -182,9 +182,8 @@ class RobotModel:
         links = {link: index for index, link in enumerate(self.links)}
         rows = []
         for joint in self.joints:
-            source, multiplier, offset = self._followers.get(joint.name, Following(joint, 1.0, 0.0))
-            column = self._columns[source.name]
-            rows.append((joint_form(joint), links[joint.parent], column, multiplier, offset))
+            source, factor, offset = self._followers.get(joint.name, Dependence(joint.name))
+            rows.append((joint_form(joint), links[joint.parent], self._columns[source], factor, offset))
         return JointChain(rows, len(self.variables))
 
     def _fill(
