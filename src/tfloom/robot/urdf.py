@@ -10,7 +10,7 @@ from tfloom.robot.description import MOVING, VARIABLES, Description, Joint, Limi
 from tfloom.robot.joint_tree import find_root
 from tfloom.robot.mimicry import followers
 from tfloom.robot.urdf_error import UrdfError
-from tfloom.robot.xml_elements import Element, XmlError, read_xml
+from tfloom.robot.xml_elements import Element, read_xml
 
 __all__ = ["UrdfError", "parse_urdf"]
 
@@ -27,10 +27,7 @@ def parse_urdf(text: str | bytes) -> Description:
     Raises:
         UrdfError: the text is not a valid description; its message has the line.
     """
-    try:
-        robot = read_xml(text)
-    except XmlError as error:
-        raise UrdfError(error.line, str(error).partition(": ")[2]) from None
+    robot = read_xml(text)
     if robot.tag != "robot":
         raise UrdfError(robot.line, f"the outermost element is <{robot.tag}>, not <robot>")
     _refuse_xacro(robot)

@@ -6,24 +6,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from xml.parsers import expat
 
-__all__ = ["Element", "XmlError", "read_xml"]
+from tfloom.robot.urdf_error import UrdfError
+
+__all__ = ["Element", "read_xml"]
 
 LARGEST = 64 * 1024 * 1024
 """Length of the longest text that is read [characters or octets]."""
 DEEPEST = 200
 """Levels of elements in elements."""
-
-
-class XmlError(ValueError):
-    """A text is not XML, or not of the kind that is read.
-
-    Attributes:
-        line: Line of the text, from 1.
-    """
-
-    def __init__(self, line: int, reason: str) -> None:
-        super().__init__(f"line {line}: {reason}")
-        self.line = line
 
 
 @dataclass
@@ -56,13 +46,13 @@ class _Builder:
         self.parser.StartElementHandler = self._start
         self.parser.EndElementHandler = self._end
         self.parser.EntityDeclHandler = self._refuse_entity
-        self.parser.specified_attributes = True  # a declared default may be long, and each element would have it
+        self.parser.specified_attributes = True  # a declared default may be long, for each element anew
 
     def read(self, text: str | bytes) -> Element:
         try:
             self.parser.Parse(text, True)  # expat takes no keyword: this is all of the text
         except expat.ExpatError as error:
-            raise XmlError(error.lineno, self._reason(error)) from None
+            raise UrdfError(error.lineno, self._reason(error)) from None
         assert self.root is not None  # noqa: S101  # expat refuses a text without an element
         return self.root
 
@@ -73,7 +63,7 @@ class _Builder:
     def _start(self, tag: str, attributes: dict[str, str]) -> None:
         element = Element(tag, attributes, self.parser.CurrentLineNumber)
         if len(self._open) >= DEEPEST:
-            raise XmlError(element.line, f"more than {DEEPEST} elements are nested")
+            raise UrdfError(element.line, f"more than {DEEPEST} elements are nested")
         if self._open:
             self._open[-1].children.append(element)
         else:
@@ -85,7 +75,7 @@ class _Builder:
 
     def _refuse_entity(self, name: str, *_: object) -> None:
         reason = f"the entity '{name}' is declared, but entities are not supported"
-        raise XmlError(self.parser.CurrentLineNumber, reason)
+        raise UrdfError(self.parser.CurrentLineNumber, reason)
 
 
 def read_xml(text: str | bytes) -> Element:
@@ -95,11 +85,11 @@ def read_xml(text: str | bytes) -> Element:
         text: A str, or the octets of a file, whose encoding its first line names.
 
     Raises:
-        XmlError: the text is not well-formed, too long or nested too deep, or declares entities.
+        UrdfError: the text is not well-formed, too long or nested too deep, or declares entities.
     """
     if len(text) > LARGEST:
-        raise XmlError(1, f"a text of {len(text)} characters is longer than {LARGEST}")
+        raise UrdfError(1, f"a text of {len(text)} characters is longer than {LARGEST}")
     try:
         return _Builder().read(text)
     except (LookupError, UnicodeError) as error:  # an encoding that is not known; a lone surrogate
-        raise XmlError(1, f"the text can't be decoded: {error}") from None
+        raise UrdfError(1, f"the text can't be decoded: {error}") from None
