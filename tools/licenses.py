@@ -104,18 +104,22 @@ def uses(roots: Mapping[str, Iterable[str]]) -> dict[str, str]:
         roots: Requirements by use, the strictest use first.
     """
     found: dict[str, str] = {}
+    followed: dict[str, set[str]] = {}
+    """The extras whose requirements were followed, "" for none."""
     for use, requirements in roots.items():
         todo = list(names_of(requirements))
         while todo:
             name, extras = todo.pop()
-            if name in found or name == "tfloom":
+            asked = {"", *extras} - followed.setdefault(name, set())
+            if not asked or name == "tfloom":
                 continue
-            found[name] = use
+            followed[name] |= asked
+            found.setdefault(name, use)
             try:
                 required = metadata.requires(name) or []
             except metadata.PackageNotFoundError:
                 continue
-            todo.extend(names_of(required, {"", *extras}))
+            todo.extend(names_of(required, asked))
     return found
 
 

@@ -48,6 +48,13 @@ def test_packages_that_others_require_have_their_strictest_use() -> None:
     assert "tfloom" not in found
 
 
+def test_extras_of_a_package_that_is_already_listed_are_followed(monkeypatch: pytest.MonkeyPatch) -> None:
+    required = {"a": ["b", "c; extra == 'x'", "d; extra == 'y'"], "c": ["a[y]"]}
+    monkeypatch.setattr(licenses.metadata, "requires", required.get)
+    found = licenses.uses({REQUIRED: ["a"], EXTRA: ["a[x]", "b"]})
+    assert found == {"a": REQUIRED, "b": REQUIRED, "c": EXTRA, "d": EXTRA}
+
+
 @pytest.mark.parametrize(
     ("licence", "accepted", "refused"),
     [
