@@ -44,6 +44,19 @@ def test_everything_is_restored_also_after_an_error(tmp_path: Path) -> None:
     assert [context.ok() for context in made] == [False, False]
 
 
+@pytest.mark.parametrize("is_before_init", [True, False])
+def test_handlers_of_a_program_are_taken_away(tmp_path: Path, is_before_init: bool) -> None:
+    before = state()
+    with isolated("local", tmp_path):
+        if not is_before_init:
+            rclpy.init(args=[])
+        signal.signal(signal.SIGINT, lambda *_: None)
+        signal.signal(signal.SIGTERM, signal.SIG_IGN)
+        if is_before_init:
+            rclpy.init(args=[])
+    assert state() == before
+
+
 def test_contexts_from_before_go_on(tmp_path: Path) -> None:
     context = Context()
     context.init(args=[])

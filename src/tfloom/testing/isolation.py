@@ -8,10 +8,12 @@ from __future__ import annotations
 import os
 import signal
 import sys
+import threading
 from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from itertools import count
 from pathlib import Path
+from typing import Any
 
 from tfloom.node.context.context import live_contexts
 from tfloom.node.context.defaults import current_defaults
@@ -23,6 +25,7 @@ __all__ = ["WIRES", "isolated"]
 WIRES = {"local": "tfloom_local", "dds": "rmw_cyclonedds_cpp"}
 """The value of RMW_IMPLEMENTATION, by the name that a test gives."""
 
+_SIGNALS = "tfloom.node.executing.signals"
 _local_numbers = count()
 
 
@@ -98,12 +101,24 @@ def _set_environment(variables: Mapping[str, str | None]) -> None:
 
 @contextmanager
 def _restored_signal_handlers() -> Iterator[None]:
-    """Take away the handlers that `rclpy.init` installs in the block, which it leaves if nobody shuts down."""
+    """Take away the handlers that the block installs, and those of `rclpy.init`, which stay if nobody shuts down."""
     former = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)}
     try:
         yield
     finally:
-        signals = sys.modules.get("tfloom.node.executing.signals")
+        signals = sys.modules.get(_SIGNALS)
         changed = {number for number in former if signal.getsignal(number) is not former[number]}
         if changed and signals is not None:
             signals.uninstall_signal_handlers()
+        for number in changed:
+            _restore(number, former[number])
+
+
+def _restore(number: int, handler: Any) -> None:
+    """Restore a handler; Python does so on the main thread alone.
+
+    None is one that Python doesn't know, and rclpy's own would not know the handler before it.
+    """
+    is_rclpys = getattr(handler, "__module__", None) == _SIGNALS
+    if handler is not None and not is_rclpys and threading.current_thread() is threading.main_thread():
+        signal.signal(number, handler)
