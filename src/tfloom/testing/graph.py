@@ -26,6 +26,14 @@ LONGEST_NAP_S = 0.02
 """How often a condition is checked that another thread may fulfil [s]."""
 DEPTH = 1000
 """Messages that may wait for the test's own callbacks."""
+BEST_OFFERED = QoSProfile(
+    depth=DEPTH,
+    reliability=ReliabilityPolicy.BEST_AVAILABLE,
+    durability=DurabilityPolicy.BEST_AVAILABLE,
+)
+LEAST = QoSProfile(
+    depth=DEPTH, reliability=ReliabilityPolicy.BEST_EFFORT, durability=DurabilityPolicy.VOLATILE
+)
 MOST_CALLBACKS = 100_000
 """Callbacks that may follow one another without a pause before the graph counts as one that never rests."""
 
@@ -200,22 +208,8 @@ class RosGraph:
         qos_profile: QoSProfile | int | None,
     ) -> Subscription[Any]:
         if qos_profile is None:
-            qos_profile = self._best_offered(topic)
+            qos_profile = BEST_OFFERED if self.observer.count_publishers(topic) else LEAST
         return self.observer.create_subscription(msg_type, topic, callback, qos_profile)
-
-    def _best_offered(self, topic: str) -> QoSProfile:
-        offered = [each.qos_profile for each in self.observer.get_publishers_info_by_topic(topic)]
-
-        def offer_all(name: str, policy: object) -> bool:
-            return bool(offered) and all(getattr(each, name) == policy for each in offered)
-
-        is_reliable = offer_all("reliability", ReliabilityPolicy.RELIABLE)
-        is_latched = offer_all("durability", DurabilityPolicy.TRANSIENT_LOCAL)
-        return QoSProfile(
-            depth=DEPTH,
-            reliability=ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT,
-            durability=DurabilityPolicy.TRANSIENT_LOCAL if is_latched else DurabilityPolicy.VOLATILE,
-        )
 
     def broadcast(self, table: str) -> None:
         """Publish the transforms of a table on /tf and /tf_static, and run callbacks until none is ready.
