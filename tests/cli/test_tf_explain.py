@@ -9,7 +9,8 @@ from typing import Any
 
 import pytest
 
-from tfloom.tf2_tools.static_file import StaticTransform, file_text
+from tfloom.tf2_tools.static_transforms.file import file_text
+from tfloom.tf2_tools.static_transforms.transform import StaticTransform
 
 BROADCASTER = Path(__file__).with_name("a_broadcaster.py")
 NO_TURN = (0.0, 0.0, 0.0, 1.0)

@@ -15,7 +15,8 @@ from tfloom.node.log.logging import get_logger
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
 from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
-from tfloom.tf2_tools.static_arguments import USAGE, ArgumentsError, StaticTransform, parse
+from tfloom.tf2_tools.static_transforms.arguments import USAGE, ArgumentsError, parse
+from tfloom.tf2_tools.static_transforms.transform import StaticTransform
 
 READ_ONLY = ParameterDescriptor(read_only=True)
 
@@ -77,13 +78,13 @@ def main(args: list[str] | None = None) -> int:
         print(USAGE)
         return 0
     try:
-        transform = parse(words)
+        transform, is_old_form = parse(words)
     except ArgumentsError as error:
         print(f"error parsing command line arguments: {error}\n{USAGE}", file=sys.stderr)
         return 1
 
     def publish() -> None:
-        if transform.is_old_form:
+        if is_old_form:
             get_logger("static_transform_publisher").warning(
                 "Old-style arguments are deprecated; see --help for new-style arguments"
             )

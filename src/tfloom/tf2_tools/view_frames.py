@@ -19,9 +19,9 @@ from tfloom.node.program import run_program
 from tfloom.rmw.base import NodeName
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener
-from tfloom.tf2_tools.frame_records import FrameRecord, parse_frames_yaml, write_gv
-from tfloom.tf2_tools.frame_tree import FrameTree, build_tree, tree_json
-from tfloom.tf2_tools.static_file import StaticFileError
+from tfloom.tf2_tools.static_transforms.file import StaticFileError
+from tfloom.tf2_tools.tree_pictures.records import FrameRecord, parse_frames_yaml, write_gv
+from tfloom.tf2_tools.tree_pictures.tree import FrameTree, build_tree, tree_json
 from tfloom.tf2_tools.watch.live import LiveWatch
 from tfloom.tf2_tools.watch.model import Observation
 from tfloom.whole_files import write_file
@@ -110,10 +110,10 @@ def _content(tree: FrameTree, records: list[FrameRecord], file_format: str) -> b
     if file_format == "json":
         return json.dumps(tree_json(tree), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
     from tfloom.tf2_tools.drawing.formats import file_content
-    from tfloom.tf2_tools.frame_drawing import draw_page, draw_pages
+    from tfloom.tf2_tools.tree_pictures.pictures import draw_page, draw_pages
 
     if file_format == "html":
-        from tfloom.tf2_tools.frame_page import html_text
+        from tfloom.tf2_tools.tree_pictures.web_page import html_text
 
         return html_text(tree, draw_page(tree))
     return file_content(draw_pages(tree) if file_format == "pdf" else [draw_page(tree)], file_format)
@@ -269,7 +269,7 @@ def _export(
     if formats is None and picture != folder / COPY_NAME:
         write_file(folder / COPY_NAME, picture.read_bytes())
     if {"html", "pdf", "png", "svg"} & set(formats or DEFAULT_FORMATS):
-        from tfloom.tf2_tools.frame_header import missing_note
+        from tfloom.tf2_tools.tree_pictures.header import missing_note
 
         if missing := missing_note(drawn[0]):
             report.warning(missing)

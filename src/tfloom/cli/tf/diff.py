@@ -16,7 +16,7 @@ from tfloom.cli.numbers import tolerance
 from tfloom.cli.tf import source
 
 if TYPE_CHECKING:
-    from tfloom.tf2_tools.tree_difference import Difference, Link
+    from tfloom.tf2_tools.watch.difference import Difference, Link
 
 DIFFERENT = 1
 TROUBLE = 2
@@ -53,7 +53,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Print the differences; return 1 if there are any."""
-    from tfloom.tf2_tools.tree_difference import differences
+    from tfloom.tf2_tools.watch.difference import differences
     from tfloom.tf2_tools.watch.sources import is_static_file
 
     names = (args.before, args.after)
@@ -76,7 +76,7 @@ def main(args: argparse.Namespace) -> int:
 
 
 def _links(name: str, args: argparse.Namespace, *, only_static: bool) -> dict[str, Link]:
-    from tfloom.tf2_tools.tree_difference import links_of
+    from tfloom.tf2_tools.watch.difference import links_of
 
     try:
         with source.opened(name, args) as opened:

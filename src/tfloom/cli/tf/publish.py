@@ -11,7 +11,7 @@ from tfloom.cli import graph
 from tfloom.cli.errors import CommandError
 from tfloom.cli.listen import shown_node
 from tfloom.cli.names import full_topic_name, named_node
-from tfloom.tf2_tools.counts import counted
+from tfloom.tf2_tools.text.counts import counted
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC
 
 
@@ -35,7 +35,7 @@ def main(args: argparse.Namespace) -> int:
     from tfloom.interfaces.tf2_msgs.msg import TFMessage
     from tfloom.rmw.qos import DurabilityPolicy, QoS
     from tfloom.rmw.typed_names import topic_of
-    from tfloom.tf2_tools.static_file import StaticFileError, encoded, read_statics
+    from tfloom.tf2_tools.static_transforms.file import StaticFileError, encoded, read_statics
 
     try:
         transforms = read_statics(Path(args.file))

@@ -7,7 +7,7 @@ import sys
 
 from tfloom.cli.errors import CommandError
 from tfloom.cli.tf import source
-from tfloom.tf2_tools.counts import counted
+from tfloom.tf2_tools.text.counts import counted
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -18,7 +18,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(args: argparse.Namespace) -> int:
     """Write the file; fail if there is no static transform."""
-    from tfloom.tf2_tools.static_file import file_text
+    from tfloom.tf2_tools.static_transforms.file import file_text
     from tfloom.tf2_tools.watch.statics import last_statics, quarrels
     from tfloom.whole_files import write_file
 

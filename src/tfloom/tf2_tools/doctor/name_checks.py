@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
-from tfloom.tf2_tools.counts import counted
 from tfloom.tf2_tools.doctor.finding import Finding
 from tfloom.tf2_tools.doctor.limits import Limits
 from tfloom.tf2_tools.doctor.subject import (
@@ -15,6 +14,7 @@ from tfloom.tf2_tools.doctor.subject import (
     listed,
     source_of,
 )
+from tfloom.tf2_tools.text.counts import counted
 
 CONVENTIONAL = ("earth", "map", "odom", "base_link", "base_footprint")
 """The frames of REP 105 from the outermost inward, and that of REP 120."""

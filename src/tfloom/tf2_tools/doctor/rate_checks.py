@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterator
 
 from tfloom._native import Spread
-from tfloom.tf2_tools.counts import counted
 from tfloom.tf2_tools.doctor.finding import Evidence, Finding
 from tfloom.tf2_tools.doctor.limits import GAP_PERIODS, LEAST_COUNT, LEAST_JITTER_S, Limits
 from tfloom.tf2_tools.doctor.subject import Subject, evidence_of, for_each_publisher
+from tfloom.tf2_tools.text.counts import counted
 from tfloom.tf2_tools.watch.model import Edge
 
 

@@ -6,10 +6,10 @@ import textwrap
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from tfloom.tf2_tools.counts import counted
 from tfloom.tf2_tools.doctor.catalogue import GROUPS, Kind, Severity
 from tfloom.tf2_tools.doctor.finding import Finding
 from tfloom.tf2_tools.doctor.subject import Subject
+from tfloom.tf2_tools.text.counts import counted
 
 SHOWN = 5
 """Number of lines of evidence that the text has of one finding."""

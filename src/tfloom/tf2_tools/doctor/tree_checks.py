@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
-from tfloom.tf2_tools.counts import counted
 from tfloom.tf2_tools.doctor.finding import Evidence, Finding
 from tfloom.tf2_tools.doctor.limits import Limits
 from tfloom.tf2_tools.doctor.subject import (
@@ -16,6 +15,7 @@ from tfloom.tf2_tools.doctor.subject import (
     listed,
     source_of,
 )
+from tfloom.tf2_tools.text.counts import counted
 from tfloom.tf2_tools.watch.model import Edge, Publisher, stored_name
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from tfloom.tf2_tools.counts import counted
 from tfloom.tf2_tools.doctor.finding import Evidence, Finding
 from tfloom.tf2_tools.doctor.limits import Limits
 from tfloom.tf2_tools.doctor.subject import FrameUse, Subject
+from tfloom.tf2_tools.text.counts import counted
 
 
 def check_uses(subject: Subject, limits: Limits) -> Iterator[Finding]:  # noqa: ARG001 - as all checks

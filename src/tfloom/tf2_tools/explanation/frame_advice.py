@@ -5,9 +5,9 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable
 
-from tfloom.tf2_tools.counts import counted
-from tfloom.tf2_tools.explanation.durations import NS_PER_S, seconds_text
 from tfloom.tf2_tools.explanation.lookup import Lookup
+from tfloom.tf2_tools.text.counts import counted
+from tfloom.tf2_tools.text.times import NS_PER_S, seconds_text
 from tfloom.tf2_tools.watch.tree import Tree
 
 __all__ = ["bad_name", "loop", "not_connected", "unknown_frame"]

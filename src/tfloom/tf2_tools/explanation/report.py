@@ -8,9 +8,9 @@ from typing import Any
 from tfloom.tf2.buffer import LATEST
 from tfloom.tf2_tools.explanation.advice import advise, remark
 from tfloom.tf2_tools.explanation.chain import Chain, Span
-from tfloom.tf2_tools.explanation.durations import NS_PER_S, ago, seconds_text
 from tfloom.tf2_tools.explanation.lookup import Lookup, Outcome
 from tfloom.tf2_tools.explanation.time_line import TimeLine
+from tfloom.tf2_tools.text.times import NS_PER_S, ago, seconds_text
 from tfloom.tf2_tools.watch.model import Edge
 
 __all__ = ["plain_values", "report_text"]

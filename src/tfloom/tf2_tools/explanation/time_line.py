@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from tfloom.tf2_tools.explanation.chain import Span
-from tfloom.tf2_tools.explanation.durations import ago
+from tfloom.tf2_tools.text.times import ago
 
 __all__ = ["TimeLine"]
 

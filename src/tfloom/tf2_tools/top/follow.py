@@ -7,7 +7,7 @@ import math
 from tfloom.terminal_text import shown_name
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2.errors import TransformException
-from tfloom.tf2_tools.transform_text import matrix_from_quaternion, rpy_from_matrix
+from tfloom.tf2_tools.text.transform import matrix_from_quaternion, rpy_from_matrix
 
 
 def follow_lines(buffer: Buffer, pair: tuple[str, str], now_ns: int) -> list[str]:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import random
 
-from tfloom.tf2_tools.frame_records import FrameRecord
-from tfloom.tf2_tools.frame_tree import FrameTree, build_tree
+from tfloom.tf2_tools.tree_pictures.records import FrameRecord
+from tfloom.tf2_tools.tree_pictures.tree import FrameTree, build_tree
 
 NOW_S = 1795257550.785885
 WIDTH_OF_A_ROBOT = 12

@@ -6,6 +6,8 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from tfloom.tf2_tools.static_transforms.transform import StaticTransform, quaternion_from_rpy
+
 USAGE = """\
 usage: static_transform_publisher [--x X] [--y Y] [--z Z] \\
            [--qx QX --qy QY --qz QZ --qw QW | --roll ROLL --pitch PITCH --yaw YAW] \\
@@ -37,19 +39,15 @@ class ArgumentsError(ValueError):
     """The command line is invalid; the text has the reason."""
 
 
-class StaticTransform(NamedTuple):
-    """The transform to publish: frame_from_child."""
+class Arguments(NamedTuple):
+    """What a command line asks for."""
 
-    translation: tuple[float, float, float]
-    """[m]."""
-    rotation_xyzw: tuple[float, float, float, float]
-    frame_id: str
-    child_frame_id: str
+    transform: StaticTransform
     is_old_form: bool
     """Whether the command line was of the older form."""
 
 
-def parse(words: Sequence[str]) -> StaticTransform:
+def parse(words: Sequence[str]) -> Arguments:
     """Read a command line without its ROS arguments.
 
     Raises:
@@ -69,7 +67,7 @@ def parse(words: Sequence[str]) -> StaticTransform:
         if len(rest) not in OLD_FORMS:
             raise ArgumentsError("Extra unparsed arguments on command-line")
         flags = dict(zip(OLD_FORMS[len(rest)], rest, strict=True))
-    return _build(flags, is_old_form=bool(rest))
+    return Arguments(_build(flags), is_old_form=bool(rest))
 
 
 def _split(words: Sequence[str]) -> tuple[dict[str, str], list[str]]:
@@ -88,7 +86,7 @@ def _split(words: Sequence[str]) -> tuple[dict[str, str], list[str]]:
     return flags, rest
 
 
-def _build(flags: dict[str, str], *, is_old_form: bool) -> StaticTransform:
+def _build(flags: dict[str, str]) -> StaticTransform:
     numbers = {name: _number(name, value) for name, value in flags.items() if name not in FRAMES}
     if numbers.keys() & set(QUATERNION) and numbers.keys() & set(EULER):
         raise ArgumentsError("Cannot specify both quaternion and Euler rotations")
@@ -106,7 +104,7 @@ def _build(flags: dict[str, str], *, is_old_form: bool) -> StaticTransform:
         rotation = qx, qy, qz, qw
     if not any(rotation):
         raise ArgumentsError("A quaternion of zeros is no rotation")
-    return StaticTransform((x, y, z), rotation, flags["--frame-id"], flags["--child-frame-id"], is_old_form)
+    return StaticTransform(flags["--frame-id"], flags["--child-frame-id"], (x, y, z), rotation)
 
 
 def _number(flag: str, text: str) -> float:
@@ -117,18 +115,3 @@ def _number(flag: str, text: str) -> float:
     if not math.isfinite(number):
         raise ArgumentsError(f"Failed to parse {flag} argument as float")
     return number
-
-
-def quaternion_from_rpy(
-    roll_rad: float, pitch_rad: float, yaw_rad: float
-) -> tuple[float, float, float, float]:
-    """Return the quaternion (x, y, z, w) of turns about the fixed axes x, y and z, in this order."""
-    cr, sr = math.cos(roll_rad / 2), math.sin(roll_rad / 2)
-    cp, sp = math.cos(pitch_rad / 2), math.sin(pitch_rad / 2)
-    cy, sy = math.cos(yaw_rad / 2), math.sin(yaw_rad / 2)
-    return (
-        sr * cp * cy - cr * sp * sy,
-        cr * sp * cy + sr * cp * sy,
-        cr * cp * sy - sr * sp * cy,
-        cr * cp * cy + sr * sp * sy,
-    )

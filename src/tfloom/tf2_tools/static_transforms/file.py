@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
-from tfloom.tf2_tools.static_arguments import quaternion_from_rpy
+from tfloom.tf2_tools.static_transforms.transform import StaticTransform, quaternion_from_rpy
 
-__all__ = ["StaticFileError", "StaticTransform", "encoded", "file_text", "read_statics"]
+__all__ = ["StaticFileError", "encoded", "file_text", "read_statics"]
 
 KEY = "static_transforms"
 ITEM_KEYS = ("frame_id", "child_frame_id", "translation", "rotation")
@@ -29,16 +29,6 @@ HEADING = """\
 
 class StaticFileError(ValueError):
     """A file holds no static transforms; the text has the file, the line and the reason."""
-
-
-class StaticTransform(NamedTuple):
-    """frame_from_child."""
-
-    frame_id: str
-    child_frame_id: str
-    translation: tuple[float, float, float]
-    """[m]."""
-    rotation_xyzw: tuple[float, float, float, float]
 
 
 def file_text(transforms: Iterable[StaticTransform]) -> str:

@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tfloom.tf2_tools.transform_text import matrix_from_quaternion, rpy_from_matrix, transform_text
+from tfloom.tf2_tools.text.transform import matrix_from_quaternion, rpy_from_matrix, transform_text
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 GOLDEN = ROOT / "tests" / "golden" / "cli"
 HALF = math.sqrt(0.5)
 

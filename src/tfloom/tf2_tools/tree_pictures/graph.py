@@ -19,8 +19,8 @@ from tfloom.tf2_tools.drawing.colors import (
 from tfloom.tf2_tools.drawing.fonts import elided, printable
 from tfloom.tf2_tools.drawing.shapes import Box, Curve, Group, Path, Pen, Picture, Point, Shape, Text
 from tfloom.tf2_tools.drawing.tree_layout import Layout, Size, arrange
-from tfloom.tf2_tools.frame_header import HEADING, MARGIN, Header, line_pen
-from tfloom.tf2_tools.frame_tree import DrawnEdge, FrameTree
+from tfloom.tf2_tools.tree_pictures.header import HEADING, MARGIN, Header, line_pen
+from tfloom.tf2_tools.tree_pictures.tree import DrawnEdge, FrameTree
 
 ARROW = 13.0
 CARD_PADDING = 5.0

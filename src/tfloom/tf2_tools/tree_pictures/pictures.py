@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from tfloom.tf2_tools.drawing.shapes import Picture
-from tfloom.tf2_tools.frame_graph import Graph
-from tfloom.tf2_tools.frame_table import one_page, pages
-from tfloom.tf2_tools.frame_tree import FrameTree
+from tfloom.tf2_tools.tree_pictures.graph import Graph
+from tfloom.tf2_tools.tree_pictures.table import one_page, pages
+from tfloom.tf2_tools.tree_pictures.tree import FrameTree
 
 GRAPH_SIZE = (1130.0, 780.0)
 """The longer and the shorter side of the largest graph that can be read at once: an A3 page, in points."""

@@ -6,38 +6,39 @@ import math
 
 import pytest
 
-from tfloom.tf2_tools.static_arguments import ArgumentsError, parse
+from tfloom.tf2_tools.static_transforms.arguments import ArgumentsError, parse
 
 FRAMES = ["--frame-id", "world", "--child-frame-id", "camera"]
 HALF = math.sqrt(0.5)
 
 
 def test_flags_are_parsed() -> None:
-    transform = parse(["--x", "1", "--y", "-2e0", "--z", "3", "--yaw", str(math.pi / 2), *FRAMES])
+    words = ["--x", "1", "--y", "-2e0", "--z", "3", "--yaw", str(math.pi / 2), *FRAMES]
+    transform, is_old_form = parse(words)
     assert transform.translation == (1.0, -2.0, 3.0)
     assert transform.rotation_xyzw == pytest.approx((0.0, 0.0, HALF, HALF))
     assert (transform.frame_id, transform.child_frame_id) == ("world", "camera")
-    assert not transform.is_old_form
+    assert not is_old_form
 
 
 def test_omitted_flags_are_the_identity() -> None:
-    transform = parse(FRAMES)
+    transform = parse(FRAMES).transform
     assert transform.translation == (0.0, 0.0, 0.0)
     assert transform.rotation_xyzw == (0.0, 0.0, 0.0, 1.0)
 
 
 def test_roll_pitch_yaw_turn_about_fixed_axes() -> None:
     # A quarter turn about x, then one about z, maps z to -y to x: the axis is (1, 1, 1).
-    transform = parse(["--roll", str(math.pi / 2), "--yaw", str(math.pi / 2), *FRAMES])
+    transform = parse(["--roll", str(math.pi / 2), "--yaw", str(math.pi / 2), *FRAMES]).transform
     assert transform.rotation_xyzw == pytest.approx((0.5, 0.5, 0.5, 0.5))
 
 
 def test_older_forms_are_parsed() -> None:
     euler = parse(["1", "2", "3", str(math.pi / 2), "0", "0", "a", "b"])
-    assert euler.translation == (1.0, 2.0, 3.0)
-    assert euler.rotation_xyzw == pytest.approx((0.0, 0.0, HALF, HALF))
+    assert euler.transform.translation == (1.0, 2.0, 3.0)
+    assert euler.transform.rotation_xyzw == pytest.approx((0.0, 0.0, HALF, HALF))
     quaternion = parse(["1", "2", "-3", "0", "0", "0.6", "0.8", "a", "b"])
-    assert quaternion.rotation_xyzw == (0.0, 0.0, 0.6, 0.8)
+    assert quaternion.transform.rotation_xyzw == (0.0, 0.0, 0.6, 0.8)
     assert euler.is_old_form
     assert quaternion.is_old_form
 

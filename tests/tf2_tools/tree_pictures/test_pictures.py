@@ -14,8 +14,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PIL import Image
 from pypdfium2 import PdfDocument
-from tests.tf2_tools import trees
 from tests.tf2_tools.kept_pictures import MOST_IN_A_BLOCK, WRITES, assert_looks_as_kept, grey, worst_block
+from tests.tf2_tools.tree_pictures import trees
 
 from tfloom.tf2_tools.drawing.fonts import missing_letters
 from tfloom.tf2_tools.drawing.pdf import PAGE_LIMIT, pdf_bytes
@@ -23,13 +23,13 @@ from tfloom.tf2_tools.drawing.png import png_bytes
 from tfloom.tf2_tools.drawing.shapes import Box, Group, Shape, Text
 from tfloom.tf2_tools.drawing.shapes import Path as Line
 from tfloom.tf2_tools.drawing.svg import svg_text
-from tfloom.tf2_tools.frame_drawing import A4, GRAPH_SIZE, draw_page, draw_pages
-from tfloom.tf2_tools.frame_graph import Graph, wrapped
-from tfloom.tf2_tools.frame_table import ROW, Table, one_page
-from tfloom.tf2_tools.frame_tree import FrameTree, build_tree
+from tfloom.tf2_tools.tree_pictures.graph import Graph, wrapped
+from tfloom.tf2_tools.tree_pictures.pictures import A4, GRAPH_SIZE, draw_page, draw_pages
+from tfloom.tf2_tools.tree_pictures.table import ROW, Table, one_page
+from tfloom.tf2_tools.tree_pictures.tree import FrameTree, build_tree
 
 PICTURES = Path(__file__).parent / "pictures"
-"""To write them anew, and look at them: WRITE_PICTURES=1 pytest tests/tf2_tools/test_frame_drawing.py."""
+"""To write them anew, and look at them: WRITE_PICTURES=1 pytest tests/tf2_tools/tree_pictures/test_pictures.py."""
 EXAMPLES: dict[str, Callable[[], FrameTree]] = {
     "12_frames": lambda: trees.robot(12),
     "100_frames": lambda: trees.robot(100),

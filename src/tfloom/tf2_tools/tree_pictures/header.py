@@ -17,8 +17,9 @@ from tfloom.tf2_tools.drawing.colors import (
 )
 from tfloom.tf2_tools.drawing.fonts import EXTRA, missing_letters
 from tfloom.tf2_tools.drawing.shapes import Box, Path, Pen, Shape, Text
-from tfloom.tf2_tools.frame_records import NO_DATA
-from tfloom.tf2_tools.frame_tree import FrameTree, utc_text
+from tfloom.tf2_tools.text.times import utc_text
+from tfloom.tf2_tools.tree_pictures.records import NO_DATA
+from tfloom.tf2_tools.tree_pictures.tree import FrameTree
 
 HEADING = "view_frames Result"
 MARGIN = 28.0

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from tfloom.tf2_tools.tree_difference import Difference, Link, differences
+from tfloom.tf2_tools.watch.difference import Difference, Link, differences
 
 NO_TURN = (0.0, 0.0, 0.0, 1.0)
 

@@ -5,12 +5,11 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from datetime import datetime, timezone
 from typing import Any, NamedTuple
 
-from tfloom.tf2_tools.counts import counted
 from tfloom.tf2_tools.drawing.tree_layout import Layout, Size, arrange
-from tfloom.tf2_tools.frame_records import FrameRecord
+from tfloom.tf2_tools.text.counts import counted
+from tfloom.tf2_tools.tree_pictures.records import FrameRecord
 
 STALE_S = 1.0
 """A moving transform is stale if it is older than the newest of the tree by more than this [s] …"""
@@ -146,14 +145,6 @@ def natural_key(name: str) -> list[tuple[int, int, str]]:
     for i in range(1, len(parts), 2):
         parts[i] = parts[i].lstrip("0")
     return [(i % 2, len(part) if i % 2 else 0, part) for i, part in enumerate(parts)]
-
-
-def utc_text(stamp_s: float) -> str:
-    """Return a time as date and clock in UTC."""
-    try:
-        return datetime.fromtimestamp(stamp_s, timezone.utc).strftime("%Y-%m-%d %H:%M:%S UTC")
-    except (OverflowError, ValueError, OSError):
-        return f"{stamp_s} s"
 
 
 def tree_json(tree: FrameTree) -> dict[str, Any]:

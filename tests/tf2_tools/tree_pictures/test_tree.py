@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import json
 
-from tests.tf2_tools import trees
+from tests.tf2_tools.tree_pictures import trees
 
-from tfloom.tf2_tools.frame_tree import build_tree, natural_key, tree_json
+from tfloom.tf2_tools.tree_pictures.tree import build_tree, natural_key, tree_json
 
 
 def test_frames_are_in_the_order_of_numbers_in_their_names() -> None:

@@ -9,10 +9,10 @@ import yaml
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tfloom.tf2_tools.frame_records import FrameRecord, parse_frames_yaml, write_gv
+from tfloom.tf2_tools.tree_pictures.records import FrameRecord, parse_frames_yaml, write_gv
 from tfloom.tf2_tools.view_frames import generate_dot
 
-GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
+GOLDEN = Path(__file__).parents[2] / "golden" / "cli"
 CAMERA_YAML = (
     "camera: \n  parent: 'world'\n  broadcaster: 'default_authority'\n  rate: 10000.000\n"
     "  most_recent_transform: 0.000000\n  oldest_transform: 0.000000\n  buffer_length: 0.000\n"

@@ -7,7 +7,7 @@ from html import escape
 
 from tfloom.tf2_tools.drawing.shapes import Picture
 from tfloom.tf2_tools.drawing.svg import svg_text
-from tfloom.tf2_tools.frame_tree import FrameTree, tree_json
+from tfloom.tf2_tools.tree_pictures.tree import FrameTree, tree_json
 
 PAGE = """<!DOCTYPE html>
 <html lang="en">

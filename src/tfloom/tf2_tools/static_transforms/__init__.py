@@ -1,0 +1,1 @@
+"""Static transforms as a command line and as a file."""

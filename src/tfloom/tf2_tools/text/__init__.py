@@ -1,0 +1,1 @@
+"""Counts, durations, dates and transforms as the tools print them."""
