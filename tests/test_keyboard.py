@@ -13,7 +13,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tfloom.keyboard import Keyboard, NoTerminalError, decode_keys
+from tfloom.keyboard import (
+    FINALS,
+    NAMES,
+    NUMBERS,
+    Keyboard,
+    NoTerminalError,
+    decode_keys,
+    without_repetitions,
+)
 
 
 @pytest.mark.parametrize(
@@ -23,11 +31,18 @@ from tfloom.keyboard import Keyboard, NoTerminalError, decode_keys
         ("\x1bOA", ["up"]),
         ("\x1b[1;5C", ["right"]),
         ("gq", ["g", "q"]),
-        ("\x1b[A" * 40, ["up"]),
-        ("\x1b[A\x1b[A\x1b[D\x1b[A", ["up", "left", "up"]),
-        ("\x1b[3~\x1b[H\x1bOPx", ["x"]),
-        ("\x1b", []),
+        ("\x1b[A\x1b[A\x1b[D\x1b[A", ["up", "up", "left", "up"]),
+        ("\x1b[3~\x1b[E\x1bOPx", ["x"]),
+        (
+            "\x1b[H\x1b[F\x1b[1~\x1b[4~\x1b[7~\x1b[8~\x1bOH",
+            ["home", "end", "home", "end", "home", "end", "home"],
+        ),
+        ("\x1b[5~\x1b[6;2~\x1b[15~", ["page up", "page down"]),
+        ("a/\r\n\x7f\b\x15激", ["a", "/", "enter", "enter", "backspace", "backspace", "clear", "激"]),
+        ("\x1b", ["escape"]),
+        ("\x1b\x1b[A", ["escape", "up"]),
         ("\x1b[", []),
+        ("\x1b[1;", []),
         ("", []),
     ],
 )
@@ -35,9 +50,14 @@ def test_key_sequences_are_decoded(text: str, keys: list[str]) -> None:
     assert decode_keys(text) == keys
 
 
-@given(st.text(alphabet="\x1b[O;1ABCDEFgq~"))
+@given(st.text(alphabet="\x1b[O;1ABCDEFgq~\r\x7f"))
 def test_decoding_accepts_any_text(text: str) -> None:
-    assert all(key in {"up", "down", "left", "right"} or len(key) == 1 for key in decode_keys(text))
+    named = {*NAMES.values(), *FINALS.values(), *NUMBERS.values()}
+    assert all(key in named or len(key) == 1 for key in decode_keys(text))
+
+
+def test_a_key_that_is_held_down_counts_once() -> None:
+    assert without_repetitions(["up"] * 40 + ["left", "up", "up"]) == ["up", "left", "up"]
 
 
 def test_input_without_terminal_raises(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -52,10 +72,11 @@ with Keyboard() as keyboard:
     print("ready", flush=True)
     keys = []
     while "q" not in keys:
-        keys += keyboard.read(0.1)
+        if found := keyboard.read(0.1):
+            keys += found
+            print(keys, flush=True)
         if "x" in keys:
             raise RuntimeError("on purpose")
-print(keys, flush=True)
 """
 
 
@@ -79,9 +100,12 @@ def in_terminal(start_program: Callable[..., Any]) -> Any:
 def test_keys_are_read_from_a_terminal(in_terminal: Callable[[], tuple[Any, int, list]]) -> None:
     program, terminal, before = in_terminal()
     os.write(terminal, b"\x1b")  # an arrow that arrives in two parts
-    os.write(terminal, b"[Agq")
+    os.write(terminal, b"[Agg")
+    os.write(terminal, "é".encode()[:1])  # a letter, too
+    program.wait_for("['up', 'g', 'g']")
+    os.write(terminal, "é".encode()[1:] + b"q")
     assert program.wait() == 0
-    assert program.lines[-1] == "['up', 'g', 'q']"
+    assert program.lines[-1] == "['up', 'g', 'g', 'é', 'q']"
     assert termios.tcgetattr(terminal) == before
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 
-from tfloom.keyboard import Keyboard, NoTerminalError
+from tfloom.keyboard import Keyboard, NoTerminalError, without_repetitions
 
 __all__ = ["handled_keys"]
 
@@ -27,22 +27,21 @@ def handled_keys(actions: Mapping[str, Callable[[], object]], *, enabled: bool =
     if not enabled:
         yield
         return
-    keyboard = Keyboard()
-    try:
-        keyboard.__enter__()
-    except NoTerminalError:
-        print("stdin is not a terminal device. Keyboard handling disabled.", file=sys.stderr)
-        yield
-        return
-    ended = threading.Event()
-    thread = threading.Thread(target=_read, args=(keyboard, actions, ended), daemon=True)
-    thread.start()
-    try:
-        yield
-    finally:
-        ended.set()
-        thread.join()
-        keyboard.__exit__(None, None, None)
+    with ExitStack() as stack:
+        try:
+            keyboard = stack.enter_context(Keyboard())
+        except NoTerminalError:
+            print("stdin is not a terminal device. Keyboard handling disabled.", file=sys.stderr)
+            yield
+            return
+        ended = threading.Event()
+        thread = threading.Thread(target=_read, args=(keyboard, actions, ended), daemon=True)
+        thread.start()
+        try:
+            yield
+        finally:
+            ended.set()
+            thread.join()
 
 
 def _read(keyboard: Keyboard, actions: Mapping[str, Callable[[], object]], ended: threading.Event) -> None:
@@ -51,6 +50,6 @@ def _read(keyboard: Keyboard, actions: Mapping[str, Callable[[], object]], ended
             keys = keyboard.read(_POLL_S)
         except EOFError:
             return
-        for key in keys:
+        for key in without_repetitions(keys):
             if key in actions:
                 actions[key]()

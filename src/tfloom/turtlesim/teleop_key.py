@@ -9,7 +9,7 @@ from contextlib import suppress
 from typing import Any
 
 from tfloom.interfaces.geometry_msgs.msg import Twist
-from tfloom.keyboard import Keyboard, NoTerminalError
+from tfloom.keyboard import Keyboard, NoTerminalError, without_repetitions
 from tfloom.node.action.client import ActionClient
 from tfloom.node.client_library import ok, spin
 from tfloom.node.context.utilities import remove_ros_args
@@ -96,7 +96,7 @@ class TeleopTurtle(Node):
                 keys = keyboard.read(POLL_S)
             except EOFError:
                 return
-            if not all(self.press(key) for key in keys):
+            if not all(self.press(key) for key in without_repetitions(keys)):
                 return
 
 

@@ -14,10 +14,11 @@ import sys
 import termios
 import time
 from collections.abc import Callable, Iterator
+from typing import Any
 
 import pytest
 
-from tfloom.tf2_tools.top.terminal import LEAVE, key_names
+from tfloom.tf2_tools.top.terminal import LEAVE
 
 PATIENCE_S = 20.0
 ROBOT = """
@@ -50,19 +51,38 @@ fcntl.ioctl(0, termios.TIOCSCTTY, 0)
 os.execv(sys.executable, [sys.executable, "-m", "tfloom.cli", *sys.argv[1:]])
 """
 """Runs tfloom with standard input as its controlling terminal, whose Ctrl-C and Ctrl-Z it gets."""
+WITH_A_SHELL = """
+import fcntl, os, signal, sys, termios
+fcntl.ioctl(0, termios.TIOCSCTTY, 0)
+signal.signal(signal.SIGTTOU, signal.SIG_IGN)
+program = os.fork()
+if not program:
+    os.setpgid(0, 0)
+    os.tcsetpgrp(0, os.getpid())
+    signal.signal(signal.SIGTTOU, signal.SIG_DFL)
+    os.execv(sys.executable, [sys.executable, "-m", "tfloom.cli", *sys.argv[1:]])
+while os.WIFSTOPPED(status := os.waitpid(program, os.WUNTRACED)[1]):
+    os.kill(os.getpid(), signal.SIGSTOP)
+    os.tcsetpgrp(0, program)
+    os.kill(program, signal.SIGCONT)
+sys.exit(os.waitstatus_to_exitcode(status))
+"""
+"""The same as the child of a shell, because the kernel stops no program that has none; the shell stops with it."""
 
 
 class Terminal:
     """A terminal that runs a program, and shows where each text is."""
 
-    def __init__(self, *words: str, columns: int = 100, lines: int = 20) -> None:
+    def __init__(
+        self, *words: str, columns: int = 100, lines: int = 20, starter: str = WITH_A_TERMINAL
+    ) -> None:
         self.ours, self._theirs = pty.openpty()
         self.resize(columns, lines)
         self.before = termios.tcgetattr(self._theirs)
         environment = os.environ | {"TERM": "xterm-256color"}
         environment.pop("NO_COLOR", None)
         self.process = subprocess.Popen(
-            [sys.executable, "-c", WITH_A_TERMINAL, *words],
+            [sys.executable, "-c", starter, *words],
             stdin=self._theirs,
             stdout=self._theirs,
             stderr=self._theirs,
@@ -107,20 +127,25 @@ class Terminal:
         self.read()
         return self.process.wait(timeout=1.0)
 
+    def hang_up(self) -> None:
+        os.close(self.ours)
+        os.close(self._theirs)
+        self.ours = self._theirs = -1
+
     def close(self) -> None:
         if self.process.poll() is None:
             self.process.kill()
             self.process.wait()
-        os.close(self.ours)
-        os.close(self._theirs)
+        if self.ours >= 0:
+            self.hang_up()
 
 
 @pytest.fixture
 def terminal() -> Iterator[Callable[..., Terminal]]:
     opened: list[Terminal] = []
 
-    def start(*words: str, **size: int) -> Terminal:
-        opened.append(Terminal(*words, **size))
+    def start(*words: str, **options: Any) -> Terminal:
+        opened.append(Terminal(*words, **options))
         return opened[-1]
 
     yield start
@@ -168,7 +193,10 @@ def test_the_table_changes_with_keys_and_size_and_q_ends_it(
     assert shown.attributes() == shown.before
 
 
-@pytest.mark.parametrize(("number", "code"), [(signal.SIGTERM, 143), (signal.SIGINT, 2)])
+@pytest.mark.parametrize(
+    ("number", "code"),
+    [(signal.SIGTERM, 143), (signal.SIGINT, 2), (signal.SIGQUIT, 131), (signal.SIGHUP, 129)],
+)
 def test_a_signal_gives_the_terminal_back(
     robot: int, terminal: Callable[..., Terminal], number: int, code: int
 ) -> None:
@@ -186,7 +214,7 @@ def test_a_signal_gives_the_terminal_back(
 def test_suspending_gives_the_terminal_back_until_the_program_continues(
     robot: int, terminal: Callable[..., Terminal]
 ) -> None:
-    shown = terminal("tf", "top")
+    shown = terminal("tf", "top", starter=WITH_A_SHELL)
     shown.wait_for(lambda lines: "/wheels" in "".join(lines))
     shown.press("\x1a")
     os.waitpid(shown.process.pid, os.WUNTRACED)
@@ -200,6 +228,15 @@ def test_suspending_gives_the_terminal_back_until_the_program_continues(
     assert shown.wait() == 0
 
 
+def test_a_terminal_that_is_closed_ends_the_program(robot: int, terminal: Callable[..., Terminal]) -> None:
+    shown = terminal("tf", "top")
+    shown.wait_for(lambda lines: "/wheels" in "".join(lines))
+    shown.press("/")
+    shown.wait_for(lambda lines: any("filter" in line for line in lines[1:]))
+    shown.hang_up()
+    assert shown.process.wait(timeout=PATIENCE_S) in {0, 129}
+
+
 def test_without_a_terminal_the_table_is_printed_once(
     robot: int, start_program: Callable[..., object]
 ) -> None:
@@ -210,10 +247,3 @@ def test_without_a_terminal_the_table_is_printed_once(
     assert "└ base" in lines[3]
     assert "translation [m]    x    +0.000  y    +0.000  z    +0.500" in lines[-2]
     assert "\x1b" not in once.output  # type: ignore[attr-defined]
-
-
-def test_keys_are_named() -> None:
-    assert key_names("a\x1b[A\x1b[6~\x1b[1;5C/\r\x7f激\x1b") == [
-        *("a", "up", "page down", "/", "enter", "backspace", "激", "escape")
-    ]
-    assert key_names("\x1b[") == []

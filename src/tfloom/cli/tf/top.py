@@ -106,5 +106,5 @@ def _show(top: Top, view: View, period_s: float) -> None:
     from tfloom.tf2_tools.top.program import run
     from tfloom.tf2_tools.top.terminal import whole_screen
 
-    with whole_screen(sys.stdout.fileno(), sys.stdin.fileno()) as terminal:
-        run(top, view, terminal, period_s)
+    with whole_screen(sys.stdout.fileno(), sys.stdin.fileno()) as (terminal, keyboard):
+        run(top, view, terminal, keyboard, period_s)

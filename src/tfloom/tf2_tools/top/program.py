@@ -16,6 +16,7 @@ from tfloom.tf2_tools.watch.model import Observation
 from tfloom.tf2_tools.watch.sources import Source
 
 if TYPE_CHECKING:
+    from tfloom.keyboard import Keyboard
     from tfloom.tf2_tools.top.terminal import Screen
 
 OpenSource = Callable[[Buffer], AbstractContextManager[Source]]
@@ -67,13 +68,16 @@ class Top:
         self._stack.close()
 
 
-def run(top: Top, view: View, terminal: Screen, period_s: float) -> None:
+def run(top: Top, view: View, terminal: Screen, keyboard: Keyboard, period_s: float) -> None:
     """Show the table, every `period_s` [s] and at each key, until the user quits."""
     rows, summary = top.look()
     next_s = time.monotonic() + period_s
     while not view.is_over:
         terminal.draw(screen(rows, summary, view, top.followed(view.pair), terminal.size()))
-        keys = terminal.read_keys(next_s)
+        try:
+            keys = keyboard.read(max(0.0, next_s - time.monotonic()))
+        except EOFError:  # the terminal is closed
+            return
         for key in keys:
             view.press(key)
         if time.monotonic() >= next_s:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import sys
-import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 
@@ -12,7 +11,7 @@ from rich.color import ColorSystem
 from rich.console import Console
 from rich.style import Style
 
-from tfloom.tf2_tools.top import keys as terminal_keys
+from tfloom.keyboard import Keyboard
 from tfloom.tf2_tools.top.lines import Line
 
 ENTER = "\x1b[?1049h\x1b[?25l\x1b[?7l"
@@ -20,26 +19,6 @@ ENTER = "\x1b[?1049h\x1b[?25l\x1b[?7l"
 LEAVE = "\x1b[?7h\x1b[?25h\x1b[?1049l"
 HOME = "\x1b[H"
 CLEAR = "\x1b[2J"
-ESCAPE_S = 0.05
-"""Time after an escape character within which the rest of a key's sequence comes [s]."""
-NAMES = {
-    "\x1b[A": "up",
-    "\x1b[B": "down",
-    "\x1bOA": "up",
-    "\x1bOB": "down",
-    "\x1b[5~": "page up",
-    "\x1b[6~": "page down",
-    "\x1b[H": "home",
-    "\x1b[F": "end",
-    "\x1b[1~": "home",
-    "\x1b[4~": "end",
-    "\x1b": "escape",
-    "\r": "enter",
-    "\n": "enter",
-    "\x7f": "backspace",
-    "\b": "backspace",
-    "\x15": "clear",
-}
 
 
 class Screen:
@@ -47,12 +26,10 @@ class Screen:
 
     Args:
         output: File descriptor of the terminal.
-        keys: File descriptor from which keys are read.
     """
 
-    def __init__(self, output: int, keys: int) -> None:
+    def __init__(self, output: int) -> None:
         self._output = output
-        self._keys = keys
         console = Console(file=sys.__stdout__)
         self._colors = COLORS[console.color_system]
         self._has_colors = not console.no_color
@@ -77,10 +54,6 @@ class Screen:
         if parts:
             self.write("".join(parts))
 
-    def forget(self) -> None:
-        """Draw all lines next time."""
-        self._drawn = []
-
     def _styled(self, line: Line) -> str:
         if not line.style:
             return line.text
@@ -90,25 +63,27 @@ class Screen:
         return self._styles[line.style].render(line.text, color_system=self._colors)
 
     def write(self, text: str) -> None:
-        """Write to the terminal: not by `sys.stdout`, which shows control characters."""
-        terminal_keys.write(self._output, text)
+        """Write to the terminal."""
+        if sys.platform == "win32":  # the console takes UTF-16, by Python's own stream alone
+            stream = sys.__stdout__
+            if stream is not None:
+                stream.write(text)
+                stream.flush()
+        else:  # not by `sys.stdout`, which shows control characters
+            data = memoryview(text.encode("utf-8", "replace"))
+            while data:
+                data = data[os.write(self._output, data) :]
 
-    def read_keys(self, end_s: float) -> list[str]:
-        """Wait for keys until `end_s` on the monotonic clock [s]; return their names, none at the end.
+    def enter(self) -> None:
+        """Begin with the other screen, empty."""
+        if sys.platform == "win32":
+            os.system("")  # noqa: S605 - an empty command has the console obey escape sequences from then on
+        self.write(ENTER + CLEAR + HOME)
+        self._drawn = []
 
-        When the terminal has been closed, the key is `q`.
-        """
-        if not self._wait(end_s - time.monotonic()):
-            return []
-        data = terminal_keys.read(self._keys)
-        if not data:
-            return ["q"]
-        while data.endswith(b"\x1b") and self._wait(ESCAPE_S):
-            data += terminal_keys.read(self._keys)
-        return key_names(data.decode("utf-8", "ignore"))
-
-    def _wait(self, timeout_s: float) -> bool:
-        return terminal_keys.wait(self._keys, max(0.0, timeout_s))
+    def leave(self) -> None:
+        """Show the screen that was there before."""
+        self.write(LEAVE)
 
 
 COLORS = {
@@ -120,34 +95,16 @@ COLORS = {
 }
 
 
-def key_names(text: str) -> list[str]:
-    """Return the names of the keys that a terminal sent as one text."""
-    names = []
-    while text:
-        length = next((n for n in (4, 3) if text[:n] in NAMES), 1)
-        if length == 1 and text.startswith(("\x1b[", "\x1bO")):  # the sequence of another key
-            end = next(
-                (i for i, letter in enumerate(text[2:], 2) if letter.isalpha() or letter == "~"),
-                len(text) - 1,
-            )
-            text = text[end + 1 :]
-            continue
-        names.append(NAMES.get(text[:length], text[:length]))
-        text = text[length:]
-    return names
-
-
 @contextmanager
-def whole_screen(output: int, keys: int) -> Iterator[Screen]:
+def whole_screen(output: int, keys: int) -> Iterator[tuple[Screen, Keyboard]]:
     """Use the terminal's other screen, and its keys one by one, for the block.
 
     Ctrl-C raises KeyboardInterrupt as otherwise. Ctrl-Z gives the terminal back until the program continues.
+
+    Args:
+        output: File descriptor of the terminal.
+        keys: File descriptor from which keys are read.
     """
-    screen = Screen(output, keys)
-
-    def enter() -> None:
-        screen.write(ENTER + CLEAR + HOME)
-        screen.forget()
-
-    with terminal_keys.single(keys, enter, lambda: screen.write(LEAVE)):
-        yield screen
+    screen = Screen(output)
+    with Keyboard(keys, screen.enter, screen.leave) as keyboard:
+        yield screen, keyboard
