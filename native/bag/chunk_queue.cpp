@@ -35,7 +35,9 @@ void Chunk::append(std::uint16_t channel, std::span<const std::byte> data, std::
   place = put(place, log_time);
   put(place, publish_time);
   const std::size_t offset = records.size();
-  records.reserve(offset + head.size() + data.size());
+  const std::size_t size = offset + head.size() + data.size();
+  // Doubled, because `reserve` itself makes room for no more than it is asked for.
+  if (size > records.capacity()) records.reserve(std::max(size, 2 * records.capacity()));
   index[channel].push_back({log_time, offset});
   records.insert(records.end(), head.begin(), head.end());
   records.insert(records.end(), data.begin(), data.end());

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bag/chunk_queue.hpp"
+#include "bag/mcap_records.hpp"
 #include "bindings/bindings.hpp"
 #include "bindings/gil.hpp"
 
@@ -26,15 +27,6 @@ using bag::ChunkSink;
 struct QueueHandle {
   std::shared_ptr<ChunkQueue> queue;
 };
-
-constexpr std::size_t head_size = 31;  // of a message record: opcode, length, channel, sequence, two stamps
-constexpr std::size_t publish_time_at = 23;
-
-std::uint64_t read_u64(const std::byte* place) {
-  std::uint64_t value = 0;
-  for (std::size_t i = 0; i < 8; ++i) value |= std::to_integer<std::uint64_t>(place[i]) << (8 * i);
-  return value;
-}
 
 // Return a channel's entries as MCAP's message index holds them: pairs of log time and offset.
 nb::bytes index_of(const Chunk& chunk, std::size_t channel, std::uint64_t shift) {
@@ -61,16 +53,12 @@ nb::list counts(const Chunk& chunk) {
 
 nb::list messages(const Chunk& chunk) {
   nb::list result;
-  const std::byte* at = chunk.records.data();
-  const std::byte* const end = at + chunk.records.size();
-  while (at < end) {
-    const std::uint64_t size = read_u64(at + 1);
-    const auto channel = std::to_integer<unsigned>(at[9]) | (std::to_integer<unsigned>(at[10]) << 8);
-    const auto log_time = static_cast<std::int64_t>(read_u64(at + publish_time_at - 8));
-    const auto publish_time = static_cast<std::int64_t>(read_u64(at + publish_time_at));
-    result.append(nb::make_tuple(channel, log_time, publish_time,
-                                 nb::bytes(at + head_size, static_cast<std::size_t>(size) - (head_size - 9))));
-    at += 9 + size;
+  bag::RecordWalk walk(chunk.records, 0);
+  while (walk.advance()) {
+    const bag::MessageRecord message = walk.message();
+    result.append(nb::make_tuple(message.channel, static_cast<std::int64_t>(message.log_time),
+                                 static_cast<std::int64_t>(message.publish_time),
+                                 nb::bytes(chunk.records.data() + message.offset, message.size)));
   }
   return result;
 }

@@ -284,3 +284,10 @@ def test_limits_of_any_size(tmp_path: Path) -> None:
         with pytest.raises(BagError, match=r"bag: the sizes and the duration .* can't be negative"):
             BagWriter(tmp_path / "bag", WriterSettings()._replace(**{name: -1}))
     assert not (tmp_path / "bag").exists()
+
+
+def test_large_chunk_of_small_messages(tmp_path: Path) -> None:
+    rows = write_bag(tmp_path / "bag", WriterSettings(storage=StorageSettings(chunk_size=64 << 20)), 30_000)
+    with open_bag(tmp_path / "bag") as bag:
+        assert len(bag.files[0].storage.layout.spans) == 1
+        assert [(each.topic, each.log_time_ns, each.data) for each in bag.messages()] == rows
