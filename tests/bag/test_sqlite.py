@@ -5,6 +5,7 @@ from __future__ import annotations
 import shutil
 import sqlite3
 import sys
+import tracemalloc
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -125,6 +126,58 @@ def test_message_that_is_no_blob_is_an_error(tmp_path: Path) -> None:
     database.close()
     with pytest.raises(BagError, match="a message is no blob but str"):
         found_in(open_bag(path))
+
+
+ENDLESS = (
+    "DROP TABLE messages; CREATE VIEW messages(id, topic_id, timestamp, data) AS "
+    "WITH RECURSIVE n(i) AS (VALUES(1) UNION ALL SELECT i + 1 FROM n) SELECT i, 1, i, x'00' FROM n"
+)
+TOPICS_ANEW = "CREATE TABLE new AS SELECT {} FROM topics; DROP TABLE topics; ALTER TABLE new RENAME TO topics"
+
+
+@pytest.mark.parametrize(
+    ("change", "text"),
+    [
+        (
+            "UPDATE messages SET timestamp = 'x' WHERE id = 3",
+            "a message has a time or topic that is no integer",
+        ),
+        (
+            "UPDATE messages SET timestamp = 1.5 WHERE id = 3",
+            "a message has a time or topic that is no integer",
+        ),
+        (TOPICS_ANEW.format("id, type"), "table of topics has no column name, serialization_format"),
+        (
+            TOPICS_ANEW.format("'a' || id AS id, name, type, serialization_format"),
+            "a topic has an id that is no integer",
+        ),
+        ("CREATE TABLE message_definitions(a)", "the database can't be read: no such column"),
+        (
+            ENDLESS,
+            "the database has no tables of a recording",
+        ),
+    ],
+)
+def test_database_of_another_form_is_an_error(change: str, text: str, tmp_path: Path) -> None:
+    path = write_sqlite(tmp_path / "a.db3", DRIVE[:9])
+    with sqlite3.connect(path) as database:
+        database.executescript(change)
+    database.close()
+    with pytest.raises(BagError, match=text):
+        open_bag(path)
+
+
+def test_few_messages_are_in_memory_at_once(tmp_path: Path) -> None:
+    size = 1 << 20
+    path = write_sqlite(tmp_path / "a.db3", [("/chatter", START + i, bytes(size)) for i in range(40)])
+    bag = open_bag(path)
+    tracemalloc.start()
+    try:
+        assert sum(1 for _ in bag.messages()) == 40
+        _, most = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert most < 8 * size
 
 
 def test_messages_that_are_compressed_one_by_one(tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from tfloom.bag.errors import BagError
 from tfloom.bag.metadata import Metadata
 from tfloom.bag.reading.bag_file import BagFile
-from tfloom.bag.values import EARLIEST, LATEST, RawMessage, Topic
+from tfloom.bag.values import RawMessage, Topic, bounded
 
 if TYPE_CHECKING:
     import numpy as np
@@ -128,9 +128,7 @@ class Bag:
         """
         names = [topics] if isinstance(topics, str) else topics
         wanted = None if names is None else {self.topic(each).name for each in names}
-        start = EARLIEST if start_ns is None else max(EARLIEST, start_ns)
-        end = LATEST if end_ns is None else end_ns
-        return self._messages(wanted, start, end)
+        return self._messages(wanted, *bounded(start_ns, end_ns))
 
     def _messages(self, topics: Collection[str] | None, start_ns: int, end_ns: int) -> Iterator[RawMessage]:
         for group in _overlapping(self.files):
@@ -202,10 +200,12 @@ def _joined(before: Topic | None, topic: Topic, is_counted: bool) -> Topic:
 def _overlapping(files: list[BagFile]) -> Iterator[list[BagFile]]:
     """Yield groups of files, in the order of time; files of different groups don't overlap in time."""
     group: list[BagFile] = []
+    end_ns = 0
     for file in sorted(files, key=lambda each: each.start_ns):
-        if group and file.start_ns > max(each.end_ns for each in group):
+        if group and file.start_ns > end_ns:
             yield group
             group = []
+        end_ns = max(end_ns, file.end_ns)
         group.append(file)
     if group:
         yield group

@@ -10,7 +10,7 @@ from tfloom.bag.bag import Bag
 from tfloom.bag.errors import BagError
 from tfloom.bag.opening import open_bag
 from tfloom.bag.progress import progress_line
-from tfloom.bag.values import EARLIEST, LATEST, TfTopic, Topic
+from tfloom.bag.values import TfTopic, Topic, bounded
 from tfloom.tf2.buffer import Buffer
 
 __all__ = ["frames", "insert_frames"]
@@ -91,8 +91,7 @@ def insert_frames(
         for topics, is_static in ((moving, False), (static, True))
         for topic in topics
     }
-    start = EARLIEST if start_ns is None else max(EARLIEST, start_ns)
-    end = LATEST if end_ns is None else end_ns
+    start, end = bounded(start_ns, end_ns)
     with progress_line(f"Reading the transforms of {bag.path}", bag.size, progress) as advance:
         for file in bag.files:
             file.insert_transforms(records, numbers, start, end, advance)

@@ -8,11 +8,25 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol
 if TYPE_CHECKING:
     from tfloom._native import TfRecords
 
-__all__ = ["EARLIEST", "LATEST", "Definition", "Progress", "RawMessage", "Storage", "Topic"]
+__all__ = ["EARLIEST", "LATEST", "Definition", "Progress", "RawMessage", "Storage", "Topic", "bounded"]
 
 EARLIEST = 0
 LATEST = 2**63 - 1
 """The bounds of log times [ns since epoch]."""
+
+
+def bounded(start_ns: int | None, end_ns: int | None) -> tuple[int, int]:
+    """Return the least and the greatest log time that are wanted, as storages take them [ns since epoch].
+
+    They are within `EARLIEST` and `LATEST`; (1, 0) if no time is between them.
+
+    Args:
+        start_ns: The least one, any number; None: no bound.
+        end_ns: The greatest one, any number; None: no bound.
+    """
+    start = EARLIEST if start_ns is None else max(EARLIEST, start_ns)
+    end = LATEST if end_ns is None else min(LATEST, end_ns)
+    return (start, end) if start <= end else (1, 0)
 
 
 class Definition(NamedTuple):

@@ -19,8 +19,8 @@ from tfloom.bag.values import EARLIEST, LATEST, Definition, Progress, RawMessage
 __all__ = ["SqliteFile"]
 
 SIGNATURE = b"SQLite format 3\0"
-AT_ONCE = 500
-"""Messages that are fetched at once."""
+_TOPIC_COLUMNS = {"id", "name", "type", "serialization_format"}
+"""Of all schema versions."""
 
 
 class SqliteFile:
@@ -40,14 +40,26 @@ class SqliteFile:
         self._is_compressed = is_message_compressed
         _check_signature(path)
         with self._open() as database:
-            tables = {name for (name,) in database.execute("SELECT name FROM sqlite_master")}
+            # No views, whose evaluation may take any time and memory.
+            tables = {
+                name for (name,) in database.execute("SELECT name FROM sqlite_master WHERE type = 'table'")
+            }
             if not {"topics", "messages"} <= tables:
                 raise BagError(path, "the database has no tables of a recording: topics, messages")
             rows = database.execute(
-                "SELECT topic_id, COUNT(*), MIN(timestamp), MAX(timestamp) FROM messages GROUP BY topic_id"
+                "SELECT topic_id, COUNT(*), MIN(timestamp), MAX(timestamp), "
+                "SUM(typeof(topic_id) != 'integer' OR typeof(timestamp) != 'integer') FROM messages GROUP BY topic_id"
             ).fetchall()
+            if any(row[4] for row in rows):
+                raise BagError(
+                    path, "the database is damaged: a message has a time or topic that is no integer"
+                )
             self._counts = {row[0]: row[1] for row in rows}
+            if missing := sorted(_TOPIC_COLUMNS - set(_columns(database, "topics"))):
+                raise BagError(path, f"the database's table of topics has no column {', '.join(missing)}")
             self._topics = _topics(database, self._counts)
+            if not all(isinstance(each, int) for each in self._topics):
+                raise BagError(path, "the database is damaged: a topic has an id that is no integer")
             definitions = _definitions(database) if "message_definitions" in tables else {}
         self._definitions = definitions
         self.message_count = sum(self._counts.values())
@@ -194,5 +206,4 @@ def _rows(
         "AND timestamp BETWEEN ? AND ? ORDER BY timestamp, id",
         (start_ns, end_ns),
     )
-    while rows := cursor.fetchmany(AT_ONCE):
-        yield from rows
+    yield from cursor  # one by one, because messages may be large
