@@ -4,15 +4,20 @@ from __future__ import annotations
 
 import random
 import struct
+import tracemalloc
 import warnings
+from contextlib import suppress
 from pathlib import Path
+from typing import Any
 
 import pytest
 from mcap.reader import make_reader
-from tests.bag.recordings import START, drive, found_in, write_mcap
+from tests.bag.recordings import START, drive, found_in, write_mcap, write_sqlite
 
 from tfloom.bag import BagError, BagWarning, frames, open_bag
-from tfloom.bag.reading.mcap_records import MAGIC, RECORD_HEADER, Opcode
+from tfloom.bag.reading import compression as decompression
+from tfloom.bag.reading import mcap_layout, mcap_scan
+from tfloom.bag.reading.mcap_records import FOOTER_SIZE, MAGIC, RECORD_HEADER, Opcode
 
 DRIVE = drive()
 
@@ -201,6 +206,119 @@ def test_random_damage_gives_errors_and_warnings_only(tmp_path: Path) -> None:
                 frames(path)
             except BagError:
                 pass
+
+
+def test_chunks_that_overlap_in_time_are_merged(tmp_path: Path) -> None:
+    """Each chunk has messages of the whole time; equal times are in the order of the file."""
+    messages = [("/chatter", START + 10 * (i % 50) + i // 500, f"{i:04}".encode() * 9) for i in range(2000)]
+    path = write_mcap(tmp_path / "a.mcap", messages, "zstd", chunk_size=2000)
+    expected = sorted(messages, key=lambda each: each[1])
+    with open_bag(path) as bag:
+        assert found_in(bag) == expected
+        assert [each.log_time_ns for each in bag.messages(start_ns=START + 7, end_ns=START + 33)] == [
+            each[1] for each in expected if START + 7 <= each[1] <= START + 33
+        ]
+
+
+def test_summary_with_chunks_that_overlap_in_the_file_is_not_used(tmp_path: Path) -> None:
+    whole = write_mcap(tmp_path / "a.mcap", DRIVE, "zstd", chunk_size=3000).read_bytes()
+    chunks = [each for each in summary_records(whole) if each[0] == Opcode.CHUNK_INDEX]
+    assert len(chunks) > 2
+    data = bytearray(whole)
+    (first, second) = (at + RECORD_HEADER.size + 16 for _, at in chunks[:2])
+    data[second : second + 8] = data[first : first + 8]
+    path = tmp_path / "twice.mcap"
+    path.write_bytes(data)
+    with pytest.warns(
+        BagWarning, match=r"the summary is damaged, and isn't used: the chunks at bytes \d+ and \d+ ov"
+    ):
+        assert found_in(open_bag(path)) == DRIVE
+
+
+def summary_records(whole: bytes) -> list[tuple[int, int]]:
+    """Return opcode and offset of the records of a file's summary."""
+    (at,) = struct.unpack_from("<Q", whole, len(whole) - len(MAGIC) - 20)
+    found = []
+    while at < len(whole) - len(MAGIC):
+        opcode, length = RECORD_HEADER.unpack_from(whole, at)
+        found.append((opcode, at))
+        at += RECORD_HEADER.size + length
+    return found
+
+
+@pytest.mark.parametrize("where", ["summary", "chunk", "message", "metadata"])
+def test_sizes_beyond_the_limit_are_not_allocated(
+    where: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    limit = 1 << 20
+    for module in (decompression, mcap_layout, mcap_scan):
+        monkeypatch.setattr(module, "MOST", limit)
+    whole = write_mcap(tmp_path / "a.mcap", DRIVE, "", use_chunking=where != "message").read_bytes()
+    size = 64 * limit
+    end = whole[-FOOTER_SIZE:]
+    path = tmp_path / "huge.mcap"
+    with path.open("wb") as file:
+        if where == "summary":
+            file.write(whole[:-FOOTER_SIZE])
+            end = end[:9] + struct.pack("<Q", 8) + end[17:]
+        else:
+            file.write(MAGIC + RECORD_HEADER.pack(Opcode.HEADER, 8) + bytes(8))
+            opcode = {"chunk": Opcode.CHUNK, "message": Opcode.MESSAGE, "metadata": Opcode.METADATA}[where]
+            content = size - file.tell() - RECORD_HEADER.size - len(end)
+            file.write(RECORD_HEADER.pack(opcode, content))
+            if where == "chunk":
+                file.write(struct.pack("<QQQIIQ", 0, 0, content - 40, 0, 0, content - 40))
+            end = end[:9] + bytes(8) + end[17:]
+        file.seek(size - len(end))
+        file.write(end)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", BagWarning)
+        tracemalloc.start()
+        try:
+            with suppress(BagError):
+                found_in(open_bag(path))
+        finally:
+            _, allocated = tracemalloc.get_traced_memory()
+            tracemalloc.stop()
+    assert allocated < 8 * limit
+
+
+def test_records_between_loose_messages_do_not_multiply_what_is_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    whole = write_mcap(tmp_path / "a.mcap", DRIVE, "", use_chunking=False).read_bytes()
+    unknown = RECORD_HEADER.pack(0x80, 0)
+    at = len(MAGIC)
+    parts = [whole[:at]]
+    while (opcode := whole[at]) not in {Opcode.DATA_END, Opcode.FOOTER}:
+        length = RECORD_HEADER.size + RECORD_HEADER.unpack_from(whole, at)[1]
+        parts += [whole[at : at + length], unknown * (opcode == Opcode.MESSAGE)]
+        at += length
+    path = tmp_path / "mixed.mcap"
+    path.write_bytes(b"".join(parts))
+    read = 0
+    real = mcap_scan.read_at
+
+    def counting(file: Any, offset: int, size: int) -> bytes:
+        nonlocal read
+        data = real(file, offset, size)
+        read += len(data)
+        return data
+
+    monkeypatch.setattr(mcap_scan, "read_at", counting)
+    with pytest.warns(BagWarning, match="has no end"):
+        assert found_in(open_bag(path)) == DRIVE
+    assert read < 3 * path.stat().st_size
+
+
+@pytest.mark.parametrize("bound", [-(2**70), -1, 2**63, 2**64, 2**70])
+def test_bounds_may_be_any_numbers(bound: int, tmp_path: Path) -> None:
+    for path in (write_mcap(tmp_path / "a.mcap", DRIVE), write_sqlite(tmp_path / "a.db3", DRIVE)):
+        with open_bag(path) as bag:
+            assert len(list(bag.messages(start_ns=bound))) == (len(DRIVE) if bound < 0 else 0)
+            assert len(list(bag.messages(end_ns=bound))) == (0 if bound < 0 else len(DRIVE))
+        assert frames(path, end_ns=bound).has_frame("odom") == (bound > 0)
+        assert frames(path, start_ns=bound).has_frame("odom") == (bound < 0)
 
 
 def test_only_chunks_with_transforms_are_decompressed(

@@ -9,6 +9,8 @@ __all__ = ["CompressionError", "DamagedError", "copy_decompressed", "decompress"
 
 MOST = 1 << 30
 """The greatest size of a chunk or message that is decompressed [bytes]."""
+ZSTD_RATIO = 1 << 15
+"""By how much zstd compresses at most: a block of 4 bytes repeats one byte 128 KiB."""
 INSTALL = "install it by `pip install 'tfloom[bag]'`"
 
 
@@ -32,7 +34,7 @@ def decompress(method: str, data: bytes, size: int) -> bytes:
         CompressionError: the method is unknown, or its library isn't installed.
         DamagedError: the bytes are damaged, or they don't have the declared size.
     """
-    if method == "zstd" and 0 < size <= MOST:
+    if method == "zstd" and 0 < size <= min(MOST, len(data) * ZSTD_RATIO):
         module = zstd()
         try:
             if module.frame_content_size(data) == size:  # at once: a stream takes twice as long
@@ -122,7 +124,7 @@ def _part_of_zstd(data: bytes, size: int) -> bytes:
     module = zstd()
     try:
         with module.ZstdDecompressor().stream_reader(data) as reader:
-            found: bytes = reader.read(size) if size else b""
+            found: bytes = reader.read(min(size, len(data) * ZSTD_RATIO)) if size and data else b""
     except (module.ZstdError, MemoryError) as error:
         raise DamagedError(f"the zstd data is damaged: {error}") from None
     return found
@@ -143,10 +145,11 @@ def copy_decompressed(source: Path, target: BinaryIO) -> None:
             size = module.frame_content_size(file.read(32))
             file.seek(0)
             with module.ZstdDecompressor().stream_reader(file) as reader:
-                while block := reader.read(1 << 20):
+                while (block := reader.read(1 << 20)) and (size < 0 or count <= size):
                     target.write(block)
                     count += len(block)
     except module.ZstdError as error:
         raise DamagedError(f"the zstd data is damaged: {error}") from None
     if 0 <= size != count:
-        raise DamagedError(f"the file is cut off: {size} bytes are declared, and {count} are there")
+        less = "the file is cut off: " if count < size else ""
+        raise DamagedError(f"{less}{size} bytes are declared, and {count} are there")

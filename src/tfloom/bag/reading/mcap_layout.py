@@ -14,7 +14,7 @@ from typing import NamedTuple
 from tfloom import _native
 from tfloom.bag.errors import BagError, BagWarning
 from tfloom.bag.reading import mcap_records as records
-from tfloom.bag.reading.compression import CompressionError, DamagedError, decompress, decompress_part
+from tfloom.bag.reading.compression import MOST, CompressionError, DamagedError, decompress, decompress_part
 from tfloom.bag.reading.mcap_records import Opcode
 
 __all__ = ["Layout", "Span", "decompressed", "read_at", "warn_of_damage", "whole_records"]
@@ -90,9 +90,12 @@ class Layout:
 
 
 def read_at(file: io.FileIO, offset: int, size: int) -> bytes:
-    """Return bytes of a file; fewer at its end. Offset and size may be any numbers, because files state them."""
+    """Return bytes of a file; fewer at its end, and `MOST` at most.
+
+    Offset and size may be any numbers, because files state them.
+    """
     if size > MOST_UNCHECKED:
-        size = min(size, os.fstat(file.fileno()).st_size - offset)
+        size = min(size, MOST, os.fstat(file.fileno()).st_size - offset)
     if size <= 0 or not 0 <= offset <= FARTHEST:
         return b""
     file.seek(offset)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import heapq
 import io
 from collections.abc import Callable, Collection, Iterator, Mapping
 from functools import cached_property
+from operator import itemgetter
 from pathlib import Path
 
 from tfloom import _native
@@ -21,6 +23,7 @@ __all__ = ["McapFile"]
 
 _Found = tuple[int, int, int, bytes]
 """A message: log time, channel, publish time, bytes."""
+_log_time = itemgetter(0)
 
 
 class McapFile:
@@ -218,13 +221,28 @@ class McapFile:
 def _in_order(spans: list[Span], read: Callable[[Span], list[_Found]]) -> Iterator[_Found]:
     """Yield the messages of spans, which may overlap in time, in the order of log times.
 
-    Messages of one log time are yielded in the order of the file.
+    Messages of one log time are yielded in the order of the file. Spans are in memory from their first log time to
+    their last message.
+
+    Args:
+        spans: The spans, by their first log time.
+        read: Returns the messages of one in the order of the file.
     """
-    waiting: list[_Found] = []
+    heap: list[tuple[int, int, int, Iterator[_Found], _Found]] = []
     for index, span in enumerate(spans):
-        waiting += read(span)
-        waiting.sort(key=lambda found: found[0])
+        messages = iter(sorted(read(span), key=_log_time))
+        if (first := next(messages, None)) is not None:
+            heapq.heappush(heap, (first[0], span.offset, index, messages, first))
         limit = spans[index + 1].start_ns if index + 1 < len(spans) else LATEST + 1
-        count = next((at for at, found in enumerate(waiting) if found[0] >= limit), len(waiting))
-        yield from waiting[:count]
-        del waiting[:count]
+        while heap and heap[0][0] < limit:
+            _, offset, number, messages, found = heap[0]
+            yield found
+            # The next ones of the same span, up to the first one of another.
+            end = min(limit, min((each[0] for each in heap[1:3]), default=limit))
+            for found in messages:
+                if found[0] >= end:
+                    heapq.heapreplace(heap, (found[0], offset, number, messages, found))
+                    break
+                yield found
+            else:
+                heapq.heappop(heap)

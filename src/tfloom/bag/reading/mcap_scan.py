@@ -9,6 +9,7 @@ from pathlib import Path
 from tfloom import _native
 from tfloom.bag.errors import BagWarning
 from tfloom.bag.reading import mcap_records as records
+from tfloom.bag.reading.compression import MOST
 from tfloom.bag.reading.mcap_layout import BLOCK, Layout, Span, decompressed, read_at, warn_of_damage
 from tfloom.bag.reading.mcap_records import RECORD_HEADER, Opcode, RecordError
 
@@ -33,6 +34,8 @@ class Scan:
         self._file = file
         self._path = path
         self._size = file.seek(0, io.SEEK_END)
+        self._block = b""
+        self._block_at = 0
         self._spans: list[Span] = []
         self._times: list[int] = []
         self._is_ended = False
@@ -80,30 +83,34 @@ class Scan:
 
     def _read_loose(self, at: int, length: int) -> int:
         """Read messages, schemas and channels that aren't in a chunk, of one block; return the offset after them."""
-        if length > self._size - at - RECORD_HEADER.size:
+        size = RECORD_HEADER.size + length
+        if size > self._size - at:
             return self._size  # the last record isn't whole
-        data = read_at(self._file, at, max(BLOCK, RECORD_HEADER.size + length))
-        found = self._add_records(data, Span(0, 0, at, 0, "", 0, {}, None))
-        if found.size:
-            self._chunk = None
-        return at + found.size
+        if size > MOST:
+            raise RecordError(f"a record of {size} bytes is there, more than the {MOST} that are accepted")
+        if at + size > self._block_at + len(self._block):
+            self._block, self._block_at = read_at(self._file, at, max(BLOCK, size)), at
+        end = self._add_records(self._block, at - self._block_at, Span(0, 0, at, 0, "", 0, {}, None))
+        if end == at - self._block_at:
+            return self._size  # the file has become shorter meanwhile
+        self._chunk = None
+        return self._block_at + end
 
-    def _add_records(self, data: bytes, span: Span) -> Span:
-        """Add the records of a span; return it with what is known of them."""
+    def _add_records(self, data: bytes, begin: int, span: Span) -> int:
+        """Add the records of a span, which begins in some bytes; return where it ends in them."""
         try:
-            counts, first, last, others, end = _native.summarise_mcap(data, 0)
+            counts, first, last, others, end = _native.summarise_mcap(data, begin)
         except ValueError as error:
             raise RecordError(str(error)) from None
         for opcode, offset, size in others:
             self.layout.add(opcode, data[offset : offset + size])
         if not span.size:
-            span = span._replace(stored_size=end, size=end)
-        span = span._replace(start_ns=first, end_ns=last, channels=frozenset(counts))
+            span = span._replace(stored_size=end - begin, size=end - begin)
         if counts:
             self.layout.counts.update(counts)
             self._times += [first, last]
-            self._spans.append(span)
-        return span
+            self._spans.append(span._replace(start_ns=first, end_ns=last, channels=frozenset(counts)))
+        return end
 
     def _read_chunk(self, at: int, left: int) -> None:
         """Read a chunk whose record has its content at an offset, and this many bytes of it in the file."""
@@ -121,7 +128,9 @@ class Scan:
         data = decompressed(self._file, self._path, span)
         if not data:
             return
+        self._chunk = span
         try:
-            self._chunk = self._add_records(data, span)
+            self._add_records(data, 0, span)
         except RecordError as error:
+            self._chunk = None
             warn_of_damage(self._path, span, str(error))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import warnings
 from collections import Counter
+from itertools import pairwise
 from pathlib import Path
 
 from tfloom.bag.errors import BagError, BagWarning
@@ -85,6 +86,10 @@ def _read_summary(file: io.FileIO, header: records.Header, start: int, size: int
             layout.metadata_offsets.append((metadata.name, metadata.offset))
         else:
             layout.add(opcode, content)
+    in_file = sorted(spans, key=lambda span: span.offset)
+    for one, other in pairwise(in_file):
+        if one.offset + one.stored_size > other.offset:
+            raise RecordError(f"the chunks at bytes {one.offset} and {other.offset} overlap")
     if statistics is None or len(spans) != statistics.chunk_count:
         return None
     if statistics.message_count and not layout.channels:
