@@ -16,7 +16,7 @@ from tests.bag.recordings import START, drive, found_in, write_mcap, write_sqlit
 
 from tfloom.bag import BagError, BagWarning, frames, open_bag
 from tfloom.bag.reading import compression as decompression
-from tfloom.bag.reading import mcap_layout, mcap_scan
+from tfloom.bag.reading import file_bytes, mcap_scan
 from tfloom.bag.reading.mcap_records import FOOTER_SIZE, MAGIC, RECORD_HEADER, Opcode
 
 DRIVE = drive()
@@ -251,7 +251,7 @@ def test_sizes_beyond_the_limit_are_not_allocated(
     where: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     limit = 1 << 20
-    for module in (decompression, mcap_layout, mcap_scan):
+    for module in (decompression, file_bytes, mcap_scan):
         monkeypatch.setattr(module, "MOST", limit)
     whole = write_mcap(tmp_path / "a.mcap", DRIVE, "", use_chunking=where != "message").read_bytes()
     size = 64 * limit
@@ -327,10 +327,8 @@ def test_only_chunks_with_transforms_are_decompressed(
     texts = [each for each in DRIVE if each[0] == "/chatter"] * 40
     others = [(topic, START + 5_000_000_000 + i, data) for i, (topic, _, data) in enumerate(texts)]
     path = write_mcap(tmp_path / "a.mcap", DRIVE + others, "zstd", chunk_size=4000)
-    from tfloom.bag.reading import mcap_layout
-
     read = 0
-    real = mcap_layout.read_at
+    real = file_bytes.read_at
 
     def counting(file: object, offset: int, size: int) -> bytes:
         nonlocal read

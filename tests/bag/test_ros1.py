@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import random
+import struct
+import sys
+import warnings
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +16,8 @@ from rosbags.rosbag1 import Writer
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 from tests.bag.recordings import SECOND, START
 
-from tfloom.bag import BagError, frames, open_bag
+from tfloom.bag import BagError, BagWarning, frames, open_bag
+from tfloom.bag.reading.ros1_scan import CHUNK, MAGIC
 
 STORE = get_typestore(Stores.ROS1_NOETIC)
 STORE.register(get_types_from_msg("geometry_msgs/TransformStamped[] transforms", "tf2_msgs/msg/TFMessage"))
@@ -31,8 +37,11 @@ def transform(frame_id: str, child_frame_id: str, stamp_ns: int, x: float) -> An
     )
 
 
-def write(path: Path, compression: Any = None, kind: str = "tf2_msgs/msg/TFMessage") -> Path:
+def write(
+    path: Path, compression: Any = None, kind: str = "tf2_msgs/msg/TFMessage", chunk_size: int = 1 << 20
+) -> Path:
     writer = Writer(path)
+    writer.chunk_threshold = chunk_size
     if compression is not None:
         writer.set_compression(compression)
     with writer:
@@ -94,8 +103,7 @@ def test_errors_name_the_file_and_the_reason(tmp_path: Path) -> None:
     cases = {
         "empty.bag": (b"", "the file is empty"),
         "old.bag": (b"#ROSBAG V1.2\n" + bytes(90), "this is no bag of ROS 1, version 2.0: it begins with"),
-        "cut.bag": (whole[:3000], "the bag "),
-        "half.bag": (whole[: len(whole) // 2], "the bag "),
+        "cut.bag": (whole[:20], "the bag "),
         "damaged.bag": (whole[:4100] + b"\xff" * 300 + whole[4400:], "the bag "),
     }
     wrong = []
@@ -110,3 +118,125 @@ def test_errors_name_the_file_and_the_reason(tmp_path: Path) -> None:
         else:
             wrong.append((name, "no error"))
     assert wrong == []
+
+
+def records(whole: bytes) -> list[tuple[int, int, int]]:
+    """Return kind, offset, and offset of the data of each record in a bag."""
+    found = []
+    at = len(MAGIC)
+    while at < len(whole):
+        (length,) = struct.unpack_from("<I", whole, at)
+        data = at + 4 + length + 4
+        found.append((whole[whole.index(b"op=", at) + 3], at, data))
+        at = data + struct.unpack_from("<I", whole, data - 4)[0]
+    return found
+
+
+def without_index(whole: bytes) -> bytes:
+    """Return a bag that its recorder left after a whole chunk."""
+    at = whole.index(b"index_pos=") + len(b"index_pos=")
+    (end,) = struct.unpack_from("<Q", whole, at)
+    return whole[:at] + bytes(8) + whole[at + 8 : end]
+
+
+def within_a_chunk(whole: bytes) -> bytes:
+    """Return a bag that its recorder left within a chunk, whose size is not written yet."""
+    unfinished = without_index(whole)
+    _, at, data = [each for each in records(unfinished) if each[0] == CHUNK][-1]
+    end = data + struct.unpack_from("<I", unfinished, data - 4)[0]
+    header = bytearray(unfinished[at : data - 4])
+    place = header.index(b"size=") + len(b"size=")
+    header[place : place + 4] = bytes(4)
+    return unfinished[:at] + header + bytes(4) + unfinished[data : end - 30]
+
+
+def found_in(path: Path) -> list[tuple[str, int, bytes]]:
+    with open_bag(path) as bag:
+        return [(each.topic, each.log_time_ns, each.data) for each in bag.messages()]
+
+
+def in_file_order(path: Path) -> list[tuple[str, int, bytes]]:
+    """Return the messages of `write`, as rosbags reads them; those of one time in the order of writing."""
+    topics = ["/tf_static", "/tf", "/chatter"]
+    return sorted(found_in(path), key=lambda each: (each[1], topics.index(each[0])))
+
+
+@pytest.mark.parametrize("compression", FORMATS, ids=["none", "bz2", "lz4"])
+@pytest.mark.parametrize("name", ["a.bag.active", "a.bag"])
+def test_bag_without_an_index_is_read_by_its_records(
+    compression: Any, name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    whole = write(tmp_path / "whole.bag", compression, chunk_size=2000)
+    expected = in_file_order(whole)
+    with open_bag(whole) as bag:
+        topics = bag.topics
+    path = tmp_path / name
+    path.write_bytes(without_index(whole.read_bytes()))
+    monkeypatch.setitem(sys.modules, "rosbags.rosbag1", None)  # it isn't needed
+    with pytest.warns(BagWarning, match="has no index, because it is still being recorded .*; 101 messages"):
+        assert found_in(path) == expected
+    with pytest.warns(BagWarning):
+        bag = open_bag(path)
+    with bag:
+        assert bag.topics == topics
+        assert (bag.message_count, bag.start_ns, bag.end_ns) == (101, START, START + 49 * SECOND // 100)
+        assert len(list(bag.messages("/tf", START + SECOND // 10, START + SECOND // 5 - 1))) == 10
+    with pytest.warns(BagWarning):
+        buffer = frames(path)
+    assert buffer.lookup("map", "lidar", START + 250_000_000).translation == pytest.approx((4.0, 0, 0))
+
+
+def test_chunk_that_was_being_written_is_read_to_its_last_whole_message(tmp_path: Path) -> None:
+    whole = write(tmp_path / "whole.bag", chunk_size=2000)
+    path = tmp_path / "a.bag.active"
+    path.write_bytes(within_a_chunk(whole.read_bytes()))
+    with pytest.warns(BagWarning, match="100 messages are read"):
+        assert found_in(path) == in_file_order(whole)[:-1]
+
+
+def test_bag_that_is_cut_off_anywhere_is_read_to_its_last_whole_message(tmp_path: Path) -> None:
+    whole = write(tmp_path / "whole.bag", chunk_size=2000)
+    expected = in_file_order(whole)
+    data = whole.read_bytes()
+    path = tmp_path / "cut.bag"
+    (index,) = struct.unpack_from("<Q", data, data.index(b"index_pos=") + len(b"index_pos="))
+    most = 0
+    for size in range(records(data)[1][1], index, 199):
+        path.write_bytes(data[:size])
+        with pytest.warns(BagWarning, match="has no index"):
+            found = found_in(path)
+        assert found == expected[: len(found)]
+        assert len(found) >= most
+        most = len(found)
+    assert most == len(expected)
+
+
+def test_random_damage_gives_errors_and_warnings_only(tmp_path: Path) -> None:
+    path = tmp_path / "damaged.bag"
+    chance = random.Random(5)
+    for compression in FORMATS:
+        whole = write(tmp_path / f"{compression}.bag", compression, chunk_size=2000).read_bytes()
+        for form in (
+            without_index(whole),
+            within_a_chunk(whole) if compression is None else without_index(whole),
+        ):
+            first = records(whole)[1][1]
+            for _ in range(60):
+                data = bytearray(form)
+                for _ in range(chance.randint(1, 6)):
+                    data[chance.randrange(first, len(data))] = chance.choice(
+                        [0, 1, 127, 255, chance.randrange(256)]
+                    )
+                path.write_bytes(data)
+                with warnings.catch_warnings(), suppress(BagError):
+                    warnings.simplefilter("ignore", BagWarning)
+                    found_in(path)
+                    frames(path)
+
+
+def test_compression_that_is_unknown_is_named(tmp_path: Path) -> None:
+    whole = write(tmp_path / "whole.bag", Writer.CompressionFormat.BZ2).read_bytes()
+    path = tmp_path / "a.bag"
+    path.write_bytes(without_index(whole).replace(b"compression=bz2", b"compression=xyz"))
+    with pytest.raises(BagError, match=r"a\.bag: byte \d+: the compression is 'xyz', which is none of bz2 and lz4"):
+        open_bag(path)

@@ -17,8 +17,8 @@ def open_bag(path: str | os.PathLike[str]) -> Bag:
     """Open a recording.
 
     Args:
-        path: A folder of rosbag2, with its metadata.yaml; or a file: .mcap, .db3, .mcap.zstd, .db3.zstd, or .bag of
-            ROS 1.
+        path: A folder of rosbag2, with its metadata.yaml; or a file: .mcap, .db3, .mcap.zstd, .db3.zstd, or .bag
+            and .bag.active of ROS 1.
 
     Returns:
         The recording. A file that is unfinished is read up to its last whole record, with a `BagWarning`.

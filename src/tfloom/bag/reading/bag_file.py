@@ -20,7 +20,7 @@ COMPRESSED = ".zstd"
 
 
 def storage_of(path: Path, is_message_compressed: bool = False) -> Storage:
-    """Open a file of a recording, by the end of its name: .mcap, .db3, or .bag of ROS 1.
+    """Open a file of a recording, by the end of its name: .mcap, .db3, or .bag and .bag.active of ROS 1.
 
     Raises:
         BagError: it is none of these, or damaged.
@@ -34,12 +34,13 @@ def storage_of(path: Path, is_message_compressed: bool = False) -> Storage:
         from tfloom.bag.reading.sqlite_reader import SqliteFile
 
         return SqliteFile(path, is_message_compressed)
-    if path.suffix == ".bag":
+    if path.name.endswith((".bag", ".bag.active")):
         from tfloom.bag.reading.ros1_reader import Ros1File
 
         return Ros1File(path)
     raise BagError(
-        path, "a file of a recording ends in .mcap, .db3, .bag (of ROS 1), .mcap.zstd or .db3.zstd"
+        path,
+        "a file of a recording ends in .mcap, .db3, .bag or .bag.active (of ROS 1), .mcap.zstd or .db3.zstd",
     )
 
 

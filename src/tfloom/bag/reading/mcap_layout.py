@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import os
 import struct
 import warnings
 import zlib
@@ -14,18 +13,13 @@ from typing import NamedTuple
 from tfloom import _native
 from tfloom.bag.errors import BagError, BagWarning
 from tfloom.bag.reading import mcap_records as records
-from tfloom.bag.reading.compression import MOST, CompressionError, DamagedError, decompress, decompress_part
+from tfloom.bag.reading.compression import CompressionError, DamagedError, decompress, decompress_part
+from tfloom.bag.reading.file_bytes import read_at
 from tfloom.bag.reading.mcap_records import Opcode
 
-__all__ = ["Layout", "Span", "decompressed", "read_at", "warn_of_damage", "whole_records"]
+__all__ = ["Layout", "Span", "decompressed", "warn_of_damage", "whole_records"]
 
 CHECKSUM = struct.Struct("<I")
-BLOCK = 1 << 22
-"""How much is read at once of messages outside of chunks [bytes]."""
-MOST_UNCHECKED = 1 << 20
-"""How much is read without a look at the file's size [bytes]."""
-FARTHEST = (1 << 63) - 1
-"""The greatest offset that a system's files have."""
 
 
 class Span(NamedTuple):
@@ -87,22 +81,6 @@ class Layout:
         elif opcode == Opcode.CHANNEL:
             channel = records.Channel.read(content)
             self.channels[channel.id] = channel
-
-
-def read_at(file: io.FileIO, offset: int, size: int) -> bytes:
-    """Return bytes of a file; fewer at its end, and `MOST` at most.
-
-    Offset and size may be any numbers, because files state them.
-    """
-    if size > MOST_UNCHECKED:
-        size = min(size, MOST, os.fstat(file.fileno()).st_size - offset)
-    if size <= 0 or not 0 <= offset <= FARTHEST:
-        return b""
-    file.seek(offset)
-    data: bytes = file.read(size) or b""
-    while len(data) < size and (more := file.read(size - len(data))):
-        data += more
-    return data
 
 
 def decompressed(file: io.FileIO, path: Path, span: Span, size: int | None = None) -> bytes | None:

@@ -2,28 +2,25 @@
 
 from __future__ import annotations
 
-import heapq
 import io
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from functools import cached_property
-from operator import itemgetter
 from pathlib import Path
 
 from tfloom import _native
 from tfloom.bag.errors import BagError
 from tfloom.bag.reading import mcap_records as records
 from tfloom.bag.reading.compression import CompressionError, decompress_message
-from tfloom.bag.reading.mcap_layout import Layout, Span, read_at, warn_of_damage, whole_records
+from tfloom.bag.reading.file_bytes import read_at
+from tfloom.bag.reading.mcap_layout import Layout, Span, warn_of_damage, whole_records
 from tfloom.bag.reading.mcap_scan import Scan
 from tfloom.bag.reading.mcap_sparse import SparseReader
 from tfloom.bag.reading.mcap_summary import read_layout
+from tfloom.bag.reading.message_order import Found, in_order
+from tfloom.bag.reading.message_transforms import insert_messages
 from tfloom.bag.values import EARLIEST, LATEST, Definition, Progress, RawMessage, TfTopic, Topic
 
 __all__ = ["McapFile"]
-
-_Found = tuple[int, int, int, bytes]
-"""A message: log time, channel, publish time, bytes."""
-_log_time = itemgetter(0)
 
 
 class McapFile:
@@ -116,7 +113,7 @@ class McapFile:
             names = {number: name for number, name in names.items() if name in topics}
         with self._open() as file:
             spans = self._wanted(file, names, start_ns, end_ns)
-            for log, channel, publish, data in _in_order(
+            for log, channel, publish, data in in_order(
                 spans, lambda span: self._read(file, span, names, start_ns, end_ns)
             ):
                 yield RawMessage(names[channel], log, publish, self._message(data))
@@ -149,7 +146,7 @@ class McapFile:
 
     def _read(
         self, file: io.FileIO, span: Span, channels: Collection[int], start_ns: int, end_ns: int
-    ) -> list[_Found]:
+    ) -> list[Found]:
         data = whole_records(file, self.path, span)
         try:
             found = _native.list_mcap_messages(data, channels, start_ns, end_ns)
@@ -174,7 +171,7 @@ class McapFile:
             BagError: the file can't be decompressed.
         """
         if self._is_compressed:
-            self._insert_decompressed(into, topics, (start_ns, end_ns), progress)
+            insert_messages(self.messages, into, topics, (start_ns, end_ns), progress)
             return
         known = self._layout.channels.values()
         channels = {each.id: topics[each.topic].number for each in known if each.topic in topics}
@@ -190,20 +187,6 @@ class McapFile:
                     self._insert(into, span, data, channels, (start_ns, end_ns))
                 progress(span.stored_size)
 
-    def _insert_decompressed(
-        self,
-        into: _native.TfRecords,
-        topics: Mapping[str, TfTopic],
-        times: tuple[int, int],
-        progress: Progress,
-    ) -> None:
-        """Do the same where each message is compressed by itself."""
-        for is_static, (start, end) in ((False, times), (True, (EARLIEST, LATEST))):
-            names = [name for name, each in topics.items() if each.is_static == is_static]
-            for message in self.messages(names, start, end):
-                into.insert(topics[message.topic].number, message.data)
-                progress(len(message.data))
-
     def _insert(
         self,
         into: _native.TfRecords,
@@ -216,33 +199,3 @@ class McapFile:
             into.insert_mcap(data, list(channels.items()), *times)
         except ValueError as error:
             warn_of_damage(self.path, span, str(error))
-
-
-def _in_order(spans: list[Span], read: Callable[[Span], list[_Found]]) -> Iterator[_Found]:
-    """Yield the messages of spans, which may overlap in time, in the order of log times.
-
-    Messages of one log time are yielded in the order of the file. Spans are in memory from their first log time to
-    their last message.
-
-    Args:
-        spans: The spans, by their first log time.
-        read: Returns the messages of one in the order of the file.
-    """
-    heap: list[tuple[int, int, int, Iterator[_Found], _Found]] = []
-    for index, span in enumerate(spans):
-        messages = iter(sorted(read(span), key=_log_time))
-        if (first := next(messages, None)) is not None:
-            heapq.heappush(heap, (first[0], span.offset, index, messages, first))
-        limit = spans[index + 1].start_ns if index + 1 < len(spans) else LATEST + 1
-        while heap and heap[0][0] < limit:
-            _, offset, number, messages, found = heap[0]
-            yield found
-            # The next ones of the same span, up to the first one of another.
-            end = min(limit, min((each[0] for each in heap[1:3]), default=limit))
-            for found in messages:
-                if found[0] >= end:
-                    heapq.heapreplace(heap, (found[0], offset, number, messages, found))
-                    break
-                yield found
-            else:
-                heapq.heappop(heap)

@@ -10,7 +10,8 @@ from tfloom import _native
 from tfloom.bag.errors import BagWarning
 from tfloom.bag.reading import mcap_records as records
 from tfloom.bag.reading.compression import MOST
-from tfloom.bag.reading.mcap_layout import BLOCK, Layout, Span, decompressed, read_at, warn_of_damage
+from tfloom.bag.reading.file_bytes import BLOCK, read_at
+from tfloom.bag.reading.mcap_layout import Layout, Span, decompressed, warn_of_damage
 from tfloom.bag.reading.mcap_records import RECORD_HEADER, Opcode, RecordError
 
 __all__ = ["Scan"]

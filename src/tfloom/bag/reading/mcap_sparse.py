@@ -7,7 +7,8 @@ from collections.abc import Collection, Iterator
 from pathlib import Path
 
 from tfloom.bag.reading import mcap_records as records
-from tfloom.bag.reading.mcap_layout import Span, decompressed, read_at, warn_of_damage, whole_records
+from tfloom.bag.reading.file_bytes import read_at
+from tfloom.bag.reading.mcap_layout import Span, decompressed, warn_of_damage, whole_records
 from tfloom.bag.reading.mcap_records import RECORD_HEADER, Opcode, RecordError
 
 __all__ = ["SparseReader"]

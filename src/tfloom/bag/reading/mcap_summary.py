@@ -10,7 +10,8 @@ from pathlib import Path
 
 from tfloom.bag.errors import BagError, BagWarning
 from tfloom.bag.reading import mcap_records as records
-from tfloom.bag.reading.mcap_layout import Layout, Span, read_at
+from tfloom.bag.reading.file_bytes import read_at
+from tfloom.bag.reading.mcap_layout import Layout, Span
 from tfloom.bag.reading.mcap_records import Opcode, RecordError
 from tfloom.bag.reading.mcap_scan import Scan
 

@@ -10,15 +10,17 @@ from typing import Any
 
 from tfloom._native import TfRecords
 from tfloom.bag.errors import BagError
-from tfloom.bag.values import EARLIEST, LATEST, Definition, Progress, RawMessage, TfTopic, Topic
+from tfloom.bag.reading.message_transforms import insert_messages
+from tfloom.bag.reading.ros1_scan import MAGIC, Ros1Scan, has_index
+from tfloom.bag.values import Definition, Progress, RawMessage, TfTopic, Topic
 
 __all__ = ["Ros1File"]
-
-MAGIC = b"#ROSBAG V2.0\n"
 
 
 class Ros1File:
     """A bag of ROS 1, whose messages are serialized in its own way. It is open while it is read only.
+
+    A bag without an index is read by its records, which needs no library.
 
     Args:
         path: The file.
@@ -36,11 +38,17 @@ class Ros1File:
             raise BagError(path, "the file is empty: its recorder ended before it wrote anything")
         if start != MAGIC:
             raise BagError(path, f"this is no bag of ROS 1, version 2.0: it begins with {start!r}", 0)
+        self._scan = None if has_index(path) else Ros1Scan(path)
+        if self._scan is not None:
+            self._topics = self._scan.topics
+            self.message_count = self._scan.message_count
+            self.start_ns, self.end_ns = self._scan.start_ns, self._scan.end_ns
+            return
         with self._open() as reader:
             self._topics = {name: _topic(name, about) for name, about in reader.topics.items()}
-            self.message_count: int = reader.message_count
-            self.start_ns: int = reader.start_time if self.message_count else 0
-            self.end_ns: int = reader.end_time - 1 if self.message_count else 0
+            self.message_count = int(reader.message_count)
+            self.start_ns = reader.start_time if self.message_count else 0
+            self.end_ns = reader.end_time - 1 if self.message_count else 0
 
     @cached_property
     def topics(self) -> list[Topic]:
@@ -62,8 +70,7 @@ class Ros1File:
         except BagError:
             raise
         except ReaderError as error:
-            hint = "; `rosbag reindex` writes the index of an unfinished bag" if "index" in str(error) else ""
-            raise BagError(self.path, f"the bag can't be read: {error}{hint}") from None
+            raise BagError(self.path, f"the bag can't be read: {error}") from None
         except (ValueError, LookupError, TypeError, AssertionError, RuntimeError, EOFError) as error:
             raise BagError(self.path, f"the bag is damaged: {error or type(error).__name__}") from None
 
@@ -73,6 +80,9 @@ class Ros1File:
         Raises:
             BagError: the file is damaged.
         """
+        if self._scan is not None:
+            yield from self._scan.messages(topics, start_ns, end_ns)
+            return
         with self._open() as reader:
             wanted = [each for each in reader.connections if topics is None or each.topic in topics]
             if wanted:
@@ -92,11 +102,7 @@ class Ros1File:
         Raises:
             BagError: the file is damaged.
         """
-        for is_static, start, end in ((False, start_ns, end_ns), (True, EARLIEST, LATEST)):
-            names = [name for name, each in topics.items() if each.is_static == is_static]
-            for raw in self.messages(names, start, end):
-                into.insert(topics[raw.topic].number, raw.data)
-                progress(len(raw.data))
+        insert_messages(self.messages, into, topics, (start_ns, end_ns), progress)
 
 
 def _topic(name: str, about: Any) -> Topic:

@@ -14,7 +14,8 @@ from typing import Any
 from tfloom._native import TfRecords
 from tfloom.bag.errors import BagError
 from tfloom.bag.reading.compression import CompressionError, decompress_message
-from tfloom.bag.values import EARLIEST, LATEST, Definition, Progress, RawMessage, TfTopic, Topic
+from tfloom.bag.reading.message_transforms import insert_messages
+from tfloom.bag.values import Definition, Progress, RawMessage, TfTopic, Topic
 
 __all__ = ["SqliteFile"]
 
@@ -118,13 +119,7 @@ class SqliteFile:
         Raises:
             BagError: the file is damaged.
         """
-        wanted = {key: topics[each.name] for key, each in self._topics.items() if each.name in topics}
-        with self._open() as database:
-            for is_static, start, end in ((False, start_ns, end_ns), (True, EARLIEST, LATEST)):
-                ids = [key for key, each in wanted.items() if each.is_static == is_static]
-                for topic, _, data in _rows(database, ids, start, end):
-                    into.insert(wanted[topic].number, self._message(data))
-                    progress(len(data))
+        insert_messages(self.messages, into, topics, (start_ns, end_ns), progress)
 
 
 def _check_signature(path: Path) -> None:

@@ -1,0 +1,33 @@
+"""Bytes of a file, by offsets and sizes that the file itself states."""
+
+from __future__ import annotations
+
+import io
+import os
+
+from tfloom.bag.reading.compression import MOST
+
+__all__ = ["BLOCK", "read_at"]
+
+BLOCK = 1 << 22
+"""How much is read at once of messages outside of chunks [bytes]."""
+MOST_UNCHECKED = 1 << 20
+"""How much is read without a look at the file's size [bytes]."""
+FARTHEST = (1 << 63) - 1
+"""The greatest offset that a system's files have."""
+
+
+def read_at(file: io.FileIO, offset: int, size: int) -> bytes:
+    """Return bytes of a file; fewer at its end, and `MOST` at most.
+
+    Offset and size may be any numbers, because files state them.
+    """
+    if size > MOST_UNCHECKED:
+        size = min(size, MOST, os.fstat(file.fileno()).st_size - offset)
+    if size <= 0 or not 0 <= offset <= FARTHEST:
+        return b""
+    file.seek(offset)
+    data: bytes = file.read(size) or b""
+    while len(data) < size and (more := file.read(size - len(data))):
+        data += more
+    return data
