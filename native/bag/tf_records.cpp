@@ -1,12 +1,11 @@
 #include "bag/tf_records.hpp"
 
-#include <array>
 #include <bit>
 
 #include "bag/mcap_records.hpp"
 #include "cdr/cursor.hpp"
+#include "cdr/tf_entries.hpp"
 #include "cdr/tf_message.hpp"
-#include "core/utf8.hpp"
 #include "tf2/text.hpp"
 
 namespace tfloom::bag {
@@ -14,7 +13,6 @@ namespace {
 
 constexpr std::size_t most_entries = 512;  // that are stored under one lock
 constexpr std::size_t least_ros1_size = 4 + 8 + 4 + 4 + 7 * 8;
-constexpr std::int64_t ns_per_s = 1'000'000'000;
 
 // ROS 1 bytes: little-endian, packed, without a header; a string has no terminating zero.
 class Ros1Cursor {
@@ -24,13 +22,26 @@ class Ros1Cursor {
   [[nodiscard]] std::size_t left() const { return data_.size() - at_; }
 
   std::uint32_t read_uint32() { return read_little_endian<std::uint32_t>(take(4)); }
-  double read_double() { return std::bit_cast<double>(read_little_endian<std::uint64_t>(take(8))); }
+
+  std::uint32_t read_length(std::size_t least_element_size) {
+    const std::uint32_t length = read_uint32();
+    if (length * std::uint64_t{least_element_size} > left()) {
+      fail("the length " + std::to_string(length) + " is more than the " + std::to_string(left()) +
+           " bytes left can hold");
+    }
+    return length;
+  }
 
   std::string_view read_string() {
-    const std::size_t length = read_uint32();
-    const std::string_view text(reinterpret_cast<const char*>(take(length)), length);
-    if (!is_utf8(text)) fail("the text is not UTF-8");
-    return text;
+    const std::size_t length = read_length(1);
+    return {reinterpret_cast<const char*>(take(length)), length};
+  }
+
+  void read_into(std::span<double> out) {
+    const std::byte* from = take(out.size_bytes());
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      out[i] = std::bit_cast<double>(read_little_endian<std::uint64_t>(from + i * sizeof(double)));
+    }
   }
 
   [[noreturn]] void fail(const std::string& reason) const { throw cdr::DecodeError(at_, reason); }
@@ -49,29 +60,17 @@ class Ros1Cursor {
   std::size_t at_ = 0;
 };
 
-tf2::Entry read_ros1_transform(Ros1Cursor& in) {
-  tf2::Entry entry;
+tf2::Stamp read_stamp(Ros1Cursor& in) {
   in.read_uint32();  // the sequence number
   const std::int64_t sec = in.read_uint32();
-  entry.stamp = sec * ns_per_s + in.read_uint32();
-  entry.frame_id = in.read_string();
-  entry.child_frame_id = in.read_string();
-  std::array<double, 7> numbers{};
-  for (double& number : numbers) number = in.read_double();
-  const auto& [x, y, z, qx, qy, qz, qw] = numbers;
-  entry.value = {{x, y, z}, {qx, qy, qz, qw}};
-  return entry;
+  return sec * cdr::ns_per_s + in.read_uint32();
 }
 
 }  // namespace
 
 void read_ros1_tf_message(std::span<const std::byte> data, std::vector<tf2::Entry>& entries) {
   Ros1Cursor in(data);
-  const std::uint32_t count = in.read_uint32();
-  if (count * std::uint64_t{least_ros1_size} > in.left()) {
-    in.fail("the length " + std::to_string(count) + " is more than the bytes left can hold");
-  }
-  for (std::uint32_t i = 0; i < count; ++i) entries.push_back(read_ros1_transform(in));
+  cdr::read_transforms(in, least_ros1_size, entries);
   if (in.left() != 0) in.fail(std::to_string(in.left()) + " bytes are left over");
 }
 
@@ -86,8 +85,7 @@ void TfInserter::insert(std::span<const std::byte> message) {
     buffer_->log().report(
         tf2::Severity::warn, "unreadable", authority_,
         tf2::join("dropped a recorded message of ", std::to_string(message.size()), " bytes on ", authority_,
-                  " that is no TFMessage: ", error.path, error.path.empty() ? "" : ": ", error.what(), " (at byte ",
-                  std::to_string(error.offset), ")"));
+                  " that is no TFMessage: ", error.text()));
   }
   if (entries_.size() >= most_entries) finish();
 }

@@ -42,6 +42,11 @@ class DecodeError : public PathError {
  public:
   DecodeError(std::size_t at, const std::string& reason) : PathError(reason), offset(at) {}
 
+  // The field, the reason and the place, for a log.
+  [[nodiscard]] std::string text() const {
+    return (path.empty() ? path : path + ": ") + what() + " (at byte " + std::to_string(offset) + ")";
+  }
+
   std::size_t offset;
 };
 

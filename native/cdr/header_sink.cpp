@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "cdr/cursor.hpp"
+#include "cdr/tf_entries.hpp"
 #include "core/utf8.hpp"
 
 namespace tfloom::cdr {
@@ -11,8 +12,7 @@ namespace {
 std::optional<std::string_view> read_frame_id(std::span<const std::byte> data) {
   try {
     Cursor in(data);
-    in.read<std::int32_t>();   // stamp.sec
-    in.read<std::uint32_t>();  // stamp.nanosec
+    read_stamp(in);
     const std::string_view name = in.read_string();
     if (name.size() <= HeaderSink::most_name_size && is_utf8(name)) return name;
   } catch (const DecodeError&) {  // reported as nullopt

@@ -87,6 +87,23 @@ def test_messages_of_tfs_old_type(tmp_path: Path) -> None:
     assert frames(write(tmp_path / "a.bag", kind="tf/msg/tfMessage")).has_frame("odom")
 
 
+def test_a_message_that_is_unreadable_is_dropped_with_its_field(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    path = tmp_path / "a.bag"
+    kind = "tf2_msgs/msg/TFMessage"
+    spoilt = STORE.serialize_ros1(
+        T[kind]([transform("map", each, START, 0.0) for each in ("odom", "frame")]), kind
+    )
+    with Writer(path) as writer:
+        tf = writer.add_connection("/tf", kind, typestore=STORE)
+        writer.write(tf, START, bytes(spoilt).replace(b"frame", b"\xff\xff\xff\xff\xff"))
+        writer.write(tf, START, STORE.serialize_ros1(T[kind]([transform("map", "base", START, 0.0)]), kind))
+    assert [each.child_frame_id for each in frames(path).edges()] == ["base"]
+    reason = "transforms[1].child_frame_id: the text is not UTF-8 (at byte "
+    assert f"on /tf that is no TFMessage: {reason}" in caplog.text
+
+
 def test_raw_messages_and_topics(tmp_path: Path) -> None:
     with open_bag(write(tmp_path / "a.bag")) as bag:
         assert bag.message_count == len(list(bag.messages())) == 101
