@@ -1,6 +1,7 @@
 #include "cdr/tf_observer.hpp"
 
 #include "cdr/cursor.hpp"
+#include "cdr/tf_entries.hpp"
 #include "cdr/tf_message.hpp"
 
 namespace tfloom::cdr {
@@ -79,8 +80,12 @@ std::optional<TfObserver::Id> TfObserver::find_publisher(const Gid& gid, bool is
   return id;
 }
 
+TfObserver::Id TfObserver::find_name(std::string_view name) const {
+  return name_ids_.find(name, [this](Id id) -> std::string_view { return names_[id]; });
+}
+
 TfObserver::Id TfObserver::intern(std::string_view name) {
-  const Id found = name_ids_.find(name, [this](Id id) -> std::string_view { return names_[id]; });
+  const Id found = find_name(name);
   if (found != tf2::NameIndex::none) return found;
   const auto id = static_cast<Id>(names_.size());
   names_.emplace_back(name);
@@ -91,11 +96,12 @@ TfObserver::Id TfObserver::intern(std::string_view name) {
 
 TfObserver::Edge* TfObserver::find_edge(Id publisher, const tf2::Entry& entry) {
   if (std::max(entry.child_frame_id.size(), entry.frame_id.size()) > most_name_size) return nullptr;
-  // Two names at most are new with each transform, so that they are bounded if there may be no more of them.
-  if (names_.size() >= 2 * most_edges) return nullptr;
-  const EdgeKey key{publisher, intern(entry.child_frame_id), intern(entry.frame_id)};
+  EdgeKey key{publisher, find_name(entry.child_frame_id), find_name(entry.frame_id)};
   if (const auto found = edge_ids_.find(key); found != edge_ids_.end()) return &edges_[found->second];
-  if (edges_.size() >= most_edges) return nullptr;
+  // Two names at most are new with each edge, so that they are bounded. Those of edges that were dropped remain.
+  if (edges_.size() >= most_edges || names_.size() + 2 > 2 * most_edges) return nullptr;
+  key.child = intern(entry.child_frame_id);
+  key.parent = intern(entry.frame_id);
   edge_ids_.emplace(key, static_cast<Id>(edges_.size()));
   edges_.emplace_back().key = key;
   return &edges_.back();
@@ -201,9 +207,7 @@ bool TfObserverSink::accepts(const Gid& publisher) const {
 void TfClockSink::push(std::span<const std::byte> data, const SampleInfo&) noexcept {
   try {
     Cursor in(data);
-    const auto sec = in.read<std::int32_t>();
-    const auto nanosec = in.read<std::uint32_t>();
-    observer_->set_simulated_time(sec * std::int64_t{1'000'000'000} + nanosec);
+    observer_->set_simulated_time(read_stamp(in));
     signal_push();
   } catch (...) {  // no Clock: the former time stays
   }

@@ -107,6 +107,7 @@ class TfObserver {
 
   // All require mutex_ to be held:
   std::optional<Id> find_publisher(const Gid& gid, bool is_static);
+  [[nodiscard]] Id find_name(std::string_view name) const;  // NameIndex::none: unknown
   Id intern(std::string_view name);
   Edge* find_edge(Id publisher, const tf2::Entry& entry);
   void add(Id publisher, const tf2::Entry& entry, tf2::Stamp received, tf2::Stamp now);
