@@ -16,30 +16,30 @@ namespace nb = nanobind;
 
 // The component i of a vector, a twist or a wrench; raises IndexError.
 double& component(tf2::Vector3& v, int i);
-double& component(kdl::Twist& t, int i);
-double& component(kdl::Wrench& w, int i);
+template <kdl::Screw T>
+double& component(T& screw, int i);
 
 [[nodiscard]] std::string text(const tf2::Vector3& v);
 [[nodiscard]] std::string text(const kdl::Rotation& r);
 [[nodiscard]] std::string text(const kdl::Frame& f);
-[[nodiscard]] std::string text(const kdl::Twist& t);
-[[nodiscard]] std::string text(const kdl::Wrench& w);
+template <kdl::Screw T>
+[[nodiscard]] std::string text(const T& screw);
 
 [[nodiscard]] nb::tuple numbers(const tf2::Vector3& v);
-[[nodiscard]] nb::tuple numbers(const kdl::Twist& t);
-[[nodiscard]] nb::tuple numbers(const kdl::Wrench& w);
+template <kdl::Screw T>
+[[nodiscard]] nb::tuple numbers(const T& screw);
 
 // The numbers that pickle stores, and the value that has them.
 [[nodiscard]] nb::tuple state(const tf2::Vector3& v);
 [[nodiscard]] nb::tuple state(const kdl::Rotation& r);
 [[nodiscard]] nb::tuple state(const kdl::Frame& f);
-[[nodiscard]] nb::tuple state(const kdl::Twist& t);
-[[nodiscard]] nb::tuple state(const kdl::Wrench& w);
+template <kdl::Screw T>
+[[nodiscard]] nb::tuple state(const T& screw);
 void restore(tf2::Vector3& v, const nb::tuple& parts);
 void restore(kdl::Rotation& r, const nb::tuple& parts);
 void restore(kdl::Frame& f, const nb::tuple& parts);
-void restore(kdl::Twist& t, const nb::tuple& parts);
-void restore(kdl::Wrench& w, const nb::tuple& parts);
+template <kdl::Screw T>
+void restore(T& screw, const nb::tuple& parts);
 
 inline nb::dict attributes(nb::handle self) { return nb::cast<nb::dict>(self.attr("__dict__")); }
 

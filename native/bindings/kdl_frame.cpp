@@ -46,6 +46,36 @@ void add_changes(nb::class_<By>& type) {
   add_change<By, Wrench>(type);
 }
 
+// One of the vectors of a twist or a wrench.
+template <kdl::Screw T>
+struct Half {
+  Vector3 T::* vector;
+  const char* name;
+  const char* setter;  // its signature
+  const char* doc;
+};
+
+// The docstrings of what twists and wrenches have in common.
+struct ScrewDocs {
+  const char* create;
+  const char* zero;
+  const char* ref_point;
+};
+
+template <kdl::Screw T>
+void bind_screw(nb::module_& m, const char* name, const char* doc, const Half<T>& first, const Half<T>& second,
+                const ScrewDocs& docs) {
+  auto type = kdl_values::value_class<T>(m, name, doc);
+  type.def("__init__", [](T* self, const Vector3& a, const Vector3& b) { new (self) T{a, b}; }, nb::arg(first.name),
+           nb::arg(second.name), docs.create);
+  for (const Half<T>& half : {first, second}) {
+    type.def_rw(half.name, half.vector, nb::for_setter(nb::sig(half.setter)), half.doc);
+  }
+  type.def("RefPoint", [](const T& screw, const Vector3& base) { return ref_point(screw, base); }, "base"_a,
+           docs.ref_point);
+  kdl_values::add_arithmetic(type, docs.zero);
+}
+
 template <typename T>
 void add_comparison(nb::module_& m) {
   m.def("kdl_equal", [](const T& a, const T& b, double eps) { return kdl::equal(a, b, eps); }, "a"_a, "b"_a,
@@ -68,30 +98,19 @@ void add_zero(nb::module_& m) {
 }  // namespace
 
 void bind_kdl_motion(nb::module_& m) {
-  auto twist = kdl_values::value_class<Twist>(
-      m, "Twist", "KDL's velocity of a body: `vel`, that of the point of reference, and `rot`, the angular one.");
-  twist.def("__init__", [](Twist* self, const Vector3& vel, const Vector3& rot) { new (self) Twist{vel, rot}; },
-            "vel"_a, "rot"_a, "Create one from both velocities.")
-      .def_rw("vel", &Twist::vel, nb::for_setter(nb::sig("def vel(self, value: Vector) -> None")),
-              "Velocity of the point of reference [m/s].")
-      .def_rw("rot", &Twist::rot, nb::for_setter(nb::sig("def rot(self, value: Vector) -> None")),
-              "Angular velocity [rad/s].")
-      .def("RefPoint", [](const Twist& t, const Vector3& base) { return ref_point(t, base); }, "base"_a,
-           "Return the same motion with the point of reference moved by `base`, in the same axes.");
-  kdl_values::add_arithmetic(twist, "Return a twist of zeros.");
-
-  auto wrench = kdl_values::value_class<Wrench>(
-      m, "Wrench", "KDL's load on a body: `force`, and `torque` about the point of reference.");
-  wrench.def("__init__",
-             [](Wrench* self, const Vector3& force, const Vector3& torque) { new (self) Wrench{force, torque}; },
-             "force"_a, "torque"_a, "Create one from force and torque.")
-      .def_rw("force", &Wrench::force, nb::for_setter(nb::sig("def force(self, value: Vector) -> None")),
-              "Force [N].")
-      .def_rw("torque", &Wrench::torque, nb::for_setter(nb::sig("def torque(self, value: Vector) -> None")),
-              "Torque about the point of reference [Nm].")
-      .def("RefPoint", [](const Wrench& w, const Vector3& base) { return ref_point(w, base); }, "base"_a,
-           "Return the same load with the point of reference moved by `base`, in the same axes.");
-  kdl_values::add_arithmetic(wrench, "Return a wrench of zeros.");
+  bind_screw<Twist>(
+      m, "Twist", "KDL's velocity of a body: `vel`, that of the point of reference, and `rot`, the angular one.",
+      {&Twist::vel, "vel", "def vel(self, value: Vector) -> None", "Velocity of the point of reference [m/s]."},
+      {&Twist::rot, "rot", "def rot(self, value: Vector) -> None", "Angular velocity [rad/s]."},
+      {"Create one from both velocities.", "Return a twist of zeros.",
+       "Return the same motion with the point of reference moved by `base`, in the same axes."});
+  bind_screw<Wrench>(
+      m, "Wrench", "KDL's load on a body: `force`, and `torque` about the point of reference.",
+      {&Wrench::force, "force", "def force(self, value: Vector) -> None", "Force [N]."},
+      {&Wrench::torque, "torque", "def torque(self, value: Vector) -> None",
+       "Torque about the point of reference [Nm]."},
+      {"Create one from force and torque.", "Return a wrench of zeros.",
+       "Return the same load with the point of reference moved by `base`, in the same axes."});
   auto rotation = nb::borrow<nb::class_<Rotation>>(nb::type<Rotation>());
   add_changes(rotation);
 }

@@ -1,8 +1,10 @@
 // Components, texts and pickled states of the classes of KDL.
 #include <nanobind/nanobind.h>
 
+#include <concepts>
 #include <cstdio>
 #include <initializer_list>
+#include <string>
 
 #include "bindings/bindings.hpp"
 #include "bindings/kdl.hpp"
@@ -16,10 +18,8 @@ using kdl::Twist;
 using kdl::Wrench;
 using tf2::Vector3;
 
-double& of_two(Vector3& first, Vector3& second, int i, const char* error) {
-  if (i < 0 || i > 5) throw nb::index_error(error);
-  return component(i < 3 ? first : second, i % 3);
-}
+template <kdl::Screw T>
+constexpr const char* name_of = std::same_as<T, Twist> ? "Twist" : "Wrench";
 
 // In brackets, with the separators between them.
 std::string listed(std::initializer_list<double> numbers, std::size_t in_row = 6) {
@@ -34,17 +34,9 @@ std::string listed(std::initializer_list<double> numbers, std::size_t in_row = 6
   return result += ']';
 }
 
-std::string text(const Vector3& a, const Vector3& b) { return listed({a.x, a.y, a.z, b.x, b.y, b.z}); }
-
-void expect(const nb::tuple& numbers, std::size_t size, const char* what) {
+void expect(const nb::tuple& numbers, std::size_t size, const char* name) {
   if (nb::len(numbers) == size) return;
-  throw nb::value_error((std::string("the pickled state is not one of ") + what).c_str());
-}
-
-void restore_two(Vector3& a, Vector3& b, const nb::tuple& parts, const char* what) {
-  expect(parts, 2, what);
-  a = nb::cast<Vector3>(parts[0]);
-  b = nb::cast<Vector3>(parts[1]);
+  throw nb::value_error((std::string("the pickled state is not one of a ") + name).c_str());
 }
 
 }  // namespace
@@ -53,8 +45,12 @@ double& component(Vector3& v, int i) {
   if (i < 0 || i > 2) throw nb::index_error("Vector index out of range");
   return i == 0 ? v.x : i == 1 ? v.y : v.z;
 }
-double& component(Twist& t, int i) { return of_two(t.vel, t.rot, i, "Twist index out of range"); }
-double& component(Wrench& w, int i) { return of_two(w.force, w.torque, i, "Wrench index out of range"); }
+template <kdl::Screw T>
+double& component(T& screw, int i) {
+  auto& [first, second] = screw;
+  if (i < 0 || i > 5) throw nb::index_error((std::string(name_of<T>) + " index out of range").c_str());
+  return component(i < 3 ? first : second, i % 3);
+}
 
 std::string text(const Vector3& v) { return listed({v.x, v.y, v.z}); }
 std::string text(const Rotation& r) {
@@ -65,15 +61,17 @@ std::string text(const Frame& f) {
   std::string result = "[";
   return result.append(text(f.M)).append(1, '\n').append(text(f.p)).append(1, ']');
 }
-std::string text(const Twist& t) { return text(t.vel, t.rot); }
-std::string text(const Wrench& w) { return text(w.force, w.torque); }
+template <kdl::Screw T>
+std::string text(const T& screw) {
+  const auto& [a, b] = screw;
+  return listed({a.x, a.y, a.z, b.x, b.y, b.z});
+}
 
 nb::tuple numbers(const Vector3& v) { return nb::make_tuple(v.x, v.y, v.z); }
-nb::tuple numbers(const Twist& t) {
-  return nb::make_tuple(t.vel.x, t.vel.y, t.vel.z, t.rot.x, t.rot.y, t.rot.z);
-}
-nb::tuple numbers(const Wrench& w) {
-  return nb::make_tuple(w.force.x, w.force.y, w.force.z, w.torque.x, w.torque.y, w.torque.z);
+template <kdl::Screw T>
+nb::tuple numbers(const T& screw) {
+  const auto& [a, b] = screw;
+  return nb::make_tuple(a.x, a.y, a.z, b.x, b.y, b.z);
 }
 
 nb::tuple state(const Vector3& v) { return numbers(v); }
@@ -82,11 +80,14 @@ nb::tuple state(const Rotation& r) {
   return nb::make_tuple(m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8]);
 }
 nb::tuple state(const Frame& f) { return nb::make_tuple(f.M, f.p); }
-nb::tuple state(const Twist& t) { return nb::make_tuple(t.vel, t.rot); }
-nb::tuple state(const Wrench& w) { return nb::make_tuple(w.force, w.torque); }
+template <kdl::Screw T>
+nb::tuple state(const T& screw) {
+  const auto& [first, second] = screw;
+  return nb::make_tuple(first, second);
+}
 
 void restore(Vector3& v, const nb::tuple& parts) {
-  expect(parts, 3, "a Vector");
+  expect(parts, 3, "Vector");
   v = {nb::cast<double>(parts[0]), nb::cast<double>(parts[1]), nb::cast<double>(parts[2])};
 }
 void restore(Rotation& r, const nb::tuple& parts) {
@@ -94,15 +95,29 @@ void restore(Rotation& r, const nb::tuple& parts) {
     r = Rotation::of_rpy(nb::cast<double>(parts[0]), nb::cast<double>(parts[1]), nb::cast<double>(parts[2]));
     return;
   }
-  expect(parts, 9, "a Rotation");
+  expect(parts, 9, "Rotation");
   for (std::size_t i = 0; i < 9; ++i) r.m[i] = nb::cast<double>(parts[i]);
 }
 void restore(Frame& f, const nb::tuple& parts) {
-  expect(parts, 2, "a Frame");
+  expect(parts, 2, "Frame");
   f = {nb::cast<Rotation>(parts[0]), nb::cast<Vector3>(parts[1])};
 }
-void restore(Twist& t, const nb::tuple& parts) { restore_two(t.vel, t.rot, parts, "a Twist"); }
-void restore(Wrench& w, const nb::tuple& parts) { restore_two(w.force, w.torque, parts, "a Wrench"); }
+template <kdl::Screw T>
+void restore(T& screw, const nb::tuple& parts) {
+  expect(parts, 2, name_of<T>);
+  screw = {nb::cast<Vector3>(parts[0]), nb::cast<Vector3>(parts[1])};
+}
+
+template double& component(Twist& t, int i);
+template double& component(Wrench& w, int i);
+template std::string text(const Twist& t);
+template std::string text(const Wrench& w);
+template nb::tuple numbers(const Twist& t);
+template nb::tuple numbers(const Wrench& w);
+template nb::tuple state(const Twist& t);
+template nb::tuple state(const Wrench& w);
+template void restore(Twist& t, const nb::tuple& parts);
+template void restore(Wrench& w, const nb::tuple& parts);
 
 }  // namespace tfloom::bindings::kdl_values
 

@@ -23,18 +23,9 @@ void Frame::integrate(const Twist& twist, double frequency) {
   if (angle >= epsilon) M = M * Rotation::about(twist.rot, angle);
 }
 
-Twist operator*(const Rotation& r, const Twist& t) { return {r * t.vel, r * t.rot}; }
-Wrench operator*(const Rotation& r, const Wrench& w) { return {r * w.force, r * w.torque}; }
-
 Vector3 operator*(const Frame& f, const Vector3& v) { return f.M * v + f.p; }
 Frame operator*(const Frame& a, const Frame& b) { return {a.M * b.M, a * b.p}; }
-Twist operator*(const Frame& f, const Twist& t) { return ref_point(f.M * t, -f.p); }
-Wrench operator*(const Frame& f, const Wrench& w) { return ref_point(f.M * w, -f.p); }
 
-bool equal(const Twist& a, const Twist& b, double eps) { return equal(a.vel, b.vel, eps) && equal(a.rot, b.rot, eps); }
-bool equal(const Wrench& a, const Wrench& b, double eps) {
-  return equal(a.force, b.force, eps) && equal(a.torque, b.torque, eps);
-}
 bool equal(const Frame& a, const Frame& b, double eps) { return equal(a.p, b.p, eps) && equal(a.M, b.M, eps); }
 
 Vector3 diff(const Rotation& a, const Rotation& b, double dt) {

@@ -1,6 +1,8 @@
 // Frames, twists and wrenches of KDL, their change of frame and of reference point, differences and small motions.
 #pragma once
 
+#include <concepts>
+
 #include "kdl/rotation.hpp"
 
 namespace tfloom::kdl {
@@ -30,17 +32,37 @@ struct Frame {
   void integrate(const Twist& twist, double frequency);
 };
 
-constexpr Twist operator+(const Twist& a, const Twist& b) { return {a.vel + b.vel, a.rot + b.rot}; }
-constexpr Twist operator-(const Twist& a, const Twist& b) { return {a.vel - b.vel, a.rot - b.rot}; }
-constexpr Twist operator-(const Twist& t) { return {-t.vel, -t.rot}; }
-constexpr Twist operator*(double s, const Twist& t) { return {s * t.vel, s * t.rot}; }
-constexpr Twist operator/(const Twist& t, double s) { return {t.vel / s, t.rot / s}; }
+// Two vectors, the second of which is that of a rotation.
+template <typename T>
+concept Screw = std::same_as<T, Twist> || std::same_as<T, Wrench>;
 
-constexpr Wrench operator+(const Wrench& a, const Wrench& b) { return {a.force + b.force, a.torque + b.torque}; }
-constexpr Wrench operator-(const Wrench& a, const Wrench& b) { return {a.force - b.force, a.torque - b.torque}; }
-constexpr Wrench operator-(const Wrench& w) { return {-w.force, -w.torque}; }
-constexpr Wrench operator*(double s, const Wrench& w) { return {s * w.force, s * w.torque}; }
-constexpr Wrench operator/(const Wrench& w, double s) { return {w.force / s, w.torque / s}; }
+template <Screw T>
+constexpr T operator+(const T& a, const T& b) {
+  const auto& [a1, a2] = a;
+  const auto& [b1, b2] = b;
+  return {a1 + b1, a2 + b2};
+}
+template <Screw T>
+constexpr T operator-(const T& a, const T& b) {
+  const auto& [a1, a2] = a;
+  const auto& [b1, b2] = b;
+  return {a1 - b1, a2 - b2};
+}
+template <Screw T>
+constexpr T operator-(const T& screw) {
+  const auto& [first, second] = screw;
+  return {-first, -second};
+}
+template <Screw T>
+constexpr T operator*(double factor, const T& screw) {
+  const auto& [first, second] = screw;
+  return {factor * first, factor * second};
+}
+template <Screw T>
+constexpr T operator/(const T& screw, double divisor) {
+  const auto& [first, second] = screw;
+  return {first / divisor, second / divisor};
+}
 
 // The power of a wrench along a twist with the same point of reference.
 constexpr double dot(const Twist& t, const Wrench& w) { return dot(t.vel, w.force) + dot(t.rot, w.torque); }
@@ -52,17 +74,26 @@ constexpr Wrench ref_point(const Wrench& w, const Vector3& base) {
 }
 
 // Other axes, and the same point of reference.
-[[nodiscard]] Twist operator*(const Rotation& r, const Twist& t);
-[[nodiscard]] Wrench operator*(const Rotation& r, const Wrench& w);
+template <Screw T>
+[[nodiscard]] T operator*(const Rotation& r, const T& screw) {
+  const auto& [first, second] = screw;
+  return {r * first, r * second};
+}
 
 // Other axes, and the parent's origin as the point of reference.
 [[nodiscard]] Vector3 operator*(const Frame& f, const Vector3& v);
 [[nodiscard]] Frame operator*(const Frame& a, const Frame& b);
-[[nodiscard]] Twist operator*(const Frame& f, const Twist& t);
-[[nodiscard]] Wrench operator*(const Frame& f, const Wrench& w);
+template <Screw T>
+[[nodiscard]] T operator*(const Frame& f, const T& screw) {
+  return ref_point(f.M * screw, -f.p);
+}
 
-[[nodiscard]] bool equal(const Twist& a, const Twist& b, double eps);
-[[nodiscard]] bool equal(const Wrench& a, const Wrench& b, double eps);
+template <Screw T>
+[[nodiscard]] bool equal(const T& a, const T& b, double eps) {
+  const auto& [a1, a2] = a;
+  const auto& [b1, b2] = b;
+  return equal(a1, b1, eps) && equal(a2, b2, eps);
+}
 [[nodiscard]] bool equal(const Frame& a, const Frame& b, double eps);
 
 // The constant velocity that leads from a to b in dt seconds, in the axes that a and b are given in.
