@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import shlex
 import sys
 import time
 from pathlib import Path
@@ -11,6 +12,7 @@ from typing import TYPE_CHECKING
 from tfloom.cli.errors import CommandError
 from tfloom.cli.numbers import seconds
 from tfloom.cli.tf import source
+from tfloom.tf2_tools.text.counts import counted
 
 if TYPE_CHECKING:
     from tfloom.tf2.buffer import Buffer
@@ -74,7 +76,7 @@ def main(args: argparse.Namespace) -> int:
     try:
         motion = motion_of(buffer, args.target_frame, args.source_frame)
     except TransformException as error:
-        raise CommandError(f"{str(error).rstrip()}\n{_advice(args)}") from None
+        raise CommandError(f"{str(error).rstrip()} {_advice(args)}") from None
     if not len(motion.times_ns):
         raise CommandError(
             f"{args.source_frame} does not move in {args.target_frame}: all transforms between them are static"
@@ -87,7 +89,7 @@ def main(args: argparse.Namespace) -> int:
     picture = chart(motion, where, all_angles=args.rpy)
     write_file(args.output, file_content([picture], args.output.suffix.lower().removeprefix(".")))
     gaps = f", {len(motion.gaps_ns)} without data" if motion.gaps_ns else ""
-    print(f"{args.output}: {len(motion.times_ns)} samples in {motion.duration_s:.3f} s{gaps}")
+    print(f"{args.output}: {counted(len(motion.times_ns), 'sample')} in {motion.duration_s:.3f} s{gaps}")
     return 0
 
 
@@ -97,7 +99,7 @@ def _record(opened: Source, buffer: Buffer, args: argparse.Namespace) -> None:
     end_s = time.monotonic() + args.wait
     while not buffer.can(*frames) and time.monotonic() < end_s:
         opened.wait(min(end_s, time.monotonic() + LOOK_S))
-    if not buffer.can(*frames):
+    if not buffer.can(*frames) or all(edge.is_static for edge in buffer.explain(*frames).edges):
         return
     print(f"recording {args.seconds:g} s, until Ctrl-C", file=sys.stderr)
     end_s = time.monotonic() + args.seconds
@@ -109,5 +111,5 @@ def _record(opened: Source, buffer: Buffer, args: argparse.Namespace) -> None:
 
 
 def _advice(args: argparse.Namespace) -> str:
-    where = "" if source.is_live(args.bag) else f" --bag {args.bag}"
-    return f"Try: tfloom tf explain {args.target_frame} {args.source_frame}{where}"
+    where = [] if source.is_live(args.bag) else ["--bag", args.bag]
+    return f"Try: {shlex.join(['tfloom', 'tf', 'explain', args.target_frame, args.source_frame, *where])}"
