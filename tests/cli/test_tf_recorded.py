@@ -62,6 +62,8 @@ def test_a_lookup_in_a_bag_is_explained(run: Run, bag: Path) -> None:
     assert (code, "The recording has no later one" in text) == (1, True)
     code, text = run("explain", "map", "lidar", "--bag", bag, "--at", "-0.2")
     assert (code, "(0.200 s ago) succeeds" in text) == (0, True)
+    late = run("explain", "map", "lidar", "--bag", bag, "--at", "+9000000000")
+    assert late == (2, "argument --at: is no time, because it is beyond the year 2262")
 
 
 def test_a_bag_that_is_none(run: Run, tmp_path: Path) -> None:

@@ -1,6 +1,6 @@
 """Explain a lookup: the chain of transforms, who publishes each, what limits it, and why it fails.
 
-Exit code 0: the lookup succeeds; 1: it fails.
+Exit code 0: the lookup succeeds; 1: it fails; 2: the arguments are wrong.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from collections.abc import Callable
 from decimal import Decimal
 from typing import TYPE_CHECKING
 
+from tfloom.cli.errors import CommandError
 from tfloom.cli.numbers import seconds
 from tfloom.cli.tf import source
 
@@ -25,6 +26,8 @@ BUFFER_S = 10.0
 MARGIN_S = 0.2
 """How much longer than the requested time is ago to listen [s]."""
 MOST_NS = 2**63
+WRONG_TIME = 2
+"""Exit code for a time that can't be represented."""
 LEAST_NS_DIGITS = 15
 """Whole numbers with as many digits or more are nanoseconds."""
 
@@ -71,12 +74,15 @@ def main(args: argparse.Namespace) -> int:
         if source.is_live(args.bag):
             _listen(args, opened, buffer)
         seen, now_ns = opened.observation(), opened.now_ns()
+        asked_ns = args.at(now_ns)
+        if abs(asked_ns) >= MOST_NS:
+            raise CommandError("argument --at: is no time, because it is beyond the year 2262", WRONG_TIME)
         lookup = look_up(
             seen,
             buffer,
             args.target_frame,
             args.source_frame,
-            asked_ns=args.at(now_ns),
+            asked_ns=asked_ns,
             now_ns=now_ns,
             cache_time_ns=cache_time_ns,
         )
