@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -167,6 +168,15 @@ def test_names_with_a_slash_are_those_that_a_buffer_stores() -> None:
     loop = [message("/a", "/b", 1.0), message("/b", "/a", 1.0)]
     text = " ".join(advise(looked_up("other", "a", messages=[*loop, message("z", "other", 1.0)])))
     assert "It is published by drive.mcap (/b -> /a), drive.mcap (/a -> /b): end one" in text
+
+
+def test_a_frame_that_buffers_reject_is_no_absent_one() -> None:
+    lookup = looked_up("base", "lidar", messages=[*robot(), message("base", "lidar", 0.0, x=math.nan)])
+    assert lookup.outcome == Outcome.UNKNOWN_FRAME
+    rejected = "buffers reject it, because its numbers are not finite: mend that node."
+    assert advise(lookup)[1:] == [f"drive.mcap sends 'base' -> 'lidar' on /tf, but {rejected}"]
+    nothing_else = looked_up("base", "lidar", messages=[message("base", "lidar", 0.0, x=math.nan)])
+    assert advise(nothing_else) == advise(lookup)[1:]
 
 
 def test_nothing_was_recorded() -> None:

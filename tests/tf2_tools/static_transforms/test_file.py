@@ -11,11 +11,11 @@ from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rosidl import cdr
 from tfloom.tf2_tools.static_transforms.file import (
     StaticFileError,
-    StaticTransform,
     encoded,
     file_text,
     read_statics,
 )
+from tfloom.tf2_tools.static_transforms.transform import StaticTransform
 
 LASER = StaticTransform("base", "laser", (0.1, -2e-7, 1.0 / 3.0), (0.0, 0.0, math.sqrt(0.5), math.sqrt(0.5)))
 ODD = StaticTransform("yes", "1.0: #ü 雷射", (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
@@ -35,6 +35,12 @@ def items(*lines: str) -> str:
 
 def test_what_is_written_is_read_again_to_the_last_bit(tmp_path: Path) -> None:
     assert read_statics(written(tmp_path, file_text([LASER, ODD]))) == [ODD, LASER]
+
+
+def test_the_text_can_be_ascii(tmp_path: Path) -> None:
+    text = file_text([ODD], ascii_only=True)
+    assert text.isascii()
+    assert read_statics(written(tmp_path, text)) == [ODD]
 
 
 def test_parts_may_be_left_out_and_angles_given(tmp_path: Path) -> None:
@@ -81,6 +87,9 @@ ERRORS = {
     ),
     items(PAIR + ", translation: [1, 2, 3]"): ":2: translation is a mapping with x, y, z, not [1, 2, 3]",
     items(PAIR + ", translation: {x: .nan}"): ":2: translation.x must be a finite number, not nan",
+    items(
+        PAIR + f", translation: {{x: 1{'0' * 400}}}"
+    ): ":2: translation.x must be a finite number, not one beyond",
     items(PAIR + ", rotation: {x: 0, y: 0, z: 0}"): ":2: rotation lacks w",
     items(
         PAIR + ", rotation: {x: 0, y: 0, z: 0, w: 0}"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from typing import TextIO
 
 from tfloom.cli.errors import CommandError
 from tfloom.cli.tf import source
@@ -19,11 +20,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(args: argparse.Namespace) -> int:
     """Write the file; fail if there is no static transform."""
     from tfloom.tf2_tools.static_transforms.file import file_text
-    from tfloom.tf2_tools.watch.statics import last_statics, quarrels
+    from tfloom.tf2_tools.watch.statics import last_statics, quarrels, unusable
     from tfloom.whole_files import write_file
 
     with source.open_source(args) as opened:
         seen = source.settled(opened, args.wait, only_static=True)
+    for sentence in unusable(seen):
+        print(f"WARNING: {sentence}", file=sys.stderr)
     transforms = last_statics(seen)
     if not transforms:
         raise CommandError(_why_none(args))
@@ -32,13 +35,17 @@ def main(args: argparse.Namespace) -> int:
     for publisher in seen.publishers:
         if publisher.is_static and publisher.traffic is None:
             print(f"WARNING: nothing came from {publisher.label} on {publisher.topic}", file=sys.stderr)
-    text = file_text(transforms)
     if args.file == "-":
-        print(text, end="")
+        print(file_text(transforms, ascii_only=not _writes_all_letters(sys.stdout)), end="")
         return 0
-    write_file(args.file, text)
+    write_file(args.file, file_text(transforms))
     print(f"{args.file}: {counted(len(transforms), 'static transform')}")
     return 0
+
+
+def _writes_all_letters(stream: TextIO) -> bool:
+    """Return whether a stream writes each letter as it is, not as an escape sequence that YAML would not read back."""
+    return stream.encoding.lower().replace("-", "").startswith("utf")
 
 
 def _why_none(args: argparse.Namespace) -> str:

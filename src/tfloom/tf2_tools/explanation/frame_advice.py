@@ -30,8 +30,10 @@ def unknown_frame(lookup: Lookup) -> list[str]:
     sentences = []
     for frame in lookup.missing:
         sentences.append(f"No transform has the frame {frame!r}.{_near(frame, tree.frames())}")
-        sentences += _unheard(lookup, frozenset({frame}))
+        sentences += _unheard(lookup, frozenset({frame})) + _rejected(lookup, frozenset({frame}))
     child = lookup.missing[0]
+    if _rejected(lookup, frozenset({child})):
+        return sentences
     sentences.append(
         f"Use a frame that is there, or start the node that publishes the transform of {child!r} "
         f"(child_frame_id: {child})."
@@ -40,12 +42,11 @@ def unknown_frame(lookup: Lookup) -> list[str]:
 
 
 def _nothing_came(lookup: Lookup) -> list[str]:
+    if reasons := _unheard(lookup) + _rejected(lookup):
+        return reasons
     if not lookup.seen.is_live:
         return ["There is no transform in it."]
     waited = seconds_text((lookup.seen.taken_ns - lookup.seen.started_ns) / NS_PER_S)
-    unheard = _unheard(lookup)
-    if unheard:
-        return unheard
     if lookup.seen.publishers:
         names = ", ".join(f"{each.label} on {each.topic}" for each in lookup.seen.publishers)
         return [
@@ -68,6 +69,16 @@ def _unheard(lookup: Lookup, frames: frozenset[str] | None = None) -> list[str]:
         f"{' and '.join(kind.name.lower() for kind in each.mismatches)} is less than they request: publish with "
         f"{'RELIABLE and TRANSIENT_LOCAL' if each.is_static else 'RELIABLE'}."
         for each in found.values()
+    ]
+
+
+def _rejected(lookup: Lookup, frames: frozenset[str] | None = None) -> list[str]:
+    """Return a sentence for each edge of these frames, or of any, that buffers reject."""
+    return [
+        f"{edge.publisher.label} sends {edge.parent!r} -> {edge.child!r} on {edge.topic}, but buffers reject it, "
+        f"because {reason}: mend that node."
+        for edge in lookup.seen.edges
+        if (reason := edge.rejection) and (frames is None or frames.intersection(edge.frames))
     ]
 
 

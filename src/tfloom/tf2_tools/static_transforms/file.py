@@ -31,8 +31,13 @@ class StaticFileError(ValueError):
     """A file holds no static transforms; the text has the file, the line and the reason."""
 
 
-def file_text(transforms: Iterable[StaticTransform]) -> str:
-    """Return the text of a file with these transforms, in order of their children's names."""
+def file_text(transforms: Iterable[StaticTransform], *, ascii_only: bool = False) -> str:
+    """Return the text of a file with these transforms, in order of their children's names.
+
+    Args:
+        transforms: The transforms.
+        ascii_only: Whether other letters are YAML's escape sequences.
+    """
     import yaml
 
     items = [
@@ -45,7 +50,7 @@ def file_text(transforms: Iterable[StaticTransform]) -> str:
         for each in sorted(transforms, key=lambda each: each.child_frame_id)
     ]
     text = yaml.safe_dump(
-        {KEY: items}, sort_keys=False, allow_unicode=True, width=200, default_flow_style=None
+        {KEY: items}, sort_keys=False, allow_unicode=not ascii_only, width=200, default_flow_style=None
     )
     return HEADING + text
 
@@ -169,10 +174,18 @@ class _Reader:
             number = given.get(name, defaults.get(name))
             if number is None:
                 raise self._error(given, f"{key} lacks {name}")
-            if isinstance(number, bool) or not isinstance(number, (int, float)) or not math.isfinite(number):
+            if isinstance(number, bool) or not isinstance(number, (int, float)):
                 raise self._error(given, f"{key}.{name} must be a finite number, not {number!r}")
-            numbers.append(float(number))
+            numbers.append(self._finite(given, f"{key}.{name}", number))
         return numbers
+
+    def _finite(self, given: object, name: str, number: float) -> float:
+        try:
+            if math.isfinite(number):
+                return float(number)
+        except OverflowError:  # an integer beyond all floating-point numbers
+            raise self._error(given, f"{name} must be a finite number, not one beyond 1.8e308") from None
+        raise self._error(given, f"{name} must be a finite number, not {number!r}")
 
     def _check_tree(self, items: Sequence[object], transforms: Sequence[StaticTransform]) -> None:
         parents: dict[str, str] = {}

@@ -40,7 +40,7 @@ class Difference(NamedTuple):
 
 
 def links_of(seen: Observation, *, only_static: bool = False) -> dict[str, Link]:
-    """Return the transform of each child that came last, by the child's name.
+    """Return the transform of each child that came last, by the child's name, without those that a buffer rejects.
 
     Args:
         seen: The observation.
@@ -55,7 +55,7 @@ def links_of(seen: Observation, *, only_static: bool = False) -> dict[str, Link]
             edge.statistics.rotation_xyzw,
         )
         for edge in seen.by_receipt
-        if edge.is_static or not only_static
+        if not edge.rejection and (edge.is_static or not only_static)
     }
 
 

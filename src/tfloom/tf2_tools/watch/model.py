@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -17,6 +18,9 @@ TOPICS = (TF_TOPIC, STATIC_TOPIC)
 """The topics of moving and of static transforms."""
 LISTENER_QOS = (QoS(depth=100), QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, depth=100))
 """What a transform listener requests for the topics of moving and of static transforms."""
+
+MOST_SQUARES_ERROR = 0.01
+"""From this difference of a quaternion's squared length from 1 on, a buffer rejects the transform."""
 
 
 def stored_name(frame: str) -> str:
@@ -93,6 +97,21 @@ class Edge:
     def topic(self) -> str:
         """The topic on which they came."""
         return self.publisher.topic
+
+    @property
+    def rejection(self) -> str:
+        """Why a buffer doesn't store its last transform, as the end of a sentence; empty if it does."""
+        child, parent = self.frames
+        if not (child and parent):
+            return "a frame id is empty"
+        if child == parent:
+            return "the frame is its own parent"
+        if self.statistics.count == self.statistics.non_finite:
+            return "its numbers are not finite"
+        squares = math.fsum(part * part for part in self.statistics.rotation_xyzw)
+        if abs(squares - 1.0) >= MOST_SQUARES_ERROR:
+            return f"its quaternion has the length {math.sqrt(squares):.4g}, not 1"
+        return ""
 
     @property
     def rate_hz(self) -> float:
