@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import errno
 import os
+import shutil
 import sqlite3
+import sys
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -15,8 +18,9 @@ from mcap.stream_reader import StreamReader
 from tests.bag.written_bags import QOS, START_NS, STEP_NS, read_by_rosbags, text, topic, write_bag
 
 from tfloom.bag import frames, open_bag
-from tfloom.bag.errors import BagError
+from tfloom.bag.errors import BagError, BagWarning
 from tfloom.bag.metadata import parse_metadata, read_metadata
+from tfloom.bag.reindexing import reindex
 from tfloom.bag.writing.bag_writer import BagWriter, WriterSettings
 from tfloom.bag.writing.definition_text import find_definition
 from tfloom.bag.writing.metadata_text import metadata_file_text
@@ -291,3 +295,45 @@ def test_large_chunk_of_small_messages(tmp_path: Path) -> None:
     with open_bag(tmp_path / "bag") as bag:
         assert len(bag.files[0].storage.layout.spans) == 1
         assert [(each.topic, each.log_time_ns, each.data) for each in bag.messages()] == rows
+
+
+@pytest.mark.parametrize("storage_id", ["mcap", "sqlite3"])
+def test_messages_that_are_compressed_one_by_one_are_read_without_metadata(
+    storage_id: str, tmp_path: Path
+) -> None:
+    folder = tmp_path / "bag"
+    writer = BagWriter(folder, WriterSettings(storage_id=storage_id, compression_mode="MESSAGE"))
+    number = writer.add_topic(topic("/chatter", "std_msgs/msg/String"))
+    rows = [("/chatter", START_NS + i, text(i)) for i in range(20)]
+    for _, stamp_ns, data in rows:
+        writer.push(number, data, stamp_ns, stamp_ns)
+    writer.write_rest()
+    copy = shutil.copytree(folder, tmp_path / "copy")  # as it is if the recorder is killed
+    writer.close()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", BagWarning)
+        for path in (copy / writer.file_path.name, copy):
+            if path == copy:
+                reindex(copy)
+            with open_bag(path) as bag:
+                assert [(each.topic, each.log_time_ns, each.data) for each in bag.messages()] == rows
+    found = read_metadata(copy)
+    assert (found.compression_format, found.compression_mode) == ("zstd", "MESSAGE")
+
+
+@pytest.mark.parametrize(
+    ("settings", "module"),
+    [
+        (WriterSettings(compression_mode="MESSAGE"), "zstandard"),
+        (WriterSettings(compression_mode="FILE"), "zstandard"),
+        (WriterSettings(storage=StorageSettings(compression="zstd")), "zstandard"),
+        (WriterSettings(storage=StorageSettings(compression="lz4")), "lz4.frame"),
+    ],
+)
+def test_missing_library_is_named_before_anything_is_written(
+    settings: WriterSettings, module: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, module, None)
+    with pytest.raises(BagError, match=r"pip install 'tfloom\[bag\]'"):
+        BagWriter(tmp_path / "bag", settings)
+    assert not (tmp_path / "bag").exists()

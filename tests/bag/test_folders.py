@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import shutil
 from pathlib import Path
+from typing import Any
 
 import pytest
+import yaml
 import zstandard
 from tests.bag.recordings import START, drive, found_in, write_mcap
 
@@ -59,6 +61,72 @@ def test_metadata_of_humble(tmp_path: Path) -> None:
     assert (found.version, found.storage_identifier, found.ros_distro) == (5, "sqlite3", "")
     assert found.topics[0].offered_qos == "- history: 3\n  depth: 0\n  reliability: 1"
     assert found.files[0].message_count == 101
+
+
+SINCE = {
+    "compression_format": 3,
+    "compression_mode": 3,
+    "offered_qos_profiles": 4,
+    "files": 5,
+    "custom_data": 6,
+    "type_description_hash": 7,
+    "ros_distro": 8,
+}
+"""The first version of metadata.yaml that has a field."""
+
+
+@pytest.mark.parametrize("version", range(1, 10))
+def test_metadata_of_each_version(version: int, tmp_path: Path) -> None:
+    qos: Any = "- depth: 7\n  history: keep_last"
+    duration = {"nanoseconds": 490000001}
+    starting_time = {"nanoseconds_since_epoch": START}
+    topic = {
+        "name": "/tf",
+        "type": "tf2_msgs/msg/TFMessage",
+        "serialization_format": "cdr",
+        "offered_qos_profiles": yaml.safe_load(qos) if version == 9 else qos,
+        "type_description_hash": "RIHS01_ab",
+    }
+    span = {"starting_time": starting_time, "duration": duration, "message_count": 101}
+    document: dict[str, Any] = {
+        "version": version,
+        "storage_identifier": "mcap",
+        **span,
+        "relative_file_paths": ["bag_0.mcap" if version > 3 else "my_bag/bag_0.mcap"],
+        "topics_with_message_count": [{"topic_metadata": known(topic, version), "message_count": 50}],
+        "compression_format": "",
+        "compression_mode": "",
+        "files": [{"path": "bag_0.mcap", **span}],
+        "custom_data": {"robot": "a"},
+        "ros_distro": "jazzy",
+    }
+    folder = folder_of(tmp_path / "bag", {"bag_0.mcap": DRIVE})
+    text = yaml.safe_dump({"rosbag2_bagfile_information": known(document, version)}, sort_keys=False)
+    (folder / "metadata.yaml").write_text(text, "utf-8")
+    with open_bag(folder) as bag:
+        assert found_in(bag) == DRIVE
+        found = bag.metadata
+    assert found is not None
+    assert (found.version, found.start_ns, found.duration_ns, found.message_count) == (
+        version,
+        START,
+        490000001,
+        101,
+    )
+    assert found.topics[0].offered_qos == (qos if version > 3 else "")
+    assert found.topics[0].type_hash == ("RIHS01_ab" if version > 6 else "")
+    assert [each.message_count for each in found.files] == ([101] if version > 4 else [])
+    assert found.custom_data == ({"robot": "a"} if version > 5 else {})
+    assert found.ros_distro == ("jazzy" if version > 7 else "")
+
+
+def known(values: dict[str, Any], version: int) -> dict[str, Any]:
+    return {key: value for key, value in values.items() if SINCE.get(key, 1) <= version}
+
+
+def test_numbers_that_are_not_finite_are_named(tmp_path: Path) -> None:
+    with pytest.raises(BagError, match="this is no metadata of a recording: cannot convert float infinity"):
+        parse_metadata(HUMBLE.replace("message_count: 101", "message_count: .inf"), tmp_path)
 
 
 def test_metadata_of_jazzy() -> None:

@@ -255,5 +255,7 @@ def test_compression_that_is_unknown_is_named(tmp_path: Path) -> None:
     whole = write(tmp_path / "whole.bag", Writer.CompressionFormat.BZ2).read_bytes()
     path = tmp_path / "a.bag"
     path.write_bytes(without_index(whole).replace(b"compression=bz2", b"compression=xyz"))
-    with pytest.raises(BagError, match=r"a\.bag: byte \d+: the compression is 'xyz', which is none of bz2 and lz4"):
+    with pytest.raises(
+        BagError, match=r"a\.bag: byte \d+: the compression is 'xyz', which is none of bz2 and lz4"
+    ):
         open_bag(path)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import heapq
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from pathlib import Path
@@ -113,7 +114,7 @@ def parse_outputs(text: str, path: Path) -> list[Output]:
         raise BagError(path, 'Output options must have the key "output_bags", with a list of bags')
     try:
         return [_output(values) for values in document["output_bags"]]
-    except (ValueError, TypeError, AttributeError) as error:
+    except (ValueError, TypeError, OverflowError, AttributeError, re.error) as error:
         raise BagError(path, f"an output can't be used: {error}") from None
 
 
@@ -155,10 +156,17 @@ def _time(value: Any) -> int | None:
 
 
 def _choice(values: Mapping[str, Any]) -> TopicChoice:
-    """Return which topics an output has; without any that is named, all."""
+    """Return which topics an output has; without any that is named, all.
+
+    Raises:
+        re.error: an expression is invalid.
+    """
     names: Callable[[str], list[str]] = lambda key: [str(each) for each in values.get(key) or []]  # noqa: E731
     topics, types, services = names("topics"), names("topic_types"), names("services")
     regex = str(values.get("regex") or "")
+    excluded = str(values.get("exclude_regex") or values.get("exclude") or "")
+    for expression in (regex, excluded):
+        re.compile(expression)
     wants_all = bool(values.get("all")) or not (
         topics or types or services or regex or values.get("all_topics") or values.get("all_services")
     )
@@ -169,7 +177,7 @@ def _choice(values: Mapping[str, Any]) -> TopicChoice:
         all_topics=wants_all or bool(values.get("all_topics")),
         all_services=wants_all or bool(values.get("all_services")),
         regex=regex,
-        exclude_regex=str(values.get("exclude_regex") or values.get("exclude") or ""),
+        exclude_regex=excluded,
         exclude_topics=names("exclude_topics"),
         exclude_topic_types=names("exclude_topic_types"),
         exclude_services=names("exclude_services"),

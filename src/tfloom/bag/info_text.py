@@ -7,9 +7,9 @@ from collections import Counter
 from collections.abc import Callable
 
 from tfloom.bag.bag import Bag
+from tfloom.bag.metadata_from_files import metadata_of, size_of
 from tfloom.bag.topic_choice import is_service_event, service_of_event
 from tfloom.bag.values import Topic
-from tfloom.bag.whole_metadata import metadata_of, size_of
 from tfloom.bag.writing.metadata_text import NO_TIME_NS
 
 __all__ = ["ORDERS", "info_text", "size_text"]

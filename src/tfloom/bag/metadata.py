@@ -2,16 +2,25 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from tfloom.bag.errors import BagError
 from tfloom.bag.values import Topic
 
-__all__ = ["METADATA_FILE", "FileInformation", "Metadata", "parse_metadata", "read_metadata"]
+__all__ = [
+    "METADATA_FILE",
+    "FileInformation",
+    "Metadata",
+    "is_message_compression",
+    "parse_metadata",
+    "read_metadata",
+]
 
 METADATA_FILE = "metadata.yaml"
 ROOT = "rosbag2_bagfile_information"
+_MESSAGE_MODE = re.compile(r"^compression_mode: *[\"']?message\b", re.IGNORECASE | re.MULTILINE)
 
 
 class FileInformation(NamedTuple):
@@ -85,11 +94,19 @@ def parse_metadata(text: str, path: Path) -> Metadata:
         document = document.get(ROOT, document)
     try:
         return _metadata(document)
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
+    except (KeyError, TypeError, ValueError, OverflowError, AttributeError) as error:
         what = f"{error.args[0]!r} is missing" if isinstance(error, KeyError) else str(error)
         raise BagError(
             path, f"this is no metadata of a recording: {what}; `ros2 bag reindex` writes it anew"
         ) from None
+
+
+def is_message_compression(text: str) -> bool:
+    """Return whether the `serialized_metadata` of a file says that each message is compressed by itself.
+
+    It is searched, not parsed, because YAML's parser takes longer to import than a file takes to open.
+    """
+    return _MESSAGE_MODE.search(text) is not None
 
 
 def _metadata(document: dict[str, Any]) -> Metadata:

@@ -21,7 +21,8 @@ from tfloom.rmw.qos import (
 __all__ = ["parse_profiles", "profiles_text", "read_overrides"]
 
 _S_TO_NS = 1_000_000_000
-_UNREADABLE = (KeyError, ValueError, TypeError, AttributeError)
+_UNREADABLE = (KeyError, ValueError, TypeError, OverflowError, AttributeError)
+_DEPTH_END = 1 << 31
 _DURATIONS = {
     "deadline": "deadline_ns",
     "lifespan": "lifespan_ns",
@@ -111,7 +112,10 @@ def read_overrides(path: str | Path) -> dict[str, QoS]:
 def _profile(values: Mapping[str, Any]) -> QoS:
     if unknown := values.keys() - {*_DEFAULTS, *_DURATIONS, "depth", "avoid_ros_namespace_conventions"}:
         raise ValueError(", ".join(sorted(unknown)))
-    changes: dict[str, Any] = {"depth": int(values.get("depth", QoS().depth))}
+    depth = int(values.get("depth", QoS().depth))
+    if not 0 <= depth < _DEPTH_END:
+        raise ValueError(f"depth {depth}")
+    changes: dict[str, Any] = {"depth": depth}
     for name, default in _DEFAULTS.items():
         changes[name] = _policy(POLICIES[name], values[name]) if name in values else default
     for name, field in _DURATIONS.items():

@@ -8,8 +8,8 @@ from pathlib import Path
 from tfloom.bag.bag import Bag
 from tfloom.bag.errors import BagError
 from tfloom.bag.metadata import METADATA_FILE
+from tfloom.bag.metadata_from_files import metadata_from_files, storage_id_of
 from tfloom.bag.reading.bag_file import COMPRESSED, BagFile
-from tfloom.bag.whole_metadata import metadata_from_files, storage_id_of
 from tfloom.bag.writing.metadata_text import metadata_file_text
 from tfloom.node.log.logging import get_logger
 from tfloom.whole_files import write_file

@@ -91,6 +91,8 @@ class Storage(Protocol):
     end_ns: int
     """The greatest one [ns since epoch]."""
     message_count: int
+    is_message_compressed: bool
+    """Whether each message is compressed by itself; `messages` yields them decompressed."""
 
     def messages(self, topics: Collection[str] | None, start_ns: int, end_ns: int) -> Iterator[RawMessage]:
         """Yield the messages of topics (None: all) with log times in [start, end], in the order of log times."""

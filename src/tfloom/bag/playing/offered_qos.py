@@ -10,6 +10,8 @@ __all__ = ["MOST_KEPT", "offered", "offers_differ"]
 
 MOST_KEPT = 1000
 """How many static transforms' messages are kept for late subscriptions, at most."""
+DEPTH_MAX = (1 << 31) - 1
+"""The greatest depth that a wire takes."""
 _STATIC_TF = "tf_static"
 
 
@@ -28,7 +30,7 @@ def offered(topic: Topic) -> QoS:
     is_static = topic.name.rpartition("/")[2] == _STATIC_TF
     if not profiles:
         profiles = [QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL)] if is_static else [QoS()]
-    depth = sum(max(each.depth, 1) for each in profiles)
+    depth = min(sum(max(each.depth, 1) for each in profiles), DEPTH_MAX)
     if is_static:
         depth = max(depth, min(topic.message_count, MOST_KEPT))
     is_reliable = any(each.reliability == ReliabilityPolicy.RELIABLE for each in profiles)

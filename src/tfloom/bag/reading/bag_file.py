@@ -19,8 +19,12 @@ COMPRESSED = ".zstd"
 """The end of the name of a file that is compressed as a whole."""
 
 
-def storage_of(path: Path, is_message_compressed: bool = False) -> Storage:
+def storage_of(path: Path, is_message_compressed: bool | None = None) -> Storage:
     """Open a file of a recording, by the end of its name: .mcap, .db3, or .bag and .bag.active of ROS 1.
+
+    Args:
+        path: The file.
+        is_message_compressed: Whether each message is compressed by itself; None: as the file's metadata says.
 
     Raises:
         BagError: it is none of these, or damaged.
@@ -49,12 +53,15 @@ class BagFile:
 
     Args:
         path: The file.
-        is_message_compressed: Whether each message is compressed by itself.
+        is_message_compressed: Whether each message is compressed by itself; None: as the file's metadata says.
         information: What metadata.yaml says of the file; None if it isn't there.
     """
 
     def __init__(
-        self, path: Path, is_message_compressed: bool = False, information: FileInformation | None = None
+        self,
+        path: Path,
+        is_message_compressed: bool | None = None,
+        information: FileInformation | None = None,
     ) -> None:
         self.path = path
         self._is_message_compressed = is_message_compressed

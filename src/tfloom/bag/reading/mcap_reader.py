@@ -9,6 +9,7 @@ from pathlib import Path
 
 from tfloom import _native
 from tfloom.bag.errors import BagError
+from tfloom.bag.metadata import is_message_compression
 from tfloom.bag.reading import mcap_records as records
 from tfloom.bag.reading.compression import CompressionError, decompress_message
 from tfloom.bag.reading.file_bytes import read_at
@@ -28,20 +29,22 @@ class McapFile:
 
     Args:
         path: The file.
-        is_message_compressed: Whether each message is compressed by itself, by zstd.
+        is_message_compressed: Whether each message is compressed by itself, by zstd; None: as the file's metadata says.
 
     Raises:
         BagError: it is no MCAP file, or damaged.
         OSError: it can't be read.
     """
 
-    def __init__(self, path: Path, is_message_compressed: bool = False) -> None:
+    def __init__(self, path: Path, is_message_compressed: bool | None = None) -> None:
         self.path = path
-        self._is_compressed = is_message_compressed
         with self._open() as file:
             self._layout = read_layout(file, path)
         self.start_ns, self.end_ns = self._layout.start_ns, self._layout.end_ns
         self.message_count = self._layout.counts.total()
+        self.is_message_compressed = (
+            self._says_compressed() if is_message_compressed is None else is_message_compressed
+        )
 
     def _open(self) -> io.FileIO:
         return io.FileIO(self.path)
@@ -90,6 +93,13 @@ class McapFile:
                     return self._read_metadata(file, offset)
         return None
 
+    def _says_compressed(self) -> bool:
+        try:
+            values = self.metadata(records.METADATA_NAME) or {}
+        except BagError:
+            return False
+        return is_message_compression(values.get(records.METADATA_KEY, ""))
+
     def _read_metadata(self, file: io.FileIO, offset: int) -> dict[str, str]:
         try:
             opcode, length = records.record_header(read_at(file, offset, records.RECORD_HEADER.size))
@@ -119,7 +129,7 @@ class McapFile:
                 yield RawMessage(names[channel], log, publish, self._message(data))
 
     def _message(self, data: bytes) -> bytes:
-        if not self._is_compressed:
+        if not self.is_message_compressed:
             return data
         try:
             return decompress_message(data)
@@ -170,7 +180,7 @@ class McapFile:
         Raises:
             BagError: the file can't be decompressed.
         """
-        if self._is_compressed:
+        if self.is_message_compressed:
             insert_messages(self.messages, into, topics, (start_ns, end_ns), progress)
             return
         known = self._layout.channels.values()

@@ -15,6 +15,11 @@ RECORD_HEADER = struct.Struct("<BQ")
 FOOTER_SIZE = RECORD_HEADER.size + 20 + len(MAGIC)
 """From the footer record to the end of the file [bytes]."""
 
+METADATA_NAME = "rosbag2"
+"""Of the metadata records that rosbag2 writes."""
+METADATA_KEY = "serialized_metadata"
+"""Of the value in them, the content of metadata.yaml."""
+
 
 def record_header(data: bytes) -> tuple[int, int]:
     """Return the opcode of a record and the length of its content [bytes]; RecordError if the bytes end before."""

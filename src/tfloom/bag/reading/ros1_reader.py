@@ -30,6 +30,8 @@ class Ros1File:
         OSError: it can't be read.
     """
 
+    is_message_compressed = False
+
     def __init__(self, path: Path) -> None:
         self.path = path
         with path.open("rb") as file:

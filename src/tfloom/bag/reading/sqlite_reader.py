@@ -13,6 +13,7 @@ from typing import Any
 
 from tfloom._native import TfRecords
 from tfloom.bag.errors import BagError
+from tfloom.bag.metadata import is_message_compression
 from tfloom.bag.reading.compression import CompressionError, decompress_message
 from tfloom.bag.reading.message_transforms import insert_messages
 from tfloom.bag.values import Definition, Progress, RawMessage, TfTopic, Topic
@@ -29,16 +30,15 @@ class SqliteFile:
 
     Args:
         path: The file.
-        is_message_compressed: Whether each message is compressed by itself, by zstd.
+        is_message_compressed: Whether each message is compressed by itself, by zstd; None: as the file's metadata says.
 
     Raises:
         BagError: it is no recording of sqlite3, or damaged.
         OSError: it can't be read.
     """
 
-    def __init__(self, path: Path, is_message_compressed: bool = False) -> None:
+    def __init__(self, path: Path, is_message_compressed: bool | None = None) -> None:
         self.path = path
-        self._is_compressed = is_message_compressed
         _check_signature(path)
         with self._open() as database:
             # No views, whose evaluation may take any time and memory.
@@ -61,8 +61,12 @@ class SqliteFile:
             self._topics = _topics(database, self._counts)
             if not all(isinstance(each, int) for each in self._topics):
                 raise BagError(path, "the database is damaged: a topic has an id that is no integer")
+            says_compressed = "metadata" in tables and _says_compressed(database)
             definitions = _definitions(database) if "message_definitions" in tables else {}
         self._definitions = definitions
+        self.is_message_compressed = (
+            says_compressed if is_message_compressed is None else is_message_compressed
+        )
         self.message_count = sum(self._counts.values())
         self.start_ns = min((row[2] for row in rows), default=0)
         self.end_ns = max((row[3] for row in rows), default=0)
@@ -99,7 +103,7 @@ class SqliteFile:
     def _message(self, data: Any) -> bytes:
         if not isinstance(data, bytes):
             raise BagError(self.path, f"a message is no blob but {type(data).__name__}")
-        if not self._is_compressed:
+        if not self.is_message_compressed:
             return data
         try:
             return decompress_message(data)
@@ -190,6 +194,11 @@ def _definitions(database: sqlite3.Connection) -> dict[str, Definition]:
         "SELECT topic_type, encoding, encoded_message_definition FROM message_definitions"
     )
     return {str(name): Definition(str(encoding), str(text)) for name, encoding, text in rows if text}
+
+
+def _says_compressed(database: sqlite3.Connection) -> bool:
+    row = database.execute("SELECT metadata FROM metadata ORDER BY id DESC LIMIT 1").fetchone()
+    return row is not None and is_message_compression(str(row[0]))
 
 
 def _rows(

@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 from tfloom.bag.info_text import info_text
+from tfloom.bag.metadata_from_files import metadata_of, size_of
 from tfloom.bag.opening import open_bag
 from tfloom.bag.reindexing import reindex
 from tfloom.bag.rosbag2_names.storage import BagMetadata, StorageOptions
-from tfloom.bag.whole_metadata import metadata_of, size_of
 
 __all__ = ["Info", "Reindexer"]
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from tfloom.bag.bag import Bag
 from tfloom.bag.errors import BagError
+from tfloom.bag.metadata_from_files import metadata_of, size_of
 from tfloom.bag.opening import open_bag
 from tfloom.bag.rosbag2_names.storage import (
     BagMetadata,
@@ -20,7 +21,6 @@ from tfloom.bag.rosbag2_names.storage import (
     TopicMetadata,
 )
 from tfloom.bag.values import RawMessage
-from tfloom.bag.whole_metadata import metadata_of, size_of
 from tfloom.bag.writing.storage import STORAGES
 
 __all__ = ["SequentialCompressionReader", "SequentialReader", "get_registered_readers"]

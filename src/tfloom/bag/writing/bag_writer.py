@@ -10,7 +10,7 @@ from typing import NamedTuple
 from tfloom._native import Chunk, ChunkQueue
 from tfloom.bag.errors import BagError
 from tfloom.bag.metadata import METADATA_FILE, FileInformation, Metadata
-from tfloom.bag.reading.compression import CompressionError
+from tfloom.bag.reading.compression import CompressionError, lz4_frame, zstd
 from tfloom.bag.values import Topic
 from tfloom.bag.writing.metadata_text import (
     METADATA_VERSION,
@@ -58,7 +58,8 @@ class BagWriter:
         on_split: Called with the paths of the completed file and of the next one.
 
     Raises:
-        BagError: the folder exists, or can't be written, or a limit is negative.
+        BagError: the folder exists, or can't be written, a limit is negative, or a compression's library isn't
+            installed.
     """
 
     def __init__(
@@ -74,6 +75,7 @@ class BagWriter:
             raise BagError(
                 folder, "the sizes and the duration that limit its files and cache can't be negative"
             )
+        check_compression(folder, self.settings)
         self._on_split = on_split
         self.queue = make_queue(self.settings)
         self._lock = threading.Lock()
@@ -239,7 +241,7 @@ class BagWriter:
     def _open_file(self) -> StorageFile:
         storage_id = self.settings.storage_id
         name = f"{self.folder.resolve().name}_{len(self._files)}{STORAGES[storage_id]}"
-        first = empty_metadata(storage_id, name, self.settings.custom_data)
+        first = empty_metadata(storage_id, name, self.settings.custom_data, self.settings.compression_mode)
         self._files.append(FileInformation(name, NO_TIME_NS, 0, 0))
         self._paths.append(name)
         path = self.folder / name
@@ -296,6 +298,18 @@ class BagWriter:
             f"it can't be written: {error.strerror}. What was recorded before is kept; if metadata.yaml is missing, "
             f"`ros2 bag reindex {self.folder}` writes it.",
         )
+
+
+def check_compression(folder: Path, settings: WriterSettings) -> None:
+    """Raise BagError unless the library of the compression is installed."""
+    methods = {"zstd" if settings.compression_mode else "", settings.storage.compression}
+    try:
+        if "zstd" in methods:
+            zstd()
+        if "lz4" in methods:
+            lz4_frame()
+    except CompressionError as error:
+        raise BagError(folder, str(error)) from None
 
 
 def make_queue(settings: WriterSettings) -> ChunkQueue:

@@ -12,15 +12,13 @@ from pathlib import Path
 
 from tfloom import __version__
 from tfloom._native import Chunk
-from tfloom.bag.reading.mcap_records import MAGIC, Opcode
+from tfloom.bag.reading.mcap_records import MAGIC, METADATA_KEY, METADATA_NAME, Opcode
 from tfloom.bag.values import Topic
 from tfloom.bag.writing import mcap_records as records
 from tfloom.bag.writing.mcap_records import ChunkPlace, McapChannel, MetadataPlace
 from tfloom.bag.writing.storage import StorageSettings
 
 __all__ = ["McapFile"]
-
-_METADATA_NAME = "rosbag2"
 
 
 class McapFile:
@@ -109,8 +107,8 @@ class McapFile:
         self._chunks.append(place)
 
     def _write_metadata(self, metadata: str) -> None:
-        octets = records.metadata(_METADATA_NAME, {"serialized_metadata": metadata})
-        place = MetadataPlace(self._size, len(octets), _METADATA_NAME)
+        octets = records.metadata(METADATA_NAME, {METADATA_KEY: metadata})
+        place = MetadataPlace(self._size, len(octets), METADATA_NAME)
         self._append(octets)
         self._metadata.append(place)
 

@@ -23,8 +23,14 @@ NO_TIME_NS = 0x7FFF_FFFF_FFFF_FFFF
 """The start of a bag without messages [ns]."""
 
 
-def empty_metadata(storage_id: str, file: str, custom_data: Mapping[str, str]) -> Metadata:
-    """Return the metadata of a bag of one file, without messages."""
+def empty_metadata(
+    storage_id: str, file: str, custom_data: Mapping[str, str], compression_mode: str = ""
+) -> Metadata:
+    """Return the metadata of a bag of one file, without messages.
+
+    It has the compression, because it is all that says of a file that its messages are compressed if its recorder is
+    killed.
+    """
     return Metadata(
         version=METADATA_VERSION,
         storage_identifier=storage_id,
@@ -32,8 +38,8 @@ def empty_metadata(storage_id: str, file: str, custom_data: Mapping[str, str]) -
         start_ns=NO_TIME_NS,
         message_count=0,
         topics=[],
-        compression_format="",
-        compression_mode="",
+        compression_format="zstd" if compression_mode else "",
+        compression_mode=compression_mode,
         relative_file_paths=[file],
         files=[FileInformation(file, NO_TIME_NS, 0, 0)],
         custom_data=dict(custom_data),

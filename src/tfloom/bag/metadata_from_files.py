@@ -32,7 +32,11 @@ def metadata_from_files(bag: Bag, files: Sequence[BagFile]) -> Metadata:
     filled = [each for each in files if each.message_count]
     start_ns = min((each.start_ns for each in filled), default=NO_TIME_NS)
     end_ns = max((each.end_ns for each in filled), default=start_ns)
-    is_compressed = any(each.is_compressed for each in files)
+    mode = ""
+    if any(each.is_compressed for each in files):
+        mode = "FILE"
+    elif any(each.storage.is_message_compressed for each in files):
+        mode = "MESSAGE"
     return Metadata(
         version=METADATA_VERSION,
         storage_identifier=storage_id_of(files[0].path) if files else "",
@@ -40,8 +44,8 @@ def metadata_from_files(bag: Bag, files: Sequence[BagFile]) -> Metadata:
         start_ns=start_ns,
         message_count=sum(each.message_count for each in files),
         topics=sorted(bag.topics.values()),
-        compression_format="zstd" if is_compressed else "",
-        compression_mode="FILE" if is_compressed else "",
+        compression_format="zstd" if mode else "",
+        compression_mode=mode,
         relative_file_paths=[each.path.name for each in files],
         files=[_information(each) for each in files],
         custom_data={},
