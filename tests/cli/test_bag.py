@@ -123,7 +123,7 @@ MISTAKES: list[tuple[tuple[str, ...], str]] = [
     (("record", "-a", "--custom-data", "a"), "--custom-data needs KEY=VALUE, not 'a'"),
     (("record", "-e", "("), "'(' is not a regular expression"),
     (("record", "-a", "-s", "sqlite3", "--storage-preset-profile", "fastwrite"), "a preset of mcap"),
-    (("play", "b1", "-r", "0"), "Value 0 must be greater than zero."),
+    (("play", "b1", "-r", "0"), "must be a number greater than zero, not '0'"),
     (("play", "b1", "-m", "a"), "'a' is no remap"),
     (("convert", "-i", "b1", "-o", "none.yaml"), "none.yaml: it can't be read: No such file"),
     (("convert", "-i", "b1", "-o", "empty.yaml"), 'must have the key "output_bags"'),

@@ -35,6 +35,18 @@ def tolerance(text: str) -> float:
     return value
 
 
+def positive(text: str) -> float:
+    """Return a number above 0.
+
+    Raises:
+        argparse.ArgumentTypeError: it is not a number, not above 0, or not finite.
+    """
+    value = _number(text)
+    if not 0.0 < value < math.inf:
+        raise argparse.ArgumentTypeError(f"must be a number greater than zero, not {text!r}")
+    return value
+
+
 def rate(text: str) -> float:
     """Return a rate [Hz]; the verb itself rejects one that isn't above zero, in the reference's words.
 
@@ -54,6 +66,15 @@ def count(text: str) -> int:
         argparse.ArgumentTypeError: it is not a number, negative, or beyond 32 bits.
     """
     return _whole(text, 0)
+
+
+def size(text: str) -> int:
+    """Return a number of bytes, or another whole number, 0 or more.
+
+    Raises:
+        argparse.ArgumentTypeError: it is not a number, negative, or beyond 63 bits.
+    """
+    return _whole(text, 0, INT64_END - 1)
 
 
 def positive_count(text: str) -> int:
@@ -99,11 +120,11 @@ def _number(text: str) -> float:
         return math.nan
 
 
-def _whole(text: str, least: int) -> int:
+def _whole(text: str, least: int, most: int = MOST) -> int:
     try:
         value = int(text)
     except ValueError:
         value = -1
-    if not least <= value <= MOST:
-        raise argparse.ArgumentTypeError(f"must be a whole number from {least} to {MOST}, not {text!r}")
+    if not least <= value <= most:
+        raise argparse.ArgumentTypeError(f"must be a whole number from {least} to {most}, not {text!r}")
     return value

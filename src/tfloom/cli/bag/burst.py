@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from tfloom.cli import numbers
 from tfloom.cli.bag import common, play_arguments
 
 
@@ -20,7 +21,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "-n",
         "--num-messages",
-        type=common.not_negative_int,
+        type=numbers.count,
         default=0,
         help="number of messages to publish (default 0: all)",
     )

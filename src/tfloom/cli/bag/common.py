@@ -38,33 +38,6 @@ def existing_file(text: str) -> str:
     return text
 
 
-def positive_float(text: str) -> float:
-    """Return a number above 0."""
-    value = _float(text)
-    if value <= 0.0:
-        raise argparse.ArgumentTypeError(f"Value {text} must be greater than zero.")
-    return value
-
-
-def not_negative_float(text: str) -> float:
-    """Return a number of 0 or more."""
-    value = _float(text)
-    if value < 0.0:
-        raise argparse.ArgumentTypeError(f"Value {text} must not be negative.")
-    return value
-
-
-def not_negative_int(text: str) -> int:
-    """Return a whole number of 0 or more."""
-    try:
-        value = int(text)
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"Value {text} is not a whole number.") from None
-    if value < 0:
-        raise argparse.ArgumentTypeError(f"Value {text} must not be negative.")
-    return value
-
-
 def regular_expression(text: str) -> str:
     """Return a valid regular expression."""
     try:
@@ -72,18 +45,6 @@ def regular_expression(text: str) -> str:
     except re.error as problem:
         raise argparse.ArgumentTypeError(f"'{text}' is not a regular expression: {problem}") from None
     return text
-
-
-def _float(text: str) -> float:
-    import math
-
-    try:
-        value = float(text)
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"Value {text} is not a number.") from None
-    if not math.isfinite(value):
-        raise argparse.ArgumentTypeError(f"Value {text} is not finite.")
-    return value
 
 
 def add_storage(parser: argparse.ArgumentParser, names: list[str] = STORAGES) -> None:

@@ -21,7 +21,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "-r",
         "--rate",
-        type=common.positive_float,
+        type=numbers.positive,
         default=1.0,
         help="seconds of the bag in a second, above 0 (default 1)",
     )
@@ -34,7 +34,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "-d",
         "--delay",
-        type=common.not_negative_float,
+        type=numbers.seconds,
         default=0.0,
         help="wait before playing, in each loop, in seconds (default 0)",
     )
@@ -44,7 +44,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     play_arguments.add_start_offset(parser)
     parser.add_argument(
         "--wait-for-all-acked",
-        type=common.not_negative_int,
+        type=numbers.count,
         default=-1,
         metavar="TIMEOUT",
         help="at the end, wait for this many milliseconds until reliable subscriptions have received all; 0: no limit",
@@ -84,7 +84,7 @@ def _add_clock(parser: argparse.ArgumentParser) -> None:
     group = parser.add_mutually_exclusive_group()
     group.add_argument(
         "--clock",
-        type=common.positive_float,
+        type=numbers.positive,
         nargs="?",
         const=DEFAULT_CLOCK_HZ,
         default=0.0,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING
 
+from tfloom.cli import numbers
 from tfloom.cli.bag import common
 
 if TYPE_CHECKING:
@@ -18,7 +19,7 @@ def add_path(parser: argparse.ArgumentParser) -> None:
     common.add_storage(parser)
     parser.add_argument(
         "--read-ahead-queue-size",
-        type=common.not_negative_int,
+        type=numbers.count,
         default=1000,
         help="number of messages that are read ahead, fewer of large ones (default 1000)",
     )
@@ -53,7 +54,7 @@ def add_start_offset(parser: argparse.ArgumentParser) -> None:
     """Add the flag for the time at which playing starts."""
     parser.add_argument(
         "--start-offset",
-        type=common.not_negative_float,
+        type=numbers.seconds,
         default=0.0,
         help="start this many seconds after the bag's start (default 0); what transient local topics held then is "
         "published first",

@@ -71,7 +71,7 @@ def _add_discovery(parser: argparse.ArgumentParser) -> None:
     add(
         "-p",
         "--polling-interval",
-        type=common.not_negative_int,
+        type=numbers.count,
         default=100,
         help="time between two looks at the graph in milliseconds (default 100)",
     )
@@ -89,20 +89,20 @@ def _add_writing(parser: argparse.ArgumentParser) -> None:
     add(
         "-b",
         "--max-bag-size",
-        type=common.not_negative_int,
+        type=numbers.size,
         default=0,
         help="size in bytes at which a file is completed and the next one begun (default 0: never)",
     )
     add(
         "-d",
         "--max-bag-duration",
-        type=common.not_negative_int,
+        type=numbers.size,
         default=0,
         help="seconds after which a file is completed and the next one begun (default 0: never)",
     )
     add(
         "--max-cache-size",
-        type=common.not_negative_int,
+        type=numbers.size,
         default=DEFAULT_CACHE_SIZE,
         help="size in bytes of each of two caches; what doesn't fit in is dropped and counted (default "
         f"{DEFAULT_CACHE_SIZE}, and for 0)",
