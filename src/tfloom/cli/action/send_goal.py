@@ -56,8 +56,8 @@ def main(args: argparse.Namespace) -> int:
         if not client.send(goal):
             print("Goal was rejected.")
             return 1
-        print(f"Goal accepted with ID: {key_of(client.goal_id).hex()}\n")
-        try:
+        try:  # from here on, because who reads that the goal is accepted may press Ctrl-C at once
+            print(f"Goal accepted with ID: {key_of(client.goal_id).hex()}\n")
             response = client.result()
         except KeyboardInterrupt:
             print("Canceling goal...")
