@@ -17,18 +17,19 @@ SHOWN = 20
 
 
 def for_each(
-    values: Iterable[Value], *, name: Callable[[Value], object] = str
+    values: Iterable[Value] | Callable[[], Iterable[Value]], *, name: Callable[[Value], object] = str
 ) -> Callable[[Callable[[Value], None]], Callable[[], None]]:
     """Make a test of one argument a test of all `values`, which fails once and names each value that failed.
 
     Args:
-        values: The cases; there must be at least one.
+        values: The cases; there must be at least one. A function that returns them is called when the test runs.
         name: What names a case in the report.
     """
-    cases = list(values)
+    known = values if callable(values) else list(values)
 
     def decorate(test: Callable[[Value], None]) -> Callable[[], None]:
         def run() -> None:
+            cases = list(known()) if callable(known) else known
             assert cases, "there are no cases"
             failed: list[tuple[object, str]] = []
             for case in cases:

@@ -25,3 +25,17 @@ def test_each_failed_case_is_named() -> None:
 def test_no_cases_fail() -> None:
     with pytest.raises(AssertionError, match="there are no cases"):
         for_each([])(lambda _: None)()
+    with pytest.raises(AssertionError, match="there are no cases"):
+        for_each(list)(lambda _: None)()
+
+
+def test_cases_of_a_function_are_found_when_the_test_runs() -> None:
+    cases: list[int] = []
+
+    @for_each(lambda: cases)
+    def test(value: int) -> None:
+        assert value != 2
+
+    cases += [1, 2]
+    with pytest.raises(pytest.fail.Exception, match="1 of 2 cases: 2"):
+        test()

@@ -14,7 +14,7 @@ import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-WORKERS_PER_CORE = 2
+WORKERS_PER_CORE = 3
 MOST_WORKERS = 16
 """Limited because all workers use DDS domains from the same 70."""
 TESTS = ROOT / "tests"

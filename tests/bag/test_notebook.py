@@ -7,7 +7,6 @@ import sys
 from pathlib import Path
 from typing import Any
 
-import matplotlib as mpl
 import pytest
 
 FOLDER = Path(__file__).parents[2] / "examples" / "bags"
@@ -36,7 +35,7 @@ def test_cells_run(
     names: dict[str, Any] = {}
     from matplotlib import pyplot as plt
 
-    with mpl.rc_context({"backend": "agg"}):
+    with plt.rc_context({"backend": "agg"}):
         for number, cell in enumerate(code_cells()):
             exec(compile(cell, f"cell {number}", "exec"), names)
         plt.close("all")

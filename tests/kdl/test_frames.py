@@ -12,7 +12,6 @@ import numpy as np
 import PyKDL
 import pytest
 from PyKDL import Equal, Frame, Rotation, SetToZero, Twist, Vector, Wrench, addDelta, diff, dot
-from scipy.spatial.transform import Rotation as Scipy
 
 from tfloom.kdl.frames import frame_of, transform_of
 from tfloom.tf2.transform import Transform
@@ -39,6 +38,8 @@ def near(a: object, b: object) -> bool:
 
 @pytest.mark.parametrize(("make", "axes"), [("RPY", "xyz"), ("EulerZYX", "ZYX"), ("EulerZYZ", "ZYZ")])
 def test_angles_make_the_matrix_of_scipy(make: str, axes: str) -> None:
+    from scipy.spatial.transform import Rotation as Scipy
+
     for angles in ANGLES:
         wanted = Scipy.from_euler(axes, angles).as_matrix()
         np.testing.assert_allclose(matrix(getattr(Rotation, make)(*angles)), wanted, atol=1e-15)
@@ -57,6 +58,8 @@ def test_angles_read_back_make_the_same_rotation(make: str, get: str) -> None:
 
 
 def test_axes_and_quaternions_equal_scipys() -> None:
+    from scipy.spatial.transform import Rotation as Scipy
+
     for angles in ANGLES:
         rotation, wanted = Rotation.RPY(*angles), Scipy.from_euler("xyz", angles)
         np.testing.assert_allclose(tuple(rotation.GetRot()), wanted.as_rotvec(), atol=1e-12)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import importlib
 import json
 from pathlib import Path
@@ -19,34 +20,48 @@ from tfloom.workspace.get_interfaces import get_interfaces
 
 ROOT = Path(__file__).parents[2]
 HOME = ROOT / "packages" / "tfloom-interfaces" / "src" / "tfloom_interfaces"
-FILES = generate.generate_extra(HOME)
-EXTRA = generate.load_definitions(HOME / "definitions")
-OWN = generate.load_definitions()
-SPECS = {message.name: message for each in (OWN | EXTRA).values() for message in spec.messages_of(each)}
 HASHES = json.loads((ROOT / "tests" / "golden" / "interface_hashes.json").read_text("utf-8"))["hashes"]
+own = functools.cache(generate.load_definitions)
 
 
-@for_each(FILES)
+@functools.cache
+def files() -> dict[str, str]:
+    return generate.generate_extra(HOME)
+
+
+@functools.cache
+def extra() -> dict[str, spec.Interface]:
+    return generate.load_definitions(HOME / "definitions")
+
+
+@functools.cache
+def specs() -> dict[str, spec.Message]:
+    return {
+        message.name: message for each in (own() | extra()).values() for message in spec.messages_of(each)
+    }
+
+
+@for_each(files)
 def test_regenerates_without_difference(path: str) -> None:
-    assert (HOME / path).read_text("utf-8") == FILES[path], "run python -m tfloom.rosidl.generate"
+    assert (HOME / path).read_text("utf-8") == files()[path], "run python -m tfloom.rosidl.generate"
 
 
 def test_nothing_is_left_of_old_definitions() -> None:
     on_disk = {path.relative_to(HOME).as_posix() for path in HOME.glob("interfaces/*/*.py")}
-    assert on_disk == {path for path in FILES if path.startswith("interfaces/")}
+    assert on_disk == {path for path in files() if path.startswith("interfaces/")}
 
 
 def test_the_names_of_its_packages_are_those_in_error_texts() -> None:
-    packages = {name.partition("/")[0] for name in EXTRA}
+    packages = {name.partition("/")[0] for name in extra()}
     assert packages == set(definition_files.EXTRA_PACKAGES)
-    assert not packages & {name.partition("/")[0] for name in OWN}
+    assert not packages & {name.partition("/")[0] for name in own()}
 
 
 def test_what_is_installed_is_this_checkouts() -> None:
     prefix = definition_files.extra_prefix()
     assert prefix is not None, "run `make setup`"
-    for path in FILES:
-        assert (prefix / path).read_text("utf-8") == FILES[path], "run `make setup`"
+    for path in files():
+        assert (prefix / path).read_text("utf-8") == files()[path], "run `make setup`"
 
 
 @pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.__name__)
@@ -60,15 +75,15 @@ def test_each_facade_keeps_the_rules_of_facades(rule: Rule) -> None:
     assert not broken, "\n".join(broken)
 
 
-@for_each(sorted(EXTRA))
+@for_each(lambda: sorted(extra()))
 def test_each_is_found_by_name_and_by_import(name: str) -> None:
     package, kind, base = name.split("/")
     cls = find_class(name)
-    assert type_hash(EXTRA[name], SPECS.__getitem__) == cls._TYPE_HASH
+    assert type_hash(extra()[name], specs().__getitem__) == cls._TYPE_HASH
     assert getattr(importlib.import_module(f"{package}.{kind}"), base) is cls
     assert cls.__module__ == f"tfloom_interfaces.interfaces.{package}.{kind}"
     assert f"{kind}/{base}" in get_interfaces([package])[package]
-    for message in spec.messages_of(EXTRA[name]):
+    for message in spec.messages_of(extra()[name]):
         made = class_table.find(message.name)()
         assert cdr.decode(type(made), cdr.encode(made)) == made
 
@@ -85,7 +100,7 @@ def written_parts() -> list[spec.Message]:
     The parts of services and actions get names of messages, because rosbags hashes those alone.
     """
     parts: list[spec.Message] = []
-    for each in EXTRA.values():
+    for each in extra().values():
         if isinstance(each, spec.Service):
             parts += [each.request, each.response]
         elif isinstance(each, spec.Action):
@@ -103,7 +118,7 @@ def message_name(name: str) -> str:
 def add_to(store: Typestore, message: spec.Message) -> None:
     for name in message.references:
         if name not in store.fielddefs:
-            add_to(store, SPECS[name])
+            add_to(store, specs()[name])
     text = "".join(f"{field.type} {field.name}\n" for field in message.fields)
     store.register(get_types_from_msg(text, message.name))
 
@@ -112,4 +127,4 @@ def add_to(store: Typestore, message: spec.Message) -> None:
 def test_hashes_are_those_of_rosbags(message: spec.Message) -> None:
     store = get_typestore(Stores.EMPTY)
     add_to(store, message)
-    assert store.hash_rihs01(message.name) == type_hash(message, SPECS.__getitem__)
+    assert store.hash_rihs01(message.name) == type_hash(message, specs().__getitem__)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from pathlib import Path
 from typing import Any
 
@@ -12,17 +13,17 @@ from tfloom.rosidl import cdr, generate, sources, spec
 from tfloom.rosidl.parse import parse_interface
 
 HOME = Path(tfloom.rosidl.__file__).parents[1]
-FILES = generate.generate_all()
+files = functools.cache(generate.generate_all)
 
 
-@for_each(FILES)
+@for_each(files)
 def test_regenerated_files_are_identical(path: str) -> None:
-    assert (HOME / path).read_text("utf-8") == FILES[path], "run python -m tfloom.rosidl.generate"
+    assert (HOME / path).read_text("utf-8") == files()[path], "run python -m tfloom.rosidl.generate"
 
 
 def test_no_file_of_a_removed_definition_remains() -> None:
     on_disk = {path.relative_to(HOME).as_posix() for path in HOME.glob("interfaces/*/*.py")}
-    assert on_disk == {path for path in FILES if path.startswith("interfaces/")}
+    assert on_disk == {path for path in files() if path.startswith("interfaces/")}
 
 
 def test_class_with_the_name_of_a_referenced_one() -> None:
