@@ -22,6 +22,8 @@ from tfloom.rmw.errors import NoBackendError
 from tfloom.testing import domains
 
 TIMEOUT_S = 30.0
+PYTEST = ("-m", "pytest", "-p", "no:hypothesispytest")
+"""The Python's words for a pytest in a process; without the plugin, which takes as long to start as pytest itself."""
 DOMAIN_FIXTURES = {"domain_id", "module_domain_id"}
 
 COLCON_PYTHON = {"COLCON_PYTHON_EXECUTABLE": str(Path(sys.executable).resolve())}
@@ -106,12 +108,12 @@ def node(make_node: Callable[..., Node]) -> Node:
 
 
 def wait_until(condition: Callable[[], object], timeout_s: float = TIMEOUT_S, what: str = "") -> None:
-    """Wait for a condition, checked every few milliseconds; fail the test if it stays false."""
+    """Wait for a condition, checked every 10 ms; fail the test if it stays false."""
     end = time.monotonic() + timeout_s
     while not condition():
         if time.monotonic() > end:
             pytest.fail(f"gave up after {timeout_s} s waiting for {what or condition}")
-        time.sleep(0.005)
+        time.sleep(0.01)
 
 
 @pytest.fixture(name="wait_until")
@@ -245,6 +247,7 @@ class Program:
     def __init__(self, command: Sequence[str | Path], **options: object) -> None:
         self.command = [str(part) for part in command]
         self.lines: list[str] = []
+        self._printed = threading.Condition()
         self.process = subprocess.Popen(  # type: ignore[call-overload]
             self.command,
             stdout=subprocess.PIPE,
@@ -259,7 +262,11 @@ class Program:
 
     def _read(self) -> None:
         for line in self.process.stdout:
-            self.lines.append(line.rstrip("\n"))
+            with self._printed:
+                self.lines.append(line.rstrip("\n"))
+                self._printed.notify_all()
+        with self._printed:
+            self._printed.notify_all()
 
     @property
     def output(self) -> str:
@@ -268,13 +275,18 @@ class Program:
     def wait_for(self, text: str, timeout_s: float = TIMEOUT_S) -> None:
         """Wait until a line contains `text`; fail with the whole output if the program ends before."""
         end = time.monotonic() + timeout_s
-        while not any(text in line for line in list(self.lines)):
+        while True:
+            count = len(self.lines)
             ended = self.process.poll() is not None
             if ended:
                 self._reader.join(1.0)
-            if time.monotonic() > end or (ended and not any(text in line for line in self.lines)):
+            if any(text in line for line in list(self.lines)):
+                return
+            if ended or time.monotonic() > end:
                 pytest.fail(f"{self.command} never printed {text!r}; it printed:\n{self.output}")
-            time.sleep(0.005)
+            with self._printed:
+                if len(self.lines) == count:
+                    self._printed.wait(0.05)  # no longer, because a child may hold the output open
 
     def wait(self, timeout_s: float = TIMEOUT_S) -> int:
         """Wait for the end and return the exit code."""

@@ -1,7 +1,7 @@
 """Run a tier of the tests: `python tools/run_tests.py [--slow | --ros] [PYTEST'S ARGUMENTS]`.
 
-A tier runs in two parts: first the few tests that measure time (marked `timing`), one on each of at most two cores;
-then the others, in parallel in several processes, because they wait more than they compute.
+A tier runs in two parts: first the few tests that measure time (marked `timing`), in three processes, because they
+hardly compute; then the others, in several processes for each core, because they wait more than they compute.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
+TIMING_WORKERS = 3
 WORKERS_PER_CORE = 3
 MOST_WORKERS = 16
 """Limited because all workers use DDS domains from the same 70."""
@@ -66,10 +67,10 @@ def main() -> int:
         rest.extend(map(str, ROS_TESTS))  # named, so that the process that reports loads their conftest, too
     marks = f"{tier} and ({options.marks})" if options.marks else tier
     by_file = ["--dist=loadfile", "--no-loadscope-reorder"]
-    pair = [f"--numprocesses={min(2, os.cpu_count() or 1)}", *by_file]
+    few = [f"--numprocesses={min(TIMING_WORKERS, workers())}", *by_file]
     files = [] if any(Path(each.partition("::")[0]).exists() for each in rest) else timing_files()
     parts = {
-        "measuring time": run(f"{marks} and timing", [*pair, *rest, *files]),
+        "measuring time": run(f"{marks} and timing", [*few, *rest, *files]),
         "others": run(f"{marks} and not timing", [f"--numprocesses={workers()}", *by_file, *rest]),
     }
     times = ", ".join(f"{name} {seconds:.0f} s" for name, (_, seconds) in parts.items())

@@ -236,6 +236,7 @@ def test_service_events_are_published(
     end(program)
 
 
+@pytest.mark.slow  # tests/cli/test_programs.py asks each program of the package the same, in one process
 @pytest.mark.parametrize("name", NAMES)
 def test_unknown_arguments_are_rejected(start_program: Start, name: str) -> None:
     program = start_program("tfloom", "run", "demo_nodes_py", name, "loudly")

@@ -87,7 +87,11 @@ def test_frame_follows_the_keys(
     assert [row[3] for row in rows] == [float(last["x"]), float(last["y"]), 0.0]
 
 
-@pytest.mark.parametrize("victim", PROGRAMS)
+@pytest.mark.parametrize(
+    # tests/test_tutorial.py kills the others, too
+    "victim",
+    [name if name == "echo" else pytest.param(name, marks=pytest.mark.slow) for name in PROGRAMS],
+)
 def test_each_program_can_be_killed_and_restarted(
     start: Callable[[str], Any], wait_until: Callable[..., None], victim: str
 ) -> None:

@@ -168,10 +168,11 @@ def test_finite_programs_end_with_their_output(scene: str, domain_id: int, start
         "services/add_client_in_asyncio.py",
         "services/add_client_in_thread.py",
         "topics/wait_once.py",
-        "parameters/tune.py",
-        "actions/fibonacci_client.py",
-        "lifecycle/manager.py",
-        "navigation/patrol.py",
+        # They wait by the same calls as those above.
+        pytest.param("parameters/tune.py", marks=pytest.mark.slow),
+        pytest.param("actions/fibonacci_client.py", marks=pytest.mark.slow),
+        pytest.param("lifecycle/manager.py", marks=pytest.mark.slow),
+        pytest.param("navigation/patrol.py", marks=pytest.mark.slow),
     ],
 )
 def test_waiting_program_ends_cleanly(

@@ -50,7 +50,7 @@ def test_the_launch_file_shows_the_robots_frames(domain_id: int, start_program: 
     pytest.importorskip("xacro", reason="xacro is not installed: pip install 'tfloom[robot]'")
     launch = start_program("tfloom", "launch", ROBOT / "display.launch.py", "robot:=wheeled", "delta:=0.0")
     launch.wait_for("[tf2_echo-3] - Translation: [0.250, 0.000, 0.200]")
-    assert "Robot initialized" in launch.output
+    launch.wait_for("Robot initialized")
     launch.signal(signal.SIGINT)
     assert launch.wait() == 0, launch.output
 

@@ -88,6 +88,7 @@ def user(domain_id: int) -> Iterator[User]:
     user.end()
 
 
+@pytest.mark.slow
 def test_ten_wagons_come_to_follow(
     prefix: Path, user: User, start_program: Callable[..., Any], wait_until: Callable[..., None]
 ) -> None:

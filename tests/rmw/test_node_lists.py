@@ -42,7 +42,7 @@ def test_the_recorded_endpoints_belong_to_the_recorded_nodes() -> None:
             assert bytes.fromhex(end["key"].replace("-", "")) in writers
 
 
-@settings(deadline=None)
+@settings(deadline=None, max_examples=40)
 @given(gid=st.binary(min_size=16, max_size=16), nodes=nodes)
 def test_encoded_lists_are_decoded(gid: bytes, nodes: list[NodeEnds]) -> None:
     assert decode(encode(gid, nodes)) == (gid, nodes)

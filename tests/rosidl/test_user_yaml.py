@@ -43,7 +43,7 @@ def test_a_text_beyond_a_limit_is_refused(read: Any, text: str, problem: str, li
 
 
 def test_text_without_aliases_has_no_limit_of_length() -> None:
-    assert len(load(f"[{'1, ' * 50_000}]")) == 50_000
+    assert len(load(f"[{'1, ' * 20_000}]")) == 20_000
     assert load("x" * (MOST_COPIED + 1)) == "x" * (MOST_COPIED + 1)
 
 

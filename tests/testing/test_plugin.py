@@ -11,6 +11,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from tests.conftest import PYTEST
 
 from tfloom.testing import plugin
 
@@ -35,7 +36,7 @@ def pytest_in(folder: Path, *words: str, **environment: str) -> str:
     (folder / "pytest.ini").write_text("[pytest]\naddopts = --strict-markers -p no:cacheprovider\n", "utf-8")
     options = ["-W", "ignore::pytest.PytestAssertRewriteWarning"]  # of an editable install
     result = subprocess.run(
-        [sys.executable, "-m", "pytest", *options, *words],
+        [sys.executable, *PYTEST, *options, *words],
         cwd=folder,
         env=os.environ | environment,
         capture_output=True,

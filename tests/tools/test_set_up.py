@@ -61,10 +61,12 @@ def environment(made: Path) -> Iterator[Path]:
     (made / set_up.RECORD).write_text(record, "utf-8")
 
 
+@pytest.mark.slow
 def test_repeated_run_keeps_the_environment(environment: Path) -> None:
     assert "Making" not in run_set_up(environment).stdout
 
 
+@pytest.mark.slow
 def test_missing_network_gives_the_remedy(environment: Path) -> None:
     done = run_set_up(
         environment,

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 from typing import NamedTuple
 
-from tests.conftest import COLCON_PYTHON
+from tests.conftest import COLCON_PYTHON, PYTEST
 
 BIN = Path(sys.executable).parent
 MANIFEST = """\
@@ -96,7 +96,13 @@ def colcon(folder: Path, *words: str, **environment: str) -> Built:
     result = subprocess.run(
         [BIN / "colcon", *words],
         cwd=folder,
-        env={**clean, "PATH": path, "PYTHONDONTWRITEBYTECODE": "", **environment},
+        env={
+            **clean,
+            "PATH": path,
+            "PYTHONDONTWRITEBYTECODE": "",
+            "PYTEST_ADDOPTS": " ".join(PYTEST[2:]),
+            **environment,
+        },
         capture_output=True,
         text=True,
         timeout=240,

@@ -12,6 +12,7 @@ from ament_copyright.main import main as copyright_main
 from ament_flake8.main import main as flake8_main
 from ament_flake8.main import main_with_errors
 from ament_pep257.main import main as pep257_main
+from tests.conftest import PYTEST
 from tests.workspace.conftest import BIN, colcon, write_files
 
 from tfloom.workspace.licenses import LICENSES, find_license
@@ -117,7 +118,7 @@ def test_it():
     main(argv=['.'])
 """
     write_files(here, {"test_it.py": text})
-    command = [sys.executable, "-m", "pytest", "-rs", "-p", "no:cacheprovider", "test_it.py"]
+    command = [sys.executable, *PYTEST, "-rs", "-p", "no:cacheprovider", "test_it.py"]
     result = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
     assert f"{library} is not installed: pip install {library}" in result.stdout
     assert "1 skipped" in result.stdout

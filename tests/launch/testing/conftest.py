@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import pytest
+from tests.conftest import PYTEST
 
 
 class Case(NamedTuple):
@@ -40,7 +41,7 @@ def run_pytest(folder: Path, files: Mapping[str, str], *words: str, **environmen
     (folder / "pytest.ini").write_text("[pytest]\nfaulthandler_timeout = 100\n")
     results = folder / "results.xml"
     clean = {name: value for name, value in os.environ.items() if not name.startswith(("PYTEST_", "CI"))}
-    command = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", f"--junit-xml={results}", *words]
+    command = [sys.executable, *PYTEST, "-p", "no:cacheprovider", f"--junit-xml={results}", *words]
     result = subprocess.run(
         command,
         cwd=folder,

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from tests.conftest import wait_until
+from tests.conftest import PYTEST, wait_until
 from tests.launch.testing.conftest import Run, run_pytest
 from tests.launch.testing.users import LAUNCH
 
@@ -463,7 +463,7 @@ def test_interrupt_ends_pytest_and_the_processes(text: str, tmp_path: Path) -> N
     (tmp_path / "test_interrupted.py").write_text(text)
     (tmp_path / "test_never.py").write_text(NEVER)
     program = subprocess.Popen(
-        [sys.executable, "-m", "pytest", "-p", "no:cacheprovider"],
+        [sys.executable, *PYTEST, "-p", "no:cacheprovider"],
         cwd=tmp_path,
         stdout=subprocess.PIPE,
         text=True,
