@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import sys
+import time
 
 import rclpy
 from rclpy.action import ActionServer
@@ -24,6 +25,9 @@ def weigh(request: Weigh.Request, response: Weigh.Response) -> object:
 
 
 def sort(goal_handle: object) -> object:
+    end_s = time.monotonic() + 20
+    while not node.count_subscribers("/sort/_action/feedback") and time.monotonic() < end_s:
+        time.sleep(0.01)  # the goal may arrive before its client's subscription is discovered
     goal_handle.publish_feedback(Sort.Feedback(done=1))
     goal_handle.succeed()
     return Sort.Result(sorted=sorted(goal_handle.request.parts, key=lambda part: part.name))
