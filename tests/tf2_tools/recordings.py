@@ -24,14 +24,16 @@ def transform(
     stamp_ns: int,
     translation: Sequence[float] = (0.0, 0.0, 0.0),
     yaw_rad: float = 0.0,
+    rotation_xyzw: Sequence[float] | None = None,
 ) -> TransformStamped:
-    """Return a stamped transform."""
+    """Return a stamped transform, turned about z or by a quaternion."""
     message = TransformStamped(child_frame_id=child)
     message.header.frame_id = parent
     message.header.stamp.sec, message.header.stamp.nanosec = divmod(stamp_ns, 1_000_000_000)
     moved, turned = message.transform.translation, message.transform.rotation
     moved.x, moved.y, moved.z = translation
-    turned.z, turned.w = math.sin(yaw_rad / 2), math.cos(yaw_rad / 2)
+    about_z = (0.0, 0.0, math.sin(yaw_rad / 2), math.cos(yaw_rad / 2))
+    turned.x, turned.y, turned.z, turned.w = about_z if rotation_xyzw is None else rotation_xyzw
     return message
 
 

@@ -75,11 +75,27 @@ def edge(
     return message
 
 
-def send_steadily(node: Node, *edges: tuple[str, str], **options: object) -> Steps:
-    """Publish moving edges at each step."""
+def send_steadily(
+    node: Node, *edges: tuple[str, str], topic: str = "/tf", qos: QoS | None = None, **options: object
+) -> Steps:
+    """Publish edges at each step, which move unless `options` fix them."""
     while True:
-        node.send(*(edge(*each, **options) for each in edges))  # type: ignore[arg-type]
+        node.send(*(edge(*each, **options) for each in edges), topic=topic, qos=qos)  # type: ignore[arg-type]
         yield
+
+
+def write_steadily(writer: Writer, data: bytes) -> Steps:
+    """Write the same bytes at each step."""
+    while True:
+        writer.write(data)
+        yield
+
+
+def scan_in(frame: str) -> bytes:
+    """Return a scan in this frame, as bytes."""
+    scan = LaserScan()
+    scan.header.frame_id = frame
+    return cdr.encode(scan)
 
 
 def clean(participant: Participant) -> Steps:
@@ -88,9 +104,7 @@ def clean(participant: Participant) -> Steps:
     node.send(edge("base_link", "laser", x=0.2), topic="/tf_static")
     scans = node.writer("/clean_scan", LaserScan)
     for _ in send_steadily(node, ("earth", "map"), ("map", "odom"), ("odom", "base_link")):
-        scan = LaserScan()
-        scan.header.frame_id = "laser"
-        scans.write(cdr.encode(scan))
+        scans.write(scan_in("laser"))
         yield
 
 
@@ -264,31 +278,19 @@ def static_on_tf(participant: Participant) -> Steps:
 def dynamic_on_tf_static(participant: Participant) -> Steps:
     """Publish a moving frame on /tf_static."""
     node = Node(participant, "dynamic_on_tf_static")
-    while True:
-        node.send(edge("world", "dynamic_on_tf_static/base"), topic="/tf_static")
-        yield
+    return send_steadily(node, ("world", "dynamic_on_tf_static/base"), topic="/tf_static")
 
 
 def volatile_static(participant: Participant) -> Steps:
     """Publish a fixed mounting on /tf_static without keeping it for late subscriptions."""
-    node = Node(participant, "volatile_static")
-    while True:
-        node.send(
-            edge("world", "volatile_static/camera", x=0.5),
-            topic="/tf_static",
-            qos=QoS(depth=100),
-        )
-        yield
+    node, edge_ids = Node(participant, "volatile_static"), ("world", "volatile_static/camera")
+    return send_steadily(node, edge_ids, topic="/tf_static", qos=QoS(depth=100), x=0.5)
 
 
 def best_effort(participant: Participant) -> Steps:
     """Publish a moving frame at best effort."""
-    node = Node(participant, "best_effort")
-    while True:
-        node.send(
-            edge("world", "best_effort/base"), qos=QoS(depth=100, reliability=ReliabilityPolicy.BEST_EFFORT)
-        )
-        yield
+    lossy = QoS(depth=100, reliability=ReliabilityPolicy.BEST_EFFORT)
+    return send_steadily(Node(participant, "best_effort"), ("world", "best_effort/base"), qos=lossy)
 
 
 def volatile_reader(participant: Participant) -> Steps:
@@ -302,28 +304,20 @@ def volatile_reader(participant: Participant) -> Steps:
 
 def unreadable(participant: Participant) -> Steps:
     """Publish bytes that are no TFMessage."""
-    node = Node(participant, "unreadable")
-    while True:
-        node.writer("/tf").write(bytes((0, 1, 0, 0)) + b"\xff" * 16)
-        yield
+    writer = Node(participant, "unreadable").writer("/tf")
+    return write_steadily(writer, bytes((0, 1, 0, 0)) + b"\xff" * 16)
 
 
 def other_type(participant: Participant) -> Steps:
     """Publish texts on /tf."""
-    node = Node(participant, "other_type")
-    while True:
-        node.writer("/tf", String).write(cdr.encode(String(data="no transform")))
-        yield
+    writer = Node(participant, "other_type").writer("/tf", String)
+    return write_steadily(writer, cdr.encode(String(data="no transform")))
 
 
 def unknown_header(participant: Participant) -> Steps:
     """Publish scans in a frame that nobody publishes."""
-    node = Node(participant, "unknown_header")
-    while True:
-        scan = LaserScan()
-        scan.header.frame_id = "unknown_header/laser"
-        node.writer("/unknown_header_scan", LaserScan).write(cdr.encode(scan))
-        yield
+    writer = Node(participant, "unknown_header").writer("/unknown_header_scan", LaserScan)
+    return write_steadily(writer, scan_in("unknown_header/laser"))
 
 
 def listener(participant: Participant) -> Steps:

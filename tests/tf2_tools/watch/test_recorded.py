@@ -6,38 +6,11 @@ import math
 from collections.abc import Sequence
 
 import pytest
+from tests.tf2_tools.recordings import MS, START_NS, recorded, transform
 
-from tfloom.interfaces.geometry_msgs.msg import TransformStamped
-from tfloom.interfaces.tf2_msgs.msg import TFMessage
-from tfloom.rosidl import cdr
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2_tools.watch.model import Edge
 from tfloom.tf2_tools.watch.recorded import RecordedMessage, observe_recorded
-
-START_NS = 1_700_000_000_000_000_000
-MS = 1_000_000
-
-
-def transform(
-    parent: str,
-    child: str,
-    stamp_ns: int,
-    translation: Sequence[float] = (0.0, 0.0, 0.0),
-    rotation_xyzw: Sequence[float] = (0.0, 0.0, 0.0, 1.0),
-) -> TransformStamped:
-    """Return a stamped transform."""
-    message = TransformStamped(child_frame_id=child)
-    message.header.frame_id = parent
-    message.header.stamp.sec, message.header.stamp.nanosec = divmod(stamp_ns, 1_000_000_000)
-    moved, turned = message.transform.translation, message.transform.rotation
-    moved.x, moved.y, moved.z = translation
-    turned.x, turned.y, turned.z, turned.w = rotation_xyzw
-    return message
-
-
-def recorded(received_ns: int, *transforms: TransformStamped, topic: str = "/tf") -> RecordedMessage:
-    """Return a message as a recording holds it."""
-    return topic, received_ns, cdr.encode(TFMessage(transforms=list(transforms)))
 
 
 def only_edge(*messages: RecordedMessage) -> Edge:
