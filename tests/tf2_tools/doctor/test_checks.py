@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from itertools import count
 
 import pytest
@@ -10,8 +11,9 @@ from tests.tf2_tools.doctor.observing import START_S, S, Scene
 
 from tfloom.rmw.base import EndpointInfo, NodeName, Topic
 from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
+from tfloom.tf2_tools.doctor.diagnosis import diagnose
 from tfloom.tf2_tools.doctor.finding import Source
-from tfloom.tf2_tools.doctor.subject import FrameUse
+from tfloom.tf2_tools.doctor.subject import FrameUse, Subject
 
 
 def test_a_steady_edge_has_no_findings() -> None:
@@ -286,3 +288,20 @@ def test_unknown_frames_in_headers(frame: str, hint: str) -> None:
 
 def test_the_start_is_where_tests_expect_it() -> None:
     assert Scene().subject().times_ns[0] == START_S * S
+
+
+def test_rates_of_a_simulation_are_those_of_its_own_time() -> None:
+    slow = Scene()
+    for step in range(20):
+        slow.send("map", "base", 0.034 * step, late_s=0.3 * step)
+    assert "TF404" in codes_of(slow.subject())
+    assert codes_of(replace(slow.subject(), is_simulated=True)).isdisjoint({"TF404", "TF405", "TF406"})
+    fast = Scene()
+    for step in range(20):
+        fast.send("map", "base", 0.6 * step, late_s=20.0 - 0.59 * step)
+    assert codes_of(replace(fast.subject(), is_simulated=True)) & {"TF404", "TF405", "TF406"} == {"TF404"}
+
+
+def codes_of(subject: Subject) -> set[str]:
+    """Return the codes of the findings on a subject."""
+    return {finding.code for finding in diagnose(subject)}

@@ -27,7 +27,11 @@ def check_rates(subject: Subject, limits: Limits) -> Iterator[Finding]:
 
 def _rarity(subject: Subject, edge: Edge, limits: Limits) -> Evidence | None:
     seen = edge.statistics
-    if seen.receipt_period.count > 1:
+    if (
+        subject.is_simulated and seen.stamp_period.count > 1
+    ):  # a simulation's seconds may be longer or shorter
+        period_s = seen.stamp_period.mean
+    elif seen.receipt_period.count > 1:
         period_s = seen.receipt_period.mean
     else:
         period_s = (subject.times_ns[1] - seen.first_received_ns) / 1e9 / seen.count
@@ -73,13 +77,16 @@ def _gap(subject: Subject, edge: Edge, limits: Limits) -> Evidence | None:
     if seen.receipt_period.count < LEAST_COUNT:
         return None
     silent_s = (subject.times_ns[1] - seen.last_received_ns) / 1e9
-    gap_s, where = max(
-        (seen.receipt_period.greatest, "between two transforms"),
-        (seen.stamp_period.greatest, "between two stamps"),
-        (silent_s, f"until the end{', after its publisher left' * edge.publisher.has_left}"),
-    )
     mean_s, _ = without_longest(seen.receipt_period)
-    if gap_s <= limits.max_gap_s or gap_s <= GAP_PERIODS * mean_s:
+    by_stamp_s = without_longest(seen.stamp_period)[0] if seen.stamp_period.count >= LEAST_COUNT else mean_s
+    waits = (
+        (seen.receipt_period.greatest, mean_s, "between two transforms"),
+        (seen.stamp_period.greatest, by_stamp_s, "between two stamps"),
+        (silent_s, mean_s, f"until the end{', after its publisher left' * edge.publisher.has_left}"),
+    )
+    gaps = [wait for wait in waits if wait[0] > max(limits.max_gap_s, GAP_PERIODS * wait[1])]
+    if not gaps:
         return None
+    gap_s, mean_s, where = max(gaps)
     text = f"{gap_s:.3f} s {where}; its period is {mean_s:.3f} s"
     return evidence_of(edge, text, gap_s=gap_s, period_s=mean_s, count=seen.count)
