@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Iterator
 from contextlib import closing
+from dataclasses import replace
 
 import pytest
 
@@ -39,9 +40,10 @@ class Graph:
         return writer
 
     def lookup(self, target: str, source: str, *, asked_ns: int = 0, now_ns: int | None = None) -> Lookup:
-        """Look up at a time; `now_ns` replaces the time."""
+        """Look up at a time; `now_ns` replaces the time, also that of the observation."""
+        seen = self.watch.observation()
         return look_up(
-            self.watch.observation(),
+            seen if now_ns is None else replace(seen, taken_ns=now_ns),
             self.buffer,
             target,
             source,
@@ -162,3 +164,21 @@ def test_a_root_whose_publisher_has_left(graph: Graph) -> None:
     send(graph.writer(), "other", "camera", time.time_ns())
     text = said(graph.lookup("map", "camera"))
     assert "'camera' is in the tree of 'other' (2 frames), and 'map' in that of 'map' (3 frames)" in text
+
+
+def test_silence_is_measured_by_the_clock_of_receipts(graph: Graph) -> None:
+    simulated_ns = 100 * S
+    writer = graph.writer()
+    for step in range(10):
+        send(writer, "odom", "base", simulated_ns + step * S // 20)
+    lookup = look_up(
+        replace(graph.watch.observation(), taken_ns=time.time_ns() + 8 * S),
+        graph.buffer,
+        "odom",
+        "base",
+        asked_ns=simulated_ns + S,
+        now_ns=simulated_ns + S,
+        cache_time_ns=graph.buffer.cache_time_ns,
+    )
+    assert lookup.outcome == Outcome.FUTURE
+    assert "/driver has sent none for 8.0" in said(lookup)

@@ -15,11 +15,13 @@ from rich.text import Text
 from tests.tf2_tools.kept_pictures import WRITES
 from tests.tf2_tools.recordings import MS, START_NS, recorded, transform
 
+from tfloom._native import TfObserver
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2_tools.top.follow import follow_lines
 from tfloom.tf2_tools.top.lines import Line, Summary, screen, table
 from tfloom.tf2_tools.top.rows import Health, Rates, Row, rows_of
 from tfloom.tf2_tools.top.view import View
+from tfloom.tf2_tools.watch.model import observation_of
 from tfloom.tf2_tools.watch.recorded import RecordedMessage, observe_recorded
 
 REFERENCE = Path(__file__).parent / "screen.txt"
@@ -214,11 +216,13 @@ def test_rates_are_those_of_the_last_second() -> None:
 
 
 def test_ages_and_delays_are_by_the_clock_of_the_stamps() -> None:
-    messages = [
-        recorded(START_NS + i * 100 * MS, transform("map", "odom", 5_000 * MS + i * 100 * MS))
-        for i in range(30)
-    ]
-    seen = observe_recorded(messages, "test")
+    observer = TfObserver()
+    for i in range(30):
+        stamp_ns, received_ns = (5_000 + i * 100) * MS, START_NS + i * 700 * MS
+        observer.set_simulated_time(stamp_ns + 200 * MS)
+        _, _, data = recorded(received_ns, transform("map", "odom", stamp_ns))
+        assert observer.record(data, bytes(16), received_ns)
+    seen = observation_of(observer.snapshot(), {}, (START_NS, START_NS + 29 * 700 * MS))
     (_, row) = rows_of(seen, 5_000 * MS + 3_100 * MS, Rates())
     assert (row.age_s, row.delay_s, row.health) == (pytest.approx(0.2), pytest.approx(0.2), Health.OK)
 

@@ -19,6 +19,7 @@ from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
 from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 from tfloom.tf2.buffer import Buffer
+from tfloom.tf2_tools.top.rows import Health, Rates, rows_of
 from tfloom.tf2_tools.watch.live import LiveWatch
 from tfloom.tf2_tools.watch.model import Observation
 
@@ -135,4 +136,27 @@ def test_simulated_time_replaces_that_of_receipt() -> None:
             writer.write(message("odom", "base"))
             seen = watch.observation()
             assert seen.edges[0].statistics.delay.greatest == pytest.approx(5.0, abs=1.5)
-            assert seen.started_ns == seen.taken_ns == now_s * 1_000_000_000 + 7
+            assert watch.now_ns() == now_s * 1_000_000_000 + 7
+            assert seen.started_ns <= seen.edges[0].statistics.last_received_ns <= seen.taken_ns
+            assert seen.taken_ns <= time.time_ns()
+
+
+def test_rows_of_simulated_time_have_no_delay_of_years() -> None:
+    with closing(local.open_participant(0, "/")) as opened:
+        opened.add_node(ROBOT)
+        opened.add_node(WATCHER)
+        writer = open_writer(opened, "/tf", QoS())
+        clock = opened.create_writer(ROBOT, topic_of(Clock, "/clock"), QoS())
+        with closing(LiveWatch(opened, WATCHER, simulated=True)) as watch:
+            for step in range(10):
+                clock.write(cdr.encode(Clock(clock=Time(sec=100, nanosec=step * 1000))))
+                transform = TransformStamped(child_frame_id="base")
+                transform.header.frame_id = "odom"
+                transform.header.stamp = Time(sec=100, nanosec=step * 1000)
+                writer.write(cdr.encode(TFMessage(transforms=[transform])))
+            rates, seen = Rates(), watch.observation()
+            rates.add(seen)
+            row = rows_of(seen, watch.now_ns(), rates)[-1]
+            assert (row.child, row.health) == ("base", Health.OK)
+            assert row.delay_s == pytest.approx(0.0, abs=1e-9)
+            assert row.age_s == pytest.approx(0.0, abs=1e-5)

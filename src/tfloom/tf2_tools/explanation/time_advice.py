@@ -55,7 +55,7 @@ def _late(lookup: Lookup, span: Span) -> list[str]:
     if not lookup.seen.is_live:
         return ["The recording has no later one: ask for a time before, or for the latest."]
     statistics = edge.statistics
-    silent_s = (lookup.now_ns - statistics.last_received_ns) / NS_PER_S
+    silent_s = (lookup.seen.taken_ns - statistics.last_received_ns) / NS_PER_S
     longest_s = max(statistics.receipt_period.greatest, statistics.stamp_period.greatest)
     if edge.publisher.has_left:
         return [
@@ -116,7 +116,7 @@ def _short_history(lookup: Lookup, span: Span) -> str:
             f"A buffer keeps {seconds_text(cache_s)}: create it with a longer history, for example "
             f"Buffer(cache_time=Duration(seconds={needed_s})), or look up sooner."
         )
-    listened_s = (lookup.now_ns - lookup.seen.started_ns) / NS_PER_S
+    listened_s = (lookup.seen.taken_ns - lookup.seen.started_ns) / NS_PER_S
     return (
         f"This command has listened for {seconds_text(listened_s)} only. A node that has listened for longer may have "
         "it; one that has just started must wait, or ask for the latest time."

@@ -62,7 +62,7 @@ class Row(NamedTuple):
     age_s: float | None
     """Time since the newest stamp; None for a static edge."""
     delay_s: float | None
-    """Time from the last stamp to its receipt; None for a static edge."""
+    """Time from the last stamp to its receipt, by a simulation's clock their mean; None for a static edge."""
     publisher: str
     health: Health
     note: str
@@ -197,7 +197,9 @@ def _row(edge: Edge, prefix: str, faults: list[str], clock: Clock, rates: Rates)
         if statistics.zero_stamps:
             faults.append("stamp 0")
         age_s = (clock.taken_ns + clock.ahead_ns - statistics.newest_stamp_ns) / 1e9
-        delay_s = (statistics.last_received_ns + clock.ahead_ns - statistics.last_stamp_ns) / 1e9
+        delay_s = (statistics.last_received_ns - statistics.last_stamp_ns) / 1e9
+        if clock.ahead_ns:  # a simulation's time when the last one came is not known
+            delay_s = statistics.delay.mean
         if delay_s < -AHEAD_S:
             faults.append("stamped ahead of now")
         health = _health(edge, age_s, delay_s, clock)

@@ -66,7 +66,7 @@ class LiveWatch:
         self._readers: list[Reader] = []
         self._sinks: list[TfObserverSink] = []
         self._loose: dict[bool, TfObserverSink] = {}
-        self._started_ns = 0
+        self._started_ns = time.time_ns()
         if simulated:
             self._read_clock()
         for is_static, qos in enumerate(REQUESTED_QOS):
@@ -86,7 +86,6 @@ class LiveWatch:
 
     def look(self) -> None:
         """Read the graph if it has changed: publishers' names, and those of another quality."""
-        self._started_ns = self._started_ns or self.now_ns()
         graph = self._participant.graph
         if (changes := graph.changes()) == self._changes:
             return
@@ -120,7 +119,10 @@ class LiveWatch:
         reader.feed(self._observer.clock_sink())
 
     def now_ns(self) -> int:
-        """Return the time [ns since epoch]: this machine's, or that on /clock, 0 before it is known."""
+        """Return the time with which stamps are compared [ns since epoch].
+
+        It is this machine's, or that on /clock, 0 before it is known.
+        """
         simulated_ns = self._observer.simulated_time()
         return time.time_ns() if simulated_ns is None else simulated_ns
 
@@ -138,7 +140,7 @@ class LiveWatch:
         return observation_of(
             self._observer.snapshot(),
             self._described,
-            (self._started_ns, self.now_ns()),
+            (self._started_ns, time.time_ns()),
             topics=self._topics,
             endpoints=self._endpoints,
             is_live=True,

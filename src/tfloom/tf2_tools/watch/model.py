@@ -131,9 +131,12 @@ class Observation:
     children: Mapping[str, TfChild]
     """By the frame's name."""
     started_ns: int
-    """When the observation began; of a recording: the time of its first message [ns since epoch]."""
+    """When the observation began, by the clock of receipts [ns since epoch].
+
+    Of a recording: the time of its first message.
+    """
     taken_ns: int
-    """When this was taken; of a recording: the time of its last message [ns since epoch]."""
+    """When this was taken, by the clock of receipts; of a recording: the time of its last message."""
     unrecorded: int = 0
     """Number of transforms beyond the observer's limits."""
     is_live: bool = False
@@ -182,7 +185,8 @@ def observation_of(
     Args:
         snapshot: The snapshot.
         described: What is known of publishers, by gid.
-        times_ns: When the observation began, and when the snapshot was taken [ns since epoch].
+        times_ns: When the observation began, and when the snapshot was taken, by the clock of receipts [ns since
+            epoch].
         topics: The topics of moving and of static transforms.
         endpoints: All other endpoints of these topics on the graph.
         is_live: Whether it is of a graph.
