@@ -373,7 +373,7 @@ void bind_contents(nb::class_<BufferHandle>& type) {
             if (self.buffer->cache_time() == tf2::unlimited) return std::nullopt;
             return self.buffer->cache_time();
           },
-          "Length of each frame's history, back from its newest sample [ns]; None: without limit.")
+          "Length of each frame's history, back from its newest sample [ns]; None if without limit.")
       .def(
           "set_log_callback",
           [](BufferHandle& self, std::optional<LogCallable> callback) {

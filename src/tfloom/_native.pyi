@@ -556,7 +556,7 @@ class Buffer:
     @property
     def cache_time_ns(self) -> int | None:
         """
-        Length of each frame's history, back from its newest sample [ns]; None: without limit.
+        Length of each frame's history, back from its newest sample [ns]; None if without limit.
         """
 
     def set_log_callback(self, callback: Callable[[int, str], object] | None) -> None:

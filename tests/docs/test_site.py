@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import importlib
+import inspect
 import re
 import subprocess
 import sys
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -24,6 +27,28 @@ INTERNAL = {
     "tf2_ros.numpy_compat": "used by point_cloud2",
 }
 """Modules without an entry, and why."""
+PAGES = [*ROOMS, *sorted(CHOSEN)]
+PARTS = {"bag.metadata", "bag.reading.bag_file", "bag.writing.storage"}
+"""Modules of which a page has some classes, which values of others have."""
+NO_ENTRY = {
+    "robot.urdf.UrdfError": "it is in robot.urdf_error",
+    "tf2.arrays.Arrays": "its methods are Buffer's",
+    "tf2.frames.Frames": "its methods are Buffer's",
+    "tf2.trajectory.chosen_stamps": "used by arrays",
+    "tf2.velocity.Velocities": "its methods are Buffer's",
+}
+"""Public names without an entry, and why."""
+PACKAGES = {
+    "tfloom.bag": 9,
+    "tf2_ros": 18,
+    "tf2_geometry_msgs": 21,
+    "tf2_sensor_msgs": 2,
+    "sensor_msgs_py.point_cloud2": 7,
+    "message_filters": 6,
+    "tf_transformations": 41,
+    "tf2_kdl": 8,
+}
+"""Packages that programs import, and how many of their names are classes and functions of the four rooms."""
 
 
 def documented(page: str) -> set[str]:
@@ -49,11 +74,13 @@ def test_every_public_module_has_an_entry() -> None:
             assert (ROOT / "src" / "tfloom" / f"{name.replace('.', '/')}.py").is_file(), name
 
 
-@pytest.mark.slow
-def test_site_builds_without_a_warning(tmp_path: Path) -> None:
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Build the site, without a warning, and return its folder."""
     pytest.importorskip("sphinx", reason="sphinx is not installed: make setup")
+    folder = tmp_path_factory.mktemp("site")
     done = subprocess.run(
-        [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-b", "html", DOCS, tmp_path],
+        [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-b", "html", DOCS, folder],
         capture_output=True,
         text=True,
         timeout=600,
@@ -61,6 +88,98 @@ def test_site_builds_without_a_warning(tmp_path: Path) -> None:
         cwd=ROOT,
     )
     assert (done.returncode, done.stderr) == (0, "")
-    page = (tmp_path / "api" / "tf2.html").read_text("utf-8")
-    assert 'id="tfloom.tf2.buffer.Buffer.lookup"' in page
+    return folder
+
+
+def api_page(site: Path, name: str) -> str:
+    return (site / "api" / f"{name}.html").read_text("utf-8")
+
+
+def entries(site: Path) -> set[str]:
+    """Return the names of all objects that the API pages describe."""
+    return {
+        name
+        for page in PAGES
+        for name in re.findall(r'<dt class="sig[^>]* id="([^"]+)"', api_page(site, page))
+    }
+
+
+def public_names(module: str) -> set[str]:
+    """Return `__all__` of a module, or else its classes and functions."""
+    loaded = importlib.import_module(module)
+    if (listed := getattr(loaded, "__all__", None)) is not None:
+        return set(listed)
+    found = {
+        name: value
+        for name, value in vars(loaded).items()
+        if not name.startswith("_") and (inspect.isclass(value) or inspect.isfunction(value))
+    }
+    return {name for name, value in found.items() if value.__module__ == module}
+
+
+def exported(package: str) -> dict[str, str]:
+    """Return the names of a package of programs, each with the object's own name, of objects of the four rooms."""
+    loaded = importlib.import_module(package)
+    values = {name: getattr(loaded, name) for name in dir(loaded) if not name.startswith("_")}
+    own = {
+        name: f"{value.__module__}.{value.__qualname__}"
+        for name, value in values.items()
+        if inspect.isclass(value) or inspect.isfunction(value)
+    }
+    rooms = tuple(f"tfloom.{page}." for page in PAGES)
+    return {name: text for name, text in own.items() if text.startswith(rooms)}
+
+
+@pytest.mark.slow
+def test_site_needs_no_network(site: Path) -> None:
+    page = api_page(site, "tf2")
     assert "https://" not in "".join(re.findall(r'<(?:script|link)[^>]*(?:src|href)="([^"]*)"', page))
+
+
+@pytest.mark.slow
+def test_every_public_name_has_an_entry(site: Path) -> None:
+    found = entries(site)
+    modules = {name for page in PAGES for name in documented(page)} - PARTS
+    assert len(modules) > 30
+    missing = {
+        f"{module}.{name}"
+        for module in modules
+        for name in public_names(f"tfloom.{module}")
+        if f"tfloom.{module}.{name}" not in found
+    }
+    assert missing == set(NO_ENTRY)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("package", PACKAGES)
+def test_every_exported_name_has_an_entry(site: Path, package: str) -> None:
+    names = exported(package)
+    assert len(names) >= PACKAGES[package]
+    assert set(names.values()) <= entries(site)
+
+
+@pytest.mark.slow
+def test_names_of_entries_are_links(site: Path) -> None:
+    """A class, method or function that a docstring names by its whole name is a link."""
+    ends = Counter(end for name in entries(site) for end in (name, ".".join(name.rsplit(".", 2)[-2:])))
+    for page in PAGES:
+        text = api_page(site, page)
+        plain = set(
+            re.findall(r'(?<!">)<code class="xref py[^"]*"><span class="pre">([^<]+)</span></code>', text)
+        )
+        assert {name for name in plain if ends[name] == 1} == set()
+        links = re.findall(r'<a class="reference internal" href="[^"]*#tfloom\.[^"]*"', text)
+        assert len(links) >= 10
+
+
+@pytest.mark.slow
+def test_docstrings_are_rendered(site: Path) -> None:
+    for page in PAGES:
+        text = api_page(site, page)
+        assert "system-message" not in text
+        assert "Alias for field number" not in text, "a field without a docstring"
+        signatures = " ".join(re.findall(r"<dt class=\"sig.*?</dt>", text, re.DOTALL))
+        shown = re.sub(r"<[^>]+>", "", signatures)
+        assert not re.findall(r"TypeAliasForwardRef|_NestedSequence|ndarray\[|\(self\b| object at 0x", shown)
+        typed = r'id="([^"]+)"(?:(?!<dt class="sig).)*?<dt class="field-\w+">Type<'
+        assert not re.findall(typed, text, re.DOTALL), "napoleon takes what precedes a colon for a type"

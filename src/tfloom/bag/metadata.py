@@ -27,31 +27,42 @@ class FileInformation(NamedTuple):
     """A file of a recording, as metadata.yaml describes it."""
 
     path: str
+    """Its path below the folder."""
     start_ns: int
+    """Its least log time [ns since epoch]."""
     duration_ns: int
+    """From its least log time to its greatest [ns]."""
     message_count: int
+    """Number of its messages."""
 
 
 class Metadata(NamedTuple):
     """The content of metadata.yaml."""
 
     version: int
+    """Version of its format, 1 to 9."""
     storage_identifier: str
     """`mcap` or `sqlite3`."""
     duration_ns: int
+    """From the least log time to the greatest [ns]."""
     start_ns: int
     """The least log time [ns since epoch]."""
     message_count: int
+    """Number of messages."""
     topics: list[Topic]
+    """The topics, with their numbers of messages."""
     compression_format: str
     """`zstd`; empty if files and messages are not compressed as a whole."""
     compression_mode: str
     """`FILE` or `MESSAGE`, in any case; empty without compression."""
     relative_file_paths: list[str]
+    """The files, in the order of recording."""
     files: list[FileInformation]
     """Empty before version 5, and after reindexing."""
     custom_data: dict[str, str]
+    """What the recorder was given by `--custom-data`."""
     ros_distro: str
+    """Name of the recorder's ROS distribution; empty if the file does not have it."""
 
 
 def read_metadata(folder: Path) -> Metadata:

@@ -11,8 +11,9 @@ if TYPE_CHECKING:
 __all__ = ["EARLIEST", "LATEST", "Definition", "Progress", "RawMessage", "Storage", "Topic", "bounded"]
 
 EARLIEST = 0
+"""The least log time [ns since epoch]."""
 LATEST = 2**63 - 1
-"""The bounds of log times [ns since epoch]."""
+"""The greatest log time [ns since epoch]."""
 
 
 def bounded(start_ns: int | None, end_ns: int | None) -> tuple[int, int]:
@@ -42,6 +43,7 @@ class Topic(NamedTuple):
     """A topic of a recording."""
 
     name: str
+    """Its name, with the slash that it begins with."""
     type: str
     """`package/msg/Name`."""
     serialization_format: str = "cdr"
@@ -51,13 +53,16 @@ class Topic(NamedTuple):
     offered_qos: str = ""
     """The publishers' profiles as YAML, as storages have it; empty if the recording doesn't have them."""
     definition: Definition | None = None
+    """The definition of its type; None if the recording doesn't have it."""
     message_count: int = 0
+    """Number of its messages in the recording."""
 
 
 class RawMessage(NamedTuple):
     """A recorded message."""
 
     topic: str
+    """Its topic's name."""
     log_time_ns: int
     """When it was received [ns since epoch]."""
     publish_time_ns: int

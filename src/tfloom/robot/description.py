@@ -58,7 +58,7 @@ class Joint:
     """Line of the description, from 1."""
     limit: Limit | None = None
     soft_limit: Limit | None = None
-    """Range of the safety controller, without the ends that are not given: they are infinite."""
+    """Range of the safety controller, without the ends that are not given, which are infinite."""
     mimic: Mimic | None = None
 
 

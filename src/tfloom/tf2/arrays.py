@@ -27,7 +27,7 @@ class Poses(NamedTuple):
     rotations_xyzw: NDArray[np.float64]
     """(N, 4) unit quaternions."""
     known: NDArray[np.bool_]
-    """(N,) bool: False where the lookup failed; the row is then NaN."""
+    """(N,) bool, False where the lookup failed; the row is then NaN."""
 
     def matrices(self) -> NDArray[np.float64]:
         """Return them as matrices (N, 4, 4)."""
@@ -148,7 +148,7 @@ class Arrays(Frames):
             out: Array to write into, of the points' shape and type, C-contiguous; it may be `points`.
 
         Returns:
-            (N, 3) of the points' type: `out`, or a new array.
+            `out`, or a new array: (N, 3) of the points' type.
 
         Raises:
             TransformException: as `lookup`.
@@ -189,7 +189,7 @@ class Arrays(Frames):
             workers: Number of threads.
 
         Returns:
-            (N, 3) of the points' type: `out`, or a new array.
+            `out`, or a new array: (N, 3) of the points' type.
 
         Raises:
             TransformException: as `lookup`; for a point's stamp, its `index` is the point's.

@@ -18,7 +18,7 @@ class Buffer(Velocities):
     Args:
         cache_time_ns: Length of each frame's history, before its newest sample [ns]; None: no limit.
 
-    Rejected transforms are logged to the logger `tfloom.tf2`, or by the function of `set_log_callback`.
+    Rejected transforms are logged to the logger ``tfloom.tf2``, or by the function of `set_log_callback`.
     """
 
     def __init__(self, cache_time_ns: int | None = DEFAULT_CACHE_TIME_NS) -> None:

@@ -20,9 +20,11 @@ class Explanation(NamedTuple):
     """The chain of a lookup, and the reason why it fails."""
 
     target_frame: str
+    """The frame of the result."""
     source_frame: str
+    """The frame that was looked up in it."""
     stamp_ns: int
-    """The requested time [ns since epoch]; 0: the latest."""
+    """The requested time [ns since epoch]; 0 is the latest."""
     chain: list[str]
     """The frames from the source to the target; where they are not connected, the path from each to its root."""
     edges: list[Edge]

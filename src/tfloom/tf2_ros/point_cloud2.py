@@ -26,6 +26,7 @@ __all__ = [
 ]
 
 DUMMY_FIELD_PREFIX = "unnamed_field"
+"""Prefix of the names that `dtype_from_fields` gives to fields without a name."""
 
 _DATATYPES = {
     PointField.INT8: "i1",

@@ -28,7 +28,9 @@ if TYPE_CHECKING:
 __all__ = ["DEFAULT_STATIC_TF_TOPIC", "DEFAULT_TF_TOPIC", "StaticTransformListener", "TransformListener"]
 
 DEFAULT_TF_TOPIC = "/tf"
+"""The topic of moving transforms."""
 DEFAULT_STATIC_TF_TOPIC = "/tf_static"
+"""The topic of static transforms."""
 AUTHORITY = "default_authority"
 DEPTH = 100
 JOIN_TIMEOUT_S = 2.0

@@ -35,16 +35,19 @@ class WriterSettings(NamedTuple):
     """How a bag is written."""
 
     storage_id: str = "mcap"
+    """`mcap` or `sqlite3`."""
     storage: StorageSettings = StorageSettings()
+    """How its files are written."""
     max_file_size: int = 0
-    """A file of at least this size is the last one before the next [bytes]; 0: no limit."""
+    """A file of at least this size is the last one before the next [bytes]; 0 is no limit."""
     max_file_duration_ns: int = 0
-    """A message later than this after a file's first begins the next file; 0: no limit."""
+    """A message later than this after a file's first begins the next file; 0 is no limit."""
     cache_size: int = DEFAULT_CACHE_SIZE
-    """Half of the size of messages that may wait to be written [bytes]; 0: `DEFAULT_CACHE_SIZE`."""
+    """Half of the size of messages that may wait to be written [bytes]; 0 is `DEFAULT_CACHE_SIZE`."""
     compression_mode: str = ""
     """Empty, `FILE` or `MESSAGE`."""
     custom_data: Mapping[str, str] = {}
+    """Texts for metadata.yaml, by name."""
     is_snapshot: bool = False
     """Whether messages wait, the oldest discarded in a full cache, until `write_snapshot`."""
 

@@ -16,15 +16,19 @@ class StorageSettings(NamedTuple):
     """How a storage writes its files. Each storage uses some of these."""
 
     compression: str = ""
-    """Of chunks: empty, `lz4` or `zstd`."""
+    """Compression of chunks, `lz4` or `zstd`; empty for none."""
     level: str = "Default"
-    """Of compression: Fastest, Fast, Default, Slow or Slowest."""
+    """Level of compression, Fastest, Fast, Default, Slow or Slowest."""
     chunk_size: int = 768 * 1024
     """Size of a complete chunk [bytes]."""
     is_chunked: bool = True
+    """Whether messages are in chunks; compression needs them. MCAP's, as the next three."""
     has_message_index: bool = True
+    """Whether each chunk is followed by an index of its messages."""
     has_summary: bool = True
+    """Whether the file ends with a summary of schemas, channels and the places of chunks."""
     has_chunk_crc: bool = False
+    """Whether each chunk has a checksum."""
     pragmas: tuple[str, ...] = ()
     """Of sqlite3, in addition to those of the writer."""
 
