@@ -76,7 +76,10 @@ def draw(rows: list[Row], picture: Path) -> None:
     chosen = [by_name[name] for name in ROWS]
     heights = [len(row.times_ns) for row in chosen]
     figure, axes = plt.subplots(
-        len(chosen), figsize=(8, 0.34 * sum(heights) + 0.5 * len(chosen)), height_ratios=heights, sharex=True
+        len(chosen),
+        figsize=(5.6, 0.34 * sum(heights) + 0.5 * len(chosen)),
+        height_ratios=heights,
+        sharex=True,
     )
     for axis, row in zip(axes, chosen, strict=True):
         names, times = list(row.times_ns), list(row.times_ns.values())
@@ -87,9 +90,9 @@ def draw(rows: list[Row], picture: Path) -> None:
         axis.spines[["top", "right"]].set_visible(False)
         axis.tick_params(axis="both", labelsize=8)
         for place, time in enumerate(times):
-            ratio = f"  {float(f'{time / times[0]:.3g}'):,.10g} x" if place else ""
-            axis.text(time, place, f" {time_text(time)}{ratio}", va="center", fontsize=8)
-    axes[-1].set_xlim(1, 100 * max(max(row.times_ns.values()) for row in chosen))
+            ratio = f", {float(f'{time / times[0]:.3g}'):,.10g} x" if place else ""
+            axis.text(1.2 * time, place, f"{time_text(time)}{ratio}", va="center", fontsize=8)
+    axes[-1].set_xlim(1, 300 * max(max(row.times_ns.values()) for row in chosen))
     axes[-1].set_xlabel("time [ns], logarithmic; shorter is faster", fontsize=8)
     figure.tight_layout()
     figure.savefig(picture, metadata={"Date": None})
