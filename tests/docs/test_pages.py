@@ -36,10 +36,10 @@ def name_of(path: Path) -> str:
 
 
 @pytest.fixture
-def folder(tmp_path: Path) -> Path:
-    """Return a folder with the programs of the tutorial."""
-    for path in TUTORIAL:
-        for name, text in page.files(page.blocks(path)).items():
+def folder(tmp_path: Path, path: Path) -> Path:
+    """Return a folder with the programs of the tutorial, and of the page itself."""
+    for each in [*TUTORIAL, path]:
+        for name, text in page.files(page.blocks(each)).items():
             (tmp_path / name).write_text(text, "utf-8")
     return tmp_path
 
@@ -55,6 +55,8 @@ def test_commands_print_what_the_page_says(
 ) -> None:
     environment = os.environ | {"PATH": f"{BIN}{os.pathsep}{os.environ['PATH']}", "COLUMNS": "80"}
     for command in page.commands(page.blocks(path)):
+        if not shutil.which((word := command.words.split()[0]), path=environment["PATH"]):
+            pytest.skip(f"{path.name} runs {word!r}, which is not installed")
         expected = page.pattern(command.output)
         running = start_program("bash", "-c", f"exec {command.words}", cwd=folder, env=environment)
         where = f"{path.name}:{command.line}: {command.words}"
