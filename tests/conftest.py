@@ -24,6 +24,12 @@ from tfloom.testing import domains
 TIMEOUT_S = 30.0
 PYTEST = ("-m", "pytest", "-p", "no:hypothesispytest")
 """The Python's words for a pytest in a process; without the plugin, which takes as long to start as pytest itself."""
+LONG_FILES = {
+    "test_sanitized_extension.py",
+    *("test_installers.py", "test_release.py", "test_sanitizers.py", "test_user_programs.py"),
+    "test_colcon.py",
+}
+"""Files of both tiers that take longest; their tests run one after another."""
 DOMAIN_FIXTURES = {"domain_id", "module_domain_id"}
 
 COLCON_PYTHON = {"COLCON_PYTHON_EXECUTABLE": str(Path(sys.executable).resolve())}
@@ -57,7 +63,8 @@ def pytest_collection() -> Generator[None, object, object]:
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Mark the tests that take a domain as `wire`, and skip those marked so where there is no DDS library.
 
-    Their files are first, because a whole file is one worker's, and a long one that started last would run alone.
+    The longest files and those of the wire are first, because a whole file is one worker's, and a long one that
+    started last would run alone.
 
     In the CI each test has a second try, which the summary names, because a shared machine may stall for seconds.
     Elsewhere the first failure fails the test.
@@ -67,7 +74,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
             item.add_marker(pytest.mark.wire)
     wire = [item for item in items if item.get_closest_marker("wire")]
     wire_files = {item.path for item in wire}
-    items.sort(key=lambda item: item.path not in wire_files)
+    items.sort(key=lambda item: (item.path.name not in LONG_FILES, item.path not in wire_files))
     try:
         find_library()
     except NoBackendError as error:

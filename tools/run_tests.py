@@ -16,17 +16,22 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 TIMING_WORKERS = 3
 WORKERS_PER_CORE = 3
+SLOW_WORKERS_PER_CORE = 2
+"""Fewer, because slow tests compile and check types with several processes each."""
 MOST_WORKERS = 16
 """Limited because all workers use DDS domains from the same 70."""
 TESTS = ROOT / "tests"
+FEW_FILES = 30
+"""So few files that are not compiled cost less than another start of pytest."""
 ROS_TESTS = (TESTS / "ros_peer", TESTS / "drop_in")
 NOTHING_SELECTED = 5
 """pytest's exit code when it ran no test."""
 
 
-def workers() -> int:
+def workers(*, slow: bool) -> int:
     """Return the number of processes that run tests in parallel."""
-    return min(MOST_WORKERS, WORKERS_PER_CORE * (os.cpu_count() or 1))
+    each = SLOW_WORKERS_PER_CORE if slow else WORKERS_PER_CORE
+    return min(MOST_WORKERS, each * (os.cpu_count() or 1))
 
 
 def timing_files() -> list[str]:
@@ -43,11 +48,37 @@ def tier_of(*, slow: bool, ros: bool) -> str:
     return "slow" if slow else "not slow and not ros"
 
 
+def compile_tests() -> None:
+    """Have pytest compile each test file of a new clone once, because each worker would compile all of them."""
+    compiled = f"{sys.implementation.cache_tag}-pytest-*.pyc"
+    files = [
+        str(path)
+        for path in sorted(TESTS.rglob("test_*.py"))
+        if not any((path.parent / "__pycache__").glob(f"{path.stem}.{compiled}"))
+    ]
+    if len(files) < FEW_FILES:
+        return
+    cores = os.cpu_count() or 1
+    command = [sys.executable, "-m", "pytest", "--collect-only", "-qq"]
+    processes = [
+        subprocess.Popen([*command, *share], cwd=ROOT, env=environment(), stdout=subprocess.DEVNULL)
+        for share in (files[start::cores] for start in range(cores))
+        if share
+    ]
+    for process in processes:
+        process.wait()  # what can't be collected is said when the tests run
+
+
+def environment() -> dict[str, str]:
+    """Return the environment of the tests: they start a thousand processes, which must not compile all they import."""
+    return {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+
+
 def run(marks: str, arguments: list[str]) -> tuple[int, float]:
     """Run pytest on the tests that a mark expression selects; return its exit code and the time it took [s]."""
     started = time.monotonic()
     command = [sys.executable, "-m", "pytest", "-m", marks, *arguments]
-    code = subprocess.run(command, cwd=ROOT, check=False).returncode
+    code = subprocess.run(command, cwd=ROOT, env=environment(), check=False).returncode
     return code, time.monotonic() - started
 
 
@@ -67,11 +98,14 @@ def main() -> int:
         rest.extend(map(str, ROS_TESTS))  # named, so that the process that reports loads their conftest, too
     marks = f"{tier} and ({options.marks})" if options.marks else tier
     by_file = ["--dist=loadfile", "--no-loadscope-reorder"]
-    few = [f"--numprocesses={min(TIMING_WORKERS, workers())}", *by_file]
+    many = workers(slow=options.slow)
+    few = [f"--numprocesses={min(TIMING_WORKERS, many)}", *by_file]
     files = [] if any(Path(each.partition("::")[0]).exists() for each in rest) else timing_files()
+    if files:
+        compile_tests()
     parts = {
         "measuring time": run(f"{marks} and timing", [*few, *rest, *files]),
-        "others": run(f"{marks} and not timing", [f"--numprocesses={workers()}", *by_file, *rest]),
+        "others": run(f"{marks} and not timing", [f"--numprocesses={many}", *by_file, *rest]),
     }
     times = ", ".join(f"{name} {seconds:.0f} s" for name, (_, seconds) in parts.items())
     print(f"Tests that are {tier}: {times}")
