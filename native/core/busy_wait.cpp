@@ -64,7 +64,23 @@ bool BusyWait::wait(const std::atomic<bool>& is_over, std::optional<std::chrono:
   const bool was_sent = sent != messages_sent_;
   messages_sent_ = sent;
   if (!was_sent || usual_ > short_wait || !is_allowed()) return false;
-  const auto end = steady_clock::now() + std::min(limit.value_or(longest), longest);
+  if (pause_left_ > 0) {
+    --pause_left_;
+    return false;
+  }
+  if (look(is_over, std::min(limit.value_or(longest), longest))) {
+    failures_ = 0;
+    return true;
+  }
+  if (++failures_ == most_failures) {
+    failures_ = 0;
+    pause_left_ = waits_of_a_pause;
+  }
+  return false;
+}
+
+bool BusyWait::look(const std::atomic<bool>& is_over, std::chrono::nanoseconds time) {
+  const auto end = steady_clock::now() + time;
   do {
     for (int look = 0; look < looks_before_yield; ++look) {
       if (is_over.load(std::memory_order_acquire)) return true;
@@ -75,6 +91,6 @@ bool BusyWait::wait(const std::atomic<bool>& is_over, std::optional<std::chrono:
   return false;
 }
 
-void BusyWait::learn(std::chrono::nanoseconds took) { usual_ += (std::min(took, 10 * longest) - usual_) / 4; }
+void BusyWait::learn(std::chrono::nanoseconds took) { usual_ += (std::min(took, 4 * longest) - usual_) / 4; }
 
 }  // namespace tfloom

@@ -15,12 +15,16 @@ void note_message_sent() noexcept;
 // round trip. A busy wait saves them and occupies a processor, so it is used only if
 //   - a message was sent since the last wait, so that a reply may be near. A listener never waits like this;
 //   - the last waits were shorter than `short_wait`;
+//   - not `most_failures` busy waits in a row ended without the event. Then the next `waits_of_a_pause` waits sleep:
+//     a program that gets no replies spends less than a twentieth of its time in busy waits;
 //   - the machine has two processors or more, and doesn't run on its battery.
 class BusyWait {
  public:
-  static constexpr std::chrono::nanoseconds longest{100'000};
+  static constexpr std::chrono::nanoseconds longest{250'000};
   // Longer than `longest`, because a reply takes longer while the two sides still sleep.
-  static constexpr std::chrono::nanoseconds short_wait{250'000};
+  static constexpr std::chrono::nanoseconds short_wait{500'000};
+  static constexpr int most_failures = 4;
+  static constexpr int waits_of_a_pause = 100;
 
   // Wait until `is_over` is set, for `limit` and for `longest` at most. Return false at once if the policy is against it.
   bool wait(const std::atomic<bool>& is_over, std::optional<std::chrono::nanoseconds> limit);
@@ -29,8 +33,12 @@ class BusyWait {
   void learn(std::chrono::nanoseconds took);
 
  private:
-  std::uint64_t messages_sent_ = 0;                 // by the process, when the last wait began
-  std::chrono::nanoseconds usual_ = 10 * longest;  // a moving average, so that a long wait ends busy waits
+  static bool look(const std::atomic<bool>& is_over, std::chrono::nanoseconds time);
+
+  std::uint64_t messages_sent_ = 0;               // by the process, when the last wait began
+  std::chrono::nanoseconds usual_ = 4 * longest;  // a moving average, so that a long wait ends busy waits
+  int failures_ = 0;                              // busy waits in a row without the event
+  int pause_left_ = 0;                            // waits that sleep in any case
 };
 
 }  // namespace tfloom

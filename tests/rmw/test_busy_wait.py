@@ -52,6 +52,11 @@ def test_long_waits_are_never_busy(writer: Writer) -> None:
     assert cpu_us_of_a_wait(2_000_000, writer) < asleep + 40
 
 
+def test_short_waits_in_vain_are_seldom_busy(writer: Writer) -> None:
+    asleep = cpu_us_of_a_wait(300_000, None)
+    assert cpu_us_of_a_wait(300_000, writer) < asleep + 40
+
+
 def test_a_busy_wait_keeps_its_timeout(writer: Writer) -> None:
     queue = ReadyQueue()
     times_ns = []
