@@ -9,6 +9,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tfloom._native import ReadyQueue
+from tfloom.node.context.context import WAKE
 from tfloom.node.endpoints.endpoint import UNREADABLE
 from tfloom.node.endpoints.service import ServiceEndpoint
 from tfloom.node.endpoints.service_introspection import Introspection
@@ -18,7 +19,7 @@ from tfloom.node.executing.task import Future
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 from tfloom.node.values.exceptions import RCLError
 from tfloom.rmw.base import RequestId
-from tfloom.rmw.waiting import wait_until_ready
+from tfloom.rmw.waiting import wait_for_token, wait_until_ready
 from tfloom.rosidl import cdr
 from tfloom.rosidl.service import Service as ServiceType
 
@@ -87,6 +88,8 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         """Guards `_pending`."""
         self._pending: dict[int, _Pending] = {}
         self._reaches_later_servers = qos_profile.durability == DurabilityPolicy.TRANSIENT_LOCAL
+        self._queues: list[ReadyQueue] = []
+        """Queues on which no `call` waits now. They are kept, because each learns whether a busy wait is worthwhile."""
         self.server_watch = ServerWatch(self)
         """Fails requests whose servers have left; run by the same executor."""
 
@@ -111,25 +114,43 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
                 f"Client.call of {self.srv_name} from a callback would never end, because its executor receives the "
                 "response on this thread. Await call_async, or spin with a MultiThreadedExecutor"
             )
-        ended = threading.Event()
         future = self.call_async(request)
-
-        def end() -> None:
-            # With a limit, the wait for a response that can't arrive takes as long as for one that may.
-            if timeout_sec is None or future.exception() is None:
-                ended.set()
-
-        future.when_complete(end)
-        self._context.add_shutdown_hook(ended.set)
-        try:
-            if not ended.wait(timeout_sec):
-                self.remove_pending_request(future)
-                return None
-        finally:
-            self._context.remove_shutdown_hook(ended.set)
+        if not self._wait_for(future, timeout_sec):
+            self.remove_pending_request(future)
+            return None
         if not self._context.ok() and future.exception() is not None:
             return None
         return future.result() if future.done() else None
+
+    def _wait_for(self, future: Future[Any], timeout_sec: float | None) -> bool:
+        """Wait until a future is complete or the context shut down; return False after `timeout_sec` [s].
+
+        With a limit, the wait for a response that can't arrive takes as long as for one that may.
+        """
+        is_ended = False
+        try:
+            queue = self._queues.pop()
+        except IndexError:
+            queue = ReadyQueue()
+
+        def end() -> None:
+            nonlocal is_ended
+            if timeout_sec is None or future.exception() is None:
+                is_ended = True
+                queue.post(WAKE)
+
+        end_s = math.inf if timeout_sec is None else time.monotonic() + timeout_sec
+        self._context.add_queue(queue)
+        try:
+            future.when_complete(end)
+            while not is_ended and self._context.ok():
+                if time.monotonic() >= end_s:
+                    return False
+                wait_for_token(queue, end_s)
+            return True
+        finally:
+            self._context.remove_queue(queue)
+            self._queues.append(queue)
 
     def call_async(self, request: SrvTypeRequest) -> Future[SrvTypeResponse]:
         """Send a request and return the future of its response.
