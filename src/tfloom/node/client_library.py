@@ -176,9 +176,10 @@ def _temporarily_added(node: Node, executor: Executor) -> Iterator[None]:
         yield
     finally:
         if is_new:
-            still_there = node in executor.get_nodes()  # a callback may have destroyed or moved it
-            executor.remove_node(node)
-            if before is not None and still_there:
+            if before is None:
+                executor.rest_node(node)  # because programs spin a node once after another
+            elif node in executor.get_nodes():  # otherwise a callback has destroyed or moved it
+                executor.remove_node(node)
                 with suppress(ShutdownException):
                     before.add_node(node)
 
