@@ -7,7 +7,8 @@ from pathlib import Path
 
 from tfloom.bag.bag import Bag
 from tfloom.bag.metadata import FileInformation, Metadata
-from tfloom.bag.reading.bag_file import COMPRESSED, BagFile
+from tfloom.bag.reading.bag_file import BagFile
+from tfloom.bag.reading.compression import COMPRESSED_SUFFIX
 from tfloom.bag.writing.metadata_text import METADATA_VERSION, NO_TIME_NS, ROS_DISTRO
 from tfloom.bag.writing.storage import STORAGES
 
@@ -55,7 +56,7 @@ def metadata_from_files(bag: Bag, files: Sequence[BagFile]) -> Metadata:
 
 def storage_id_of(path: Path) -> str:
     """Return the storage of a file by its name; empty for one of ROS 1."""
-    name = path.name.removesuffix(COMPRESSED)
+    name = path.name.removesuffix(COMPRESSED_SUFFIX)
     return next((key for key, suffix in STORAGES.items() if name.endswith(suffix)), "")
 
 
@@ -67,5 +68,5 @@ def size_of(path: Path) -> int:
 
 
 def _information(file: BagFile) -> FileInformation:
-    name = file.path.name.removesuffix(COMPRESSED)
+    name = file.path.name.removesuffix(COMPRESSED_SUFFIX)
     return FileInformation(name, file.start_ns, file.end_ns - file.start_ns, file.message_count)

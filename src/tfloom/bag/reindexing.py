@@ -9,7 +9,8 @@ from tfloom.bag.bag import Bag
 from tfloom.bag.errors import BagError
 from tfloom.bag.metadata import METADATA_FILE
 from tfloom.bag.metadata_from_files import metadata_from_files, storage_id_of
-from tfloom.bag.reading.bag_file import COMPRESSED, BagFile
+from tfloom.bag.reading.bag_file import BagFile
+from tfloom.bag.reading.compression import COMPRESSED_SUFFIX
 from tfloom.bag.writing.metadata_text import metadata_file_text
 from tfloom.node.log.logging import get_logger
 from tfloom.whole_files import write_file
@@ -52,7 +53,7 @@ def _files(folder: Path, storage_id: str) -> list[Path]:
         raise BagError(folder, "only the folder of a bag can be reindexed")
     found = [path for path in folder.iterdir() if path.is_file() and storage_id_of(path)]
     # Where compressing a file was cut short, the original is whole.
-    found = [path for path in found if path.suffix != COMPRESSED or path.with_suffix("") not in found]
+    found = [path for path in found if path.suffix != COMPRESSED_SUFFIX or path.with_suffix("") not in found]
     found.sort(key=_number)
     wanted = storage_id or (storage_id_of(found[0]) if found else "")
     found = [path for path in found if storage_id_of(path) == wanted]

@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
-__all__ = ["SERVICE_EVENT_SUFFIX", "TopicChoice", "is_service_event", "service_of_event"]
+__all__ = ["SERVICE_EVENT_SUFFIX", "TopicChoice", "full_names", "is_service_event", "service_of_event"]
 
 SERVICE_EVENT_SUFFIX = "/_service_event"
 _EVENT_TYPE_SUFFIX = "_Event"
+
+
+def full_names(names: Iterable[str]) -> list[str]:
+    """Return names with a slash before them."""
+    return [name if name.startswith("/") else f"/{name}" for name in names]
 
 
 def is_service_event(topic: str, type_name: str) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from tfloom.bag.topic_choice import TopicChoice
+from tfloom.bag.topic_choice import TopicChoice, full_names
 from tfloom.rmw.qos import QoS
 
 __all__ = ["PlayOptions", "parse_remaps"]
@@ -57,9 +57,6 @@ def parse_remaps(words: Sequence[str]) -> dict[str, str]:
         old, sign, new = word.partition(":=")
         if not (sign and old and new):
             raise ValueError(f"'{word}' is no remap: old_topic:=new_topic")
-        found[_full(old)] = _full(new)
+        old, new = full_names((old, new))
+        found[old] = new
     return found
-
-
-def _full(name: str) -> str:
-    return name if name.startswith("/") else f"/{name}"

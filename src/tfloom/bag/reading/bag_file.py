@@ -10,13 +10,10 @@ from pathlib import Path
 from tfloom._native import TfRecords
 from tfloom.bag.errors import BagError
 from tfloom.bag.metadata import FileInformation
-from tfloom.bag.reading.compression import CompressionError, copy_decompressed
+from tfloom.bag.reading.compression import COMPRESSED_SUFFIX, CompressionError, copy_decompressed
 from tfloom.bag.values import Progress, RawMessage, Storage, TfTopic, Topic
 
-__all__ = ["COMPRESSED", "BagFile", "storage_of"]
-
-COMPRESSED = ".zstd"
-"""The end of the name of a file that is compressed as a whole."""
+__all__ = ["BagFile", "storage_of"]
 
 
 def storage_of(path: Path, is_message_compressed: bool | None = None) -> Storage:
@@ -72,7 +69,7 @@ class BagFile:
     @property
     def is_compressed(self) -> bool:
         """Whether the file is compressed as a whole."""
-        return self.path.suffix == COMPRESSED
+        return self.path.suffix == COMPRESSED_SUFFIX
 
     @property
     def storage(self) -> Storage:

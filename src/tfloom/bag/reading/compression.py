@@ -5,8 +5,17 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any, BinaryIO
 
-__all__ = ["CompressionError", "DamagedError", "copy_decompressed", "decompress", "decompress_part"]
+__all__ = [
+    "COMPRESSED_SUFFIX",
+    "CompressionError",
+    "DamagedError",
+    "copy_decompressed",
+    "decompress",
+    "decompress_part",
+]
 
+COMPRESSED_SUFFIX = ".zstd"
+"""The end of the name of a file that is compressed as a whole."""
 MOST = 1 << 30
 """The greatest size of a chunk or message that is decompressed [bytes]."""
 ZSTD_RATIO = 1 << 15

@@ -26,7 +26,9 @@ from tfloom.bag.writing.storage import STORAGES
 __all__ = ["SequentialCompressionReader", "SequentialReader", "get_registered_readers"]
 
 _PARTS = 64
-"""Into how many parts of equal time a bag is divided, to read it in reverse."""
+"""Into how many parts of equal time a bag is divided at least, to read it in reverse."""
+_PART_SIZE = 1 << 25
+"""How large a part is on average at most, because its messages are in memory [bytes]."""
 
 
 class SequentialReader:
@@ -191,7 +193,7 @@ def _in_reverse(
 ) -> Iterator[RawMessage]:
     first = bag.start_ns if first_ns is None else max(first_ns, bag.start_ns)
     last = bag.end_ns if last_ns is None else min(last_ns, bag.end_ns)
-    step = max((last - first) // _PARTS, 1)
+    step = max((last - first) // max(_PARTS, bag.size // _PART_SIZE), 1)
     while last >= first:
         start = max(last - step + 1, first)
         yield from reversed(list(bag.messages(topics, start, last)))

@@ -18,7 +18,7 @@ from tfloom.bag.recording.run import record
 from tfloom.bag.rosbag2_names.qos import wire_profile
 from tfloom.bag.rosbag2_names.storage import StorageOptions
 from tfloom.bag.rosbag2_names.writers import writer_settings
-from tfloom.bag.topic_choice import SERVICE_EVENT_SUFFIX, TopicChoice
+from tfloom.bag.topic_choice import SERVICE_EVENT_SUFFIX, TopicChoice, full_names
 from tfloom.node.client_library import init
 from tfloom.node.context.utilities import get_default_context, try_shutdown
 
@@ -66,14 +66,14 @@ class RecordOptions:
     def to_options(self) -> recording.RecordOptions:
         """Return the options of a recorder."""
         choice = TopicChoice(
-            topics=_full_names(self.topics),
+            topics=full_names(self.topics),
             topic_types=self.topic_types,
             services=_services(self.services),
             all_topics=self.all_topics,
             all_services=self.all_services,
             regex=self.regex,
             exclude_regex=self.exclude_regex,
-            exclude_topics=_full_names(self.exclude_topics),
+            exclude_topics=full_names(self.exclude_topics),
             exclude_topic_types=self.exclude_topic_types,
             exclude_services=_services(self.exclude_service_events),
         )
@@ -125,13 +125,13 @@ class PlayOptions:
         """Return the options of a player."""
         wants_all = not (self.topics_to_filter or self.services_to_filter or self.regex_to_filter)
         choice = TopicChoice(
-            topics=_full_names(self.topics_to_filter),
+            topics=full_names(self.topics_to_filter),
             services=_services(self.services_to_filter),
             all_topics=wants_all,
             all_services=wants_all,
             regex=self.regex_to_filter,
             exclude_regex=self.exclude_regex_to_filter,
-            exclude_topics=_full_names(self.exclude_topics_to_filter),
+            exclude_topics=full_names(self.exclude_topics_to_filter),
             exclude_services=_services(self.exclude_service_events_to_filter),
         )
         remaps = [word for word in self.topic_remapping_options if ":=" in word]
@@ -141,7 +141,7 @@ class PlayOptions:
             is_loop=self.loop,
             remaps=playing.parse_remaps(remaps),
             clock_hz=self.clock_publish_frequency,
-            clock_topics=_full_names(self.clock_topics),
+            clock_topics=full_names(self.clock_topics),
             is_clock_on_all=self.clock_publish_on_topic_publish and not self.clock_topics,
             delay_s=_seconds(self.delay),
             start_offset_s=_seconds(self.start_offset),
@@ -261,13 +261,9 @@ def bag_rewrite(arg0: Sequence[StorageOptions], arg1: str) -> None:
     convert([Path(each.uri) for each in arg0], outputs)
 
 
-def _full_names(names: Sequence[str]) -> list[str]:
-    return [name if name.startswith("/") else f"/{name}" for name in names]
-
-
 def _services(names: Sequence[str]) -> list[str]:
     """Return services, given by their names or by those of their events."""
-    return [name.removesuffix(SERVICE_EVENT_SUFFIX) for name in _full_names(names)]
+    return [name.removesuffix(SERVICE_EVENT_SUFFIX) for name in full_names(names)]
 
 
 def _seconds(value: Any) -> float:

@@ -5,11 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from tfloom.bag.reading.compression import lz4_frame, zstd
+from tfloom.bag.reading.compression import COMPRESSED_SUFFIX, lz4_frame, zstd
 
-__all__ = ["COMPRESSED_SUFFIX", "compress", "compress_file", "compress_message", "compressor"]
+__all__ = ["compress", "compress_file", "compressor"]
 
-COMPRESSED_SUFFIX = ".zstd"
 _LEVELS = {
     "zstd": {"Fastest": -5, "Fast": -3, "Default": 1, "Slow": 5, "Slowest": 19},
     "lz4": {"Fastest": -5, "Fast": -3, "Default": 0, "Slow": 5, "Slowest": 12},
@@ -43,12 +42,6 @@ def compressor() -> Any:
         CompressionError: zstandard isn't installed.
     """
     return zstd().ZstdCompressor(level=1)
-
-
-def compress_message(data: bytes) -> bytes:
-    """Return a message compressed by itself, as zstd."""
-    octets: bytes = compressor().compress(data)
-    return octets
 
 
 def compress_file(path: Path) -> Path:

@@ -58,11 +58,6 @@ def add_storage(parser: argparse.ArgumentParser, names: list[str] = STORAGES) ->
     )
 
 
-def full_names(names: list[str] | None) -> list[str]:
-    """Return names with a slash before them."""
-    return [name if name.startswith("/") else f"/{name}" for name in names or []]
-
-
 @contextmanager
 def explained() -> Iterator[None]:
     """Raise errors of bags as a verb's, and print warnings of bags as a line on stderr, for the block."""

@@ -145,11 +145,13 @@ def main(args: argparse.Namespace) -> int:
 
 
 def _options(args: argparse.Namespace) -> PlayOptions:
+    from tfloom.bag.topic_choice import full_names
+
     options = play_arguments.common_options(args)
     options.rate = args.rate
     options.is_loop = args.loop
     options.clock_hz = args.clock
-    options.clock_topics = common.full_names(args.clock_topics)
+    options.clock_topics = full_names(args.clock_topics)
     options.is_clock_on_all = args.clock_topics_all
     options.delay_s = args.delay
     options.duration_s = args.playback_duration

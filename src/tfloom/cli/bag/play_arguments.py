@@ -63,19 +63,19 @@ def add_start_offset(parser: argparse.ArgumentParser) -> None:
 
 def choice_of(args: argparse.Namespace) -> TopicChoice:
     """Return which topics are played: without --topics, --services and --regex, all."""
-    from tfloom.bag.topic_choice import TopicChoice
+    from tfloom.bag.topic_choice import TopicChoice, full_names
 
     regex = getattr(args, "regex", "")
     wants_all = not (args.topics or args.services or regex)
     return TopicChoice(
-        topics=common.full_names(args.topics),
-        services=common.full_names(args.services),
+        topics=full_names(args.topics),
+        services=full_names(args.services),
         all_topics=wants_all,
         all_services=wants_all,
         regex=regex,
         exclude_regex=getattr(args, "exclude_regex", ""),
-        exclude_topics=common.full_names(getattr(args, "exclude_topics", [])),
-        exclude_services=common.full_names(getattr(args, "exclude_services", [])),
+        exclude_topics=full_names(getattr(args, "exclude_topics", [])),
+        exclude_services=full_names(getattr(args, "exclude_services", [])),
     )
 
 

@@ -231,19 +231,19 @@ def _settings(args: argparse.Namespace) -> WriterSettings:
 def _options(args: argparse.Namespace) -> RecordOptions:
     from tfloom.bag.qos_profiles import read_overrides
     from tfloom.bag.recording.record_options import RecordOptions
-    from tfloom.bag.topic_choice import TopicChoice
+    from tfloom.bag.topic_choice import TopicChoice, full_names
 
     choice = TopicChoice(
-        topics=common.full_names([*args.topics_positional, *args.topics]),
+        topics=full_names([*args.topics_positional, *args.topics]),
         topic_types=args.topic_types,
-        services=common.full_names(args.services),
+        services=full_names(args.services),
         all_topics=args.all or args.all_topics,
         all_services=args.all or args.all_services,
         regex=args.regex,
         exclude_regex=args.exclude_regex,
-        exclude_topics=common.full_names(args.exclude_topics),
+        exclude_topics=full_names(args.exclude_topics),
         exclude_topic_types=args.exclude_topic_types,
-        exclude_services=common.full_names(args.exclude_services),
+        exclude_services=full_names(args.exclude_services),
     )
     overrides = args.qos_profile_overrides_path
     return RecordOptions(
