@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import heapq
+from bisect import bisect_left
 from collections.abc import Callable, Iterator, Sequence
 from operator import itemgetter
 from typing import Protocol, TypeVar
@@ -40,21 +41,27 @@ def in_order(parts: Sequence[AnyPart], read: Callable[[AnyPart], list[Found]]) -
         parts: The parts, by their first log time.
         read: Returns the messages of one in the order of the file.
     """
-    heap: list[tuple[int, int, int, Iterator[Found], Found]] = []
+    held: dict[int, list[Found]] = {}
+    heap: list[tuple[int, int, int, int]] = []
+    """Of each part that is held: the next message's log time, the part's offset and number, the message's index."""
     for index, part in enumerate(parts):
-        messages = iter(sorted(read(part), key=_log_time))
-        if (first := next(messages, None)) is not None:
-            heapq.heappush(heap, (first[0], part.offset, index, messages, first))
+        messages = read(part)
+        messages.sort(key=_log_time)
+        if messages:
+            held[index] = messages
+            heapq.heappush(heap, (messages[0][0], part.offset, index, 0))
+        del messages
         limit = parts[index + 1].start_ns if index + 1 < len(parts) else LATEST + 1
         while heap and heap[0][0] < limit:
-            _, offset, number, messages, found = heap[0]
-            yield found
-            # The next ones of the same part, up to the first one of another.
+            _, offset, number, at = heap[0]
+            messages = held[number]
+            # The next one, and those of the same part up to the first one of another.
             end = min(limit, min((each[0] for each in heap[1:3]), default=limit))
-            for found in messages:
-                if found[0] >= end:
-                    heapq.heapreplace(heap, (found[0], offset, number, messages, found))
-                    break
-                yield found
+            stop = max(at + 1, bisect_left(messages, end, at, key=_log_time))
+            yield from messages[at:stop]
+            if stop < len(messages):
+                heapq.heapreplace(heap, (messages[stop][0], offset, number, stop))
             else:
                 heapq.heappop(heap)
+                del held[number]
+            del messages  # before the next part is read
