@@ -16,7 +16,7 @@ import pytest
 from tests.shared_folders import shared_folder
 from tools import release
 from tools.release import MOST_BYTES, Tools
-from tools.set_up import distribution, read_project
+from tools.set_up import SetUpError, distribution, read_project
 
 import tfloom
 
@@ -177,6 +177,11 @@ def test_the_workflow_builds_on_each_system_and_stores_no_token() -> None:
     assert [each for each in RUNNERS if f"          - {each}" not in text] == []
     publish = text.partition("\n  publish:")[2]
     assert "needs: [wheels, sources]" in publish
+    assert '--check-tag "$TAG"' in text.partition("\n  sources:")[2].partition("\n  publish:")[0]
+    first, _, beside = publish.partition("\n  publish-beside:")
+    assert "needs: publish\n" in beside
+    assert "environment: pypi-tfloom\n" in first
+    assert "environment: pypi-${{ matrix.project }}\n" in beside
     assert "startsWith(github.ref, 'refs/tags/v')" in publish
     assert "id-token: write" in publish
     assert "secrets." not in text
@@ -192,15 +197,54 @@ def test_what_tests_a_wheel_is_the_core_tier_of_the_matrix() -> None:
 
 def test_a_wheel_for_musl_is_tested_with_all_it_needs_but_dds() -> None:
     project = read_project(Path(sys.executable))
-    (override,) = (
-        each for each in project["tool"]["cibuildwheel"]["overrides"] if each["select"] == "*-musllinux_*"
-    )
+    overrides = {each["select"]: each for each in project["tool"]["cibuildwheel"]["overrides"]}
     needed = {distribution(each) for each in project["project"]["dependencies"]} - {"cyclonedds"}
     needed |= set(project["tool"]["cibuildwheel"]["test-requires"])
-    assert needed <= set(override["before-test"].split())
+    assert needed <= set(overrides["*-musllinux_*"]["before-test"].split())
+    free_threaded = set(overrides["cp314t-*"]["test-requires"])
+    assert needed - set(project["tool"]["cibuildwheel"]["test-requires"]) | free_threaded == set(
+        overrides["cp314t-musllinux_*"]["before-test"].split()
+    ) - {"PIP_NO_DEPS=0", "python", "-m", "pip", "install"}
     page = (ROOT / "docs" / "platforms.md").read_text("utf-8")
     (line,) = re.findall(r"^pip install (numpy .*)$", page, re.MULTILINE)
     assert needed - set(project["tool"]["cibuildwheel"]["test-requires"]) == set(line.split())
+
+
+def test_the_three_distributions_have_one_version(monkeypatch: pytest.MonkeyPatch) -> None:
+    versions = release.versions()
+    assert len(versions) == 5  # of three projects, and what two of them require
+    assert set(versions.values()) == {tfloom.__version__}
+    release.check_tag(f"v{tfloom.__version__}")
+    for tag in (tfloom.__version__, f"v{tfloom.__version__}.post1", "v"):
+        with pytest.raises(SetUpError, match="differs from versions"):
+            release.check_tag(tag)
+    monkeypatch.setattr(
+        release, "versions", lambda: versions | {"packages/tfloom-ros2/pyproject.toml": "0.0.9"}
+    )
+    with pytest.raises(SetUpError, match=r"tfloom-ros2/pyproject.toml: 0\.0\.9"):
+        release.check_tag(f"v{tfloom.__version__}")
+
+
+@pytest.mark.slow
+def test_a_wheel_compressed_again_is_smaller_and_holds_the_same(tools: Tools, tmp_path: Path) -> None:
+    wheel = tmp_path / "some-1-py3-none-any.whl"
+    contents = {f"some/ü{number}.py": f"print({number})\n".encode() * number for number in range(9)}
+    with zipfile.ZipFile(wheel, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("some/", b"")
+        for name, content in contents.items():
+            archive.writestr(name, content)
+        program = zipfile.ZipInfo("some/program", (2026, 11, 23, 15, 59, 58))
+        program.external_attr = 0o755 << 16
+        archive.writestr(program, bytes(10_000))
+    size = wheel.stat().st_size
+    assert "some-1" in tools.run("python", "-m", "tools.smaller_wheel", wheel)
+    assert wheel.stat().st_size < size
+    with zipfile.ZipFile(wheel) as archive:
+        assert {name: archive.read(name) for name in archive.namelist()} == contents | {
+            "some/program": bytes(10_000)
+        }
+        info = archive.getinfo("some/program")
+        assert (info.date_time, info.external_attr) == ((2026, 11, 23, 15, 59, 58), 0o755 << 16)
 
 
 def test_the_changes_of_this_version_are_listed() -> None:
