@@ -77,3 +77,11 @@ def test_what_is_no_bag_ends_in_a_sentence(
         assert view_frames.run(node, view_frames.parse_arguments(["--bag", path, "-o", "out"])) == 1
         assert path in capfd.readouterr().err
     assert not (tmp_path / "out.gv").exists()
+
+
+def test_an_infinite_wait_is_as_long_as_a_clock_can_count() -> None:
+    assert [view_frames.parse_arguments(["-t", text]).wait_time for text in ("inf", "1e300", "2.5")] == [
+        1e9,
+        1e9,
+        2.5,
+    ]
