@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from contextlib import closing
 
 import pytest
+from tests.tf2_tools.recordings import recorded, transform
 
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
@@ -120,43 +121,43 @@ def test_one_transform_is_counted_once(participant: Participant) -> None:
         assert [edge.statistics.count for edge in seen.edges_of("wheel")] == [5]
 
 
-def test_simulated_time_replaces_that_of_receipt() -> None:
+@pytest.fixture
+def simulated() -> Iterator[tuple[LiveWatch, Writer, Writer]]:
+    """A watch by simulated time, a writer of moving transforms, and one of /clock."""
     with closing(local.open_participant(0, "/")) as opened:
         opened.add_node(ROBOT)
         opened.add_node(WATCHER)
         writer = open_writer(opened, "/tf", QoS())
         clock = opened.create_writer(ROBOT, topic_of(Clock, "/clock"), QoS())
         with closing(LiveWatch(opened, WATCHER, simulated=True)) as watch:
-            writer.write(message("odom", "base"))
-            assert watch.now_ns() == 0
-            (edge,) = watch.observation().edges
-            assert edge.statistics.delay.count == 0
-            now_s = int(time.time()) + 5
-            clock.write(cdr.encode(Clock(clock=Time(sec=now_s, nanosec=7))))
-            writer.write(message("odom", "base"))
-            seen = watch.observation()
-            assert seen.edges[0].statistics.delay.greatest == pytest.approx(5.0, abs=1.5)
-            assert watch.now_ns() == now_s * 1_000_000_000 + 7
-            assert seen.started_ns <= seen.edges[0].statistics.last_received_ns <= seen.taken_ns
-            assert seen.taken_ns <= time.time_ns()
+            yield watch, writer, clock
 
 
-def test_rows_of_simulated_time_have_no_delay_of_years() -> None:
-    with closing(local.open_participant(0, "/")) as opened:
-        opened.add_node(ROBOT)
-        opened.add_node(WATCHER)
-        writer = open_writer(opened, "/tf", QoS())
-        clock = opened.create_writer(ROBOT, topic_of(Clock, "/clock"), QoS())
-        with closing(LiveWatch(opened, WATCHER, simulated=True)) as watch:
-            for step in range(10):
-                clock.write(cdr.encode(Clock(clock=Time(sec=100, nanosec=step * 1000))))
-                transform = TransformStamped(child_frame_id="base")
-                transform.header.frame_id = "odom"
-                transform.header.stamp = Time(sec=100, nanosec=step * 1000)
-                writer.write(cdr.encode(TFMessage(transforms=[transform])))
-            rates, seen = Rates(), watch.observation()
-            rates.add(seen)
-            row = rows_of(seen, watch.now_ns(), rates)[-1]
-            assert (row.child, row.health) == ("base", Health.OK)
-            assert row.delay_s == pytest.approx(0.0, abs=1e-9)
-            assert row.age_s == pytest.approx(0.0, abs=1e-5)
+def test_simulated_time_replaces_that_of_receipt(simulated: tuple[LiveWatch, Writer, Writer]) -> None:
+    watch, writer, clock = simulated
+    writer.write(message("odom", "base"))
+    assert watch.now_ns() == 0
+    (edge,) = watch.observation().edges
+    assert edge.statistics.delay.count == 0
+    now_s = int(time.time()) + 5
+    clock.write(cdr.encode(Clock(clock=Time(sec=now_s, nanosec=7))))
+    writer.write(message("odom", "base"))
+    seen = watch.observation()
+    assert seen.edges[0].statistics.delay.greatest == pytest.approx(5.0, abs=1.5)
+    assert watch.now_ns() == now_s * 1_000_000_000 + 7
+    assert seen.started_ns <= seen.edges[0].statistics.last_received_ns <= seen.taken_ns
+    assert seen.taken_ns <= time.time_ns()
+
+
+def test_rows_of_simulated_time_have_no_delay_of_years(simulated: tuple[LiveWatch, Writer, Writer]) -> None:
+    watch, writer, clock = simulated
+    for step in range(10):
+        stamp_ns = 100_000_000_000 + step * 1000
+        clock.write(cdr.encode(Clock(clock=Time(sec=100, nanosec=step * 1000))))
+        writer.write(recorded(0, transform("odom", "base", stamp_ns))[2])
+    rates, seen = Rates(), watch.observation()
+    rates.add(seen)
+    row = rows_of(seen, watch.now_ns(), rates)[-1]
+    assert (row.child, row.health) == ("base", Health.OK)
+    assert row.delay_s == pytest.approx(0.0, abs=1e-9)
+    assert row.age_s == pytest.approx(0.0, abs=1e-5)
