@@ -66,5 +66,5 @@ def test_a_busy_wait_keeps_its_timeout(writer: Writer) -> None:
         queue.wait(10_000)
         times_ns.append(time.thread_time_ns() - begin_ns)
     # CPU time, which others' work on the machine lengthens little. Without its timeout, a busy wait takes 250 µs, and
-    # at least four in a row are busy before they pause.
-    assert sorted(times_ns)[-4] < 120_000
+    # four in a row are busy before each of two or three pauses.
+    assert sorted(times_ns)[-7] < 120_000
