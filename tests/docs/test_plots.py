@@ -25,6 +25,7 @@ def test_rows_are_read() -> None:
     assert row.times_ns == pytest.approx({"tfloom": 184, "transform-tree": 431, "pytransform3d": 3_879_301})
 
 
+@pytest.mark.slow
 def test_picture_of_the_page_shows_the_output(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     rows = plots.read_rows(OUTPUT.read_text("utf-8"))

@@ -69,6 +69,7 @@ def test_nodes_of_a_leaving_peer_are_removed_at_once(
     wait_until(lambda: participant.graph.nodes() == [node] and not participant.graph.endpoints(), timeout_s=5)
 
 
+@pytest.mark.slow
 def test_twenty_processes_discover_each_other(participant, start_peer, wait_until) -> None:
     peers = [start_peer() for _ in range(20)]
     everybody = sorted(["/tests/here", *(f"/peers/peer_{i}" for i in range(20))])

@@ -64,6 +64,7 @@ def test_demo_ends_without_orphans(
     wait_until(lambda: not list(tmp_path.glob("launch_*")), what="the end of the temporary files")
 
 
+@pytest.mark.slow
 def test_demo_follows_the_given_frame(
     user: User, start_program: Callable[..., Any], wait_until: Callable[..., None]
 ) -> None:

@@ -104,6 +104,7 @@ def test_messages_of_ten_megabytes_arrive_unchanged(node: Node, start: Start, sp
         assert bytes(back[seed].data) == data
 
 
+@pytest.mark.slow
 def test_five_hundred_topics_in_one_process(node: Node, start: Start) -> None:
     listener = start("many_topics", MANY_TOPICS)
     publishers = [node.create_publisher(String, f"topic_{number}", 10) for number in range(MANY_TOPICS)]
