@@ -34,11 +34,12 @@ def workers(*, slow: bool) -> int:
     return min(MOST_WORKERS, each * (os.cpu_count() or 1))
 
 
-def timing_files() -> list[str]:
-    """Return the files with tests that measure time, because collecting all files takes longer than these tests."""
-    return [
-        str(path) for path in sorted(TESTS.rglob("test_*.py")) if "mark.timing" in path.read_text("utf-8")
+def timing_files(paths: list[Path]) -> list[str]:
+    """Return the files of these with tests that measure time, because collecting all takes longer than these tests."""
+    files = [
+        each for path in paths for each in ([path] if path.is_file() else sorted(path.rglob("test_*.py")))
     ]
+    return [str(path) for path in files if "mark.timing" in path.read_text("utf-8")]
 
 
 def tier_of(*, slow: bool, ros: bool) -> str:
@@ -100,13 +101,14 @@ def main() -> int:
     by_file = ["--dist=loadfile", "--no-loadscope-reorder"]
     many = workers(slow=options.slow)
     few = [f"--numprocesses={min(TIMING_WORKERS, many)}", *by_file]
-    files = [] if any(Path(each.partition("::")[0]).exists() for each in rest) else timing_files()
-    if files:
+    named = [path for each in rest if (path := Path(each.partition("::")[0])).exists()]
+    if not named:
         compile_tests()
-    parts = {
-        "measuring time": run(f"{marks} and timing", [*few, *rest, *files]),
-        "others": run(f"{marks} and not timing", [f"--numprocesses={many}", *by_file, *rest]),
-    }
+    parts = {}
+    if files := timing_files(named or [TESTS]):
+        arguments = [*few, *rest] if named else [*few, *rest, *files]
+        parts["measuring time"] = run(f"{marks} and timing", arguments)
+    parts["others"] = run(f"{marks} and not timing", [f"--numprocesses={many}", *by_file, *rest])
     times = ", ".join(f"{name} {seconds:.0f} s" for name, (_, seconds) in parts.items())
     print(f"Tests that are {tier}: {times}")
     codes = [code for code, _ in parts.values() if code != NOTHING_SELECTED]
