@@ -36,6 +36,17 @@ COLCON_PYTHON = {"COLCON_PYTHON_EXECUTABLE": str(Path(sys.executable).resolve())
 """For a shell that sources what colcon wrote: colcon's own choice breaks where its path has a space."""
 
 
+FIGURE = "figure"
+"""Name of a property that a test records, whose text is printed at the end of the run."""
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    for report in terminalreporter.getreports("passed"):
+        for name, text in report.user_properties:
+            if name == FIGURE:
+                terminalreporter.write_line(str(text))
+
+
 def pytest_configure() -> None:
     """Make SIGTERM, which `timeout` sends, end the tests as Ctrl-C does, together with the processes they started.
 

@@ -10,9 +10,11 @@ import sys
 import tarfile
 import time
 import zipfile
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from tests.conftest import FIGURE
 from tests.shared_folders import shared_folder
 from tools import release
 from tools.release import MOST_BYTES, Tools
@@ -64,12 +66,11 @@ def test_files_are_complete_and_pass_the_checks(tools: Tools, files: list[Path])
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform != "linux", reason="auditwheel is for Linux")
 def test_wheel_names_its_c_library_and_is_small(
-    files: list[Path], capsys: pytest.CaptureFixture[str]
+    files: list[Path], record_property: Callable[[str, str], None]
 ) -> None:
     wheel = wheel_of(files, "tfloom")
     assert re.search(r"-(many|musl)linux_\d+_\d+_", wheel.name)
-    with capsys.disabled():
-        print(f"\n{release.report(files)}")
+    record_property(FIGURE, release.report(files))
     assert wheel.stat().st_size < MOST_BYTES
     with zipfile.ZipFile(wheel) as content:
         names = content.namelist()
@@ -112,7 +113,7 @@ def test_sdist_holds_what_a_build_needs_alone(files: list[Path]) -> None:
 @pytest.mark.slow
 @pytest.mark.skipif(os.name != "posix", reason="the places of commands are POSIX's")
 def test_wheel_runs_the_demo_without_a_compiler(
-    files: list[Path], domain_id: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    files: list[Path], domain_id: int, tmp_path: Path, record_property: Callable[[str, str], None]
 ) -> None:
     subprocess.run([sys.executable, "-m", "venv", tmp_path / "venv"], check=True, timeout=120)
     commands = tmp_path / "venv" / "bin"
@@ -133,8 +134,8 @@ def test_wheel_runs_the_demo_without_a_compiler(
     wheels = [wheel_of(files, name) for name in ("tfloom", "tfloom_ros2", "tfloom_interfaces")]
     started = time.monotonic()
     run([commands / "pip", "install", "--quiet", "--only-binary", ":all:", *wheels], tmp_path, environment)
-    with capsys.disabled():
-        print(f"\n`pip install` of the wheels and of what they need: {time.monotonic() - started:.1f} s")
+    took_s = time.monotonic() - started
+    record_property(FIGURE, f"`pip install` of the wheels and of what they need: {took_s:.1f} s")
     output = run([commands / "tfloom", "demo", "--seconds", "5"], tmp_path, environment)
     assert "Translation" in output
     assert (tmp_path / "frames.pdf").read_bytes().startswith(b"%PDF")
