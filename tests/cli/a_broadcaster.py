@@ -15,15 +15,17 @@ from rclpy.duration import Duration
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.qos import qos_profile_sensor_data
+from rclpy.time import Time
 from tf2_ros import TransformBroadcaster
 
 LATE = Duration(seconds=0.08)
+PERIOD = Duration(seconds=0.1)
 
 
-def transform(node: Node, parent: str, child: str, late: Duration) -> TransformStamped:
-    """Return a transform that oscillates, stamped in the past."""
+def transform(parent: str, child: str, stamp: Time) -> TransformStamped:
+    """Return a transform that oscillates."""
     message = TransformStamped(child_frame_id=child)
-    message.header.stamp = (node.get_clock().now() - late).to_msg()
+    message.header.stamp = stamp.to_msg()
     message.header.frame_id = parent
     message.transform.translation.x = math.sin(time.monotonic())
     return message
@@ -36,12 +38,17 @@ def main() -> None:
     fast, slow = TransformBroadcaster(odometry), TransformBroadcaster(localization)
     weak = TransformBroadcaster(localization, qos_profile_sensor_data)
 
-    def localize() -> None:
-        slow.sendTransform(transform(localization, "map", "odom", LATE))
-        weak.sendTransform(transform(localization, "map", "gps", LATE))
+    now = localization.get_clock().now
+    start = now()
 
-    odometry.create_timer(0.02, lambda: fast.sendTransform(transform(odometry, "odom", "base", Duration())))
-    localization.create_timer(0.1, localize)
+    def localize() -> None:  # at the time that it was due, so that the period of the stamps is exact
+        periods = (now() - start).nanoseconds // PERIOD.nanoseconds
+        stamp = start + Duration(nanoseconds=periods * PERIOD.nanoseconds) - LATE
+        slow.sendTransform(transform("map", "odom", stamp))
+        weak.sendTransform(transform("map", "gps", stamp))
+
+    odometry.create_timer(0.02, lambda: fast.sendTransform(transform("odom", "base", now())))
+    localization.create_timer(PERIOD.nanoseconds / 1e9, localize)
     executor = SingleThreadedExecutor()
     executor.add_node(odometry)
     executor.add_node(localization)

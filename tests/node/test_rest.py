@@ -109,6 +109,16 @@ def test_a_message_that_another_spin_passed_by_is_heard(
     spin_until(hearing.node, executor, hearing.has_heard_all)
 
 
+def test_the_rest_of_a_node_ends_when_another_one_rests(
+    hearing: Hearing, executor: SingleThreadedExecutor, make_node: Callable[..., Node]
+) -> None:
+    other = make_node("other")
+    for node in (hearing.node, other, hearing.node):
+        rclpy.spin_once(node, executor=executor, timeout_sec=0.0)
+    rests = [node._executor_rest for node in (hearing.node, other)]
+    assert [rest is not None and rest.is_resting for rest in rests] == [True, False]
+
+
 def test_nodes_take_turns(
     hearing: Hearing, executor: SingleThreadedExecutor, make_node: Callable[..., Node]
 ) -> None:
