@@ -70,38 +70,43 @@ def _nothing() -> None:
     """Do nothing."""
 
 
+class _Terminal:
+    """The terminal of a `Keyboard`.
+
+    Args:
+        fd: File descriptor of the terminal.
+        on_enter: Called when the mode is set: at the beginning, and after a stop.
+        on_leave: Called when the mode is restored: before a stop, and at the end.
+    """
+
+    def __init__(
+        self,
+        fd: int = 0,
+        on_enter: Callable[[], object] = _nothing,
+        on_leave: Callable[[], object] = _nothing,
+    ) -> None:
+        self._fd = fd
+        self._on_enter = on_enter
+        self._on_leave = on_leave
+
+
 if sys.platform != "win32":
     import select
     import termios
 
-    class Keyboard:
+    class Keyboard(_Terminal):
         """Key presses on a terminal; a context manager that sets and restores its mode.
 
         Ctrl-C remains a signal. Hang-up and quit end the program by SystemExit; a stop (Ctrl-Z) restores the
-        mode until the program continues. To be entered in the main thread.
-
-        Args:
-            fd: File descriptor of the terminal.
-            on_enter: Called when the mode is set: at the beginning, and after a stop.
-            on_leave: Called when the mode is restored: before a stop, and at the end.
+        mode until the program continues. To be entered in the main thread. The arguments are those of `_Terminal`.
         """
-
-        def __init__(
-            self,
-            fd: int = 0,
-            on_enter: Callable[[], object] = _nothing,
-            on_leave: Callable[[], object] = _nothing,
-        ) -> None:
-            self._fd = fd
-            self._on_enter = on_enter
-            self._on_leave = on_leave
-            self._decoder = codecs.getincrementaldecoder("utf-8")("replace")
-            self._handlers: dict[int, Callable[[int, FrameType | None], object] | int | None] = {}
 
         def __enter__(self) -> Self:
             if not os.isatty(self._fd):
                 raise NoTerminalError
             self._found = termios.tcgetattr(self._fd)
+            self._decoder = codecs.getincrementaldecoder("utf-8")("replace")
+            self._handlers: dict[int, Callable[[int, FrameType | None], object] | int | None] = {}
             for number, handler in {
                 signal.SIGHUP: _exit_on_signal,
                 signal.SIGQUIT: _exit_on_signal,
@@ -190,18 +195,8 @@ else:
     """By the letter after the prefix of a key without a character."""
     POLL_S = 0.01
 
-    class Keyboard:
-        """Key presses at the console, which needs no mode; the arguments are as on other systems."""
-
-        def __init__(
-            self,
-            fd: int = 0,
-            on_enter: Callable[[], object] = _nothing,
-            on_leave: Callable[[], object] = _nothing,
-        ) -> None:
-            self._fd = fd
-            self._on_enter = on_enter
-            self._on_leave = on_leave
+    class Keyboard(_Terminal):
+        """Key presses at the console, which needs no mode; the arguments are those of `_Terminal`."""
 
         def __enter__(self) -> Self:
             if not os.isatty(self._fd):
