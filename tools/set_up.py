@@ -257,8 +257,6 @@ class Environment:
             steps.append((name, digest_of(requirements), partial(self._download, name, requirements)))
             if name == "demo":
                 settings = [project["build-system"], project["project"], project["tool"]["scikit-build"]]
-                # An editable install lists its modules, so a new or moved one requires a new install.
-                settings.append(sorted(str(path.relative_to(ROOT)) for path in PACKAGE.rglob("*.py")))
                 sources = [
                     PACKAGE / "__init__.py",
                     ROOT / "CMakeLists.txt",
