@@ -47,11 +47,9 @@ def main(args: argparse.Namespace) -> int:
     with ExitStack() as ends:
         participant = ends.enter_context(graph.joined_participant())
         node = ends.enter_context(shown_node(participant, cli_node()))
-        client = _ActionClient(participant, node, name, cls, ends)
+        client = _ActionClient(participant, node, name, cls, ends, with_feedback=args.feedback)
         print("Waiting for an action server to become available...")
         client.wait_for_server()
-        if args.feedback:
-            client.listen_to_feedback(participant, node, ends)
         print(f"Sending goal:\n     {message_to_yaml(goal)}")
         if not client.send(goal):
             print("Goal was rejected.")
@@ -70,38 +68,53 @@ def main(args: argparse.Namespace) -> int:
 
 
 class _ActionClient:
-    """A client of one action, for one goal."""
+    """A client of one action, for one goal.
+
+    Args:
+        participant: Where its ends are created.
+        node: The node that they are shown to belong to.
+        name: The full name of the action.
+        cls: The action's class.
+        ends: Closes them.
+        with_feedback: Print feedback while waiting for the result.
+    """
 
     def __init__(
-        self, participant: Participant, node: NodeName, name: str, cls: type[Any], ends: ExitStack
+        self,
+        participant: Participant,
+        node: NodeName,
+        name: str,
+        cls: type[Any],
+        ends: ExitStack,
+        *,
+        with_feedback: bool,
     ) -> None:
+        self._feedback: Reader | None = None
+        if with_feedback:
+            # Before the services, because a server discovers ends in the order of their creation: one that responds to
+            # a goal then sends its feedback here, too.
+            feedback_class = cls.Impl.FeedbackMessage
+            self._feedback = participant.create_reader(node, topic_of(feedback_class, name + FEEDBACK), QoS())
+            ends.callback(self._feedback.close)
+
         def client(service: str, service_class: type[Any]) -> Client:
             return ends.enter_context(service_client(participant, node, name + service, service_class))
 
         self.goal_id = new_goal_id()
         self._key = key_of(self.goal_id)
-        self._name = name
         self._class = cls
         self._send_goal = client(SEND_GOAL, cls.Impl.SendGoalService)
         self._get_result = client(GET_RESULT, cls.Impl.GetResultService)
         self._cancel_goal = client(CANCEL_GOAL, cls.Impl.CancelGoalService)
-        self._feedback: Reader | None = None
         self._unprinted: list[Any] = []
         """Feedback that has arrived and isn't printed yet."""
 
     def wait_for_server(self) -> None:
-        """Wait until all three services of the action are ready."""
+        """Wait until all three services of the action are ready, and the publisher of its feedback is matched."""
         for client in (self._send_goal, self._get_result, self._cancel_goal):
             client.wait_for_server()
-
-    def listen_to_feedback(self, participant: Participant, node: NodeName, ends: ExitStack) -> None:
-        """Subscribe to feedback, to print it, and wait until its publisher is matched."""
-        cls = self._class.Impl.FeedbackMessage
-        topic = topic_of(cls, self._name + FEEDBACK)
-        self._feedback = participant.create_reader(node, topic, QoS())
-        ends.callback(self._feedback.close)
         end_s = time.monotonic() + FEEDBACK_TIMEOUT_S
-        while not self._feedback.matched_count() and time.monotonic() < end_s:
+        while self._feedback and not self._feedback.matched_count() and time.monotonic() < end_s:
             time.sleep(0.005)
 
     def send(self, goal: Any) -> bool:
