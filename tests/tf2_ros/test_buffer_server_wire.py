@@ -113,10 +113,11 @@ def test_missing_and_killed_server(start: Callable[..., Program]) -> None:
     server = start(*SERVER)
     asker = client(
         start,
-        "from action_msgs.msg import GoalStatusArray",
-        "print('asking', flush=True)",
+        "impatient, client = client, BufferClient(node, 'tf2_buffer_server', timeout_padding=Duration(seconds=20))",
+        "client.wait_for_server(20)",
         "ask('world', 'robot', Time(), 0.5)",
-        "ask('world', 'robot', Time(), 2)",
+        "client = impatient",
+        "ask('world', 'robot', Time(), 3)",
     )
     asker.wait_for("TimeoutException Timed out after 0.5 s")  # a second query is waiting
     server.signal(signal.SIGKILL)
