@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
 
 import pytest
 
@@ -128,6 +129,125 @@ def test_call_in_a_callback_of_a_single_threaded_executor_raises(
     node.create_timer(0.0, lambda: client.call(AddTwoInts.Request()))
     with pytest.raises(RuntimeError, match="would never end"):
         executor.spin()
+
+
+class Served(NamedTuple):
+    """A service of a node that a thread of its own spins."""
+
+    client: Client
+    """A client of a node that no executor spins."""
+    asked: list[AddTwoInts.Request]
+    go_on: threading.Event
+    """Lets the response to a request with a negative number depart."""
+
+
+@pytest.fixture
+def served(context_on_each_wire: Context) -> Iterator[Served]:
+    server, caller = (Node(name, context=context_on_each_wire) for name in ("server", "caller"))
+    client = caller.create_client(AddTwoInts, "add")
+    served = Served(client, [], threading.Event())
+
+    def add_in_time(request: AddTwoInts.Request, response: AddTwoInts.Response) -> AddTwoInts.Response:
+        served.asked.append(request)
+        if request.a < 0:
+            served.go_on.wait(30)
+        return add(request, response)
+
+    server.create_service(AddTwoInts, "add", add_in_time, callback_group=ReentrantCallbackGroup())
+    end: Future[None] = Future()
+    with MultiThreadedExecutor(4, context=context_on_each_wire) as executor:
+        executor.add_node(server)
+        thread = threading.Thread(target=lambda: executor.spin_until_future_complete(end, timeout_sec=60))
+        thread.start()
+        assert client.wait_for_service(timeout_sec=10)
+        yield served
+        served.go_on.set()
+        end.set_result(None)
+        thread.join(10)
+    caller.destroy_node()
+    server.destroy_node()
+
+
+def test_call_receives_its_response_although_nobody_spins(served: Served) -> None:
+    for number in range(20):
+        assert served.client.call(AddTwoInts.Request(a=1, b=number), timeout_sec=10).sum == 1 + number
+    assert not served.client._pending
+
+
+def test_one_call_receives_the_responses_of_others(served: Served, wait_until: Callable[..., None]) -> None:
+    sums: list[int] = []
+
+    def call(a: int) -> None:
+        sums.append(served.client.call(AddTwoInts.Request(a=a), timeout_sec=20).sum)
+
+    asynchronous = served.client.call_async(AddTwoInts.Request(a=-1))
+    first = threading.Thread(target=call, args=[-2])
+    first.start()
+    wait_until(lambda: len(served.asked) == 2)
+    second = threading.Thread(target=call, args=[3])
+    second.start()  # its response wakes the first thread
+    second.join(10)
+    assert sums == [3]
+    assert not asynchronous.done()
+    served.go_on.set()
+    first.join(10)
+    assert sums == [3, -2]
+    # Nobody spins, so calls alone receive the response to the asynchronous request.
+    wait_until(lambda: served.client.call(AddTwoInts.Request(), timeout_sec=10) and asynchronous.done())
+    assert asynchronous.result().sum == -1
+
+
+def test_the_next_call_takes_over_when_the_first_has_ended(
+    served: Served, wait_until: Callable[..., None]
+) -> None:
+    assert served.client.call(AddTwoInts.Request(a=-1), timeout_sec=0.01) is None
+    sums: list[int] = []
+    threads = [
+        threading.Thread(
+            target=lambda a=a: sums.append(served.client.call(AddTwoInts.Request(a=a), timeout_sec=20).sum)
+        )
+        for a in (-2, -3)
+    ]
+    for count, thread in enumerate(threads, 2):
+        thread.start()
+        wait_until(lambda count=count: len(served.asked) == count)
+    served.go_on.set()
+    for thread in threads:
+        thread.join(10)
+    assert sorted(sums) == [-3, -2]
+
+
+def test_an_executor_receives_again_after_a_call(served: Served, context_on_each_wire: Context) -> None:
+    client = served.client
+    with SingleThreadedExecutor(context=context_on_each_wire) as executor:
+        executor.add_node(client._part_of)
+        assert client.call(AddTwoInts.Request(a=1), timeout_sec=10).sum == 1
+        future = client.call_async(AddTwoInts.Request(a=2))
+        executor.spin_until_future_complete(future, timeout_sec=10)
+        assert future.result().sum == 2
+
+
+def test_call_fails_when_the_server_leaves_although_nobody_spins(
+    context_on_each_wire: Context, wait_until: Callable[..., None]
+) -> None:
+    server, caller = (Node(name, context=context_on_each_wire) for name in ("server", "caller"))
+    server.create_service(AddTwoInts, "add", add)
+    client = caller.create_client(AddTwoInts, "add")
+    assert client.wait_for_service(timeout_sec=10)
+    failures: list[NoResponseError] = []
+
+    def call() -> None:
+        with pytest.raises(NoResponseError, match="its server left the graph") as raised:
+            client.call(AddTwoInts.Request(a=1))
+        failures.append(raised.value)
+
+    thread = threading.Thread(target=call)
+    thread.start()
+    wait_until(lambda: client._pending)
+    server.destroy_node()
+    thread.join(20)
+    assert failures
+    caller.destroy_node()
 
 
 def test_call_from_a_callback_works_with_threads(make_node: MakeNode, context: Context) -> None:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from tfloom._native import ReadyQueue
 from tfloom.node.context.context import WAKE
 from tfloom.node.endpoints.endpoint import UNREADABLE
+from tfloom.node.endpoints.posting import Posting
 from tfloom.node.endpoints.service import ServiceEndpoint
 from tfloom.node.endpoints.service_introspection import Introspection
 from tfloom.node.endpoints.type_variables import SrvType, SrvTypeRequest, SrvTypeResponse
@@ -19,7 +20,7 @@ from tfloom.node.executing.task import Future
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 from tfloom.node.values.exceptions import RCLError
 from tfloom.rmw.base import RequestId
-from tfloom.rmw.waiting import wait_for_token, wait_until_ready
+from tfloom.rmw.waiting import LOOK_AGAIN_S, wait_for_token, wait_until_ready
 from tfloom.rosidl import cdr
 from tfloom.rosidl.service import Service as ServiceType
 
@@ -31,6 +32,10 @@ if TYPE_CHECKING:
     from tfloom.rmw.base import Requester, Response
 
 __all__ = ["Client", "NoResponseError", "SrvType", "SrvTypeRequest", "SrvTypeResponse"]
+
+
+_RESPONSE = WAKE + 1
+"""The token of responses in the queue of a `call`."""
 
 
 class NoResponseError(RCLError):
@@ -48,7 +53,7 @@ class _Pending(NamedTuple):
 class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
     """Calls a service; `Node.create_client` creates one.
 
-    The executor that spins the node receives the responses.
+    The executor that spins the node receives the responses; while a thread waits in `call`, that thread does.
     """
 
     _kind = "client"
@@ -84,6 +89,9 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         self._executor = executor
         self._logger = logger
         self._reported_obstacle = ""
+        self._posting = Posting(client_impl.notify)
+        self._take_lock = threading.Lock()
+        """Held until the request of a response that was taken is no longer pending."""
         self._lock = threading.Lock()
         """Guards `_pending`."""
         self._pending: dict[int, _Pending] = {}
@@ -94,7 +102,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         """Fails requests whose servers have left; run by the same executor."""
 
     def call(self, request: SrvTypeRequest, timeout_sec: float | None = None) -> SrvTypeResponse | None:
-        """Send a request and wait for the response. Another thread must spin the node.
+        """Send a request and wait for the response, which this thread receives, whether or not an executor spins.
 
         Args:
             request: The request.
@@ -111,8 +119,8 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         executor = self._executor()
         if executor is not None and executor.would_wait_for_itself():
             raise RuntimeError(
-                f"Client.call of {self.srv_name} from a callback would never end, because its executor receives the "
-                "response on this thread. Await call_async, or spin with a MultiThreadedExecutor"
+                f"Client.call of {self.srv_name} from a callback would never end if a server or a callback of the same "
+                "executor has to run first. Await call_async, or spin with a MultiThreadedExecutor"
             )
         future = self.call_async(request)
         if not self._wait_for(future, timeout_sec):
@@ -123,9 +131,10 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         return future.result() if future.done() else None
 
     def _wait_for(self, future: Future[Any], timeout_sec: float | None) -> bool:
-        """Wait until a future is complete or the context shut down; return False after `timeout_sec` [s].
+        """Receive responses until a future is complete or the context shut down; return False after `timeout_sec` [s].
 
-        With a limit, the wait for a response that can't arrive takes as long as for one that may.
+        The servers are looked up from time to time, because their departure is announced to the executor alone, which
+        may not spin. With a limit, the wait for a response that can't arrive takes as long as for one that may.
         """
         is_ended = False
         try:
@@ -141,16 +150,34 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
 
         end_s = math.inf if timeout_sec is None else time.monotonic() + timeout_sec
         self._context.add_queue(queue)
+        self._posting.divert(queue, _RESPONSE)
         try:
             future.when_complete(end)
+            look_s = time.monotonic() + LOOK_AGAIN_S
             while not is_ended and self._context.ok():
-                if time.monotonic() >= end_s:
+                now_s = time.monotonic()
+                if now_s >= end_s:
                     return False
-                wait_for_token(queue, end_s)
+                if now_s >= look_s:
+                    look_s = now_s + LOOK_AGAIN_S
+                    self.fail_orphans(self.take_orphans())
+                wait_for_token(queue, min(end_s, look_s))
+                self._run_responses()
             return True
         finally:
+            self._posting.restore(queue)
             self._context.remove_queue(queue)
             self._queues.append(queue)
+
+    def attach(self, queue: ReadyQueue, token: int) -> None:
+        """Post `token` when a response has arrived that no `call` receives."""
+        if not self._destroyed:
+            self._posting.attach(queue, token)
+
+    def detach(self) -> None:
+        """Stop posting."""
+        if not self._destroyed:
+            self._posting.attach(None)
 
     def call_async(self, request: SrvTypeRequest) -> Future[SrvTypeResponse]:
         """Send a request and return the future of its response.
@@ -205,16 +232,13 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         future.set_exception(NoResponseError(f"no response from {self.srv_name}: {why}"))
 
     def take_orphans(self) -> list[Future[Any]]:
-        """Remove the requests whose servers have all left, and return their futures.
-
-        The responses that have arrived are taken first, so this is called on the thread that spins.
-        """
-        while (taken := self.take()) is not None:
-            self.run(taken)
+        """Remove the requests whose servers have all left without a response, and return their futures."""
         if self._destroyed:
             return []
+        connected = self._endpoint.connected_servers() if self._pending else frozenset()
+        # A response precedes the departure of its server, so those of all that have left are here now.
+        self._run_responses()
         with self._lock:
-            connected = self._endpoint.connected_servers() if self._pending else frozenset()
             orphans = [
                 (number, pending.future)
                 for number, pending in self._pending.items()
@@ -269,19 +293,28 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         finally:
             self._context.remove_queue(queue)
 
+    def _run_responses(self) -> None:
+        """Complete the futures of all requests whose responses have arrived."""
+        while (taken := self.take()) is not None:
+            self.run(taken)
+
+    def take(self) -> Any:
+        """Remove the oldest response and return it as `run` takes it, `UNREADABLE`, or None."""
+        with self._take_lock:
+            return super().take()
+
     def _read(self, incoming: Response) -> Any:
-        """Return a response and the number of its request."""
+        """Return a response and its request, which is pending no longer; None instead of one that was given up."""
         message = cdr.decode(self.srv_type.Response, incoming.data)
         self._introspection.response_received(message, incoming.id)
-        return message, incoming.id.sequence_number
+        with self._lock:
+            return message, self._pending.pop(incoming.id.sequence_number, None)
 
     def run(self, taken: Any) -> Any:
         """Complete the future of the request with its response."""
         if taken is UNREADABLE:
             return
-        message, number = taken
-        with self._lock:
-            pending = self._pending.pop(number, None)
+        message, pending = taken
         if pending is not None and not pending.future.cancelled():
             pending.future.set_executor(self._executor())
             pending.future.set_result(message)

@@ -1,0 +1,53 @@
+"""The queue that an endpoint posts to: its executor's, or that of a thread that waits for its data itself."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from tfloom._native import ReadyQueue
+
+__all__ = ["Posting"]
+
+
+class Posting:
+    """Directs the posts of an endpoint, so that a thread that waits for its data is the only one to wake.
+
+    The methods may be called from any thread.
+
+    Args:
+        notify: Makes the endpoint post a token to a queue, at once if there is something to take; None ends it.
+    """
+
+    def __init__(self, notify: Callable[[ReadyQueue | None, int], None]) -> None:
+        self._notify = notify
+        self._lock = threading.Lock()
+        """Guards the next two, and the order of calls of `notify`."""
+        self._usual: tuple[ReadyQueue | None, int] = (None, 0)
+        """The executor's queue and the endpoint's token there."""
+        self._waiting: list[tuple[ReadyQueue, int]] = []
+        """The queue and token of each thread that waits; the endpoint posts to the first."""
+
+    def attach(self, queue: ReadyQueue | None, token: int = 0) -> None:
+        """Post `token` to an executor's queue, while no thread waits; None: to none."""
+        with self._lock:
+            self._usual = (queue, token)
+            if not self._waiting:
+                self._notify(queue, token)
+
+    def divert(self, queue: ReadyQueue, token: int) -> None:
+        """Post `token` to the queue of a thread that waits, which takes all data until `restore`."""
+        with self._lock:
+            self._waiting.append((queue, token))
+            if len(self._waiting) == 1:
+                self._notify(queue, token)
+
+    def restore(self, queue: ReadyQueue) -> None:
+        """Undo `divert`: post to the next thread that waits, or to the executor's queue."""
+        with self._lock:
+            was_first = self._waiting[0][0] is queue
+            self._waiting = [each for each in self._waiting if each[0] is not queue]
+            if was_first:
+                self._notify(*(self._waiting[0] if self._waiting else self._usual))
