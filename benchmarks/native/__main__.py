@@ -135,9 +135,9 @@ def beside_writers(build: Build) -> None:
     row("fair mutex", "p99 of a lookup beside two writers [us]", without[0], with_it[0])
 
 
-def round_trips(build: Build) -> None:
-    """Measure busy waits by the wall clock: a round trip between two processes, one message in flight."""
-    forms = build.without("busy wait").module, build.module
+def round_trips(build: Build, name: str) -> None:
+    """Measure by the wall clock a round trip between two processes, one message in flight."""
+    forms = build.without(name).module, build.module
     found: tuple[list[float], list[float]] = ([], [])
     for turn in range(6):
         for index in (0, 1) if turn % 2 else (1, 0):
@@ -153,7 +153,7 @@ def round_trips(build: Build) -> None:
                 command, capture_output=True, text=True, check=True, cwd=HERE.parent.parent
             )
             found[index].append(median(json.loads(trips.stdout)))
-    row("busy wait", "a message there and back, p50 [us]", median(found[0]), median(found[1]))
+    row(name, "a message there and back, p50 [us]", median(found[0]), median(found[1]))
 
 
 def main() -> None:
@@ -167,8 +167,9 @@ def main() -> None:
         compare(build.module, build, name, [case for row_name, case in ROWS if row_name == name])
     if "fair mutex" in requested:
         beside_writers(build)
-    if "busy wait" in requested:
-        round_trips(build)
+    for name in ("busy wait", "short slice"):
+        if name in requested:
+            round_trips(build, name)
     if "frozen file" in requested:
         for what, (without, with_it) in frozen.measure().items():
             row("frozen file", f"99 frames of 10,000 samples, {what}", without, with_it)

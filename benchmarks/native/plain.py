@@ -124,6 +124,9 @@ EDITS: dict[str, dict[str, Edits | str]] = {
             ("busy_wait_.wait(has_tokens_, deadline.left()) && take(tokens, quiet)", "false")
         ]
     },
+    "short slice": {
+        "dds/reader.cpp": [("if (is_of_library()) use_short_slice();", "static_cast<void>(is_of_library);")]
+    },
     "fair mutex": {"tf2/fair_mutex.hpp": [("#ifdef __GLIBC__\n\nclass", "#ifdef _WIN32\n\nclass")]},
 }
 """For each optimisation, its files, each with its edits or with the name of the file in `plain/` that replaces it."""
