@@ -83,7 +83,7 @@ def measure(kind: str, way: str) -> Budget:
         folder = Path(stack.enter_context(tempfile.TemporaryDirectory()))
         pair = Pair("tfloom", kind, way, stack)
         pair.measure()
-        pair.times_us.clear()
+        pair.turns_us.clear()
         processes = (pair.asking, pair.answering)
         recordings = [folder / "asking", folder / "answering"]
         recorders = [record(*each) for each in zip(processes, recordings, strict=True)]
@@ -96,12 +96,13 @@ def measure(kind: str, way: str) -> Budget:
         for recorder in recorders:
             recorder.terminate()
             recorder.wait()
-        trips = len(pair.times_us)
+        times_us = [each for turn in pair.turns_us for each in turn]
+        trips = len(times_us)
         asking, answering = (
             {part: share * (used - unused) / trips for part, share in shares(recording).items()}
             for recording, used, unused in zip(recordings, after, before, strict=True)
         )
-        return Budget(median(pair.times_us), asking, answering)
+        return Budget(median(times_us), asking, answering)
 
 
 def table(name: str, budget: Budget) -> str:
