@@ -250,6 +250,25 @@ def test_call_fails_when_the_server_leaves_although_nobody_spins(
     caller.destroy_node()
 
 
+def test_a_request_during_the_look_at_the_servers_is_no_orphan(
+    node: Node, make_node: MakeNode, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    make_node("server").create_service(AddTwoInts, "add", add)
+    client = node.create_client(AddTwoInts, "add")
+    assert client.take_orphans() == []
+    first = client.call_async(AddTwoInts.Request(a=1))
+    later: list[Future[AddTwoInts.Response]] = []
+
+    def connected() -> frozenset[str]:
+        later.append(client.call_async(AddTwoInts.Request(a=2)))
+        return frozenset()
+
+    monkeypatch.setattr(client.wire_endpoint, "connected_servers", connected)
+    assert client.take_orphans() == [first]
+    assert [pending.future for pending in client._pending.values()] == later
+    assert len(later) == 1
+
+
 def test_call_from_a_callback_works_with_threads(make_node: MakeNode, context: Context) -> None:
     server, caller = make_node("server"), make_node("caller")
     server.create_service(AddTwoInts, "add", add)

@@ -235,18 +235,20 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         """Remove the requests whose servers have all left without a response, and return their futures."""
         if self._destroyed:
             return []
-        connected = self._endpoint.connected_servers() if self._pending else frozenset()
+        with self._lock:  # later requests may have servers that come after the look at those that are there
+            requests = list(self._pending.items())
+        connected = self._endpoint.connected_servers() if requests else frozenset()
         # A response precedes the departure of its server, so those of all that have left are here now.
         self._run_responses()
         with self._lock:
             orphans = [
-                (number, pending.future)
-                for number, pending in self._pending.items()
-                if pending.servers and pending.servers.isdisjoint(connected)
+                pending.future
+                for number, pending in requests
+                if pending.servers
+                and pending.servers.isdisjoint(connected)
+                and self._pending.pop(number, None) is not None
             ]
-            for number, _ in orphans:
-                del self._pending[number]
-        return [future for _, future in orphans if not future.cancelled()]
+        return [future for future in orphans if not future.cancelled()]
 
     def fail_orphans(self, orphans: list[Future[Any]]) -> None:
         """Complete the futures of requests whose servers have left."""
