@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import suppress
+from functools import cache
 from typing import TYPE_CHECKING
 
 from tfloom.node.context.context import Context
@@ -25,6 +25,7 @@ from tfloom.node.executing.task import Future
 from tfloom.node.parameters.parameter import Parameter
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from types import TracebackType
     from typing import Any
 
@@ -159,29 +160,41 @@ def create_node(
 
 def get_global_executor() -> Executor:
     """Return the executor that `spin` and its variants use if none is given."""
+    return _getter_of_global_executor()()
+
+
+@cache
+def _getter_of_global_executor() -> Callable[[], Executor]:
     from tfloom.node.executing.executors import get_global_executor as get
 
-    return get()
+    return get
 
 
-@contextmanager
-def _temporarily_added(node: Node, executor: Executor) -> Iterator[None]:
-    """Add `node` to `executor` for the block, and return it to its former executor.
+class _TemporarilyAdded:
+    """Adds `node` to `executor` for a block, and returns it to its former executor.
 
     A node that is in `executor` already stays there, because another thread may be spinning it.
     """
-    before = node.executor
-    is_new = executor.add_node(node)
-    try:
-        yield
-    finally:
-        if is_new:
-            if before is None:
-                executor.rest_node(node)  # because programs spin a node once after another
-            elif node in executor.get_nodes():  # otherwise a callback has destroyed or moved it
-                executor.remove_node(node)
-                with suppress(ShutdownException):
-                    before.add_node(node)
+
+    __slots__ = ("_before", "_executor", "_is_new", "_node")
+
+    def __init__(self, node: Node, executor: Executor) -> None:
+        self._node = node
+        self._executor = executor
+
+    def __enter__(self) -> None:
+        self._before = self._node.executor
+        self._is_new = self._executor.add_node(self._node)
+
+    def __exit__(self, *_: object) -> None:
+        if not self._is_new:
+            return
+        if self._before is None:
+            self._executor.rest_node(self._node)  # because programs spin a node once after another
+        elif self._node in self._executor.get_nodes():  # otherwise a callback has destroyed or moved it
+            self._executor.remove_node(self._node)
+            with suppress(ShutdownException):
+                self._before.add_node(self._node)
 
 
 def spin(node: Node, executor: Executor | None = None) -> None:
@@ -193,14 +206,14 @@ def spin(node: Node, executor: Executor | None = None) -> None:
         Exception: raised by a callback.
     """
     executor = executor or get_global_executor()
-    with _temporarily_added(node, executor):
+    with _TemporarilyAdded(node, executor):
         executor.spin()
 
 
 def spin_once(node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
     """Wait for one callback and run it; after `timeout_sec` [s] (None: no limit), return without one."""
     executor = executor or get_global_executor()
-    with _temporarily_added(node, executor):
+    with _TemporarilyAdded(node, executor):
         executor.spin_once(timeout_sec=timeout_sec)
 
 
@@ -209,5 +222,5 @@ def spin_until_future_complete(
 ) -> None:
     """Run a node's callbacks until a future is done, or for `timeout_sec` [s] (None: no limit)."""
     executor = executor or get_global_executor()
-    with _temporarily_added(node, executor):
+    with _TemporarilyAdded(node, executor):
         executor.spin_until_future_complete(future, timeout_sec)

@@ -94,14 +94,16 @@ class NodeEntities(NodeGraph):
 
     @executor.setter
     def executor(self, new_executor: Executor | None) -> None:
-        current = self.executor
-        if current is new_executor:
-            return
-        self.__executor = None if new_executor is None else weakref.ref(new_executor)
-        if current is not None:
-            current.remove_node(self)
         if new_executor is not None:
             new_executor.add_node(self)
+        elif (current := self.executor) is not None:
+            current.remove_node(self)
+
+    def _enter_executor(self, executor: Executor | None) -> None:
+        former = self.executor
+        self.__executor = None if executor is None else weakref.ref(executor)
+        if executor is not None and former is not None and former is not executor:
+            former.remove_node(self)
 
     def get_logger(self) -> RcutilsLogger:
         """Return its logger."""

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
+from typing import Any
 
 from tfloom.node.context.context import Context
 
 
 class Defaults:
-    """Holder of a default context, which is None until its first use.
+    """Holder of a default context and of the executor on it; each is None until its first use.
 
     Args:
         context: The first default context.
@@ -18,6 +19,8 @@ class Defaults:
 
     def __init__(self, context: Context | None = None) -> None:
         self.context = context
+        self.executor: Any = None
+        """An `Executor`, which this room doesn't know. Read without a lock; `get_global_executor` alone writes it."""
 
 
 _current: ContextVar[Defaults] = ContextVar("defaults", default=Defaults())  # noqa: B039  # one for the process

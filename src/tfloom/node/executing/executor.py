@@ -49,8 +49,8 @@ class SpunNode(Protocol):
     def executor(self) -> Executor | None:
         """The executor that the node was added to."""
 
-    @executor.setter
-    def executor(self, new_executor: Executor | None) -> None: ...
+    def _enter_executor(self, executor: Executor | None) -> None:
+        """Store the executor that has added the node, and leave the former one; None: none has."""
 
     _executor_rest: Rest | None
     """What remains in the executor that the node has left; executors alone use it."""
@@ -124,7 +124,7 @@ class Executor(WorkQueue):
             if node in self._nodes:
                 return False
             self._nodes.append(node)
-        node.executor = self
+        node._enter_executor(self)  # noqa: SLF001  # ours
         entities, rest = node.entities(), node._executor_rest  # noqa: SLF001  # ours
         if rest is None or not rest.end_by_return(self, entities):
             node._executor_rest = None  # noqa: SLF001  # ours
@@ -139,7 +139,7 @@ class Executor(WorkQueue):
             self._nodes.remove(node)
         self.remove_entities(node.entities())
         if node.executor is self:
-            node.executor = None
+            node._enter_executor(None)  # noqa: SLF001  # ours
 
     def rest_node(self, node: SpunNode) -> None:
         """Remove a node that probably returns soon: that is quick if none of its entities changes until then."""
@@ -157,7 +157,7 @@ class Executor(WorkQueue):
             node._executor_rest = rest  # noqa: SLF001  # ours
             with self._lock:
                 self._nodes.remove(node)
-            node.executor = None
+            node._enter_executor(None)  # noqa: SLF001  # ours
         finally:
             self._spinning.release()
 

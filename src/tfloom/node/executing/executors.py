@@ -9,10 +9,9 @@ from collections.abc import Callable, Coroutine
 from contextlib import suppress
 from types import CoroutineType
 from typing import TYPE_CHECKING, Any, TypeVar
-from weakref import WeakKeyDictionary
 
 from tfloom.node.context.context import Context
-from tfloom.node.context.defaults import Defaults, current_defaults
+from tfloom.node.context.defaults import current_defaults
 from tfloom.node.context.utilities import get_default_context
 from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup
 from tfloom.node.executing.executor import Executor
@@ -181,18 +180,20 @@ class MultiThreadedExecutor(Executor):
 
 
 _global_lock = threading.Lock()
-_global_executors: WeakKeyDictionary[Defaults, Executor] = WeakKeyDictionary()
-"""The executor of each default context; guarded by `_global_lock`."""
+"""Held by the thread that creates the executor of a default context."""
 
 
 def get_global_executor() -> Executor:
     """Return the executor on the default context that `rclpy.spin` and its variants use if none is given."""
+    defaults = current_defaults()
+    executor: Executor | None = defaults.executor
+    if executor is not None and executor.context is defaults.context and not executor._is_shutdown:  # noqa: SLF001
+        return executor
     with _global_lock:
-        defaults = current_defaults()
-        executor = _global_executors.get(defaults)
+        executor = defaults.executor
         context = get_default_context()
         if executor is None or executor.context is not context or executor._is_shutdown:  # noqa: SLF001
             if executor is not None:
                 executor.shutdown(0.0)
-            executor = _global_executors[defaults] = SingleThreadedExecutor(context=context)
+            executor = defaults.executor = SingleThreadedExecutor(context=context)
         return executor
