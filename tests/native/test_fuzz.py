@@ -20,7 +20,7 @@ import tempfile
 from pathlib import Path
 
 import pytest
-from tests.native.test_sanitizers import build
+from tests.native.test_sanitizers import build_programs
 from tests.shared_folders import shared_folder
 
 from tfloom.rosidl.message import Message
@@ -138,7 +138,7 @@ def run(program: Path, folder: Path, amount: str, *seed: str) -> subprocess.Comp
 @pytest.mark.skipif(sys.platform == "win32", reason="the sanitizers here are GCC's and Clang's")
 def test_fuzzed_bytes_break_nothing(tmp_path: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
     with shared_folder(tmp_path_factory, SANITIZE) as folder:
-        programs = build(folder, SANITIZE, list(SEEDS))
+        programs = build_programs(folder, SANITIZE, list(SEEDS))
     for program in programs:
         name, expected = program.name, SEEDS[program.name]
         done = run(program, tmp_path, f"{INPUTS[name]}n", SEED)
@@ -152,7 +152,7 @@ def test_fuzzed_bytes_break_nothing(tmp_path: Path, tmp_path_factory: pytest.Tem
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as home:
-        (fuzzer,) = build(Path(home) / "build", SANITIZE, [sys.argv[1]])
+        (fuzzer,) = build_programs(Path(home) / "build", SANITIZE, [sys.argv[1]])
         outcome = run(fuzzer, Path(home), *sys.argv[2:4])
         print(outcome.stdout, outcome.stderr)
         sys.exit(outcome.returncode)

@@ -11,46 +11,28 @@ import sys
 from pathlib import Path
 
 import pytest
-from tests.native.test_sanitizers import BUILD_TIMEOUT_S, CMAKE_OPTIONS, cmake
+from tests.native.test_sanitizers import build_extension
+from tests.shared_folders import shared_folder
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
 RUN_TIMEOUT_S = 1200
 EVERYWHERE = ["tests/rmw", "tests/tf2_ros/test_lifetime.py", "tests/tf2_ros/test_wire.py"]
 TESTS = {
-    "thread": [*EVERYWHERE, "tests/tf2/test_threads.py", "tests/node/wire/test_services.py"],
     "address,undefined": [
         *EVERYWHERE,
         "tests/tf2",
         "tests/rosidl/test_cdr.py",
         "tests/rosidl/test_message.py",
     ],
+    "thread": [*EVERYWHERE, "tests/tf2/test_threads.py", "tests/node/wire/test_services.py"],
 }
+"""The order differs from that of test_sanitizers.py, so that both files don't wait for the same build."""
 RUNTIMES = {"thread": "libtsan.so", "address,undefined": "libasan.so"}
 pytestmark = [
     pytest.mark.slow,
     pytest.mark.skipif(sys.platform != "linux", reason="the sanitizer's runtime is preloaded as on Linux"),
 ]
-
-
-def build_extension(folder: Path, sanitize: str) -> Path:
-    find_nanobind = [sys.executable, "-m", "nanobind", "--cmake_dir"]
-    nanobind = subprocess.run(find_nanobind, capture_output=True, text=True, check=True).stdout.strip()
-    options = [
-        *CMAKE_OPTIONS,
-        f"-DTFLOOM_SANITIZE={sanitize}",
-        "-DSKBUILD=2",
-        f"-DPython_EXECUTABLE={sys.executable}",
-        f"-Dnanobind_DIR={nanobind}",
-    ]
-    for command in (
-        [cmake(), "-S", ROOT, "-B", folder, *options],
-        [cmake(), "--build", folder, "--target", "_native", "--parallel", str(os.cpu_count() or 1)],
-    ):
-        done = subprocess.run(command, capture_output=True, text=True, timeout=BUILD_TIMEOUT_S, check=False)
-        assert done.returncode == 0, done.stdout + done.stderr
-    (extension,) = folder.glob("_native*.so")
-    return extension
 
 
 def environment(extension: Path, runtime: str, reports: Path) -> dict[str, str]:
@@ -72,8 +54,11 @@ def environment(extension: Path, runtime: str, reports: Path) -> dict[str, str]:
 
 
 @pytest.mark.parametrize("sanitize", TESTS)
-def test_the_extension_under_sanitizers(sanitize: str, tmp_path: Path) -> None:
-    extension = build_extension(tmp_path / "build", sanitize)
+def test_the_extension_under_sanitizers(
+    sanitize: str, tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    with shared_folder(tmp_path_factory, sanitize) as folder:
+        extension = build_extension(folder, sanitize)
     variables = environment(extension, RUNTIMES[sanitize], tmp_path / "report")
 
     def run(*words: str) -> str:

@@ -38,24 +38,48 @@ def cmake() -> str:
     return found
 
 
-def build(folder: Path, sanitize: str, programs: list[str]) -> list[Path]:
-    """Build programs with a sanitizer in a folder, where an earlier build is continued; return their paths."""
-    options = ["-DTFLOOM_NATIVE_TESTS=ON", f"-DTFLOOM_SANITIZE={sanitize}", *CMAKE_OPTIONS]
+def build(folder: Path, sanitize: str, targets: list[str]) -> None:
+    """Build targets with a sanitizer in a folder, where an earlier build is continued.
+
+    The programs and the extension share the core's library, which is compiled once for each sanitizer.
+    """
+    find_nanobind = [sys.executable, "-m", "nanobind", "--cmake_dir"]
+    nanobind = subprocess.run(find_nanobind, capture_output=True, text=True, check=True).stdout.strip()
+    options = [
+        *CMAKE_OPTIONS,
+        f"-DTFLOOM_SANITIZE={sanitize}",
+        "-DTFLOOM_NATIVE_TESTS=ON",
+        "-DSKBUILD=2",
+        f"-DPython_EXECUTABLE={sys.executable}",
+        f"-Dnanobind_DIR={nanobind}",
+    ]
     parallel = str(os.cpu_count() or 1)
     for command in (
         [cmake(), "-S", ROOT, "-B", folder, *options],
-        [cmake(), "--build", folder, "--parallel", parallel, "--target", *programs],
+        [cmake(), "--build", folder, "--parallel", parallel, "--target", *targets],
     ):
         done = subprocess.run(command, capture_output=True, text=True, timeout=BUILD_TIMEOUT_S, check=False)
         assert done.returncode == 0, done.stdout + done.stderr
+
+
+def build_programs(folder: Path, sanitize: str, programs: list[str]) -> list[Path]:
+    """Build programs of this folder, and return their paths."""
+    build(folder, sanitize, programs)
     return [folder / "tests" / "native" / program for program in programs]
+
+
+def build_extension(folder: Path, sanitize: str) -> Path:
+    """Build the extension, and return its path."""
+    build(folder, sanitize, ["_native"])
+    (extension,) = folder.glob("_native*.so")
+    return extension
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="MSVC has no ThreadSanitizer")
 @pytest.mark.parametrize("sanitize", ["thread", "address,undefined"])
 def test_core_passes_under_sanitizers(sanitize: str, tmp_path_factory: pytest.TempPathFactory) -> None:
     with shared_folder(tmp_path_factory, sanitize) as folder:
-        programs = build(folder, sanitize, PROGRAMS)
+        programs = build_programs(folder, sanitize, PROGRAMS)
     environment = {
         **os.environ,
         "TSAN_OPTIONS": "halt_on_error=1",
