@@ -9,9 +9,9 @@ __all__ = ["CELL_NS", "CROWD", "TimerSchedule"]
 CELL_NS = 1_000_000
 """Length of the cells of the steady clock in which a crowd of deadlines shares one wake [ns].
 
-A wake takes up to 25 us of CPU time, three times as much as the call of a timer, so they are as long as the least time
-that asyncio distinguishes. The cells are fixed, so that a timer
-whose period is a multiple of their length is delayed by the same time in each of its periods.
+A wake takes up to 25 us of CPU time, three times as much as the call of a timer, so a cell is as long as the shortest
+time that asyncio distinguishes. The cells are fixed, so that a timer whose period is a multiple of their length is
+delayed by the same time in each of its periods.
 """
 
 CROWD = 4
