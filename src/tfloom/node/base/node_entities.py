@@ -100,6 +100,7 @@ class NodeEntities(NodeGraph):
             current.remove_node(self)
 
     def _enter_executor(self, executor: Executor | None) -> None:
+        """As in `SpunNode`; the setter of `executor` asks the executor, which calls this."""
         former = self.executor
         self.__executor = None if executor is None else weakref.ref(executor)
         if executor is not None and former is not None and former is not executor:

@@ -169,15 +169,8 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
             self._context.remove_queue(queue)
             self._queues.append(queue)
 
-    def attach(self, queue: ReadyQueue, token: int) -> None:
-        """Post `token` when a response has arrived that no `call` receives."""
-        if not self._destroyed:
-            self._posting.attach(queue, token)
-
-    def detach(self) -> None:
-        """Stop posting."""
-        if not self._destroyed:
-            self._posting.attach(None)
+    def _notify(self, queue: ReadyQueue | None, token: int) -> None:
+        self._posting.attach(queue, token)  # of responses that no `call` receives
 
     def call_async(self, request: SrvTypeRequest) -> Future[SrvTypeResponse]:
         """Send a request and return the future of its response.

@@ -122,12 +122,15 @@ class ReceivingEndpoint(Endpoint[TakingEndpoint]):
     def attach(self, queue: ReadyQueue, token: int) -> None:
         """Post `token` when data has arrived."""
         if not self._destroyed:
-            self._endpoint.notify(queue, token)
+            self._notify(queue, token)
 
     def detach(self) -> None:
         """Stop posting."""
         if not self._destroyed:
-            self._endpoint.notify(None)
+            self._notify(None, 0)
+
+    def _notify(self, queue: ReadyQueue | None, token: int) -> None:
+        self._endpoint.notify(queue, token)
 
 
 class Receiver(ReceivingEndpoint[TakingEndpoint], Entity):

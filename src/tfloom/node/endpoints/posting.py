@@ -30,7 +30,7 @@ class Posting:
         self._waiting: list[tuple[ReadyQueue, int]] = []
         """The queue and token of each thread that waits; the endpoint posts to the first."""
 
-    def attach(self, queue: ReadyQueue | None, token: int = 0) -> None:
+    def attach(self, queue: ReadyQueue | None, token: int) -> None:
         """Post `token` to an executor's queue, while no thread waits; None: to none."""
         with self._lock:
             self._usual = (queue, token)
