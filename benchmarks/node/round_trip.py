@@ -46,9 +46,8 @@ def trips_of_a_turn(api: str, kind: str, way: str) -> int:
     """Return how many trips an API makes in a turn."""
     if api == "cyclonedds" and kind in SIZES:  # it copies large arrays element by element
         return {"64 kB": 5, "1 MB": 1}[kind]
-    if (
-        api == "rclpy" and way == "call_async"
-    ):  # each `spin_until_future_complete` takes longer than the one before
+    # In rclpy 7.1.6 each `spin_until_future_complete` takes longer than the one before.
+    if api == "rclpy" and way == "call_async":
         return 30
     return {"64 kB": 200, "1 MB": 20}.get(kind, 500)
 
