@@ -33,7 +33,7 @@ std::span<const std::byte> octets_of(const nb::bytes& data) {
   return {static_cast<const std::byte*>(data.data()), data.size()};
 }
 
-[[noreturn]] void raise(const bag::RecordError& error) {
+[[noreturn]] void raise_value_error(const bag::RecordError& error) {
   const nb::object exception = nb::steal(PyObject_CallFunction(PyExc_ValueError, "s", error.what()));
   exception.attr("offset") = error.offset;
   PyErr_SetObject(PyExc_ValueError, exception.ptr());
@@ -47,7 +47,7 @@ auto without_gil(Function&& function) {
     const ReleasedGil release;
     return function();
   } catch (const bag::RecordError& error) {
-    raise(error);
+    raise_value_error(error);
   }
 }
 

@@ -154,8 +154,8 @@ void add_field(ObjectPlan& plan, const std::string& name, const std::string& kin
   plan.update_least_size();
 }
 
-[[noreturn]] void raise(const nb::object& error_class, const std::string& text, nb::object path, nb::object reason,
-                        nb::object offset) {
+[[noreturn]] void raise_codec_error(const nb::object& error_class, const std::string& text, nb::object path,
+                                    nb::object reason, nb::object offset) {
   const auto error = error_class(text);
   error.attr("path") = path;
   error.attr("reason") = reason;
@@ -202,8 +202,8 @@ nb::bytes encode(const nb::handle& message) {
   } catch (const cdr::EncodeError& error) {
     const std::string reason = error.what();
     const std::string path = whole_path(plan, error);
-    raise(message_hooks().encode_error, path + (reason.front() == ':' ? "" : " ") + reason, nb::cast(path),
-          nb::cast(reason), nb::none());
+    raise_codec_error(message_hooks().encode_error, path + (reason.front() == ':' ? "" : " ") + reason,
+                      nb::cast(path), nb::cast(reason), nb::none());
   }
   plan.last_size = out.size();
   return storage.take(out.size());
@@ -219,8 +219,9 @@ nb::object decode_octets(const ObjectPlan& plan, PyTypeObject* type, std::span<c
     return message;
   } catch (const cdr::DecodeError& error) {
     const std::string path = whole_path(plan, error);
-    raise(message_hooks().decode_error, path + ": byte " + std::to_string(error.offset) + ": " + error.what(),
-          nb::cast(path), nb::cast(std::string(error.what())), nb::cast(error.offset));
+    raise_codec_error(message_hooks().decode_error,
+                      path + ": byte " + std::to_string(error.offset) + ": " + error.what(), nb::cast(path),
+                      nb::cast(std::string(error.what())), nb::cast(error.offset));
   }
 }
 

@@ -18,7 +18,7 @@ using namespace nb::literals;
 namespace tfloom::bindings {
 namespace {
 
-Gid to_gid(const nb::bytes& bytes) {
+Gid gid_of_publisher(const nb::bytes& bytes) {
   Gid gid{};
   if (bytes.size() != gid.size()) throw nb::value_error("publisher_gid must have 16 octets");
   std::memcpy(gid.data(), bytes.data(), gid.size());
@@ -67,7 +67,7 @@ void bind_core(nb::module_& m) {
           "push",
           [](Sink& sink, const nb::bytes& data, std::int64_t source_stamp_ns, std::int64_t received_stamp_ns,
              const nb::bytes& publisher_gid) {
-            const SampleInfo info{source_stamp_ns, received_stamp_ns, to_gid(publisher_gid)};
+            const SampleInfo info{source_stamp_ns, received_stamp_ns, gid_of_publisher(publisher_gid)};
             const std::span view(static_cast<const std::byte*>(data.data()), data.size());
             const ReleasedGil release;
             sink.push(view, info);
@@ -75,7 +75,7 @@ void bind_core(nb::module_& m) {
           "data"_a, "source_stamp_ns"_a, "received_stamp_ns"_a, "publisher_gid"_a,
           "Push one sample: encapsulation header and CDR, stamps [ns since epoch], 16 octets of gid.")
       .def(
-          "forget", [](Sink& sink, const nb::bytes& publisher_gid) { sink.forget(to_gid(publisher_gid)); },
+          "forget", [](Sink& sink, const nb::bytes& publisher_gid) { sink.forget(gid_of_publisher(publisher_gid)); },
           "publisher_gid"_a, "Forget what is stored for a publisher that has left.")
       .def("notify", &Sink::notify, "queue"_a.none(), "token"_a, nb::keep_alive<1, 2>(),
            "Post `token` to `queue` after a push, for waits with `quiet` only; None ends it.\n\n"

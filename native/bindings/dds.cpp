@@ -68,7 +68,7 @@ Gid to_gid(const nb::bytes& bytes) { return octets_of<16>(bytes, "a gid has 16 o
 
 std::string to_string(const nb::bytes& bytes) { return {bytes.c_str(), bytes.size()}; }
 
-nb::object take(Reader& reader) {
+nb::object take_sample(Reader& reader) {
   nb::object taken = nb::none();
   reader.take([&taken](std::span<const std::byte> data, const SampleInfo& info) {
     taken = nb::make_tuple(to_bytes(data), info.source_stamp_ns, info.received_stamp_ns,
@@ -212,7 +212,7 @@ void bind_reader(nb::module_& m) {
           "Create a reader of a topic, given by its names on the wire; `qos` is a resolved tfloom.rmw.qos.QoS.")
       .def("notify", &Reader::notify, "queue"_a.none(), "token"_a, nb::keep_alive<1, 2>(),
            "Post `token` to `queue` when there are samples to take; None ends it.")
-      .def("take", &take, nb::sig("def take(self) -> tuple[bytes, int, int, bytes] | None"),
+      .def("take", &take_sample, nb::sig("def take(self) -> tuple[bytes, int, int, bytes] | None"),
            "Remove the oldest sample: (data, source stamp, received stamp, gid), or None.")
       .def("feed", &Reader::feed, "sink"_a, nb::keep_alive<1, 2>(), ReleaseGil(),
            "Push every further sample into `sink`, on a thread without Python.")

@@ -50,7 +50,7 @@ void require_equal(std::size_t size, Sizes... sizes) {
   if (((size != sizes) || ...)) throw nb::value_error("the arrays must be of one length");
 }
 
-[[noreturn]] void raise(const tf2::FailedStamp& failed) {
+[[noreturn]] void raise_at_index(const tf2::FailedStamp& failed) {
   const nb::object exception = exception_of(failed.error);
   exception.attr("index") = failed.index;
   PyErr_SetObject(exception.type().ptr(), exception.ptr());
@@ -67,7 +67,7 @@ void lookup_many(const BufferHandle& self, const NameArgument& target, const Nam
                               {reinterpret_cast<Transform*>(out.data()), out.shape(0)},
                               {known.data(), known.size()}, is_strict, workers);
   }
-  if (failed) raise(*failed);
+  if (failed) raise_at_index(*failed);
 }
 
 std::size_t set_many(BufferHandle& self, const NameArgument& frame_id, const NameArgument& child_frame_id,
@@ -136,7 +136,7 @@ void deskew(const BufferHandle& self, const NameArgument& fixed, const NameArgum
     failed = tf2::deskew(*self.buffer, fixed.text, source.text, target_from_fixed, {stamps.data(), stamps.size()},
                          points.data(), out.data(), workers);
   }
-  if (failed) raise(*failed);
+  if (failed) raise_at_index(*failed);
 }
 
 template <class T>

@@ -52,7 +52,7 @@ TfSnapshot snapshot_of(const TfObserver& observer) {
   return observer.snapshot();
 }
 
-std::unique_ptr<TfObserverSink> make_sink(const std::shared_ptr<TfObserver>& observer, bool is_static,
+std::unique_ptr<TfObserverSink> make_observer_sink(const std::shared_ptr<TfObserver>& observer, bool is_static,
                                           const BufferHandle* buffer) {
   return std::make_unique<TfObserverSink>(observer, is_static, buffer == nullptr ? nullptr : buffer->buffer);
 }
@@ -210,7 +210,7 @@ void bind_tf2_observer(nb::module_& m) {
   nb::class_<TfObserver>(m, "TfObserver", "Statistics of all transforms on /tf and /tf_static, by publisher and edge.")
       .def(nb::new_([](StampArgument cache_time) { return std::make_shared<TfObserver>(cache_time.value); }),
            "cache_time_ns"_a = tf2::Buffer::default_cache_time)
-      .def("sink", &make_sink, "static"_a, "buffer"_a.none() = nb::none(),
+      .def("sink", &make_observer_sink, "static"_a, "buffer"_a.none() = nb::none(),
            "Return a sink for `Reader.feed` that records samples of `tf2_msgs/msg/TFMessage` here.\n\n"
            "It also stores the transforms in `buffer`, if there is one, with the publisher's gid in hexadecimal as "
            "authority.")

@@ -58,7 +58,7 @@ PyType_Slot sink_slots[] = {
     {0, nullptr},
 };
 
-std::unique_ptr<cdr::TfSink> make_sink(const BufferHandle& self, std::string authority, bool is_static,
+std::unique_ptr<cdr::TfSink> make_tf_sink(const BufferHandle& self, std::string authority, bool is_static,
                                        std::optional<nb::callable> on_held) {
   cdr::HeldCallback callback;
   if (on_held) callback = HeldFunction{Callback(*on_held)};
@@ -82,7 +82,7 @@ void bind_tf2_wire(nb::module_& m, nb::class_<BufferHandle>& type) {
            "Drop what is held, and forget all publishers' stamps, after a jump in time.");
   type.def(
           "tf_sink",
-          &make_sink, "authority"_a, "static"_a, "on_held"_a.none() = nb::none(),
+          &make_tf_sink, "authority"_a, "static"_a, "on_held"_a.none() = nb::none(),
           nb::sig("def tf_sink(self, authority: str, static: bool, on_held: "
                   "collections.abc.Callable[[list[int], str, int, int], object] | None = None) -> TfSink"),
           "Return a sink for `Reader.feed` that stores samples of `tf2_msgs/msg/TFMessage` here.\n\n"

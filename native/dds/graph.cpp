@@ -10,7 +10,6 @@ namespace tfloom::dds {
 namespace {
 
 constexpr std::uint32_t samples_per_take = 64;
-constexpr std::size_t header_size = 4;
 constexpr std::size_t most_early_node_lists = 256;  // bounded, because they come from the wire
 
 Gid to_gid(const void* octets) {
@@ -206,9 +205,9 @@ void Graph::update_node_lists() {
 
 // After its encapsulation header, a node list starts with the GUID of its participant.
 void Graph::put_node_list(std::span<const std::byte> data) {
-  if (data.size() < header_size + sizeof(Gid)) return;
+  if (data.size() < encapsulation_size + sizeof(Gid)) return;
   ++changes_;
-  const Gid gid = to_gid(data.data() + header_size);
+  const Gid gid = to_gid(data.data() + encapsulation_size);
   const auto found = participants_.find(gid);
   if (found != participants_.end()) {
     found->second.node_list.assign(data.begin(), data.end());

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <string_view>
 #include <utility>
 #ifdef __linux__
@@ -10,17 +9,13 @@
 #endif
 
 #include "core/time_slice.hpp"
+#include "core/wall_clock.hpp"
 #include "dds/serdata.hpp"
 
 namespace tfloom::dds {
 namespace {
 
 constexpr Result samples_per_batch = 64;  // after a batch, the thread serves other readers
-
-std::int64_t now_ns() {
-  using namespace std::chrono;
-  return duration_cast<nanoseconds>(system_clock::now().time_since_epoch()).count();
-}
 
 // Return whether the calling thread is one of the library's, by the names that it gives them. A thread of the program
 // delivers what it writes to the readers of its own process.
@@ -126,7 +121,7 @@ bool Reader::take(const Receive& receive) {
     may_have_data_ = true;
     const TakenSample sample(library_, serdata);
     if (!state.valid_data) continue;
-    const SampleInfo info{state.source_stamp_ns, now_ns(), peers_.gid(entity_.get(), state.publication)};
+    const SampleInfo info{state.source_stamp_ns, wall_clock_ns(), peers_.gid(entity_.get(), state.publication)};
     if (service_end_ && rtps::uses_inline_form(info.publisher_gid)) {
       if (!receive_inline(sample.data(), info, receive)) continue;
     } else {
@@ -181,7 +176,7 @@ bool Reader::push_batch() {
   Serdata_* serdata[samples_per_batch]{};
   SampleState states[samples_per_batch];
   const Result count = library_.takecdr(entity_.get(), serdata, samples_per_batch, states, 0);
-  const std::int64_t received_ns = now_ns();
+  const std::int64_t received_ns = wall_clock_ns();
   for (Result i = 0; i < count; ++i) {
     const TakenSample sample(library_, serdata[i]);
     const SampleState& state = states[i];

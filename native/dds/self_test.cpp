@@ -1,6 +1,5 @@
 #include "dds/self_test.hpp"
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -12,11 +11,13 @@
 #include <unistd.h>
 #endif
 
+#include "core/wall_clock.hpp"
 #include "dds/canaried.hpp"
 #include "dds/endpoint.hpp"
 #include "dds/entity.hpp"
 #include "dds/listener_call.hpp"
 #include "dds/qos.hpp"
+#include "dds/serdata.hpp"
 
 namespace tfloom::dds {
 namespace {
@@ -33,7 +34,6 @@ constexpr std::uint32_t reliability_policy = 11;
 constexpr std::uint32_t new_view = 4;
 constexpr std::uint32_t unread_sample = 2;
 constexpr std::uint32_t read_sample = 1;
-constexpr int data_kind = 2;
 constexpr std::size_t sample_count = 2;
 constexpr std::size_t sample_size = 8;
 constexpr unsigned char header[4] = {0, 1, 0, 0};
@@ -66,11 +66,6 @@ bool is_equal(const Guid& left, const Guid& right) { return std::memcmp(&left, &
 
 bool is_user_data(const Library& library, const Qos_* qos, const char* expected) {
   return is_readable(qos, sizeof(void*)) && read_user_data(library, qos) == expected;
-}
-
-std::int64_t now_ns() {
-  using namespace std::chrono;
-  return duration_cast<nanoseconds>(system_clock::now().time_since_epoch()).count();
 }
 
 // A writer and a reader that match, and a writer that doesn't match for its reliability, in a domain without a network.
@@ -313,7 +308,7 @@ class SelfTest {
   }
 
   void check_samples() {
-    const std::int64_t begin_ns = now_ns();
+    const std::int64_t begin_ns = wall_clock_ns();
     for (std::size_t i = 0; i < sample_count; ++i) write(static_cast<unsigned char>(i + 1));
     check_received(l_.readcdr, "dds_readcdr", unread_sample, begin_ns);
     check_received(l_.takecdr, "dds_takecdr", read_sample, begin_ns);
@@ -342,7 +337,7 @@ class SelfTest {
     std::memcpy(&is_valid, reinterpret_cast<const unsigned char*>(&state) + offsetof(SampleState, valid_data), 1);
     return is_valid == 1 && state.sample_state == sample_state && state.instance_state == alive_instance &&
            (state.view_state == new_view || sample_state == read_sample) && state.source_stamp_ns >= begin_ns &&
-           state.source_stamp_ns <= now_ns() && state.publication == writer_handle_ && state.instance != 0 &&
+           state.source_stamp_ns <= wall_clock_ns() && state.publication == writer_handle_ && state.instance != 0 &&
            state.instance == states[0].instance && state.disposed_generation_count == 0 &&
            state.no_writers_generation_count == 0 && state.sample_rank < sample_count && state.generation_rank == 0 &&
            state.absolute_generation_rank == 0;

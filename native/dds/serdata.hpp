@@ -1,14 +1,19 @@
-// A view of a serialized sample that libddsc owns, without a copy.
+// Serialized samples of libddsc.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "dds/library.hpp"
 
 namespace tfloom::dds {
 
-// Holds a reference to one taken sample. The view is valid as long as this object exists.
+constexpr int data_kind = 2;  // of serdata with all of a sample, not its key alone
+constexpr std::size_t encapsulation_size = 4;  // of the header that comes before a sample's data
+
+// A view of a taken sample that libddsc owns, without a copy. It holds a reference to the sample, and its data is valid as
+// long as this object exists.
 class TakenSample {
  public:
   TakenSample(const Library& library, Serdata_* serdata)

@@ -4,13 +4,12 @@
 #include <stdexcept>
 
 #include "core/busy_wait.hpp"
+#include "dds/serdata.hpp"
 
 namespace tfloom::dds {
 namespace {
 
-constexpr std::size_t header_size = 4;
 constexpr std::size_t alignment = 4;
-constexpr int data_kind = 2;
 
 constexpr std::size_t least_kept_size = 256;  // below any size of fragments
 constexpr std::size_t most_kept_size = 64 << 20;
@@ -18,7 +17,7 @@ constexpr std::int64_t kept_wait_ns = 100'000'000;
 constexpr int most_kept_waits = 100;
 
 void check_encapsulation(std::span<const std::byte> data) {
-  if (data.size() <= header_size) {
+  if (data.size() <= encapsulation_size) {
     throw std::invalid_argument("a sample has four octets of encapsulation header and at least one of data, not " +
                                 std::to_string(data.size()) + " in all");
   }

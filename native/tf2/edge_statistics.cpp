@@ -14,7 +14,7 @@ bool is_finite(const Transform& transform) {
   return std::isfinite(p.x + p.y + p.z + q.x + q.y + q.z + q.w);
 }
 
-double seconds(Stamp ns) { return s_per_ns * static_cast<double>(ns); }
+double in_seconds(Stamp ns) { return s_per_ns * static_cast<double>(ns); }
 
 }  // namespace
 
@@ -33,16 +33,16 @@ void EdgeStatistics::add_times(Stamp stamp, Stamp received, Stamp now, bool is_s
   if (stamp == 0) {
     ++zero_stamps;
   } else if (now != 0) {
-    delay.add(seconds(now - stamp));
+    delay.add(in_seconds(now - stamp));
     if (stamp > now) ++ahead;
   }
   if (count == 0) {
     first_stamp = oldest_stamp = newest_stamp = stamp;
     first_received = received;
   } else {
-    receipt_period.add(seconds(received - last_received));
+    receipt_period.add(in_seconds(received - last_received));
     if (stamp > newest_stamp) {
-      stamp_period.add(seconds(stamp - newest_stamp));
+      stamp_period.add(in_seconds(stamp - newest_stamp));
     } else if (stamp == newest_stamp) {
       if (!is_static) ++repeated;
     } else {
