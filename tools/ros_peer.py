@@ -89,8 +89,8 @@ project({name})
 find_package(ament_cmake REQUIRED)
 find_package(rosidl_default_generators REQUIRED)
 {found}
-# Introspection is for other libraries than Fast DDS, and a quarter of what is compiled.
-list(FILTER AMENT_EXTENSIONS_rosidl_generate_idl_interfaces EXCLUDE REGEX introspection)
+# Python never uses introspection of C++ types.
+list(FILTER AMENT_EXTENSIONS_rosidl_generate_idl_interfaces EXCLUDE REGEX introspection_cpp)
 rosidl_generate_interfaces({name} {files} DEPENDENCIES {dependencies})
 ament_package()
 """

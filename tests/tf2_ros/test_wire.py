@@ -146,7 +146,11 @@ future.add_done_callback(answered.append)
 threading.Thread(target=canary, daemon=True).start()
 print("holding", flush=True)
 sys.setswitchinterval(1000)
-before, end_ns = turns, newest_ns() + 1_000_000_000
+before = None
+while before != turns:  # a thread that has waited since the earlier interval still gets a turn
+    before = turns
+    HOLD(20_000)
+end_ns = newest_ns() + 1_000_000_000
 give_up = time.monotonic() + 30
 while newest_ns() < end_ns and time.monotonic() < give_up:
     HOLD(1000)
