@@ -21,5 +21,10 @@ def test_posts_go_to_the_first_thread_that_waits_and_then_to_the_executor() -> N
     posting.restore(first)
     posting.restore(third)
     assert calls[2:] == [(third, 4), (after, 5)]
+    assert [queue.wait(0) for queue in (before, first, second, third, after)] == [[]] * 5
+    posting.post()
+    assert after.wait(0) == [5]
     posting.attach(None, 0)
+    posting.post()
+    assert after.wait(0) == []
     assert calls[4:] == [(None, 0)]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import threading
+import time
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
@@ -225,6 +226,85 @@ def test_an_executor_receives_again_after_a_call(served: Served, context_on_each
         future = client.call_async(AddTwoInts.Request(a=2))
         executor.spin_until_future_complete(future, timeout_sec=10)
         assert future.result().sum == 2
+
+
+@pytest.mark.parametrize("is_added_before", [True, False])
+def test_spin_once_returns_after_a_response_that_came_with_a_change_of_the_servers(
+    node: Node,
+    make_node: MakeNode,
+    executor: SingleThreadedExecutor,
+    context: Context,
+    is_added_before: bool,
+) -> None:
+    server = make_node("server")
+    server.create_service(AddTwoInts, "add", add)
+    client = node.create_client(AddTwoInts, "add")
+    executor.add_node(server)
+    future = client.call_async(AddTwoInts.Request(a=2, b=3))
+    with SingleThreadedExecutor(context=context) as asking:
+        if is_added_before:
+            asking.add_node(node)
+        executor.spin_once(timeout_sec=5)
+        assert client.server_watch.take() is None  # looks at the servers, and receives the response before
+        assert future.done()
+        if not is_added_before:
+            asking.add_node(node)
+        began_s = time.monotonic()
+        asking.spin_once(timeout_sec=20)
+        assert time.monotonic() - began_s < 15
+        asking.spin_once(timeout_sec=0)
+        assert not client._was_completed_elsewhere
+
+
+def test_spin_once_returns_after_a_response_that_a_call_has_received(
+    served: Served, context_on_each_wire: Context, wait_until: Callable[..., None]
+) -> None:
+    client, returned = served.client, threading.Event()
+    calling = threading.Thread(target=client.call, args=[AddTwoInts.Request(a=-1)])
+    calling.start()
+    wait_until(lambda: served.asked)
+    with SingleThreadedExecutor(context=context_on_each_wire) as executor:
+        executor.add_node(client._part_of)
+
+        def spin() -> None:
+            executor.spin_once()
+            returned.set()
+
+        spinning = threading.Thread(target=spin)
+        spinning.start()
+        wait_until(lambda: client.call_async(AddTwoInts.Request(a=5)) and returned.wait(0.1))
+        spinning.join()
+    served.go_on.set()
+    calling.join(20)
+
+
+def test_spin_once_returns_after_a_failure_that_a_call_has_noticed(
+    context_on_each_wire: Context, wait_until: Callable[..., None], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    server, caller = (Node(name, context=context_on_each_wire) for name in ("server", "caller"))
+    server.create_service(AddTwoInts, "add", add)
+    client = caller.create_client(AddTwoInts, "add")
+    assert client.wait_for_service(timeout_sec=10)
+    future = client.call_async(AddTwoInts.Request(a=1))
+    monkeypatch.setattr(client.server_watch, "take", lambda: None)  # so that the call's look is the first
+
+    def call() -> None:
+        with pytest.raises(NoResponseError):
+            client.call(AddTwoInts.Request(a=2))
+
+    calling = threading.Thread(target=call)
+    calling.start()
+    wait_until(lambda: len(client._pending) == 2)
+    with SingleThreadedExecutor(context=context_on_each_wire) as executor:
+        executor.add_node(caller)
+        server.destroy_node()
+        while not future.done():
+            began_s = time.monotonic()
+            executor.spin_once(timeout_sec=20)
+            assert time.monotonic() - began_s < 15
+        assert isinstance(future.exception(), NoResponseError)
+    calling.join(20)
+    caller.destroy_node()
 
 
 def test_call_fails_when_the_server_leaves_although_nobody_spins(

@@ -133,7 +133,7 @@ class Show:
             self._check()
             with contextlib.suppress(queue.Empty):
                 line = self._lines.get(timeout=0.1)
-                print(line)
+                print(f"{line}\n", end="")  # in one piece, because Ctrl-C may come after any write
                 if line.startswith("At time") and self._is_complete() and "view_frames" not in self._programs:
                     self._start("view_frames", VIEW_FRAMES)
             if not self._has_drawn and time.monotonic() > started + PATIENCE_S:

@@ -96,6 +96,8 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         """Guards `_pending`."""
         self._pending: dict[int, _Pending] = {}
         self._reaches_later_servers = qos_profile.durability == DurabilityPolicy.TRANSIENT_LOCAL
+        self._was_completed_elsewhere = False
+        """Whether a future was completed while the executor did not look, so that its `spin_once` is to return."""
         self._queues: list[ReadyQueue] = []
         """Queues on which no `call` waits now. They are kept, because each learns whether a busy wait is worthwhile."""
         self.server_watch = ServerWatch(self)
@@ -160,9 +162,12 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
                     return False
                 if now_s >= look_s:
                     look_s = now_s + LOOK_AGAIN_S
-                    self.fail_orphans(self.take_orphans())
+                    orphans = self.take_orphans(future)
+                    self.fail_orphans(orphans)
+                    if any(each is not future for each in orphans):
+                        self._tell_executor()
                 wait_for_token(queue, min(end_s, look_s))
-                self._run_responses()
+                self._run_responses(future)
             return True
         finally:
             self._posting.restore(queue)
@@ -171,6 +176,8 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
 
     def _notify(self, queue: ReadyQueue | None, token: int) -> None:
         self._posting.attach(queue, token)  # of responses that no `call` receives
+        if self._was_completed_elsewhere:
+            self._posting.post()
 
     def call_async(self, request: SrvTypeRequest) -> Future[SrvTypeResponse]:
         """Send a request and return the future of its response.
@@ -224,15 +231,18 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         future.set_executor(self._executor())
         future.set_exception(NoResponseError(f"no response from {self.srv_name}: {why}"))
 
-    def take_orphans(self) -> list[Future[Any]]:
-        """Remove the requests whose servers have all left without a response, and return their futures."""
+    def take_orphans(self, own: Future[Any] | None = None) -> list[Future[Any]]:
+        """Remove the requests whose servers have all left without a response, and return their futures.
+
+        Responses that have arrived are received before; for `own`, see `_run_responses`.
+        """
         if self._destroyed:
             return []
         with self._lock:  # later requests may have servers that come after the look at those that are there
             requests = list(self._pending.items())
         connected = self._endpoint.connected_servers() if requests else frozenset()
         # A response precedes the departure of its server, so those of all that have left are here now.
-        self._run_responses()
+        self._run_responses(own)
         with self._lock:
             orphans = [
                 pending.future
@@ -288,15 +298,37 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         finally:
             self._context.remove_queue(queue)
 
-    def _run_responses(self) -> None:
-        """Complete the futures of all requests whose responses have arrived."""
-        while (taken := self.take()) is not None:
-            self.run(taken)
+    def _run_responses(self, own: Future[Any] | None) -> None:
+        """Complete the futures of all requests whose responses have arrived.
 
-    def take(self) -> Any:
-        """Remove the oldest response and return it as `run` takes it, `UNREADABLE`, or None."""
+        For all but `own`, the future of the calling thread, the executor is told, because its `spin_once` returns after
+        a response: programs check between two calls of it whether their future is done.
+        """
+        is_for_others = False
+        while (taken := self._take_next()) is not None:
+            self.run(taken)
+            is_for_others |= taken is not UNREADABLE and taken[1] is not None and taken[1].future is not own
+        if is_for_others:
+            self._tell_executor()
+
+    def _tell_executor(self) -> None:
+        self._was_completed_elsewhere = True
+        self._posting.post()
+
+    def _take_next(self) -> Any:
         with self._take_lock:
             return super().take()
+
+    def take(self) -> Any:
+        """Remove the oldest response and return it as `run` takes it, `UNREADABLE`, or None.
+
+        After a response that was received elsewhere, return `UNREADABLE` once.
+        """
+        taken = self._take_next()
+        if taken is None and self._was_completed_elsewhere:
+            self._was_completed_elsewhere = False
+            return UNREADABLE
+        return taken
 
     def _read(self, incoming: Response) -> Any:
         """Return a response and its request, which is pending no longer; None instead of one that was given up."""

@@ -37,6 +37,13 @@ class Posting:
             if not self._waiting:
                 self._notify(queue, token)
 
+    def post(self) -> None:
+        """Post the endpoint's token to the executor's queue, if there is one."""
+        with self._lock:
+            queue, token = self._usual
+            if queue is not None:
+                queue.post(token)
+
     def divert(self, queue: ReadyQueue, token: int) -> None:
         """Post `token` to the queue of a thread that waits, which takes all data until `restore`."""
         with self._lock:
