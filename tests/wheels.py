@@ -1,25 +1,46 @@
-"""Wheels of this checkout, for tests of what users install."""
+"""The files of a release of this checkout, for tests of what users install."""
 
 from __future__ import annotations
 
-import subprocess
-import sys
+import shutil
 from pathlib import Path
 
 import pytest
 from tests.shared_folders import shared_folder
+from tools import release
+from tools.release import Tools
 
 ROOT = Path(__file__).parents[1]
-INTERFACES = ROOT / "packages" / "tfloom-interfaces"
 
 
-def build_wheel(factory: pytest.TempPathFactory, project: Path = ROOT) -> Path:
-    """Return the wheel of a project, which the first test that asks builds, leaving nothing in the checkout."""
-    with shared_folder(factory, f"wheel of {project.name}") as folder:
-        if not list(folder.glob("*.whl")):
-            options = ["--no-deps", "--no-build-isolation", "--config-settings", f"build-dir={folder}/build"]
-            pip = [sys.executable, "-m", "pip", "--disable-pip-version-check", "--quiet"]
-            command = [*pip, "wheel", *options, "-w", str(folder), str(project)]
-            subprocess.run(command, check=True, timeout=1800)
-        (wheel,) = folder.glob("*.whl")
-        return wheel
+def release_tools(factory: pytest.TempPathFactory) -> Tools:
+    """Return the tools of a release, which the first test that asks installs."""
+    with shared_folder(factory, "release tools") as folder:
+        return Tools(folder / "venv")
+
+
+def release_files(factory: pytest.TempPathFactory) -> list[Path]:
+    """Return the sdists and wheels of all projects, which the first test that asks builds.
+
+    They are built from a copy of the checkout, so that nothing is left in it.
+    """
+    tools = release_tools(factory)
+    with shared_folder(factory, "files of a relëase") as folder:
+        dist, clone = folder / "dist", folder / "a clöne" / "tfloom"
+        if not dist.exists():
+            shutil.rmtree(folder / "unfinished", ignore_errors=True)
+            shutil.rmtree(clone, ignore_errors=True)
+            unwanted = shutil.ignore_patterns(
+                ".git", ".venv*", "build", "dist", "wheels", "__pycache__", ".*_cache", ".hypothesis"
+            )
+            shutil.copytree(ROOT, clone, ignore=unwanted)
+            (folder / "unfinished").mkdir()
+            release.build(tools, folder / "unfinished", [clone, *(clone / "packages").iterdir()])
+            (folder / "unfinished").rename(dist)
+        return sorted(dist.iterdir())
+
+
+def wheel_of(files: list[Path], name: str) -> Path:
+    """Return the wheel of a distribution among the files of a release."""
+    (wheel,) = (path for path in files if path.name.startswith(f"{name}-") and path.suffix == ".whl")
+    return wheel

@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 from tests.drop_in.conftest import Peer
-from tests.wheels import build_wheel
+from tests.wheels import release_files, wheel_of
 from tools.ros_peer import RosPeer
 
 pytestmark = pytest.mark.ros
@@ -124,7 +124,7 @@ def test_pip_install_into_the_environment_of_a_real_rclpy(
     environment = tmp_path / "environment"
     shutil.copytree(peer.python.parents[1], environment, symlinks=True, copy_function=os.link)
     python = environment / "bin" / "python"
-    wheel = build_wheel(tmp_path_factory)
+    wheel = wheel_of(release_files(tmp_path_factory), "tfloom")
     before, _ = json.loads(run(peer, ORIGINS, python=python).stdout)
     pip = [python, "-m", "pip", "--disable-pip-version-check", "install", "--no-deps", "--no-index", wheel]
     subprocess.run(pip, check=True, timeout=300, env=peer.environment(domain_id))

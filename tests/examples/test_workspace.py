@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from tests.conftest import COLCON_PYTHON
 from tests.launch.ros.user import expect_clean_end
-from tests.wheels import build_wheel
+from tests.wheels import release_files, wheel_of
 from tests.workspace.conftest import BIN, colcon
 
 pytestmark = [pytest.mark.slow, pytest.mark.skipif(os.name != "posix", reason="needs bash")]
@@ -111,7 +111,7 @@ def test_fresh_environment_builds_and_runs_it(
     wait_until: Callable[..., None],
 ) -> None:
     (tmp_path / "ws").mkdir()
-    wheel = build_wheel(tmp_path_factory)
+    wheel = wheel_of(release_files(tmp_path_factory), "tfloom")
     venv = tmp_path / "venv"
     subprocess.run([sys.executable, "-m", "venv", venv], check=True, timeout=120)
     install = [venv / "bin" / "python", "-m", "pip", "install", "--quiet", f"{wheel}[workspace]"]

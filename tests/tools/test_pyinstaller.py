@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 from tests.conftest import Program
-from tests.wheels import INTERFACES, build_wheel
+from tests.wheels import release_files, wheel_of
 
 PROGRAM = Path(__file__).with_name("frozen_robot.py")
 TIMEOUT_S = 600.0
@@ -29,7 +29,8 @@ pytestmark = [
 def pyinstaller(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Install tfloom's wheels and PyInstaller into a fresh environment; return the path of the command."""
     folder = tmp_path_factory.mktemp("environment")
-    wheels = [build_wheel(tmp_path_factory), build_wheel(tmp_path_factory, INTERFACES)]
+    files = release_files(tmp_path_factory)
+    wheels = [wheel_of(files, "tfloom"), wheel_of(files, "tfloom_interfaces")]
     venv.create(folder, symlinks=True)
     commands = folder / Path(sysconfig.get_path("scripts")).name
     pip = [

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import pytest
 from tests.conftest import FIGURE
-from tests.shared_folders import shared_folder
+from tests.wheels import release_files, release_tools, wheel_of
 from tools import release
 from tools.release import MOST_BYTES, Tools
 from tools.set_up import SetUpError, distribution, read_project
@@ -35,23 +35,12 @@ RUNNERS = ["ubuntu-24.04", "ubuntu-24.04-arm", "macos-15-intel", "macos-14", "wi
 
 @pytest.fixture(scope="module")
 def tools(tmp_path_factory: pytest.TempPathFactory) -> Tools:
-    with shared_folder(tmp_path_factory, "release tools") as folder:
-        return Tools(folder / "venv")
+    return release_tools(tmp_path_factory)
 
 
 @pytest.fixture(scope="module")
-def files(tools: Tools, tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
-    """Build the sdists and wheels of a clone, so that nothing is left in this checkout."""
-    folder = tmp_path_factory.mktemp("dist")
-    clone = tmp_path_factory.mktemp("a clöne") / "tfloom"
-    unwanted = shutil.ignore_patterns(".git", ".venv*", "build", "dist", "wheels", "__pycache__", ".*_cache")
-    shutil.copytree(ROOT, clone, ignore=unwanted)
-    return release.build(tools, folder, [clone, *(clone / "packages").iterdir()])
-
-
-def wheel_of(files: list[Path], name: str) -> Path:
-    (wheel,) = (path for path in files if path.name.startswith(f"{name}-") and path.suffix == ".whl")
-    return wheel
+def files(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    return release_files(tmp_path_factory)
 
 
 @pytest.mark.slow

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import pytest
 from docs import rclpy_api
-from tests.wheels import INTERFACES, build_wheel
+from tests.wheels import release_files, wheel_of
 
 pytestmark = pytest.mark.slow
 ROOT = Path(__file__).parents[2]
@@ -60,9 +60,10 @@ def pyright(python: Path, *programs: Path, folder: Path) -> list[str]:
 
 @pytest.fixture(scope="session")
 def wheel_python(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Build the wheels, install them into a fresh environment, and return that environment's Python."""
+    """Install wheels of a release into a fresh environment, and return that environment's Python."""
     folder = tmp_path_factory.mktemp("wheel")
-    wheels = [build_wheel(tmp_path_factory), build_wheel(tmp_path_factory, INTERFACES)]
+    files = release_files(tmp_path_factory)
+    wheels = [wheel_of(files, "tfloom"), wheel_of(files, "tfloom_interfaces")]
     venv.create(folder / "venv", symlinks=True)
     python = folder / "venv" / Path(sysconfig.get_path("scripts")).name / "python"
     pip = [sys.executable, "-m", "pip", "--disable-pip-version-check", "--quiet", "--python", str(python)]
