@@ -13,6 +13,14 @@ from tools.release import Tools
 ROOT = Path(__file__).parents[1]
 
 
+def copy_checkout(clone: Path) -> Path:
+    """Copy the files of a clone to a new folder, so that builds leave nothing in this checkout; return the folder."""
+    unwanted = shutil.ignore_patterns(
+        ".git", ".venv*", "build", "dist", "wheels", "__pycache__", ".*_cache", ".hypothesis"
+    )
+    return Path(shutil.copytree(ROOT, clone, ignore=unwanted))
+
+
 def release_tools(factory: pytest.TempPathFactory) -> Tools:
     """Return the tools of a release, which the first test that asks installs."""
     with shared_folder(factory, "release tools") as folder:
@@ -20,23 +28,16 @@ def release_tools(factory: pytest.TempPathFactory) -> Tools:
 
 
 def release_files(factory: pytest.TempPathFactory) -> list[Path]:
-    """Return the sdists and wheels of all projects, which the first test that asks builds.
-
-    They are built from a copy of the checkout, so that nothing is left in it.
-    """
+    """Return the sdists and wheels of all projects, which the first test that asks builds."""
     tools = release_tools(factory)
-    with shared_folder(factory, "files of a relëase") as folder:
-        dist, clone = folder / "dist", folder / "a clöne" / "tfloom"
+    with shared_folder(factory, "release files") as folder:
+        dist, unfinished = folder / "dist", folder / "unfinished"
         if not dist.exists():
-            shutil.rmtree(folder / "unfinished", ignore_errors=True)
-            shutil.rmtree(clone, ignore_errors=True)
-            unwanted = shutil.ignore_patterns(
-                ".git", ".venv*", "build", "dist", "wheels", "__pycache__", ".*_cache", ".hypothesis"
-            )
-            shutil.copytree(ROOT, clone, ignore=unwanted)
-            (folder / "unfinished").mkdir()
-            release.build(tools, folder / "unfinished", [clone, *(clone / "packages").iterdir()])
-            (folder / "unfinished").rename(dist)
+            shutil.rmtree(unfinished, ignore_errors=True)  # of a build that failed
+            clone = copy_checkout(unfinished / "a clöne" / "tfloom")
+            (unfinished / "dist").mkdir()
+            release.build(tools, unfinished / "dist", [clone, *(clone / "packages").iterdir()])
+            (unfinished / "dist").rename(dist)
         return sorted(dist.iterdir())
 
 

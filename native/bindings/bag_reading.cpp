@@ -29,7 +29,7 @@ using bag::Record;
 using bag::RecordWalk;
 using bag::TfInserter;
 
-std::span<const std::byte> octets_of(const nb::bytes& data) {
+std::span<const std::byte> span_of(const nb::bytes& data) {
   return {static_cast<const std::byte*>(data.data()), data.size()};
 }
 
@@ -62,7 +62,7 @@ Channels channels_of(const nb::object& wanted) {
 
 nb::list list_messages(const nb::bytes& data, const nb::object& wanted, std::uint64_t start, std::uint64_t end) {
   const Channels channels = channels_of(wanted);
-  const auto found = without_gil([octets = octets_of(data), &channels, start, end] {
+  const auto found = without_gil([octets = span_of(data), &channels, start, end] {
     std::vector<MessageRecord> messages;
     RecordWalk walk(octets, 0);
     while (walk.advance()) {
@@ -84,7 +84,7 @@ nb::list list_messages(const nb::bytes& data, const nb::object& wanted, std::uin
 
 nb::tuple summarise(const nb::bytes& data, std::size_t begin) {
   const bag::RunSummary found =
-      without_gil([octets = octets_of(data), begin] { return bag::summarise(octets, begin); });
+      without_gil([octets = span_of(data), begin] { return bag::summarise(octets, begin); });
   nb::dict counts;
   for (const auto& [channel, count] : found.counts) counts[nb::int_(channel)] = count;
   nb::list others;
@@ -104,7 +104,7 @@ class TfRecords {
 
   void insert(std::size_t topic, const nb::bytes& message) {
     TfInserter& inserter = inserters_.at(topic);
-    inserter.insert(octets_of(message));
+    inserter.insert(span_of(message));
     inserter.finish();
   }
 
@@ -112,7 +112,7 @@ class TfRecords {
                           std::uint64_t start, std::uint64_t end) {
     std::vector<TfInserter*> of_channel(1 << 16, nullptr);
     for (const auto& [channel, topic] : channels) of_channel[channel] = &inserters_.at(topic);
-    return without_gil([this, octets = octets_of(data), &of_channel, start, end] {
+    return without_gil([this, octets = span_of(data), &of_channel, start, end] {
       std::size_t next = 0;
       try {
         next = insert_records(octets, of_channel, start, end);

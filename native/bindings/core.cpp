@@ -1,12 +1,12 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/vector.h>
 
-#include <cstring>
 #include <stdexcept>
 #include <vector>
 
 #include "bindings/bindings.hpp"
 #include "bindings/gil.hpp"
+#include "bindings/octets.hpp"
 #include "bindings/signal_wakeup.hpp"
 #include "core/ready_queue.hpp"
 #include "core/sample_queue.hpp"
@@ -18,12 +18,7 @@ using namespace nb::literals;
 namespace tfloom::bindings {
 namespace {
 
-Gid gid_of_publisher(const nb::bytes& bytes) {
-  Gid gid{};
-  if (bytes.size() != gid.size()) throw nb::value_error("publisher_gid must have 16 octets");
-  std::memcpy(gid.data(), bytes.data(), gid.size());
-  return gid;
-}
+Gid gid_of_publisher(const nb::bytes& bytes) { return octets_of<16>(bytes, "publisher_gid must have 16 octets"); }
 
 std::vector<ReadyQueue::Token> wait_for_tokens(ReadyQueue& queue, std::int64_t timeout_ns, bool quiet) {
   std::vector<ReadyQueue::Token> tokens;

@@ -4,11 +4,11 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
-#include <cstring>
 #include <tuple>
 
 #include "bindings/bindings.hpp"
 #include "bindings/gil.hpp"
+#include "bindings/octets.hpp"
 #include "dds/graph.hpp"
 #include "dds/packets.hpp"
 #include "dds/participant.hpp"
@@ -53,15 +53,6 @@ QosFields from_qos(const dds::Qos& qos) {
 nb::bytes to_bytes(const Gid& gid) { return nb::bytes(gid.data(), gid.size()); }
 nb::bytes to_bytes(const std::string& text) { return nb::bytes(text.data(), text.size()); }
 nb::bytes to_bytes(std::span<const std::byte> data) { return nb::bytes(data.data(), data.size()); }
-
-// Return the octets of `bytes`; throw ValueError with `rule` if they are not as many.
-template <std::size_t size>
-std::array<std::uint8_t, size> octets_of(const nb::bytes& bytes, const char* rule) {
-  std::array<std::uint8_t, size> octets{};
-  if (bytes.size() != size) throw nb::value_error(rule);
-  std::memcpy(octets.data(), bytes.data(), size);
-  return octets;
-}
 
 auto key_of(const nb::bytes& bytes) { return octets_of<8>(bytes, "a client's key has 8 octets"); }
 Gid to_gid(const nb::bytes& bytes) { return octets_of<16>(bytes, "a gid has 16 octets"); }

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import os
-import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from tests.wheels import copy_checkout
 
 ROOT = Path(__file__).parents[2]
 COMMAND = "./packages/tfloom-ros2"
@@ -32,12 +32,7 @@ def tools(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def clone(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Copy the files of a clone, so that the builds leave nothing in this checkout."""
-    clone = tmp_path_factory.mktemp("a clone") / "tfloom"
-    unwanted = shutil.ignore_patterns(
-        ".git", ".venv", "build", "wheels", "__pycache__", ".*_cache", ".hypothesis"
-    )
-    return Path(shutil.copytree(ROOT, clone, ignore=unwanted))
+    return copy_checkout(tmp_path_factory.mktemp("a clone") / "tfloom")
 
 
 def run(home: Path, *command: str | Path, cwd: Path = ROOT, **environment: object) -> None:
