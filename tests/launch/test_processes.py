@@ -6,8 +6,11 @@ import json
 import os
 import re
 import signal
+import subprocess
 import sys
-from collections.abc import Callable
+import uuid
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 import psutil
@@ -27,12 +30,14 @@ from tfloom.launch.event_handlers.on_process_exit import OnProcessExit
 from tfloom.launch.event_handlers.on_process_io import OnProcessIO
 from tfloom.launch.event_handlers.on_process_start import OnProcessStart
 from tfloom.launch.events.matchers import matches_action
+from tfloom.launch.events.process.process_exited import ProcessExited
 from tfloom.launch.events.process.process_matchers import matches_executable, matches_name, matches_pid
+from tfloom.launch.events.process.process_started import ProcessStarted
 from tfloom.launch.events.process.process_stdin import ProcessStdin
 from tfloom.launch.events.process.shutdown_process import ShutdownProcess
 from tfloom.launch.events.process.signal_process import SignalProcess
 from tfloom.launch.launch_context import LaunchContext
-from tfloom.launch.processes.family import TAG
+from tfloom.launch.processes.family import TAG, find, members_of
 from tfloom.launch.substitutions.launch_configuration import LaunchConfiguration
 from tfloom.launch.substitutions.text_substitution import TextSubstitution
 
@@ -327,6 +332,83 @@ def test_what_a_process_left_behind_is_ended_and_named(launch: Launch) -> None:
     assert not [
         process for process in psutil.process_iter(["cmdline"]) if "4321" in (process.info["cmdline"] or [])
     ]
+
+
+@contextmanager
+def sleeping(group: int = 0) -> Iterator[subprocess.Popen[bytes]]:
+    """Start a process that no launch has started, in a process group; 0: in one of its own."""
+    process = subprocess.Popen(
+        ["sleep", "600"],
+        preexec_fn=lambda: os.setpgid(0, group),  # noqa: PLW1509  # `process_group` needs Python 3.11
+    )
+    try:
+        yield process
+    finally:
+        process.kill()
+        process.wait()
+
+
+def test_the_process_group_of_an_ended_process_may_be_anothers(launch: Launch) -> None:
+    """The system gives the id to another group when no member is left that the launch had there."""
+    with ExitStack() as left, ExitStack() as others:
+        unrelated: list[subprocess.Popen[bytes]] = []
+
+        def leave_a_member(event: ProcessStarted, _: LaunchContext) -> EmitEvent:
+            left.enter_context(sleeping(event.pid))
+            return EmitEvent(event=ProcessStdin(text=b"\n", process_matcher=matches_action(leader)))
+
+        def replace_it(event: ProcessExited, _: LaunchContext) -> None:
+            # Another process can join while a member is left; after the end of that, all is as if the id were new.
+            unrelated.append(others.enter_context(sleeping(event.pid)))
+            left.close()
+
+        leader = shell("read")
+        ran = launch(
+            RegisterEventHandler(OnProcessStart(target_action=leader, on_start=leave_a_member)),
+            RegisterEventHandler(OnProcessExit(target_action=leader, on_exit=replace_it)),
+            leader,
+        )
+        assert ran.code == 0
+        assert not [line for line in ran.lines if line.startswith("[WARNING]")]
+        assert unrelated[0].poll() is None
+
+
+def test_the_guardian_ends_no_group_that_the_launch_no_longer_has() -> None:
+    with sleeping() as ended, sleeping(ended.pid) as unrelated:
+        with sleeping(ended.pid) as left:
+            start = next(each for each in members_of(ended.pid) if each[0] == left.pid)[1]
+        for lines in (
+            f"{ended.pid}\nended {ended.pid}\n",
+            f"{ended.pid}\nended {ended.pid} {left.pid}:{start!r}\n",
+        ):
+            run_guardian(lines)
+            assert unrelated.poll() is None
+        run_guardian(f"{ended.pid}\n")
+        assert unrelated.wait(10) == -signal.SIGINT
+
+
+def run_guardian(lines: str) -> None:
+    """Run a guardian of a launch that was killed, after it had sent some lines."""
+    module = "tfloom.launch.processes.guardian"
+    subprocess.run(
+        [sys.executable, "-m", module, uuid.uuid4().hex, "0"], input=lines.encode(), timeout=30, check=True
+    )
+
+
+def test_no_process_is_of_a_launch_that_began_after_it() -> None:
+    """Its group's id may be that of a group before the launch."""
+    with sleeping() as process:
+        started = psutil.Process(process.pid).create_time()
+        assert [each.pid for each in find(uuid.uuid4().hex, {process.pid: None}, started)] == [process.pid]
+        assert find(uuid.uuid4().hex, {process.pid: None}, started + 10.0) == []
+
+
+def test_an_end_that_overtakes_the_start_of_a_process_reaches_it(launch: Launch) -> None:
+    """The event is handled while the process is being started, before it can be sent a signal."""
+    process = ExecuteProcess(cmd=["sleep", "600"], sigterm_timeout="1")
+    ran = launch(process, Shutdown())
+    assert "[INFO] [sleep-1]: process started with pid [N]" in masked(ran)
+    assert process.return_code == -signal.SIGINT
 
 
 def test_a_process_knows_its_launch_and_the_one_around_it(

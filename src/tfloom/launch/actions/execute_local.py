@@ -282,6 +282,7 @@ class ExecuteLocal(Action):
         if self._shutdown_future is not None and self._shutdown_future.done():
             self._send_signal(signal.SIGINT)  # the launch's end overtook the start
         code = await process.wait()
+        guard.ended(process.pid)
         self._return_code = code
         self._process = None
         if self._output is not None:

@@ -9,11 +9,22 @@ import os
 import signal
 import sys
 import time
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
+from contextlib import suppress
+from pathlib import Path
 
 import psutil
 
-__all__ = ["TAG", "end", "find", "tagged", "untagged"]
+__all__ = ["TAG", "Groups", "Member", "end", "find", "members_of", "tagged", "untagged"]
+
+Member = tuple[int, float]
+"""A process as its id and its start, which differs from that of a later process with the same id."""
+Groups = dict[int, set[Member] | None]
+"""Ids of process groups, each with the members that it was last seen to have; None while its first process runs.
+
+The system gives the id of a group that has no member left to another group. Because a process can only join a group
+that has members, a group is the same one for as long as a member that it was seen to have is left.
+"""
 
 TAG = "TFLOOM_LAUNCH"
 """Environment variable with the ids of the launch and of the launches that it runs in, separated by colons."""
@@ -40,14 +51,56 @@ def untagged(environment: Mapping[str, str]) -> dict[str, str]:
     return {name: value for name, value in environment.items() if name != TAG}
 
 
-def find(launch_id: str, groups: Collection[int] = (), since_s: float = 0.0) -> list[psutil.Process]:
+def members_of(group: int) -> set[Member]:
+    """Return the processes of a group, also those that have ended and that nobody has waited for."""
+    if sys.platform == "win32":
+        return set()
+    try:
+        os.killpg(group, 0)  # which takes less time than to look at all processes
+    except ProcessLookupError:
+        return set()
+    except PermissionError:  # it is there, with processes of another user
+        pass
+    return _members({group}).get(group, set())
+
+
+def _members(groups: set[int]) -> dict[int, set[Member]]:
+    """Return the members of groups that have any."""
+    found: dict[int, set[Member]] = {}
+    if sys.platform != "win32":
+        for pid in psutil.pids() if groups else []:
+            with suppress(psutil.Error, OSError):  # it has ended
+                group = os.getpgid(pid)
+                if group in groups:
+                    found.setdefault(group, set()).add((pid, _start_of(pid)))
+    return found
+
+
+def _start_of(pid: int) -> float:
+    """Return when a process started: on Linux in clock ticks since the boot, which no change of the clock moves."""
+    if sys.platform == "linux":
+        # The name of the program, in parentheses, may hold spaces.
+        return float(Path(f"/proc/{pid}/stat").read_bytes().rpartition(b")")[2].split()[19])
+    return float(psutil.Process(pid).create_time())
+
+
+def find(launch_id: str, groups: Groups | None = None, since_s: float = 0.0) -> list[psutil.Process]:
     """Return the processes of a launch that are alive, but for the calling one.
 
     Args:
         launch_id: The launch's id.
-        groups: Ids of process groups; their members that changed their environment are found, too.
+        groups: Process groups; their members that changed their environment are found, too. Those that the launch no
+            longer has are removed, and those members of the others noted that they are now seen to have.
         since_s: Time before which no member was started [s since epoch], in case that an id was used again.
     """
+    groups = {} if groups is None else groups
+    seen = _members(set(groups))
+    for group, known in list(groups.items()):
+        members = seen.get(group, set())
+        if members and (known is None or known & members):
+            groups[group] = members
+        else:
+            del groups[group]
     return [
         process
         for process in psutil.process_iter()
@@ -55,7 +108,7 @@ def find(launch_id: str, groups: Collection[int] = (), since_s: float = 0.0) -> 
     ]
 
 
-def _is_of(process: psutil.Process, launch_id: str, groups: Collection[int], since_s: float) -> bool:
+def _is_of(process: psutil.Process, launch_id: str, groups: Groups, since_s: float) -> bool:
     try:
         if process.status() == psutil.STATUS_ZOMBIE:
             return False
@@ -66,14 +119,12 @@ def _is_of(process: psutil.Process, launch_id: str, groups: Collection[int], sin
         return False
 
 
-def end(
-    launch_id: str, groups: Collection[int], since_s: float, steps: Mapping[signal.Signals, float]
-) -> list[str]:
+def end(launch_id: str, groups: Groups, since_s: float, steps: Mapping[signal.Signals, float]) -> list[str]:
     """End the processes of a launch, until none is left; return those that were alive, as texts.
 
     Args:
         launch_id: The launch's id.
-        groups: Ids of its process groups.
+        groups: Its process groups, as for `find`.
         since_s: When it began [s since epoch].
         steps: Signals in the order in which they are sent, each with the time until the next one [s]; SIGKILL follows.
     """

@@ -11,7 +11,7 @@ import uuid
 from collections.abc import Mapping
 from contextlib import suppress
 
-from tfloom.launch.processes.family import end, tagged, untagged
+from tfloom.launch.processes.family import Groups, end, members_of, tagged, untagged
 
 __all__ = ["Guard"]
 
@@ -25,7 +25,8 @@ class Guard:
     def __init__(self) -> None:
         self._launch_id = uuid.uuid4().hex
         self._since_s = time.time()
-        self._groups: set[int] = set()
+        self._groups: Groups = {}
+        self._has_started = False
         self._folders: list[str] = []
         self._guardian: subprocess.Popen[bytes] | None = None
 
@@ -54,8 +55,19 @@ class Guard:
 
     def add(self, pid: int) -> None:
         """Add the process group of a process that has started."""
-        self._groups.add(pid)
+        self._has_started = True
+        self._groups[pid] = None
         self._send(str(pid))
+
+    def ended(self, pid: int) -> None:
+        """Note that a process that was added has ended: its group is kept only for those that it has left there."""
+        members = members_of(pid)
+        if members:
+            self._groups[pid] = members
+        else:
+            # The system may give its id to a group that isn't the launch's.
+            self._groups.pop(pid, None)
+        self._send(" ".join(["ended", str(pid), *(f"{member}:{start!r}" for member, start in members)]))
 
     def add_folder(self, folder: str) -> None:
         """Add a folder of temporary files, which is removed if the launch is killed."""
@@ -73,10 +85,11 @@ class Guard:
 
     def close(self) -> list[str]:
         """End what is left of the launch's processes, and the guardian; return those that were alive, as texts."""
-        if self._guardian is None and not self._groups:
+        if self._guardian is None and not self._has_started:
             return []
         named = end(self._launch_id, self._groups, self._since_s, LEFTOVERS)
         self._groups.clear()
+        self._has_started = False
         if self._guardian is not None:
             self._guardian.kill()  # it has nothing left to do
             self._guardian.communicate()

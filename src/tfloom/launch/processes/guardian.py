@@ -15,19 +15,27 @@ STEPS = {"SIGINT": 3.0, "SIGTERM": 2.0}
 def main(arguments: list[str]) -> int:
     """Read lines until the launch has ended, and end and remove what is left of it.
 
-    A line is the id of a process group, or `remove` and the path of a folder in hexadecimal digits.
+    A line is the id of a process group whose first process has started; `ended`, such an id, and the members that this
+    process has left there, each as id and start with a colon between; or `remove` and the path of a folder in
+    hexadecimal digits.
     """
     for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT"):
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), signal.SIG_IGN)
     launch_id, since_s = arguments[0], float(arguments[1])
     lines = [line.split() for line in sys.stdin.buffer]
-    groups = [int(words[0]) for words in lines if len(words) == 1 and words[0].isdigit()]
-    folders = [bytes.fromhex(words[1].decode()) for words in lines if len(words) == 2]
+    folders = [bytes.fromhex(words[1].decode()) for words in lines if words[0] == b"remove"]
     import shutil  # not needed before, as the next
 
     from tfloom.launch.processes import family
 
+    groups: family.Groups = {}
+    for words in lines:
+        if words[0] == b"ended":
+            members = (word.split(b":") for word in words[2:])
+            groups[int(words[1])] = {(int(pid), float(start)) for pid, start in members}
+        elif words[0].isdigit():
+            groups[int(words[0])] = None
     family.end(launch_id, groups, since_s, {signal.Signals[name]: wait_s for name, wait_s in STEPS.items()})
     for folder in folders:
         shutil.rmtree(folder.decode(), ignore_errors=True)
