@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import os
 import shutil
+import sys
+import threading
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 import pytest
 import yaml
 import zstandard
-from tests.bag.recordings import START, drive, found_in, write_mcap
+from tests.bag.recordings import START, drive, found_in, write_mcap, write_sqlite
 
 from tfloom.bag import BagError, frames, open_bag
 from tfloom.bag.metadata import parse_metadata, read_metadata
@@ -278,3 +282,40 @@ def test_progress_is_shown_on_standard_error(tmp_path: Path, capsys: pytest.Capt
     assert shown.endswith(" \r")
     frames(path)
     assert capsys.readouterr().err == ""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no FIFOs in folders")
+@pytest.mark.parametrize(
+    "name",
+    [
+        "a.mcap",
+        "a.db3",
+        "a.bag",
+        "a.bag.active",
+        "a.mcap.zstd",
+        "a.db3-wal",
+        "a.db3-journal",
+        "metadata.yaml",
+    ],
+)
+def test_fifo_in_the_place_of_a_file_is_refused(name: str, tmp_path: Path) -> None:
+    opened = fifo = tmp_path / name
+    if name.startswith("a.db3-"):
+        opened = write_sqlite(tmp_path / "a.db3", DRIVE[:9])
+    elif name == "metadata.yaml":
+        opened = tmp_path
+    os.mkfifo(fifo)
+    errors: list[str] = []
+
+    def read() -> None:
+        try:
+            found_in(open_bag(opened))
+        except BagError as error:
+            errors.append(str(error))
+
+    reader = threading.Thread(target=read, daemon=True)
+    reader.start()
+    reader.join(10.0)
+    with suppress(OSError):  # ends a wait for the writer
+        os.close(os.open(fifo, os.O_WRONLY | os.O_NONBLOCK))
+    assert [text.partition(",")[0] for text in errors] == [f"{fifo}: this is no file but a folder"]

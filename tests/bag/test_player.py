@@ -16,6 +16,7 @@ from tests.bag.written_bags import START_NS, STEP_NS, text, topic, transforms, w
 
 from tfloom.bag import open_bag
 from tfloom.bag.bag import Bag
+from tfloom.bag.playing import play_clock
 from tfloom.bag.playing.offered_qos import offered
 from tfloom.bag.playing.play_options import PlayOptions, parse_remaps
 from tfloom.bag.playing.player import Player
@@ -23,10 +24,12 @@ from tfloom.bag.playing.read_ahead import ReadAhead
 from tfloom.bag.topic_choice import TopicChoice
 from tfloom.bag.values import RawMessage
 from tfloom.bag.writing.bag_writer import BagWriter
+from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMessage
 from tfloom.interfaces.rosbag2_interfaces.srv import (
     Burst,
     GetRate,
     IsPaused,
+    Play,
     PlayNext,
     Seek,
     SetRate,
@@ -198,6 +201,8 @@ def test_services_steer_it(bag: Bag, listener: Listener, local_context: Context)
         assert call(GetRate, "get_rate").rate == 2.0
         assert call(Seek, "seek", time=Time(nanoseconds=START_NS + 96 * STEP_NS).to_msg()).success
         assert not call(Seek, "seek", time=Time(seconds=1).to_msg()).success
+        assert not call(Seek, "seek", time=TimeMessage(sec=-1)).success
+        assert not call(Play, "play", start_offset=TimeMessage(sec=-1)).success  # it is playing
         call(TogglePaused, "toggle_paused")
         listener.wait_until(node.ended.is_set)
         assert not call(PlayNext, "play_next").success
@@ -312,3 +317,38 @@ def test_error_of_the_bag_is_raised_where_it_is_used() -> None:
     with pytest.raises(OSError, match="gone"):
         next(ahead)
     ahead.close()
+
+
+def test_names_that_the_bag_lacks_are_said(
+    bag: Bag, listener: Listener, local_context: Context, capfd: pytest.CaptureFixture[str]
+) -> None:
+    choice = TopicChoice(["/nope", "/chatter"], services=["/add"])
+    with player(bag, local_context, rate=20.0, choice=choice) as node:
+        listener.wait_until(node.ended.is_set)
+    said = capfd.readouterr().err
+    for name in ("topic '/nope'", "service '/add'"):
+        assert f"The bag has no {name}, which is not played. It has: /chatter, /silent, /tf" in said
+    assert "'/chatter'" not in said
+    with player(bag, local_context, choice=TopicChoice(regex="nope")) as node:
+        listener.wait_until(node.ended.is_set)
+    assert "No topic of the bag is to be played." in capfd.readouterr().err
+
+
+def test_new_rate_counts_from_the_moment_it_is_set(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What has passed at the old rate is kept, and the new one applies to what follows only."""
+    now = 0
+    monkeypatch.setattr(play_clock.time, "monotonic_ns", lambda: now)
+    clock = play_clock.PlayClock(1000, 1.0)
+    clock.set_paused(False)
+    now = 10
+    clock.set_rate(5.0)
+    assert clock.now_ns() == 1010
+    now = 12
+    assert clock.now_ns() == 1020
+    clock.set_paused(True)
+    now = 100
+    clock.set_rate(0.5)
+    assert clock.now_ns() == 1020
+    clock.set_paused(False)
+    now = 120
+    assert clock.now_ns() == 1030

@@ -132,6 +132,11 @@ ENDLESS = (
     "DROP TABLE messages; CREATE VIEW messages(id, topic_id, timestamp, data) AS "
     "WITH RECURSIVE n(i) AS (VALUES(1) UNION ALL SELECT i + 1 FROM n) SELECT i, 1, i, x'00' FROM n"
 )
+GENERATED = (
+    "DROP TABLE messages; CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER, timestamp INTEGER, "
+    "data BLOB AS (zeroblob(900000000))); INSERT INTO messages(topic_id, timestamp) VALUES (1, 1), (1, 2)"
+)
+VIRTUAL = "DROP TABLE messages; CREATE VIRTUAL TABLE messages USING rtree(id, topic_id, timestamp)"
 TOPICS_ANEW = "CREATE TABLE new AS SELECT {} FROM topics; DROP TABLE topics; ALTER TABLE new RENAME TO topics"
 
 
@@ -156,6 +161,12 @@ TOPICS_ANEW = "CREATE TABLE new AS SELECT {} FROM topics; DROP TABLE topics; ALT
             ENDLESS,
             "the database has no tables of a recording",
         ),
+        (VIRTUAL, "the database has no tables of a recording"),
+        (GENERATED, "the database generates the column messages.data, which no recorder does"),
+        (
+            "ALTER TABLE topics ADD COLUMN type_description_hash2 AS (hex(zeroblob(400000000)))",
+            "the database generates the column topics.type_description_hash2",
+        ),
     ],
 )
 def test_database_of_another_form_is_an_error(change: str, text: str, tmp_path: Path) -> None:
@@ -165,6 +176,19 @@ def test_database_of_another_form_is_an_error(change: str, text: str, tmp_path: 
     database.close()
     with pytest.raises(BagError, match=text):
         open_bag(path)
+
+
+def test_names_that_are_not_utf_8_are_an_error(tmp_path: Path) -> None:
+    path = write_sqlite(tmp_path / "a.db3", DRIVE[:9])
+    with sqlite3.connect(path) as database:
+        database.execute("ALTER TABLE topics ADD COLUMN hallo TEXT")
+        database.execute("CREATE TABLE welten(a)")
+    database.close()
+    whole = path.read_bytes()
+    for name in (b"hallo", b"welten", b"/chatter"):
+        path.write_bytes(whole.replace(name, b"\xff\xfe" + name[2:]))
+        with pytest.raises(BagError, match=r"a\.db3: the database (can't be read|is damaged): .*UTF-8"):
+            open_bag(path)
 
 
 def test_few_messages_are_in_memory_at_once(tmp_path: Path) -> None:

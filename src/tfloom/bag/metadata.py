@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from tfloom.bag.errors import BagError
+from tfloom.bag.reading.file_bytes import check_is_file
 from tfloom.bag.values import Topic
 
 __all__ = [
@@ -74,6 +75,7 @@ def read_metadata(folder: Path) -> Metadata:
     """
     path = folder / METADATA_FILE
     try:
+        check_is_file(path)
         text = path.read_text("utf-8")
     except FileNotFoundError:
         raise BagError(

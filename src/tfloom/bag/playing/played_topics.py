@@ -10,7 +10,7 @@ from tfloom.bag.bag import Bag
 from tfloom.bag.playing.offered_qos import offered, offers_differ
 from tfloom.bag.playing.play_options import PlayOptions
 from tfloom.bag.playing.played_requests import PlayedRequests
-from tfloom.bag.topic_choice import is_service_event, service_of_event
+from tfloom.bag.topic_choice import SERVICE_EVENT_SUFFIX, is_service_event, service_of_event
 from tfloom.bag.values import RawMessage, Topic
 from tfloom.bag.writing.definition_text import hash_of
 from tfloom.rmw import base
@@ -41,6 +41,22 @@ class PlayedTopics:
                 )
             elif self._is_wanted(topic) and not (publishes_clock and topic.name == CLOCK):
                 self._add(topic)
+        self._warn_of_missing()
+
+    def _warn_of_missing(self) -> None:
+        """Name the wanted topics and services that the bag doesn't have, because nothing of them is played."""
+        choice = self._options.choice
+        known = self._bag.topics
+        missing = [f"topic '{name}'" for name in choice.topics if name not in known]
+        missing += [
+            f"service '{name}'" for name in choice.services if name + SERVICE_EVENT_SUFFIX not in known
+        ]
+        for each in missing:
+            self._node.get_logger().warning(
+                f"The bag has no {each}, which is not played. It has: {', '.join(sorted(known)) or 'no topics'}"
+            )
+        if not self.names and not missing:
+            self._node.get_logger().warning("No topic of the bag is to be played.")
 
     @property
     def names(self) -> set[str]:

@@ -20,8 +20,8 @@ from tfloom.interfaces.rosbag2_interfaces.srv import (
     Stop,
     TogglePaused,
 )
+from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.duration import Duration
-from tfloom.node.values.time import Time
 
 __all__ = ["PlayerServices"]
 
@@ -91,8 +91,8 @@ class PlayerServices:
 
     def _play(self, request: Any, response: Any) -> Any:
         bag = self._player.bag
-        start_ns = bag.start_ns + Time.from_msg(request.start_offset).nanoseconds
-        until_ns = Time.from_msg(request.playback_until_timestamp).nanoseconds
+        start_ns = bag.start_ns + max(0, _nanoseconds(request.start_offset))
+        until_ns = _nanoseconds(request.playback_until_timestamp)
         duration_ns = Duration.from_msg(request.playback_duration).nanoseconds
         limits = [until_ns, start_ns + duration_ns if duration_ns > 0 else 0]
         end_ns = max(limits) if max(limits) > 0 else bag.end_ns
@@ -108,9 +108,14 @@ class PlayerServices:
         return response
 
     def _seek(self, request: Any, response: Any) -> Any:
-        response.success = self._player.playback.seek(Time.from_msg(request.time).nanoseconds)
+        response.success = self._player.playback.seek(_nanoseconds(request.time))
         return response
 
     def _stop(self, _: Any, response: Any) -> Any:
         self._player.playback.stop()
         return response
+
+
+def _nanoseconds(stamp: Any) -> int:
+    """Return a message of a time as a count [ns]; it may be negative, which Time refuses by an error."""
+    return int(stamp.sec * S_TO_NS + stamp.nanosec)

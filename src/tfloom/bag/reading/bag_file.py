@@ -11,6 +11,7 @@ from tfloom._native import TfRecords
 from tfloom.bag.errors import BagError
 from tfloom.bag.metadata import FileInformation
 from tfloom.bag.reading.compression import COMPRESSED_SUFFIX, CompressionError, copy_decompressed
+from tfloom.bag.reading.file_bytes import check_is_file
 from tfloom.bag.values import Progress, RawMessage, Storage, TfTopic, Topic
 
 __all__ = ["BagFile", "storage_of"]
@@ -27,6 +28,7 @@ def storage_of(path: Path, is_message_compressed: bool | None = None) -> Storage
         BagError: it is none of these, or damaged.
         OSError: it can't be read.
     """
+    check_is_file(path)
     if path.suffix == ".mcap":
         from tfloom.bag.reading.mcap_reader import McapFile
 
@@ -89,6 +91,7 @@ class BagFile:
         return self._storage
 
     def _decompressed(self) -> Path:
+        check_is_file(self.path)
         suffix = Path(self.path.stem).suffix
         handle, name = tempfile.mkstemp(suffix, "tfloom-bag-")
         self._temporary = Path(name)

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import io
 import os
+import stat
+from pathlib import Path
 
+from tfloom.bag.errors import BagError
 from tfloom.bag.reading.compression import MOST
 
-__all__ = ["BLOCK", "read_at"]
+__all__ = ["BLOCK", "check_is_file", "read_at"]
 
 BLOCK = 1 << 22
 """How much is read at once of messages outside of chunks [bytes]."""
@@ -31,3 +34,15 @@ def read_at(file: io.FileIO, offset: int, size: int) -> bytes:
     while len(data) < size and (more := file.read(size - len(data))):
         data += more
     return data
+
+
+def check_is_file(path: Path) -> None:
+    """Raise BagError unless a path leads to a regular file, because opening a FIFO would wait for its writer.
+
+    Raises:
+        OSError: there is no such file.
+    """
+    if not stat.S_ISREG(path.stat().st_mode):
+        raise BagError(
+            path, "this is no file but a folder, a FIFO, a socket or a device: copy it into a file"
+        )

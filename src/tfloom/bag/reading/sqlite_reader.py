@@ -15,6 +15,7 @@ from tfloom._native import TfRecords
 from tfloom.bag.errors import BagError
 from tfloom.bag.metadata import is_message_compression
 from tfloom.bag.reading.compression import CompressionError, decompress_message
+from tfloom.bag.reading.file_bytes import check_is_file
 from tfloom.bag.reading.message_transforms import insert_messages
 from tfloom.bag.values import Definition, Progress, RawMessage, TfTopic, Topic
 
@@ -23,6 +24,8 @@ __all__ = ["SqliteFile"]
 SIGNATURE = b"SQLite format 3\0"
 _TOPIC_COLUMNS = {"id", "name", "type", "serialization_format"}
 """Of all schema versions."""
+_READ_TABLES = {"topics", "messages", "metadata", "message_definitions"}
+_BESIDE = ("-wal", "-shm", "-journal")
 
 
 class SqliteFile:
@@ -41,12 +44,11 @@ class SqliteFile:
         self.path = path
         _check_signature(path)
         with self._open() as database:
-            # No views, whose evaluation may take any time and memory.
-            tables = {
-                name for (name,) in database.execute("SELECT name FROM sqlite_master WHERE type = 'table'")
-            }
+            tables = _tables(database)
             if not {"topics", "messages"} <= tables:
                 raise BagError(path, "the database has no tables of a recording: topics, messages")
+            if generated := _generated(database, tables):
+                raise BagError(path, f"the database generates the column {generated}, which no recorder does")
             rows = database.execute(
                 "SELECT topic_id, COUNT(*), MIN(timestamp), MAX(timestamp), "
                 "SUM(typeof(topic_id) != 'integer' OR typeof(timestamp) != 'integer') FROM messages GROUP BY topic_id"
@@ -86,6 +88,8 @@ class SqliteFile:
                 yield database
         except sqlite3.Error as error:
             raise BagError(self.path, f"the database can't be read: {error}") from None
+        except UnicodeDecodeError:  # of a column's name
+            raise BagError(self.path, "the database is damaged: a name in it isn't UTF-8") from None
 
     def messages(self, topics: Collection[str] | None, start_ns: int, end_ns: int) -> Iterator[RawMessage]:
         """Yield the messages of topics (None: all) with log times in [start, end], in the order of log times.
@@ -127,6 +131,9 @@ class SqliteFile:
 
 
 def _check_signature(path: Path) -> None:
+    for suffix in _BESIDE:  # sqlite3 opens them too
+        if (beside := path.with_name(f"{path.name}{suffix}")).exists():
+            check_is_file(beside)
     with path.open("rb") as file:
         start = file.read(len(SIGNATURE))
     if not start:
@@ -166,6 +173,24 @@ def _connected(path: Path) -> Iterator[sqlite3.Connection]:
 def _opened(path: Path, mode: str) -> Iterator[sqlite3.Connection]:
     with closing(sqlite3.connect(f"{path.absolute().as_uri()}?{mode}", uri=True)) as database:
         yield database
+
+
+def _tables(database: sqlite3.Connection) -> set[str]:
+    """Return the tables that have rows of their own.
+
+    Views and virtual tables have none, and their evaluation may take any time and memory.
+    """
+    rows = database.execute("SELECT name FROM sqlite_master WHERE type = 'table' AND rootpage > 0")
+    return {name for (name,) in rows}
+
+
+def _generated(database: sqlite3.Connection, tables: set[str]) -> str:
+    """Return a column that is computed as it is read, which may take any time and memory; empty if there is none."""
+    for table in sorted(_READ_TABLES & tables):
+        for _, name, *_, hidden in database.execute(f"PRAGMA table_xinfo({table})"):
+            if hidden:
+                return f"{table}.{name}"
+    return ""
 
 
 def _columns(database: sqlite3.Connection, table: str) -> list[str]:
