@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 import struct
 import sys
+import tracemalloc
 import warnings
 from contextlib import suppress
 from pathlib import Path
@@ -258,4 +259,68 @@ def test_compression_that_is_unknown_is_named(tmp_path: Path) -> None:
     with pytest.raises(
         BagError, match=r"a\.bag: byte \d+: the compression is 'xyz', which is none of bz2 and lz4"
     ):
+        open_bag(path)
+
+
+def _record(fields: dict[str, bytes], data: bytes, declared: int | None = None) -> bytes:
+    header = b"".join(
+        struct.pack("<I", len(name) + 1 + len(value)) + name.encode() + b"=" + value
+        for name, value in fields.items()
+    )
+    size = len(data) if declared is None else declared
+    return struct.pack("<I", len(header)) + header + struct.pack("<I", size) + data
+
+
+def _indexed(chunk: bytes, index: bytes, chunk_count: int) -> bytes:
+    """Return a bag whose header names an index after a chunk."""
+
+    def header(place: int) -> bytes:
+        return MAGIC + _record(
+            {
+                "op": b"\x03",
+                "index_pos": struct.pack("<Q", place),
+                "conn_count": struct.pack("<I", 0),
+                "chunk_count": struct.pack("<I", chunk_count),
+            },
+            b"",
+        )
+
+    return header(len(header(0)) + len(chunk)) + chunk + index
+
+
+def test_lengths_beyond_the_file_allocate_nothing(tmp_path: Path) -> None:
+    path = tmp_path / "a.bag"
+    path.write_bytes(_indexed(b"", struct.pack("<I", 0xFFFFFFF0) + bytes(200), 1))
+    tracemalloc.start()
+    try:
+        with pytest.raises(BagError, match=r"a\.bag: the bag can't be read: "):
+            open_bag(path)
+        _, most = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert most < 1 << 24
+
+
+def test_chunk_that_is_indexed_again_and_again_is_an_error(tmp_path: Path) -> None:
+    entries = 1 << 16
+    chunk = _record({"op": b"\x05", "compression": b"none", "size": bytes(4)}, b"")
+    index = _record(
+        {"op": b"\x04", "ver": b"\1\0\0\0", "conn": bytes(4), "count": struct.pack("<I", entries)},
+        bytes(12 * entries),
+    )
+    place = len(_indexed(b"", b"", 0))
+    named = _record(
+        {
+            "op": b"\x06",
+            "ver": b"\1\0\0\0",
+            "chunk_pos": struct.pack("<Q", place),
+            "start_time": bytes(8),
+            "end_time": bytes(8),
+            "count": b"\1\0\0\0",
+        },
+        bytes(4) + struct.pack("<I", entries),
+    )
+    path = tmp_path / "a.bag"
+    path.write_bytes(_indexed(chunk + index, named * 5000, 5000))
+    with pytest.raises(BagError, match=r"a\.bag: the bag is damaged: its index names the same records again"):
         open_bag(path)

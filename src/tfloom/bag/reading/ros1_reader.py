@@ -12,6 +12,7 @@ from tfloom._native import TfRecords
 from tfloom.bag.errors import BagError
 from tfloom.bag.reading.message_transforms import insert_messages
 from tfloom.bag.reading.ros1_scan import MAGIC, Ros1Scan, has_index
+from tfloom.bag.reading.ros1_source import opened
 from tfloom.bag.values import Definition, Progress, RawMessage, TfTopic, Topic
 
 __all__ = ["Ros1File"]
@@ -67,7 +68,7 @@ class Ros1File:
                 self.path, "rosbags is needed for a bag of ROS 1: install it by `pip install 'tfloom[bag]'`"
             ) from None
         try:
-            with Reader(self.path) as reader:
+            with opened(Reader(self.path), self.path) as reader:
                 yield reader
         except BagError:
             raise
