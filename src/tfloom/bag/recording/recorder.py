@@ -96,7 +96,7 @@ class Recorder(Node):
         """End the threads, write what is left, and complete the bag. Stopping again does nothing.
 
         Raises:
-            BagError: the bag can't be completed; what was written stays readable.
+            BagError: the bag can't be completed, and there was no `failure` before; what was written stays readable.
         """
         if self._ended.is_set():
             return
@@ -114,6 +114,9 @@ class Recorder(Node):
         try:
             with self._lock:
                 self.writer.close()
+        except BagError:
+            if self.failure is None:  # else it says why, and that what was written is kept
+                raise
         finally:
             self._report_losses()
             self.get_logger().info("Event publisher thread: Exiting")
@@ -207,41 +210,56 @@ class Recorder(Node):
             "Writing remaining messages from cache to the bag. It may take a while"
         )
         if self.context.ok():
-            self._split_events.publish(WriteSplitEvent(closed_file=str(closed), opened_file=str(opened)))
+            try:
+                self._split_events.publish(WriteSplitEvent(closed_file=str(closed), opened_file=str(opened)))
+            except Exception as error:  # noqa: BLE001  # the context may end meanwhile; the files are whole
+                self.get_logger().warning(f"The split was not announced: {error}")
 
     def _write(self) -> None:
-        """Write chunks until the queue is closed, or writing fails."""
+        """Write chunks until the queue is closed, or writing fails, for whatever reason."""
+        try:
+            self._write_chunks()
+        except BagError as error:
+            self._fail(error)
+        except Exception as error:  # noqa: BLE001  # nobody else would stop a recording that writes nothing
+            self._fail(BagError(self.writer.folder, f"writing has ended: {_named(error)}"), error)
+
+    def _write_chunks(self) -> None:
         queue = self.writer.queue
         while not self._ended.is_set():
             if self.writer.settings.is_snapshot:
                 self._ended.wait(FLUSH_NS / 1e9)
                 continue
             queue.wait(FLUSH_NS)
-            if not self._write_oldest_chunk():
-                return
-
-    def _write_oldest_chunk(self) -> bool:
-        try:
             with (
                 self._lock
             ):  # taken and written by one thread, because a split writes what is left in the queue
-                chunk = self.writer.queue.take(0)
+                chunk = queue.take(0)
                 if chunk is not None:
                     self.writer.write_chunk(chunk)
-        except BagError as error:
-            self._fail(error)
-            return False
-        return True
 
-    def _fail(self, error: BagError) -> None:
-        """End the recording because of an error."""
-        self.failure = error
+    def _fail(self, failure: BagError, cause: Exception | None = None) -> None:
+        """End the recording because of an error; what was written stays readable."""
         self.writer.queue.close()
+        if self.failure is None:
+            failure.__cause__ = cause
+            self.failure = failure
+            self.get_logger().error(f"Recording ends: {failure}")
 
     def _discover(self) -> None:
-        """Subscribe to topics as they appear."""
+        """Subscribe to topics as they appear, until that fails or the recording ends."""
         if self.options.is_discovery_disabled:
             return
+        try:
+            self._subscribe_to_new()
+        except Exception as error:  # noqa: BLE001  # else topics that come later would be missing in silence
+            if self.context.ok() and not self._ended.is_set():
+                failure = BagError(
+                    self.writer.folder, f"no more topics can be subscribed to: {_named(error)}"
+                )
+                self._fail(failure, error)
+
+    def _subscribe_to_new(self) -> None:
         while not self._ended.wait(self.options.polling_interval_s):
             if self._topics.is_complete:
                 self.get_logger().info("All requested topics are subscribed. Stopping discovery...")
@@ -272,3 +290,7 @@ class Recorder(Node):
         lost = self._topics.lost_count()
         if lost:
             self.get_logger().warning(f"{lost} messages were lost before they arrived.")
+
+
+def _named(error: Exception) -> str:
+    return f"{type(error).__name__}: {error}"

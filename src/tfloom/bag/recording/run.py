@@ -44,8 +44,10 @@ def record(
             _spin(recorder, stop)
         finally:
             with _uninterrupted():
-                recorder.stop()
-                recorder.destroy_node()
+                try:
+                    recorder.stop()
+                finally:
+                    recorder.destroy_node()
     if recorder.failure is not None:
         raise recorder.failure
 

@@ -79,6 +79,7 @@ class SequentialWriter:
     def __init__(self) -> None:
         self._writer: BagWriter | None = None
         self._channels: dict[str, int] = {}
+        self._numbers: dict[tuple[str, str], int] = {}  # by name and type, of removed topics too
         self._mode = ""
 
     def open(self, arg0: StorageOptions, arg1: ConverterOptions) -> None:
@@ -92,19 +93,27 @@ class SequentialWriter:
         self.close()
         self._writer = BagWriter(Path(arg0.uri), writer_settings(arg0, self._mode))
         self._channels = {}
+        self._numbers = {}
 
     def create_topic(self, arg0: TopicMetadata) -> None:
         """Add a topic; one that has been added is left as it is.
 
         Raises:
-            BagError: no bag is open.
+            BagError: no bag is open, or it has as many topics as it can have.
         """
         writer = self._opened()
-        if arg0.name not in self._channels:
-            self._channels[arg0.name] = writer.add_topic(arg0.to_topic())
+        if arg0.name in self._channels:
+            return
+        topic = arg0.to_topic()
+        number = self._numbers.get((topic.name, topic.type))
+        if number is None:
+            number = self._numbers[topic.name, topic.type] = writer.add_topic(topic)
+        else:  # it was removed
+            writer.set_topic(number, topic)
+        self._channels[topic.name] = number
 
     def remove_topic(self, arg0: TopicMetadata) -> None:
-        """Remove a topic that has no messages.
+        """Remove a topic: nothing more is written on it, and without messages it isn't in the bag.
 
         Raises:
             BagError: no bag is open.

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager, suppress
+from enum import Enum
 from pathlib import Path
 from typing import NamedTuple
 
@@ -22,9 +23,10 @@ from tfloom.bag.writing.metadata_text import (
 )
 from tfloom.bag.writing.storage import STORAGES, StorageFile, StorageSettings
 from tfloom.bag.writing.storage_files import open_storage_file
+from tfloom.bag.writing.topic_table import TopicTable
 from tfloom.whole_files import write_file
 
-__all__ = ["BagWriter", "WriterSettings"]
+__all__ = ["BagWriter", "State", "WriterSettings"]
 
 DEFAULT_CACHE_SIZE = 100 * 1024 * 1024
 """Of each of the two buffers [bytes]."""
@@ -52,8 +54,21 @@ class WriterSettings(NamedTuple):
     """Whether messages wait, the oldest discarded in a full cache, until `write_snapshot`."""
 
 
+class State(Enum):
+    """What a writer does with a chunk."""
+
+    OPEN = "open"
+    """It is written."""
+    FAILED = "failed"
+    """It is refused, because one before could not be written; `close` tries once more to write what is waiting."""
+    CLOSED = "closed"
+    """It is refused."""
+
+
 class BagWriter:
     """Writes a bag. Any thread may push into `queue` and add topics; one thread calls the other methods.
+
+    After a write that failed, nothing more is written until `close`, so that no gap is left in silence.
 
     Args:
         folder: The bag's folder, which must not exist.
@@ -81,8 +96,8 @@ class BagWriter:
         check_compression(folder, self.settings)
         self._on_split = on_split
         self.queue = make_queue(self.settings)
-        self._lock = threading.Lock()
-        self._topics: dict[int, Topic] = {}  # guarded by _lock while it is added to
+        self.state = State.OPEN
+        self._topics = TopicTable()
         self._counts: dict[int, int] = {}
         self._files: list[FileInformation] = []
         self._paths: list[str] = []
@@ -92,11 +107,18 @@ class BagWriter:
             raise BagError(folder, "it exists already; choose another folder") from None
         except OSError as error:
             raise BagError(folder, f"it can't be created: {error.strerror}") from None
-        self._file: StorageFile | None = self._open_file()
+        self._unwritten: list[Chunk] = []  # taken from the queue, and not yet in a file
+        self._file: StorageFile | None = None
+        try:
+            self._file = self._open_file()
+        except BaseException:
+            with suppress(OSError):
+                folder.rmdir()
+            raise
 
     @property
     def file_path(self) -> Path:
-        """The file that is being written."""
+        """The file that is being written, or was the last one."""
         return self.folder / self._files[-1].path
 
     @property
@@ -105,30 +127,32 @@ class BagWriter:
         return sum(self._counts.values())
 
     def add_topic(self, topic: Topic) -> int:
-        """Add a topic, and return the number of its channel, from 1."""
-        with self._lock:
-            number = len(self._topics) + 1
-            self._topics[number] = topic
-            return number
+        """Add a topic, and return the number of its channel, from 1.
+
+        Raises:
+            BagError: there are as many as a bag can have.
+        """
+        try:
+            return self._topics.add(topic)
+        except ValueError as error:
+            raise BagError(self.folder, f"'{topic.name}' can't be added: {error}") from None
 
     def set_topic(self, number: int, topic: Topic) -> None:
         """Replace what is known of a topic; files that already have it keep what they have, up to their summary."""
-        with self._lock:
-            self._topics[number] = topic
+        self._topics.replace(number, topic)
 
     def remove_topic(self, name: str) -> None:
-        """Remove a topic that has no messages, so that it is not in the metadata."""
-        with self._lock:
-            for number in [each for each, topic in self._topics.items() if topic.name == name]:
-                if not self._counts.get(number):
-                    del self._topics[number]
+        """Leave a topic out of the bag, unless it has messages, also such that are still waiting."""
+        self._topics.remove(name)
+        self._topics.restore(list(self._counts))
 
     def push(self, channel: int, data: bytes, log_time_ns: int, publish_time_ns: int) -> None:
         """Add a message, and write the chunks that are complete.
 
         Raises:
-            BagError: they can't be written.
+            BagError: they can't be written; `close` tries once more. After that, no message is added.
         """
+        self._check_open()
         self.queue.push(channel, data, log_time_ns, publish_time_ns)
         if self.queue.has_chunk and not self.settings.is_snapshot:
             self.write_complete()
@@ -168,13 +192,15 @@ class BagWriter:
         Raises:
             BagError: it can't be written; what was written before stays readable.
         """
-        if self._file is None:
-            raise BagError(self.folder, "it is closed, and nothing more can be written")
-        whole = self._compressed(chunk) if self.settings.compression_mode == "MESSAGE" else chunk
-        try:
+        if self.state is not State.CLOSED:
+            self._unwritten.append(chunk)
+        self._check_open()
+        with self._failing():
+            if self._file is None:  # the one before could be completed, but the next one not opened
+                self._file = self._open_file()
+            whole = self._compressed(chunk) if self.settings.compression_mode == "MESSAGE" else chunk
             self._file.write(whole)
-        except OSError as error:
-            raise self._failure(error) from error
+        self._unwritten.remove(chunk)
         self._count(chunk)
         if chunk.ends_file:
             self.split()
@@ -186,44 +212,80 @@ class BagWriter:
         """Complete the file and begin the next one.
 
         Raises:
-            BagError: one of them can't be written.
+            BagError: one of them can't be written; what was written before stays readable.
         """
-        closed = self._close_file()
-        self._file = self._open_file()
+        self._check_open()
+        with self._failing():
+            closed = self._close_file()
+            self._file = self._open_file()
         if self._on_split is not None:
             self._on_split(closed, self.file_path)
 
     def close(self) -> None:
         """Write what is waiting, complete the file, and write metadata.yaml. Closing again does nothing.
 
-        Messages that wait for a snapshot are discarded.
+        Messages that wait for a snapshot are discarded. After a failure, what is waiting is tried once more.
 
         Raises:
             BagError: one of them can't be written; what was written before stays readable.
         """
-        if self._file is None:
+        if self.state is State.CLOSED:
             return
         self.queue.close()
+        self.state = State.OPEN
         try:
-            if not self.settings.is_snapshot:
-                self.write_rest()
+            self._write_waiting()
         finally:
-            self._close_file()
-            self._file = None
             try:
-                write_file(self.folder / METADATA_FILE, metadata_file_text(self.info()))
-            except OSError as error:
-                raise self._failure(error) from error
+                with self._failing():
+                    self._close_file()
+            finally:
+                try:
+                    with self._failing():
+                        write_file(self.folder / METADATA_FILE, metadata_file_text(self.info()))
+                finally:
+                    self.state = State.CLOSED
+
+    def _write_waiting(self) -> None:
+        """Write all that was pushed, first the chunks that were refused."""
+        refused, self._unwritten = self._unwritten, []
+        for chunk in refused:
+            self.write_chunk(chunk)
+        if not self.settings.is_snapshot:
+            self.write_rest()
+
+    def _check_open(self) -> None:
+        if self.state is State.CLOSED:
+            raise BagError(self.folder, "it is closed, and nothing more can be written")
+        if self.state is State.FAILED:
+            raise BagError(
+                self.folder,
+                "a write has failed, and nothing more is written; close it, and record into another",
+            )
+
+    @contextmanager
+    def _failing(self) -> Iterator[None]:
+        """Raise what is raised in the block as BagError, and write nothing more until the bag is closed."""
+        try:
+            yield
+        except BagError:
+            self.state = State.FAILED
+            raise
+        except Exception as error:
+            self.state = State.FAILED
+            raise self._failure(error) from error
+        except BaseException:  # Ctrl-C in the middle of a write
+            self.state = State.FAILED
+            raise
 
     def info(self) -> Metadata:
         """Return the metadata of what is written."""
         used = [file for file in self._files if file.message_count]
         start_ns = min((file.start_ns for file in used), default=NO_TIME_NS)
         end_ns = max((file.start_ns + file.duration_ns for file in used), default=start_ns)
-        with self._lock:
-            numbered = dict(self._topics)
         topics = [
-            topic._replace(message_count=self._counts.get(number, 0)) for number, topic in numbered.items()
+            topic._replace(message_count=self._counts.get(number, 0))
+            for number, topic in self._topics.present().items()
         ]
         mode = self.settings.compression_mode
         return Metadata(
@@ -245,35 +307,36 @@ class BagWriter:
         storage_id = self.settings.storage_id
         name = f"{self.folder.resolve().name}_{len(self._files)}{STORAGES[storage_id]}"
         first = empty_metadata(storage_id, name, self.settings.custom_data, self.settings.compression_mode)
-        self._files.append(FileInformation(name, NO_TIME_NS, 0, 0))
-        self._paths.append(name)
         path = self.folder / name
         try:
-            return open_storage_file(
+            file = open_storage_file(
                 storage_id, path, self._topics, self.settings.storage, metadata_text(first)
             )
         except OSError as error:
-            raise self._failure(error) from error
+            raise self._failure(error, path) from error
+        self._files.append(FileInformation(name, NO_TIME_NS, 0, 0))  # now that it exists
+        self._paths.append(name)
+        return file
 
     def _close_file(self) -> Path:
         """Complete the file, compress it if that is wanted, and return its path."""
         path = self.file_path
-        if self._file is None:
+        file, self._file = self._file, None  # whatever happens, nothing more is written into it
+        if file is None:
             return path
-        try:
-            self._file.close(metadata_text(self.info()))
-            if self.settings.compression_mode == "FILE":
-                from tfloom.bag.writing.compression import compress_file
+        file.close(metadata_text(self.info()))
+        if self.settings.compression_mode == "FILE":
+            from tfloom.bag.writing.compression import compress_file
 
+            try:
                 path = compress_file(path)
-                self._paths[-1] = path.name
-        except OSError as error:
-            raise self._failure(error) from error
-        except CompressionError as error:
-            raise BagError(path, f"it is written, but can't be compressed: {error}") from error
+            except CompressionError as error:
+                raise BagError(path, f"it is written, but can't be compressed: {error}") from error
+            self._paths[-1] = path.name
         return path
 
     def _count(self, chunk: Chunk) -> None:
+        self._topics.restore([number for number, _ in chunk.counts()])
         for number, count in chunk.counts():
             self._counts[number] = self._counts.get(number, 0) + count
         last = self._files[-1]
@@ -295,11 +358,12 @@ class BagWriter:
         compressed = queue.take(0)
         return compressed or chunk
 
-    def _failure(self, error: OSError) -> BagError:
+    def _failure(self, error: Exception, path: Path | None = None) -> BagError:
+        reason = isinstance(error, OSError) and error.strerror
         return BagError(
-            self.file_path,
-            f"it can't be written: {error.strerror}. What was recorded before is kept; if metadata.yaml is missing, "
-            f"`ros2 bag reindex {self.folder}` writes it.",
+            path or self.file_path,
+            f"it can't be written: {reason or f'{type(error).__name__}: {error}'}. What was recorded before is kept; "
+            f"if metadata.yaml is missing, `ros2 bag reindex {self.folder}` writes it.",
         )
 
 

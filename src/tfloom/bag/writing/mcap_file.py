@@ -6,17 +6,16 @@ import io
 import os
 import struct
 import zlib
-from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 
 from tfloom import __version__
 from tfloom._native import Chunk
 from tfloom.bag.reading.mcap_records import MAGIC, METADATA_KEY, METADATA_NAME, Opcode
-from tfloom.bag.values import Topic
 from tfloom.bag.writing import mcap_records as records
 from tfloom.bag.writing.mcap_records import ChunkPlace, McapChannel, MetadataPlace
 from tfloom.bag.writing.storage import StorageSettings
+from tfloom.bag.writing.topic_table import TopicTable
 
 __all__ = ["McapFile"]
 
@@ -27,9 +26,7 @@ class McapFile:
     Each topic has a channel and each type a schema, which are written before the first chunk that needs them, in it.
     """
 
-    def __init__(
-        self, path: Path, topics: Mapping[int, Topic], settings: StorageSettings, metadata: str
-    ) -> None:
+    def __init__(self, path: Path, topics: TopicTable, settings: StorageSettings, metadata: str) -> None:
         self._topics = topics
         self._settings = settings
         self._schemas: dict[str, int] = {}
@@ -44,7 +41,7 @@ class McapFile:
         try:
             self._append(MAGIC + records.header("ros2", f"tfloom {__version__}"))
             self._write_metadata(metadata)
-        except OSError:
+        except BaseException:
             self._file.close()
             raise
 
@@ -124,7 +121,7 @@ class McapFile:
                 left = memoryview(part)
                 while left:
                     left = left[self._file.write(left) or 0 :]
-        except OSError:
+        except BaseException:
             with suppress(OSError):
                 self._file.truncate(self._size)
                 self._file.seek(self._size, os.SEEK_SET)
@@ -174,9 +171,10 @@ class McapFile:
         return covered + struct.pack("<I", zlib.crc32(covered))
 
     def _summary_groups(self) -> list[tuple[int, bytes]]:
-        by_schema = {self._schema(number): number for number in self._topics}
+        numbers = list(self._topics.present())  # topics may be added meanwhile
+        by_schema = {self._schema(number): number for number in numbers}
         schemas = [self._schema_record(by_schema[schema]) for schema in sorted(by_schema)]
-        counts = {number: self._counts.get(number, 0) for number in self._topics}
+        counts = {number: self._counts.get(number, 0) for number in numbers}
         statistics = records.statistics(
             counts,
             self._times or (0, 0),
@@ -186,7 +184,7 @@ class McapFile:
         )
         return [
             (Opcode.SCHEMA, b"".join(schemas)),
-            (Opcode.CHANNEL, b"".join(self._channel_record(number) for number in self._topics)),
+            (Opcode.CHANNEL, b"".join(self._channel_record(number) for number in numbers)),
             (Opcode.STATISTICS, statistics),
             (Opcode.CHUNK_INDEX, b"".join(records.chunk_index(each) for each in self._chunks)),
             (Opcode.METADATA_INDEX, b"".join(records.metadata_index(each) for each in self._metadata)),

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import sqlite3
-from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 
 from tfloom._native import Chunk
-from tfloom.bag.values import Topic
 from tfloom.bag.writing.metadata_text import METADATA_VERSION, ROS_DISTRO
 from tfloom.bag.writing.storage import StorageSettings
+from tfloom.bag.writing.topic_table import TopicTable
 
 __all__ = ["SqliteFile"]
 
@@ -37,26 +36,33 @@ class SqliteFile:
     It has a log beside it until it is closed (`-wal`), so that a program that is killed leaves it whole.
     """
 
-    def __init__(
-        self, path: Path, topics: Mapping[int, Topic], settings: StorageSettings, metadata: str
-    ) -> None:
+    def __init__(self, path: Path, topics: TopicTable, settings: StorageSettings, metadata: str) -> None:
         self._path = path
         self._topics = topics
+        self._settings = settings
         self._known: set[int] = set()
         self._types: set[str] = set()
         self._size = 0
         path.open("xb").close()
         self._database: sqlite3.Connection | None = None
         with _named(path):
-            self._database = sqlite3.connect(path, isolation_level=None, check_same_thread=False)
-            for pragma in ("journal_mode=WAL", "synchronous=OFF", *settings.pragmas):
-                self._database.execute(f"PRAGMA {pragma}")
-            with self._database:
-                for table in _TABLES:
-                    self._database.execute(f"CREATE TABLE {table}")
-                self._database.execute(_INDEX)
-                self._database.execute("INSERT INTO schema VALUES (?, ?)", (_SCHEMA_VERSION, ROS_DISTRO))
-                self._insert_metadata(self._database, metadata)
+            database = sqlite3.connect(path, isolation_level=None, check_same_thread=False)
+            try:
+                self._begin(database, metadata)
+            except BaseException:
+                database.close()
+                raise
+        self._database = database
+
+    def _begin(self, database: sqlite3.Connection, metadata: str) -> None:
+        for pragma in ("journal_mode=WAL", "synchronous=OFF", *self._settings.pragmas):
+            database.execute(f"PRAGMA {pragma}")
+        with database:
+            for table in _TABLES:
+                database.execute(f"CREATE TABLE {table}")
+            database.execute(_INDEX)
+            database.execute("INSERT INTO schema VALUES (?, ?)", (_SCHEMA_VERSION, ROS_DISTRO))
+            self._insert_metadata(database, metadata)
 
     @property
     def size(self) -> int:
@@ -92,7 +98,7 @@ class SqliteFile:
         with _named(self._path):
             try:
                 database.execute("BEGIN")
-                self._add_topics(database, list(self._topics))
+                self._add_topics(database, list(self._topics.present()))
                 self._insert_metadata(database, metadata)
                 database.execute("COMMIT")
                 database.execute("PRAGMA journal_mode=DELETE")

@@ -2,34 +2,40 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from pathlib import Path
 
-from tfloom.bag.values import Topic
 from tfloom.bag.writing.storage import StorageFile, StorageSettings
+from tfloom.bag.writing.topic_table import TopicTable
 
 __all__ = ["open_storage_file"]
 
 
 def open_storage_file(
-    storage_id: str, path: Path, topics: Mapping[int, Topic], settings: StorageSettings, metadata: str
+    storage_id: str, path: Path, topics: TopicTable, settings: StorageSettings, metadata: str
 ) -> StorageFile:
     """Create a file.
 
     Args:
         storage_id: A key of `STORAGES`.
         path: The file, which must not exist.
-        topics: By channel number, from 1; the writer of the bag adds to it.
+        topics: By channel number; the writer of the bag adds to it.
         settings: How it is written.
         metadata: Of the bag so far, as YAML.
 
     Raises:
         OSError: it can't be created.
     """
-    if storage_id == "mcap":
-        from tfloom.bag.writing.mcap_file import McapFile
+    try:
+        if storage_id == "mcap":
+            from tfloom.bag.writing.mcap_file import McapFile
 
-        return McapFile(path, topics, settings, metadata)
-    from tfloom.bag.writing.sqlite_file import SqliteFile
+            return McapFile(path, topics, settings, metadata)
+        from tfloom.bag.writing.sqlite_file import SqliteFile
 
-    return SqliteFile(path, topics, settings, metadata)
+        return SqliteFile(path, topics, settings, metadata)
+    except FileExistsError:  # not ours
+        raise
+    except BaseException:  # without its beginning it is no file of the storage, and in the way of another try
+        for suffix in ("", "-wal", "-shm"):
+            path.with_name(path.name + suffix).unlink(missing_ok=True)
+        raise

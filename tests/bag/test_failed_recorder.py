@@ -1,0 +1,152 @@
+"""Recorders whose threads meet an error, and their splits."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from tests.bag.written_bags import START_NS, STEP_NS, text, topic
+
+from tfloom.bag import open_bag
+from tfloom.bag.metadata import read_metadata
+from tfloom.bag.recording import recorder as recorder_module
+from tfloom.bag.recording.record_options import RecordOptions
+from tfloom.bag.recording.recorder import Recorder
+from tfloom.bag.topic_choice import TopicChoice
+from tfloom.bag.writing.bag_writer import WriterSettings
+from tfloom.node.context.context import Context
+
+CHATTER = topic("/chatter", "std_msgs/msg/String")
+Start = Callable[[WriterSettings], Recorder]
+
+
+@pytest.fixture
+def started(local_context: Context, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Start]:
+    """Start a recorder of what a test pushes into its queue; it is stopped at the end."""
+    monkeypatch.setattr(recorder_module, "FLUSH_NS", 10_000_000)
+    recorders: list[Recorder] = []
+
+    def start(settings: WriterSettings) -> Recorder:
+        options = RecordOptions(TopicChoice(["/late"]), polling_interval_s=0.01, has_keyboard=False)
+        recorder = Recorder(tmp_path / "bag", settings, options, context=local_context)
+        recorders.append(recorder)
+        recorder.start()
+        return recorder
+
+    yield start
+    for recorder in recorders:
+        recorder.stop()
+        recorder.destroy_node()
+
+
+def wait_until(condition: Callable[[], bool]) -> None:
+    end = time.monotonic() + 10.0
+    while not condition():
+        assert time.monotonic() < end, "timeout"
+        time.sleep(0.002)
+
+
+def push(recorder: Recorder, channel: int, numbers: range) -> None:
+    for number in numbers:
+        stamp_ns = START_NS + number * STEP_NS
+        recorder.writer.queue.push(channel, text(number), stamp_ns, stamp_ns)
+
+
+def log_times(folder: Path) -> list[int]:
+    with open_bag(folder) as bag:
+        return [(each.log_time_ns - START_NS) // STEP_NS for each in bag.messages()]
+
+
+@pytest.mark.parametrize("storage_id", ["mcap", "sqlite3"])
+def test_any_error_while_writing_ends_the_recording_loudly(
+    storage_id: str, started: Start, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: Any
+) -> None:
+    recorder = started(WriterSettings(storage_id))
+    channel = recorder.writer.add_topic(CHATTER)
+    push(recorder, channel, range(1))
+    wait_until(lambda: recorder.writer.message_count == 1)
+    with monkeypatch.context() as patched:
+
+        def fail(_: object) -> None:
+            raise RuntimeError("dictionary changed size during iteration")
+
+        patched.setattr(recorder.writer._file, "write", fail)
+        push(recorder, channel, range(1, 2))
+        wait_until(lambda: recorder.failure is not None)
+    assert "can't be written: RuntimeError: dictionary changed size" in str(recorder.failure)
+    assert not recorder.writer.queue.push(channel, text(2), START_NS, START_NS)
+    recorder.stop()
+    assert "Recording ends: " in capfd.readouterr().err
+    assert log_times(tmp_path / "bag") == [0, 1]  # written by a second try
+
+
+def test_error_beside_the_files_ends_the_recording_loudly(
+    started: Start, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    recorder = started(WriterSettings())
+    channel = recorder.writer.add_topic(CHATTER)
+
+    def fail(_: object) -> None:
+        raise ValueError("odd")
+
+    monkeypatch.setattr(recorder.writer, "_count", fail)
+    push(recorder, channel, range(1))
+    wait_until(lambda: recorder.failure is not None)
+    assert "bag: writing has ended: ValueError: odd" in str(recorder.failure)
+    monkeypatch.undo()
+
+
+def test_error_in_discovery_ends_the_recording_loudly(
+    started: Start, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    recorder = started(WriterSettings())
+    channel = recorder.writer.add_topic(CHATTER)
+    push(recorder, channel, range(3))
+    with monkeypatch.context() as patched:
+
+        def fail() -> None:
+            raise ValueError("odd")
+
+        patched.setattr(recorder._topics, "subscribe_changed", fail)
+        wait_until(lambda: recorder.failure is not None)
+    assert "bag: no more topics can be subscribed to: ValueError: odd" in str(recorder.failure)
+    recorder.stop()
+    assert log_times(tmp_path / "bag") == [0, 1, 2]
+
+
+def test_split_that_cannot_be_announced_is_a_split(
+    started: Start, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: Any
+) -> None:
+    recorder = started(WriterSettings())
+    channel = recorder.writer.add_topic(CHATTER)
+
+    def fail(_: object) -> None:
+        raise ValueError("odd")
+
+    monkeypatch.setattr(recorder._split_events, "publish", fail)
+    push(recorder, channel, range(1))
+    recorder.split_bagfile()
+    push(recorder, channel, range(1, 2))
+    recorder.stop()
+    assert recorder.failure is None
+    assert "The split was not announced: odd" in capfd.readouterr().err
+    assert [each.message_count for each in read_metadata(tmp_path / "bag").files] == [1, 1]
+
+
+def test_duration_of_a_file_is_counted_from_the_split(started: Start, tmp_path: Path) -> None:
+    recorder = started(WriterSettings(max_file_duration_ns=10 * STEP_NS))
+    channel = recorder.writer.add_topic(CHATTER)
+    push(recorder, channel, range(6))
+    recorder.split_bagfile()
+    push(recorder, channel, range(6, 20))
+    recorder.stop()
+    files = read_metadata(tmp_path / "bag").files
+    spans = [(each.start_ns - START_NS, each.duration_ns, each.message_count) for each in files]
+    assert spans == [
+        (0, 5 * STEP_NS, 6),
+        (6 * STEP_NS, 10 * STEP_NS, 11),
+        (17 * STEP_NS, 2 * STEP_NS, 3),
+    ]

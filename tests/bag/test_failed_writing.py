@@ -1,0 +1,181 @@
+"""Bags whose writing fails, or whose topics change meanwhile: nothing is lost or mislabelled in silence."""
+
+from __future__ import annotations
+
+import errno
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from tests.bag.written_bags import START_NS, STEP_NS, Row, text, topic
+
+from tfloom.bag import open_bag
+from tfloom.bag.errors import BagError
+from tfloom.bag.metadata import read_metadata
+from tfloom.bag.reindexing import reindex
+from tfloom.bag.rosbag2_names.storage import ConverterOptions, StorageOptions, TopicMetadata
+from tfloom.bag.rosbag2_names.writers import SequentialWriter
+from tfloom.bag.writing import bag_writer, mcap_records, sqlite_file, topic_table
+from tfloom.bag.writing.bag_writer import BagWriter, State, WriterSettings
+from tfloom.bag.writing.storage import StorageSettings
+
+STORAGES = ("mcap", "sqlite3")
+CHATTER = topic("/chatter", "std_msgs/msg/String")
+
+
+def rows_of(folder: Path) -> list[Row]:
+    with open_bag(folder) as bag:
+        return [(each.topic, each.log_time_ns, each.data) for each in bag.messages()]
+
+
+def row(number: int) -> Row:
+    return ("/chatter", START_NS + number * STEP_NS, text(number))
+
+
+def push(writer: BagWriter, channel: int, number: int) -> None:
+    _, stamp_ns, data = row(number)
+    writer.push(channel, data, stamp_ns, stamp_ns)
+
+
+def push_all(writer: BagWriter, channel: int, numbers: range) -> None:
+    for number in numbers:
+        push(writer, channel, number)
+
+
+def full_disk(*_: object) -> Any:
+    raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+
+@pytest.mark.parametrize("storage_id", STORAGES)
+def test_topics_are_added_while_a_file_is_completed(
+    storage_id: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    writer = BagWriter(tmp_path / "bag", WriterSettings(storage_id))
+    channel = writer.add_topic(CHATTER)
+    added = []
+
+    def meanwhile(function: Callable[..., Any]) -> Callable[..., Any]:
+        def run(*args: Any) -> Any:
+            name = f"/late{len(added)}"
+            added.append(name)
+            writer.add_topic(topic(name, "std_msgs/msg/String"))
+            return function(*args)
+
+        return run
+
+    push(writer, channel, 0)
+    monkeypatch.setattr(mcap_records, "channel", meanwhile(mcap_records.channel))
+    refuse = sqlite_file.SqliteFile._add_topics
+    monkeypatch.setattr(sqlite_file.SqliteFile, "_add_topics", meanwhile(refuse))
+    writer.write_present()
+    writer.split()
+    push(writer, channel, 1)
+    writer.close()
+    assert len(added) > 2
+    assert rows_of(tmp_path / "bag") == [row(0), row(1)]
+
+
+@pytest.mark.parametrize("storage_id", STORAGES)
+def test_numbers_of_removed_topics_are_not_given_again(storage_id: str, tmp_path: Path) -> None:
+    def created(name: str, type_name: str = "std_msgs/msg/String") -> TopicMetadata:
+        return TopicMetadata(id=0, name=name, type=type_name, serialization_format="cdr")
+
+    writer = SequentialWriter()
+    writer.open(StorageOptions(uri=str(tmp_path / "bag"), storage_id=storage_id), ConverterOptions("", ""))
+    for name in ("/a", "/b", "/c", "/queued"):
+        writer.create_topic(created(name))
+    writer.write("/queued", text(0), START_NS)
+    for name in ("/a", "/queued"):
+        writer.remove_topic(created(name))
+        with pytest.raises(BagError, match="has not been created yet"):
+            writer.write(name, text(0), START_NS)
+    writer.create_topic(created("/d"))
+    for number, name in enumerate(("/c", "/d", "/b"), 1):
+        writer.write(name, text(number), START_NS + number)
+    writer.create_topic(created("/queued"))
+    writer.write("/queued", text(4), START_NS + 4)
+    writer.close()
+    names = ("/queued", "/c", "/d", "/b", "/queued")
+    assert rows_of(tmp_path / "bag") == [
+        (name, START_NS + number, text(number)) for number, name in enumerate(names)
+    ]
+    found = read_metadata(tmp_path / "bag").topics
+    assert {each.name: each.message_count for each in found} == {"/b": 1, "/c": 1, "/d": 1, "/queued": 2}
+
+
+def test_more_topics_than_numbers(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(topic_table, "MAX_TOPICS", 1)
+    writer = BagWriter(tmp_path / "bag")
+    channel = writer.add_topic(CHATTER)
+    with pytest.raises(BagError, match=r"'/chatter' can't be added: a bag has at most 1 topics"):
+        writer.add_topic(CHATTER)
+    push(writer, channel, 0)
+    writer.close()
+    assert rows_of(tmp_path / "bag") == [row(0)]
+
+
+@pytest.mark.parametrize("is_full_at_close", [True, False])
+@pytest.mark.parametrize("storage_id", STORAGES)
+def test_split_whose_next_file_cannot_be_opened(
+    storage_id: str, is_full_at_close: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "bag"
+    writer = BagWriter(folder, WriterSettings(storage_id, max_file_size=200))
+    channel = writer.add_topic(CHATTER)
+    first = writer.file_path
+    with monkeypatch.context() as patched:
+        patched.setattr(bag_writer, "open_storage_file", full_disk)
+        with pytest.raises(BagError, match=r"bag_1\.\w+: it can't be written: No space left .* bag reindex"):
+            push_all(writer, channel, range(1, 20))
+        pushed = writer.queue.message_count
+        assert pushed < 10
+        assert writer.state is State.FAILED
+        assert writer.file_path == first
+        with pytest.raises(BagError, match="a write has failed, and nothing more is written; close it"):
+            push(writer, channel, 99)
+        writer.queue.push(
+            channel, *row(pushed + 1)[2:], row(pushed + 1)[1], START_NS
+        )  # as readers do meanwhile
+        if is_full_at_close:
+            with pytest.raises(BagError, match=r"bag_1\.\w+: it can't be written: No space left"):
+                writer.close()
+    writer.close()
+    assert writer.state is State.CLOSED
+    writer.close()
+    found = [row(number) for number in range(1, pushed + (1 if is_full_at_close else 2))]
+    assert rows_of(folder) == found
+    names = sorted(path.name for path in folder.iterdir())
+    assert names == sorted([*read_metadata(folder).relative_file_paths, "metadata.yaml"])
+    (folder / "metadata.yaml").unlink()
+    reindex(folder)
+    assert rows_of(folder) == found
+
+
+@pytest.mark.parametrize("storage_id", STORAGES)
+def test_first_file_that_cannot_be_begun_leaves_nothing(
+    storage_id: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with monkeypatch.context() as patched:
+        patched.setattr(mcap_records, "header", full_disk)
+        patched.setattr(sqlite_file.SqliteFile, "_insert_metadata", full_disk)
+        with pytest.raises(BagError, match="No space left on device"):
+            BagWriter(tmp_path / "bag", WriterSettings(storage_id))
+    assert not list(tmp_path.iterdir())
+    BagWriter(tmp_path / "bag", WriterSettings(storage_id)).close()
+
+
+def test_duration_of_a_file_of_several_chunks(tmp_path: Path) -> None:
+    writer = BagWriter(tmp_path / "bag", WriterSettings(storage=StorageSettings(chunk_size=1)))
+    channel = writer.add_topic(CHATTER)
+    for number in (5, 9, 2, 7):  # a chunk each; neither the first nor the last one has the first or last time
+        push(writer, channel, number)
+    writer.close()
+    info = read_metadata(tmp_path / "bag")
+    (file,) = info.files
+    assert (file.start_ns, file.duration_ns) == (START_NS + 2 * STEP_NS, 7 * STEP_NS)
+    assert (info.start_ns, info.duration_ns) == (START_NS + 2 * STEP_NS, 7 * STEP_NS)
+    with open_bag(tmp_path / "bag") as bag:
+        assert len(bag.files[0].storage.layout.spans) == 4
+        assert (bag.start_ns, bag.end_ns) == (START_NS + 2 * STEP_NS, START_NS + 9 * STEP_NS)
