@@ -377,3 +377,45 @@ def test_messages_and_flags_add_nothing(tmp_path: Path) -> None:
         tmp_path, 'project(p)\nmessage(STATUS "hello")\nset_target_properties(a b c)\nset(ENV{A} b)'
     )
     assert lines_of(plan.unknown) == [4]
+
+
+def _nested(begin: str, end: str, levels: int, inner: str = "") -> str:
+    return begin * levels + inner + end * levels
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("set(a x)\n" + "set(a ${a}${a})\n" * 60, "the values of its variables take more than 3000000"),
+        ("set(a x;y)\n" + "list(APPEND a ${a})\n" * 60, "the values of its variables take more than 3000000"),
+        ("set(a x)\n" + "set(a ${a}${a})\n" * 18 + "if(a STREQUAL b)\nendif()\n" * 50, "the values of its"),
+        (
+            _nested("foreach(a 1 2 3 4 5 6 7)\n", "endforeach()\n", 12),
+            "the file takes more than 20000 commands",
+        ),
+        (_nested("foreach(a 1)\n", "endforeach()\n", 101), "more than 100 blocks are nested"),
+        (_nested("if(1)\n", "endif()\n", 10_000), "too many blocks are in blocks or in loops"),
+        (_nested("if(" + "(" * 100_000, ")" * 100_000 + ")\nendif()", 1, "1"), "more than 100 parentheses"),
+        (
+            'set(p "(;(;(;(;(")\nset(p "${p};${p};${p};${p};${p}")\n'
+            + "if(${p} ${p} ${p} ${p} ${p} 1)\nendif()\n",
+            "more than 100 par",
+        ),
+        ("if(" + "NOT " * 100_000 + "1)\nendif()\n", "more than 50000 arguments"),
+        ("#" * 1_000_001, "it has 1000001 characters, more than 1000000"),
+    ],
+)
+def test_what_would_take_for_ever_is_named_with_its_line(tmp_path: Path, text: str, reason: str) -> None:
+    with pytest.raises(CMakeSyntaxError, match=rf"CMakeLists\.txt:\d+: .*{reason}"):
+        plan_of(tmp_path, text)
+
+
+def test_what_is_merely_large_is_read(tmp_path: Path) -> None:
+    names = " ".join(f"msg/Message{number}.msg" for number in range(10_000))
+    blocks = _nested("if(1)\n", "endif()\n", 90, "foreach(n ${names})\n  set(b ${n})\nendforeach()\n")
+    plan = plan_of(
+        tmp_path, f"set(names {names})\n{blocks}install(FILES ${{names}} ${{b}} DESTINATION share)\n"
+    )
+    assert not plan.unknown
+    condition = "NOT " * 1000 + "VERSION_X VERSION_LESS " + "9" * 5000
+    assert not plan_of(tmp_path, f"if({condition})\nendif()\n").unknown

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path, PurePosixPath
 
 from tfloom.workspace.cmake_plan import BINARY_FOLDER, PYTHON_FOLDER, Plan, Remark, find_action
-from tfloom.workspace.cmake_syntax import CMakeSyntaxError, Command, read_commands
+from tfloom.workspace.cmake_syntax import MAX_NESTED, CMakeSyntaxError, Command, read_commands
 from tfloom.workspace.cmake_values import (
+    TooMuchError,
     UnknownConditionError,
+    Variables,
     expand,
     expand_all,
     is_true,
@@ -24,8 +27,10 @@ _ENDS = {
     "macro": "endmacro",
     "block": "endblock",
 }
-_MOST_STEPS = 20_000
+MAX_STEPS = 20_000
 """Commands that one file may take, because loops nest."""
+MAX_LOOKED_AT = 500_000
+"""Commands that may be looked at for the ends and the branches of blocks, because loops may hold many."""
 
 
 def read_plan(folder: Path, prefix: Path, *, testing: bool = False) -> Plan:
@@ -58,25 +63,29 @@ class _Reader:
         self._path = path
         self._folder = path.parent
         self._steps = 0
+        self._looked_at = 0
+        self._depth = 0
         source = self._folder.as_posix()
-        self._variables = {
-            "CMAKE_CURRENT_LIST_DIR": source,
-            "CMAKE_CURRENT_SOURCE_DIR": source,
-            "CMAKE_SOURCE_DIR": source,
-            "CMAKE_CURRENT_BINARY_DIR": BINARY_FOLDER,
-            "CMAKE_BINARY_DIR": BINARY_FOLDER,
-            "PROJECT_BINARY_DIR": BINARY_FOLDER,
-            "CMAKE_INSTALL_PREFIX": prefix.as_posix(),
-            "CMAKE_INSTALL_BINDIR": "bin",
-            "CMAKE_INSTALL_LIBDIR": "lib",
-            "CMAKE_INSTALL_DATADIR": "share",
-            "CMAKE_INSTALL_DATAROOTDIR": "share",
-            "CMAKE_INSTALL_INCLUDEDIR": "include",
-            "PYTHON_INSTALL_DIR": PYTHON_FOLDER,
-            "UNIX": "1",
-            "ROS_DISTRO": "jazzy",
-            "BUILD_TESTING": "ON" if testing else "OFF",
-        }
+        self._variables = Variables(
+            {
+                "CMAKE_CURRENT_LIST_DIR": source,
+                "CMAKE_CURRENT_SOURCE_DIR": source,
+                "CMAKE_SOURCE_DIR": source,
+                "CMAKE_CURRENT_BINARY_DIR": BINARY_FOLDER,
+                "CMAKE_BINARY_DIR": BINARY_FOLDER,
+                "PROJECT_BINARY_DIR": BINARY_FOLDER,
+                "CMAKE_INSTALL_PREFIX": prefix.as_posix(),
+                "CMAKE_INSTALL_BINDIR": "bin",
+                "CMAKE_INSTALL_LIBDIR": "lib",
+                "CMAKE_INSTALL_DATADIR": "share",
+                "CMAKE_INSTALL_DATAROOTDIR": "share",
+                "CMAKE_INSTALL_INCLUDEDIR": "include",
+                "PYTHON_INSTALL_DIR": PYTHON_FOLDER,
+                "UNIX": "1",
+                "ROS_DISTRO": "jazzy",
+                "BUILD_TESTING": "ON" if testing else "OFF",
+            }
+        )
 
     def run(self, commands: Sequence[Command]) -> None:
         """Read a whole file."""
@@ -90,17 +99,40 @@ class _Reader:
         while at < len(commands):
             command = commands[at]
             self._steps += 1
-            if self._steps > _MOST_STEPS:
-                raise self._error(command, f"the file takes more than {_MOST_STEPS} commands")
+            if self._steps > MAX_STEPS:
+                raise self._error(command, f"the file takes more than {MAX_STEPS} commands")
             if command.name in _ENDS:
                 end = self._end(commands, at)
-                self._run_block(commands[at:end])
+                self._run_nested(commands[at:end])
                 at = end
             elif command.name in {"else", "elseif", *_ENDS.values()}:
                 raise self._error(command, f"{command.name}() without what it ends")
             else:
-                self._run_command(command)
+                with self._located(command):
+                    self._run_command(command)
             at += 1
+
+    @contextmanager
+    def _located(self, command: Command) -> Iterator[None]:
+        """Add file and line to an error about a limit."""
+        try:
+            yield
+        except TooMuchError as error:
+            raise self._error(command, str(error)) from None
+
+    def _run_nested(self, block: Sequence[Command]) -> None:
+        """Run a block, whose last command is left out."""
+        self._depth += 1
+        if self._depth > MAX_NESTED:
+            raise self._error(block[0], f"more than {MAX_NESTED} blocks are nested")
+        with self._located(block[0]):
+            self._run_block(block)
+        self._depth -= 1
+
+    def _look_at(self, block: Sequence[Command], count: int) -> None:
+        self._looked_at += count
+        if self._looked_at > MAX_LOOKED_AT:
+            raise self._error(block[0], "too many blocks are in blocks or in loops")
 
     def _end(self, commands: Sequence[Command], begin: int) -> int:
         """Return the position of the command that ends the block at `begin`."""
@@ -109,11 +141,11 @@ class _Reader:
         for at in range(begin, len(commands)):
             depth += (commands[at].name == opening) - (commands[at].name == closing)
             if not depth:
+                self._look_at(commands[begin:at], at - begin)
                 return at
         raise self._error(commands[begin], f"{opening}() isn't ended by {closing}()")
 
     def _run_block(self, block: Sequence[Command]) -> None:
-        """Run a block, whose last command is left out."""
         head = block[0]
         if head.name == "if":
             self._run(self._chosen_branch(block))
@@ -127,6 +159,7 @@ class _Reader:
 
     def _chosen_branch(self, block: Sequence[Command]) -> Sequence[Command]:
         """Return the commands of the first branch of an `if` whose condition is true."""
+        self._look_at(block, len(block))
         heads = [0]
         depth = 0
         for at, command in enumerate(block):
@@ -169,7 +202,7 @@ class _Reader:
             if word in {"LISTS", "ITEMS"}:
                 lists = word == "LISTS"
             else:
-                found += split_list(self._variables.get(word, "")) if lists else [word]
+                found += split_list(self._variables.read(word)) if lists else [word]
         return found
 
     def _restore(self, name: str, value: str | None) -> None:
@@ -228,13 +261,14 @@ class _Reader:
             self._remark(command, "list() without a variable")
             return
         verb, name, *values = words
-        items = split_list(self._variables.get(name, ""))
+        items = split_list(self._variables.read(name))
         if verb == "APPEND":
             items += values
         elif verb == "PREPEND":
             items = values + items
         elif verb == "REMOVE_ITEM":
-            items = [item for item in items if item not in values]
+            removed = set(values)
+            items = [item for item in items if item not in removed]
         elif verb == "REMOVE_DUPLICATES":
             items = list(dict.fromkeys(items))
         elif verb == "FILTER" and len(values) == 3 and values[1] == "REGEX":

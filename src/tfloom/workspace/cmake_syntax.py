@@ -8,6 +8,13 @@ from enum import Enum
 from pathlib import Path
 from typing import NamedTuple
 
+MAX_CHARACTERS = 1_000_000
+"""Length of the longest file."""
+MAX_ARGUMENTS = 50_000
+"""Arguments that the commands of one file may have."""
+MAX_NESTED = 100
+"""Levels of parentheses in parentheses, and of blocks in blocks."""
+
 
 class Form(Enum):
     """How an argument is written, which decides what is replaced in it and whether it is a list."""
@@ -60,6 +67,8 @@ def read_commands(path: Path) -> list[Command]:
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
         raise CMakeSyntaxError(path, line, f"octet {data[error.start]:#04x} isn't UTF-8 text") from None
+    if len(text) > MAX_CHARACTERS:
+        raise CMakeSyntaxError(path, 1, f"it has {len(text)} characters, more than {MAX_CHARACTERS}")
     return list(_Reader(path, text).commands())
 
 
@@ -72,6 +81,7 @@ class _Reader:
         self._at = 0
         self._counted = 0
         self._lines = 1
+        self._count = 0
 
     def commands(self) -> Iterator[Command]:
         while self._skip_space():
@@ -89,8 +99,13 @@ class _Reader:
         depth = 1
         while self._skip_space():
             line = self._line()
+            self._count += 1
+            if self._count > MAX_ARGUMENTS:
+                raise self._error(f"the commands have more than {MAX_ARGUMENTS} arguments")
             if self._take("("):
                 depth += 1
+                if depth > MAX_NESTED:
+                    raise self._error(f"more than {MAX_NESTED} parentheses are nested")
                 yield Argument("(", Form.UNQUOTED, line)
             elif self._take(")"):
                 depth -= 1

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from tfloom.workspace.cmake_syntax import Argument, Form
+from tfloom.workspace.cmake_syntax import MAX_NESTED, Argument, Form
 
 _REFERENCE = re.compile(r"\$(ENV)?\{([A-Za-z0-9_./+-]*)\}|\\(.)", re.DOTALL)
 _ESCAPES = {"n": "\n", "t": "\t", "r": "\r"}
@@ -17,11 +17,43 @@ _MOST_NESTED = 20
 """How deep `${${NAME}}` may be nested."""
 
 
+_REFERENCE_COST = 10
+"""Characters that take about the time of one reference."""
+MAX_EXPANDED = 3_000_000
+"""Characters that the commands of one file may have after the replacement of variables."""
+
+
+class TooMuchError(ValueError):
+    """A file asks for more than is ever needed; the text says of what."""
+
+
+class Variables(dict[str, str]):
+    """The variables of a file. It counts what is read of them, because a few lines can double a value many times."""
+
+    _expanded = 0
+
+    def count(self, length: int) -> None:
+        """Add to the characters that the file has used.
+
+        Raises:
+            TooMuchError: there are more than MAX_EXPANDED.
+        """
+        self._expanded += length
+        if self._expanded > MAX_EXPANDED:
+            raise TooMuchError(f"the values of its variables take more than {MAX_EXPANDED} characters")
+
+    def read(self, name: str, default: str = "") -> str:
+        """Return the value of a variable, and count it; `default` if it isn't set."""
+        value = self.get(name, default)
+        self.count(len(value) + _REFERENCE_COST)
+        return value
+
+
 class UnknownConditionError(ValueError):
     """A condition uses a test that isn't known."""
 
 
-def expand(argument: Argument, variables: Mapping[str, str]) -> list[str]:
+def expand(argument: Argument, variables: Variables) -> list[str]:
     """Return the values of an argument: variables replaced, and an unquoted one split at its semicolons."""
     if argument.form is Form.BRACKET:
         return [argument.text]
@@ -29,19 +61,24 @@ def expand(argument: Argument, variables: Mapping[str, str]) -> list[str]:
     return [text] if argument.form is Form.QUOTED else split_list(text)
 
 
-def expand_all(arguments: Iterable[Argument], variables: Mapping[str, str]) -> list[str]:
+def expand_all(arguments: Iterable[Argument], variables: Variables) -> list[str]:
     """Return the values of arguments in their order."""
     return [value for argument in arguments for value in expand(argument, variables)]
 
 
-def expand_text(text: str, variables: Mapping[str, str]) -> str:
+def expand_text(text: str, variables: Variables) -> str:
     """Return a text with `${NAME}`, `$ENV{NAME}` and escapes replaced; an unset variable is empty."""
 
     def value(match: re.Match[str]) -> str:
         if match[3] is not None:
+            variables.count(_REFERENCE_COST)
             return _ESCAPES.get(match[3], f"\\{match[3]}" if match[3] == ";" else match[3])
-        return os.environ.get(match[2], "") if match[1] else variables.get(match[2], "")
+        if match[1]:
+            variables.count(len(os.environ.get(match[2], "")))
+            return os.environ.get(match[2], "")
+        return variables.read(match[2])
 
+    variables.count(len(text))
     for _ in range(_MOST_NESTED):
         inner = re.sub(
             r"\$\{([^{}]*\$\{[A-Za-z0-9_./+-]*\}[^{}]*)\}", lambda m: _inner(m[0], variables), text
@@ -52,9 +89,9 @@ def expand_text(text: str, variables: Mapping[str, str]) -> str:
     return _REFERENCE.sub(value, text)
 
 
-def _inner(text: str, variables: Mapping[str, str]) -> str:
+def _inner(text: str, variables: Variables) -> str:
     """Replace the references inside another one: `${A_${B}}`."""
-    return "${" + re.sub(r"\$\{([A-Za-z0-9_./+-]*)\}", lambda m: variables.get(m[1], ""), text[2:-1]) + "}"
+    return "${" + re.sub(r"\$\{([A-Za-z0-9_./+-]*)\}", lambda m: variables.read(m[1]), text[2:-1]) + "}"
 
 
 def split_list(text: str) -> list[str]:
@@ -62,7 +99,7 @@ def split_list(text: str) -> list[str]:
     return [part.replace("\\;", ";") for part in re.split(r"(?<!\\);", text) if part]
 
 
-def is_true(arguments: Iterable[Argument], variables: Mapping[str, str], folder: Path) -> bool:
+def is_true(arguments: Iterable[Argument], variables: Variables, folder: Path) -> bool:
     """Return the value of the condition of an `if`.
 
     Args:
@@ -76,16 +113,17 @@ def is_true(arguments: Iterable[Argument], variables: Mapping[str, str], folder:
     words = [(value, each.form) for each in arguments for value in expand(each, variables) or [""]]
     condition = _Condition(words, variables, folder)
     result = condition.either()
-    if condition.words:
-        raise UnknownConditionError(f"'{condition.words[0][0]}' isn't understood in a condition")
+    condition.check_end()
     return result
 
 
 class _Condition:
     """The words of a condition that are left to read; OR binds least, then AND, then NOT."""
 
-    def __init__(self, words: list[tuple[str, Form]], variables: Mapping[str, str], folder: Path) -> None:
-        self.words = words
+    def __init__(self, words: list[tuple[str, Form]], variables: Variables, folder: Path) -> None:
+        self._words = words
+        self._at = 0
+        self._depth = 0
         self._variables = variables
         self._folder = folder
 
@@ -102,22 +140,31 @@ class _Condition:
         return result
 
     def _negated(self) -> bool:
-        return not self._negated() if self._take("NOT") else self._test()
+        is_negated = False
+        while self._take("NOT"):
+            is_negated = not is_negated
+        return self._test() != is_negated
 
     def _test(self) -> bool:
         if self._take("("):
+            self._depth += 1
+            if self._depth > MAX_NESTED:  # by the value of a variable; the syntax has this limit, too
+                raise TooMuchError(f"more than {MAX_NESTED} parentheses are nested")
             result = self.either()
+            self._depth -= 1
             if not self._take(")"):
                 raise UnknownConditionError("a parenthesis of the condition isn't closed")
             return result
-        for word, test in _UNARY.items():
-            if self._take(word):
-                return test(self, self._next())
         left, form = self._next_word()
-        for word, compare in _BINARY.items():
-            if self._take(word):
-                return compare(self._value(left, form), self._value(*self._next_word()))
-        return self._truth(left, form)
+        test = _UNARY.get(left) if form is Form.UNQUOTED else None
+        if test is not None:
+            return test(self, self._next_word()[0])
+        word, how = self._words[self._at] if self._at < len(self._words) else ("", Form.QUOTED)
+        compare = _BINARY.get(word) if how is Form.UNQUOTED else None
+        if compare is None:
+            return self._truth(left, form)
+        self._at += 1
+        return compare(self._value(left, form), self._value(*self._next_word()))
 
     def _truth(self, text: str, form: Form) -> bool:
         upper = text.upper()
@@ -134,7 +181,7 @@ class _Condition:
 
     def _value(self, text: str, form: Form) -> str:
         """Return the value of an operand: of the variable of that name if it is set and not quoted."""
-        return text if form is Form.QUOTED else self._variables.get(text, text)
+        return text if form is Form.QUOTED else self._variables.read(text, text)
 
     def exists(self, path: str) -> bool:
         return (self._folder / path).exists()
@@ -151,18 +198,20 @@ class _Condition:
         return False
 
     def _take(self, word: str) -> bool:
-        found = bool(self.words) and self.words[0] == (word, Form.UNQUOTED)
-        if found:
-            del self.words[0]
+        found = self._at < len(self._words) and self._words[self._at] == (word, Form.UNQUOTED)
+        self._at += found
         return found
 
-    def _next(self) -> str:
-        return self._next_word()[0]
-
     def _next_word(self) -> tuple[str, Form]:
-        if not self.words:
+        if self._at >= len(self._words):
             raise UnknownConditionError("the condition is incomplete")
-        return self.words.pop(0)
+        self._at += 1
+        return self._words[self._at - 1]
+
+    def check_end(self) -> None:
+        """Raise an error if there are words after the condition."""
+        if self._at < len(self._words):
+            raise UnknownConditionError(f"'{self._words[self._at][0]}' isn't understood in a condition")
 
 
 _UNARY = {
@@ -175,7 +224,7 @@ _UNARY = {
 
 
 def _version(text: str) -> list[int]:
-    return [int(part) for part in re.findall(r"\d+", text)]
+    return [int(part) for part in re.findall(r"\d{1,1000}", text)]  # Python reads no longer numbers
 
 
 def _number(text: str) -> float:
