@@ -122,6 +122,27 @@ def test_each_failure_has_its_sentences() -> None:
     assert wrong == {}
 
 
+@pytest.mark.parametrize("parents", [("left", "right"), ("right", "left")])
+def test_a_child_of_two_parents_is_named_whichever_came_last(parents: tuple[str, str]) -> None:
+    messages = [message(parents[step % 2], "tool", 0.1 * step) for step in range(10)]
+    lookup = looked_up(parents[0], "tool", messages=messages)
+    assert lookup.outcome == Outcome.UNKNOWN_FRAME
+    assert advise(lookup) == [
+        f"'tool' is sent with several parents, of which a buffer keeps the last, now {parents[1]!r}: drive.mcap on "
+        "/tf (parent 'left') and drive.mcap on /tf (parent 'right'). Let only one of these send 'tool'."
+    ]
+
+
+def test_a_child_of_two_parents_tears_a_longer_chain() -> None:
+    messages = [message("map", "left", 0.0, static=True)]
+    messages += [message(("left", "right")[step % 2], "tool", 0.1 * step) for step in range(10)]
+    lookup = looked_up("map", "tool", messages=messages)
+    assert lookup.outcome == Outcome.NOT_CONNECTED
+    text = " ".join(advise(lookup))
+    assert "'tool' is sent with several parents, of which a buffer keeps the last, now 'right'" in text
+    assert "(parent 'left') and" in text
+
+
 def test_one_transform_is_valid_at_its_stamp_only() -> None:
     messages = [message("odom", "base", 1.0)]
     lookup = looked_up("odom", "base", 2.0, messages=messages)

@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from tfloom.tf2_tools.explanation.lookup import Lookup
 from tfloom.tf2_tools.text.counts import counted
 from tfloom.tf2_tools.text.times import NS_PER_S, seconds_text
+from tfloom.tf2_tools.watch.model import Edge
 from tfloom.tf2_tools.watch.tree import Tree
 
 __all__ = ["bad_name", "loop", "not_connected", "unknown_frame"]
@@ -28,11 +29,15 @@ def unknown_frame(lookup: Lookup) -> list[str]:
     if not tree.frames():
         return _nothing_came(lookup)
     sentences = []
+    nowhere = []
     for frame in lookup.missing:
+        if several := _replaced(lookup, [edge for edge in _stored(lookup) if edge.frames[1] == frame]):
+            sentences += several
+            continue
+        nowhere.append(frame)
         sentences.append(f"No transform has the frame {frame!r}.{_near(frame, tree.frames())}")
         sentences += _unheard(lookup, frozenset({frame})) + _rejected(lookup, frozenset({frame}))
-    child = lookup.missing[0]
-    if _rejected(lookup, frozenset({child})):
+    if not nowhere or _rejected(lookup, frozenset({child := nowhere[0]})):
         return sentences
     sentences.append(
         f"Use a frame that is there, or start the node that publishes the transform of {child!r} "
@@ -82,6 +87,37 @@ def _rejected(lookup: Lookup, frames: frozenset[str] | None = None) -> list[str]
     ]
 
 
+def _stored(lookup: Lookup) -> list[Edge]:
+    """Return what a buffer has stored, although a later transform may have replaced it."""
+    return [edge for edge in lookup.seen.edges if not (edge.publisher.mismatches or edge.rejection)]
+
+
+def _replaced(lookup: Lookup, edges: Iterable[Edge]) -> list[str]:
+    """Return a sentence for each child of these edges that has another parent in the buffer, with all its sources."""
+    replaced = dict.fromkeys(
+        edge.frames[0] for edge in edges if edge.frames[1] != lookup.parents.get(edge.frames[0])
+    )
+    return [
+        f"{child!r} is sent with several parents, of which a buffer keeps the last, now "
+        f"{lookup.parents.get(child)!r}: {_sources(lookup, child)}. Let only one of these send {child!r}."
+        for child in replaced
+    ]
+
+
+def _sources(lookup: Lookup, child: str) -> str:
+    """Return who sends a child on which topic and with which parent, in order of the parents."""
+    edges = sorted(
+        (edge for edge in _stored(lookup) if edge.frames[0] == child), key=lambda edge: edge.frames[1]
+    )
+    return " and ".join(
+        dict.fromkeys(
+            f"{edge.publisher.label} on {edge.topic} (parent {edge.frames[1]!r}"
+            f"{', has left' if edge.publisher.has_left else ''})"
+            for edge in edges
+        )
+    )
+
+
 def _near(frame: str, frames: Iterable[str]) -> str:
     """Return a sentence with the frames of similar names, or nothing; case and slashes don't matter."""
     plain = {each.strip("/").casefold(): each for each in frames}
@@ -99,6 +135,9 @@ def not_connected(lookup: Lookup) -> list[str]:
             f"in that of {target_root!r} ({_size(tree, target_root)}); no transform connects the two."
         )
     ]
+    branches = {*tree.branch(lookup.target), *tree.branch(lookup.source)}
+    if several := _replaced(lookup, [edge for edge in _stored(lookup) if edge.frames[0] in branches]):
+        return sentences + several
     roots = frozenset({source_root, target_root})
     sentences += _unheard(lookup, roots)
     left = [edge for edge in lookup.seen.edges if edge.publisher.has_left and edge.frames[0] in roots]
