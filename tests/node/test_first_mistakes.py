@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import sys
 import time
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -88,6 +89,16 @@ def test_calling_init_last_says_so(context: Context) -> None:
 def test_spinning_it_says_so(executor: SingleThreadedExecutor) -> None:
     with pytest.raises(AttributeError, match="this Forgetful is no node yet"):
         executor.add_node(Forgetful())
+
+
+@pytest.mark.parametrize("use", USES)
+def test_python_suggests_no_placeholder(use: str, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(AttributeError) as raised:
+        USES[use](Forgetful())
+    sys.__excepthook__(raised.type, raised.value, raised.tb)
+    printed = capsys.readouterr().err
+    assert WHAT_TO_DO in printed
+    assert "Did you mean" not in printed
 
 
 def test_attributes_of_the_programs_own_are_as_ever(node: Node) -> None:

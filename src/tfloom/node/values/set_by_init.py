@@ -12,9 +12,13 @@ class _SetByInit:
 
     def __get__(self, instance: object, owner: type | None = None) -> NoReturn:
         name = type(instance).__name__
+        # Python fills in the attribute's name where `name` and `obj` are not given, and would then suggest one of
+        # the placeholders, which are no names for users.
         raise AttributeError(
             f"this {name} is no node yet: {name}.__init__ has to call super().__init__('a_node_name') "
-            "before it uses anything of a node"
+            "before it uses anything of a node",
+            name=None,
+            obj=instance,
         )
 
 
