@@ -397,8 +397,7 @@ def _nested(begin: str, end: str, levels: int, inner: str = "") -> str:
         (_nested("if(1)\n", "endif()\n", 10_000), "too many blocks are in blocks or in loops"),
         (_nested("if(" + "(" * 100_000, ")" * 100_000 + ")\nendif()", 1, "1"), "more than 100 parentheses"),
         (
-            'set(p "(;(;(;(;(")\nset(p "${p};${p};${p};${p};${p}")\n'
-            + "if(${p} ${p} ${p} ${p} ${p} 1)\nendif()\n",
+            'list(APPEND p "(")\n' + "list(APPEND p ${p})\n" * 7 + "if(${p} 1)\nendif()\n",
             "more than 100 par",
         ),
         ("if(" + "NOT " * 100_000 + "1)\nendif()\n", "more than 50000 arguments"),
