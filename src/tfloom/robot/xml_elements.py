@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from xml.parsers import expat
 
 from tfloom.robot.urdf_error import UrdfError
+from tfloom.xml_parsers import make_parser
 
 __all__ = ["Element", "read_xml"]
 
@@ -42,11 +43,9 @@ class _Builder:
     def __init__(self) -> None:
         self.root: Element | None = None
         self._open: list[Element] = []
-        self.parser = expat.ParserCreate()
+        self.parser = make_parser(self._refuse_entity)
         self.parser.StartElementHandler = self._start
         self.parser.EndElementHandler = self._end
-        self.parser.EntityDeclHandler = self._refuse_entity
-        self.parser.specified_attributes = True  # a declared default may be long, for each element anew
 
     def read(self, text: str | bytes) -> Element:
         try:
@@ -73,7 +72,7 @@ class _Builder:
     def _end(self, _: str) -> None:
         self._open.pop()
 
-    def _refuse_entity(self, name: str, *_: object) -> None:
+    def _refuse_entity(self, name: str) -> None:
         reason = f"the entity '{name}' is declared, but entities are not supported"
         raise UrdfError(self.parser.CurrentLineNumber, reason)
 

@@ -7,6 +7,8 @@ import re
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
+from tfloom.xml_parsers import read_tree
+
 _CURLY = str.maketrans(
     dict.fromkeys(
         "\N{LEFT DOUBLE QUOTATION MARK}\N{RIGHT DOUBLE QUOTATION MARK}\N{DOUBLE LOW-9 QUOTATION MARK}", '"'
@@ -26,7 +28,7 @@ def find_manifest_fault(path: Path) -> str | None:
     except OSError as error:
         return f"{path}: can't be read: {error.strerror}"
     try:
-        root = ET.fromstring(data)  # noqa: S314  # a file of the user's own workspace
+        root = read_tree(data)
     except ET.ParseError as error:
         if b"<package" not in data:
             return None

@@ -28,8 +28,10 @@ def read_manifest(path: Path) -> Manifest:
     """
     from xml.etree import ElementTree as ET
 
+    from tfloom.xml_parsers import read_tree
+
     try:
-        root = ET.fromstring(path.read_bytes())  # noqa: S314  # a file of the package that is built
+        root = read_tree(path.read_bytes())
     except ET.ParseError as error:
         line, column = error.position
         raise ValueError(f"{path}:{line}:{column + 1}: it isn't XML: {error}") from None

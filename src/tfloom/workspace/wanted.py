@@ -13,6 +13,7 @@ from xml.etree import ElementTree as ET
 
 from tfloom.rosidl import definition_files
 from tfloom.workspace import index
+from tfloom.xml_parsers import read_tree
 
 _BUILD_TOOLS = re.compile(
     r"ament_(cmake|lint|python|package|xmllint|mypy|uncrustify|cpplint|cppcheck)(_\w+)?"
@@ -102,7 +103,7 @@ def read_wants(source: Path) -> list[Wants]:
     found = []
     for path in manifests(source):
         try:
-            root = ET.fromstring(path.read_bytes())  # noqa: S314  # a file of the user's own workspace
+            root = read_tree(path.read_bytes())
         except (OSError, ET.ParseError):
             continue
         depends = (

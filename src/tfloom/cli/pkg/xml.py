@@ -26,8 +26,10 @@ def main(args: argparse.Namespace) -> int:
         return 0
     from xml.etree import ElementTree as ET
 
+    from tfloom.xml_parsers import read_tree
+
     try:
-        tags = list(ET.fromstring(text).iter(args.tag))  # noqa: S314  # a file of the user's own workspace
+        tags = list(read_tree(text).iter(args.tag))
     except ET.ParseError as error:
         raise CommandError(f"{path} isn't XML: {error}") from None
     if not tags:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 from xml.parsers import expat
+
+from tfloom.xml_parsers import make_parser
 
 __all__ = ["Element", "XmlError", "read_elements"]
 
@@ -46,18 +47,17 @@ class Element:
 class _Builder:
     """Builds the tree from expat's events."""
 
-    def __init__(self, file: str, parser: Any) -> None:
+    def __init__(self, file: str) -> None:
         self._file = file
-        self._parser = parser
+        self.parser = make_parser(self._refuse)
         self._open: list[Element] = []
         self.root: Element | None = None
-        parser.StartElementHandler = self._start
-        parser.EndElementHandler = self._end
-        parser.EntityDeclHandler = self._declared
-        parser.SkippedEntityHandler = self._skipped
+        self.parser.StartElementHandler = self._start
+        self.parser.EndElementHandler = self._end
+        self.parser.SkippedEntityHandler = self._skipped
 
     def _start(self, tag: str, attributes: dict[str, str]) -> None:
-        line = self._parser.CurrentLineNumber
+        line = self.parser.CurrentLineNumber
         if len(self._open) >= _DEEPEST:
             raise XmlError(f"it is nested deeper than {_DEEPEST} levels", line)
         element = Element(tag, attributes, f"{self._file}:{line}")
@@ -70,12 +70,12 @@ class _Builder:
     def _end(self, _tag: str) -> None:
         self._open.pop()
 
-    def _declared(self, name: str, *_rest: object) -> None:
-        line = self._parser.CurrentLineNumber
+    def _refuse(self, name: str) -> None:
+        line = self.parser.CurrentLineNumber
         raise XmlError(f"it declares the entity '{name}', which launch files cannot do", line)
 
     def _skipped(self, name: str, _is_parameter: object) -> None:
-        raise XmlError(f"undefined entity '&{name};'", self._parser.CurrentLineNumber)
+        raise XmlError(f"undefined entity '&{name};'", self.parser.CurrentLineNumber)
 
 
 def read_elements(text: bytes, file: str) -> Element:
@@ -88,10 +88,9 @@ def read_elements(text: bytes, file: str) -> Element:
     Raises:
         XmlError: it isn't well-formed, declares entities, or is nested too deep.
     """
-    parser = expat.ParserCreate()
-    builder = _Builder(file, parser)
+    builder = _Builder(file)
     try:
-        parser.Parse(text, True)
+        builder.parser.Parse(text, True)
     except expat.ExpatError as error:
         where = f"line {error.lineno}, column {error.offset}"
         problem = f"it is not well-formed XML: {expat.ErrorString(error.code)}: {where}"

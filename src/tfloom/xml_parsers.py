@@ -1,0 +1,71 @@
+"""The parsers of all XML that is read. No text stands for more than itself, and nothing is loaded from outside."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+from xml.parsers import expat
+
+if TYPE_CHECKING:
+    from xml.etree import ElementTree as ET
+
+__all__ = ["make_parser", "read_tree"]
+
+MAX_TREE = 4_000_000
+"""Length of the longest text of which a tree is made [characters or octets]."""
+
+
+def make_parser(refuse: Callable[[str], None], namespace_separator: str | None = None) -> expat.XMLParserType:
+    """Return a parser.
+
+    Args:
+        refuse: Called with the name of an entity that the text declares, or uses and does not declare; it raises an
+            error, because a few entities of entities can stand for gigabytes.
+        namespace_separator: As for `ParserCreate`.
+    """
+    parser = expat.ParserCreate(None, namespace_separator)
+    parser.EntityDeclHandler = lambda name, *_: refuse(name)
+    parser.SkippedEntityHandler = lambda name, _: refuse(name)
+    parser.specified_attributes = True  # a declared default may be long, for each element anew
+    return parser
+
+
+def read_tree(text: str | bytes) -> ET.Element:
+    """Return the root of an XML text.
+
+    Raises:
+        ElementTree.ParseError: it isn't well-formed, is too long, or has entities; it has the position.
+    """
+    from xml.etree import ElementTree as ET
+
+    def error_at(line: int, column: int, problem: str) -> ET.ParseError:
+        error = ET.ParseError(f"{problem}: line {line}, column {column}")
+        error.code, error.position = 0, (line, column)
+        return error
+
+    def refuse(name: str) -> None:
+        problem = f"the entity '{name}' is used or declared, but entities are not supported"
+        raise error_at(parser.CurrentLineNumber, parser.CurrentColumnNumber, problem)
+
+    if len(text) > MAX_TREE:
+        raise error_at(1, 0, f"a text of {len(text)} characters is longer than {MAX_TREE}")
+    builder = ET.TreeBuilder()
+    parser = make_parser(refuse, "}")
+    parser.buffer_text = True
+    parser.StartElementHandler = lambda tag, attributes: builder.start(
+        _name(tag), {_name(name): value for name, value in attributes.items()}
+    )
+    parser.EndElementHandler = lambda tag: builder.end(_name(tag))
+    parser.CharacterDataHandler = builder.data
+    try:
+        parser.Parse(text, True)  # expat takes no keyword: this is all of the text
+    except expat.ExpatError as error:
+        raise error_at(error.lineno, error.offset, expat.ErrorString(error.code)) from None
+    except (LookupError, UnicodeError) as error:  # an encoding that is not known; a lone surrogate
+        raise error_at(1, 0, f"the text can't be decoded, {error}") from None
+    return builder.close()
+
+
+def _name(expanded: str) -> str:
+    """Return the name of an element or attribute as ElementTree has it, `{namespace}name`."""
+    return f"{{{expanded}" if "}" in expanded else expanded

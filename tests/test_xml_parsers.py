@@ -1,0 +1,73 @@
+"""The XML that tfloom reads: no text stands for more than itself."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from xml.etree import ElementTree as ET
+
+import pytest
+
+import tfloom
+from tfloom.launch.xml.elements import XmlError, read_elements
+from tfloom.robot.urdf_error import UrdfError
+from tfloom.robot.xml_elements import read_xml
+from tfloom.xml_parsers import MAX_TREE, read_tree
+
+READERS: list[Callable[[bytes], object]] = [read_tree, read_xml, lambda data: read_elements(data, "a.xml")]
+
+
+@pytest.mark.parametrize("read", READERS)
+def test_a_declared_default_is_in_no_element(read: Callable[[bytes], object]) -> None:
+    root = read(b'<!DOCTYPE a [<!ATTLIST b c CDATA "long">]><a><b/><b c="own"/></a>')
+    children = getattr(root, "children", root)
+    found = [getattr(each, "attributes", None) or getattr(each, "attrib", {}) for each in children]
+    assert found == [{}, {"c": "own"}]
+
+
+@pytest.mark.parametrize("read", READERS)
+@pytest.mark.parametrize(
+    "text", ['<!DOCTYPE a [<!ENTITY b "c">]><a/>', '<!DOCTYPE a SYSTEM "no.dtd"><a>&b;</a>', "<a>&b;</a>"]
+)
+def test_entities_are_refused(read: Callable[[bytes], object], text: str) -> None:
+    with pytest.raises((ET.ParseError, UrdfError, XmlError), match="entity"):
+        read(text.encode())
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        '<a b="1">t<c/>u<!-- v --><d xml:lang="e">&amp;</d>\n</a>',
+        '<a xmlns="urn:n" xmlns:p="urn:p" p:b="1"><p:c/></a>',
+    ],
+)
+def test_a_tree_is_that_of_the_library(text: str) -> None:
+    assert ET.tostring(read_tree(text)) == ET.tostring(ET.fromstring(text))
+
+
+@pytest.mark.parametrize("text", ["<a>\n<b></a>", "", "<a>&</a>", "<a/>b"])
+def test_a_fault_is_that_of_the_library(text: str) -> None:
+    with pytest.raises(ET.ParseError) as expected:
+        ET.fromstring(text)
+    with pytest.raises(ET.ParseError) as found:
+        read_tree(text)
+    assert (str(found.value), found.value.position) == (str(expected.value), expected.value.position)
+
+
+@pytest.mark.parametrize(
+    "text", ["<a>" + " " * MAX_TREE + "</a>", b'<?xml version="1.0" encoding="no-such"?><a/>']
+)
+def test_a_text_that_cannot_be_read_is_named(text: str | bytes) -> None:
+    with pytest.raises(ET.ParseError, match=r"longer than|encoding"):
+        read_tree(text)
+
+
+def test_no_other_module_makes_a_parser() -> None:
+    house = Path(tfloom.__file__).parent
+    marks = ("ParserCreate", "ET.fromstring", "ET.parse(", "ET.XML", "minidom", "iterparse", "sax.parse")
+    found = {
+        path.relative_to(house).as_posix()
+        for path in house.rglob("*.py")
+        if any(mark in path.read_text("utf-8") for mark in marks)
+    }
+    assert found == {"xml_parsers.py"}
