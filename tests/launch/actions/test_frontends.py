@@ -15,6 +15,7 @@ from tfloom.launch.launch_description import LaunchDescription
 from tfloom.launch.launch_description_sources.any_launch_file_utilities import (
     get_launch_description_from_any_launch_file,
 )
+from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
 from tfloom.launch.utilities.visit_all_entities_and_collect_futures import (
     visit_all_entities_and_collect_futures,
 )
@@ -186,3 +187,9 @@ def test_missing_attribute_is_an_error_with_its_place(text: str, visit: Visit) -
 def test_deprecated_description_logs_its_reason(capsys: pytest.CaptureFixture[str]) -> None:
     visit_all_entities_and_collect_futures(LaunchDescription(deprecated_reason="old"), LaunchContext())
     assert capsys.readouterr().out == "[WARNING] [launch]: deprecated launch description: old\n"
+
+
+def test_configurations_that_double_one_another_end_the_launch(visit: Visit) -> None:
+    lines = ['<let name="a" value="xx"/>', *['<let name="a" value="$(var a)$(var a)"/>'] * 40]
+    with pytest.raises(SubstitutionFailure, match="is longer than 10000000 characters"):
+        visit("<launch>\n" + "\n".join(lines) + "\n</launch>")

@@ -7,14 +7,32 @@ from collections.abc import Iterable
 from tfloom.launch.launch_context import LaunchContext
 from tfloom.launch.some_substitutions_type import SomeSubstitutionsType
 from tfloom.launch.substitution import Substitution
+from tfloom.launch.substitutions.substitution_failure import SubstitutionFailure
 from tfloom.launch.utilities.normalize_to_list_of_substitutions import normalize_to_list_of_substitutions
 
 __all__ = ["perform_some_substitutions", "perform_substitutions"]
 
 
+MAX_CHARACTERS = 10_000_000
+"""Length of the longest text of substitutions; that of a robot with all its meshes named has a tenth."""
+
+
 def perform_substitutions(context: LaunchContext, subs: Iterable[Substitution]) -> str:
-    """Return the texts of substitutions, concatenated."""
-    return "".join(context.perform_substitution(each) for each in subs)
+    """Return the texts of substitutions, concatenated.
+
+    Raises:
+        SubstitutionFailure: the text is longer than MAX_CHARACTERS, as by configurations that double one another.
+    """
+    texts, length = [], 0
+    for each in subs:
+        texts.append(context.perform_substitution(each))
+        length += len(texts[-1])
+        if length > MAX_CHARACTERS:
+            raise SubstitutionFailure(
+                f"the text of its substitutions is longer than {MAX_CHARACTERS} characters: "
+                "does a value hold itself more than once?"
+            )
+    return "".join(texts)
 
 
 def perform_some_substitutions(context: LaunchContext, subs: SomeSubstitutionsType) -> str:
