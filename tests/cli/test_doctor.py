@@ -30,6 +30,13 @@ def test_all_checks_pass_on_a_sound_system(domain_id: int) -> None:
     assert answer.text.endswith("\nAll 10 checks passed")
 
 
+def test_wtf_is_doctor() -> None:
+    answers = [transcript.run(word, "--help") for word in ("wtf", "doctor")]
+    assert answers[0].exit_code == 0, answers[0].text
+    assert answers[0].text == answers[1].text
+    assert "--report-failed" in answers[0].text
+
+
 @pytest.mark.parametrize(
     ("environment", "check"),
     [

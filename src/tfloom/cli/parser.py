@@ -107,6 +107,10 @@ class VerbParser(argparse.ArgumentParser):
         super().error(f"{message}{hint}")
 
 
+VERB_ALIASES = {"doctor": ("wtf",)}
+"""Other words for first words that have no verbs."""
+
+
 def build_parser(prog: str, commands: Mapping[str, str | Group]) -> VerbParser:
     """Return the parser of the whole command line, without importing the verbs' modules.
 
@@ -131,7 +135,12 @@ def build_parser(prog: str, commands: Mapping[str, str | Group]) -> VerbParser:
     for word, command in commands.items():
         if isinstance(command, str):
             words.add_parser(
-                word, help=command, description=command, prog=f"{prog} {word}", module=f"tfloom.cli.{word}"
+                word,
+                aliases=VERB_ALIASES.get(word, ()),
+                help=command,
+                description=command,
+                prog=f"{prog} {word}",
+                module=f"tfloom.cli.{word}",
             )
         else:
             words.add_parser(
