@@ -179,7 +179,7 @@ def test_malformed_argument(word: str) -> None:
         (["turtlesm"], "no package and no launch file is named 'turtlesm'\ndid you mean turtlesim"),
         (
             ["turtlesm", "x.launch.py"],
-            "Package 'turtlesm' not found: \"package 'turtlesm' not found, searching: ",
+            "Package 'turtlesm' not found: \"package 'turtlesm' not found, no workspace is sourced in this terminal",
         ),
         (["turtlesim"], "name a launch file of the package turtlesim\nturtlesim has: "),
         (["."], ". is a folder, not a launch file\nlaunch files in it: badattr.launch.xml, "),

@@ -91,5 +91,15 @@ def test_a_program_gets_a_note(look_up: Callable[[str], object], workspace: Path
     install(workspace, merged=False)
     with pytest.raises(ament.PackageNotFoundError) as raised:
         look_up("my_pkg")
-    assert str(raised.value) == "package 'my_pkg' not found, searching: []"
+    assert str(raised.value) == (
+        "package 'my_pkg' not found, no workspace is sourced in this terminal (AMENT_PREFIX_PATH is not set)"
+    )
     assert raised.value.__notes__ == [how_to_find("my_pkg")]
+
+
+def test_a_prefix_that_is_gone_is_no_sourced_workspace(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path / "gone"))
+    with pytest.raises(ament.PackageNotFoundError, match="not found, no folder of AMENT_PREFIX_PATH exists"):
+        ament.get_package_share_directory("nope")

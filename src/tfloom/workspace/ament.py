@@ -6,6 +6,7 @@ ROS. Without AMENT_PREFIX_PATH there is no workspace, which is not an error.
 
 from __future__ import annotations
 
+import os
 import re
 import sys
 from pathlib import Path
@@ -125,8 +126,19 @@ def _find(package: str) -> str | None:
         raise ValueError(f"'{package}' is not a valid package name")
     prefix = index.find_package(package)
     if prefix is None and package not in index.own_packages():
-        error = PackageNotFoundError(f"package '{package}' not found, searching: {index.search_paths()}")
+        error = PackageNotFoundError(f"package '{package}' not found, {_where_searched()}")
         if hint := how_to_find(package):
             add_note(error, hint)
         raise error
     return prefix
+
+
+def _where_searched() -> str:
+    """Return which folders were searched, or that there were none but tfloom's own."""
+    if paths := index.search_paths():
+        return f"searching: {paths}"
+    if os.environ.get(AMENT_PREFIX_PATH_ENV_VAR):
+        return (
+            f"no folder of {AMENT_PREFIX_PATH_ENV_VAR} exists: source the workspace's install/setup.bash anew"
+        )
+    return f"no workspace is sourced in this terminal ({AMENT_PREFIX_PATH_ENV_VAR} is not set)"
