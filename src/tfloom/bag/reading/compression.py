@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -12,6 +13,7 @@ __all__ = [
     "copy_decompressed",
     "decompress",
     "decompress_part",
+    "pieces",
 ]
 
 COMPRESSED_SUFFIX = ".zstd"
@@ -20,6 +22,8 @@ MOST = 1 << 30
 """The greatest size of a chunk or message that is decompressed [bytes]."""
 ZSTD_RATIO = 1 << 15
 """By how much zstd compresses at most: a block of 4 bytes repeats one byte 128 KiB."""
+PIECE = 1 << 20
+"""How much is decompressed at once where not all is kept [bytes]."""
 INSTALL = "install it by `pip install 'tfloom[bag]'`"
 
 
@@ -72,7 +76,43 @@ def decompress_part(method: str, data: bytes, size: int) -> bytes:
         return _part_of_lz4(data, size)
     if method == "zstd":
         return _part_of_zstd(data, size)
-    raise CompressionError(f"the compression is '{method[:40]}', which is none of lz4 and zstd")
+    raise _unknown(method)
+
+
+def pieces(method: str, data: bytes) -> Iterator[bytes]:
+    """Yield decompressed bytes by parts, up to their end or to where they are cut off.
+
+    Raises:
+        CompressionError: the method is unknown, or its library isn't installed.
+        DamagedError: the bytes are damaged.
+    """
+    if method not in {"lz4", "zstd"}:
+        raise _unknown(method)
+    try:
+        if method == "zstd":
+            yield from _pieces_of_zstd(data)
+        else:
+            stream = lz4_frame().LZ4FrameDecompressor()
+            piece = stream.decompress(data, max_length=PIECE)
+            while piece:
+                yield piece
+                piece = b"" if stream.eof else stream.decompress(b"", max_length=PIECE)
+    except (RuntimeError, EOFError, MemoryError) as error:
+        raise DamagedError(f"the {method} data is damaged: {error}") from None
+
+
+def _pieces_of_zstd(data: bytes) -> Iterator[bytes]:
+    module = zstd()
+    try:
+        with module.ZstdDecompressor().stream_reader(data) as reader:
+            while piece := reader.read(PIECE):
+                yield piece
+    except module.ZstdError as error:
+        raise DamagedError(f"the zstd data is damaged: {error}") from None
+
+
+def _unknown(method: str) -> CompressionError:
+    return CompressionError(f"the compression is '{method[:40]}', which is none of lz4 and zstd")
 
 
 def decompress_message(data: bytes) -> bytes:

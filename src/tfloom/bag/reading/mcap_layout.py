@@ -7,6 +7,7 @@ import struct
 import warnings
 import zlib
 from collections import Counter
+from collections.abc import Mapping
 from pathlib import Path
 from typing import NamedTuple
 
@@ -15,7 +16,9 @@ from tfloom.bag.errors import BagError, BagWarning
 from tfloom.bag.reading import mcap_records as records
 from tfloom.bag.reading.compression import CompressionError, DamagedError, decompress, decompress_part
 from tfloom.bag.reading.file_bytes import read_at
+from tfloom.bag.reading.mcap_implausible import check_plausible
 from tfloom.bag.reading.mcap_records import Opcode
+from tfloom.bag.values import EARLIEST, LATEST
 
 __all__ = ["Layout", "Span", "decompressed", "warn_of_damage", "whole_records"]
 
@@ -100,6 +103,7 @@ def decompressed(file: io.FileIO, path: Path, span: Span, size: int | None = Non
     """
     stored = read_at(file, span.offset, span.stored_size)
     try:
+        check_plausible(span.compression, stored, span.size, span.is_whole)
         if not span.is_whole or size is not None:
             return decompress_part(span.compression, stored, span.size if size is None else size)
         return decompress(span.compression, stored, span.size)
@@ -121,13 +125,26 @@ def whole_records(file: io.FileIO, path: Path, span: Span) -> bytes:
         warn_of_damage(path, span, "its content does not have its checksum")
         return b""
     try:
-        end = _native.summarise_mcap(data, 0)[-1]
+        counts, first, last, _, end = _native.summarise_mcap(data, 0)
     except ValueError as error:
         warn_of_damage(path, span, str(error))
         return b""
+    if counts and (first < span.start_ns or last > min(span.end_ns, LATEST)):
+        _warn_of_times(path, span, data, counts)
     if end != len(data) and span.is_whole:
         warn_of_damage(path, span, f"it has no whole record at byte {end}", "it is read up to there")
     return data[:end] if end != len(data) else data
+
+
+def _warn_of_times(path: Path, span: Span, data: bytes, counts: Mapping[int, int]) -> None:
+    """Warn of the messages whose log times aren't within those of their chunk, by which chunks are chosen."""
+    times = max(span.start_ns, EARLIEST), min(span.end_ns, LATEST)
+    try:
+        outside = sum(counts.values()) - len(_native.list_mcap_messages(data, list(counts), *times))
+    except ValueError:
+        return  # the reader warns of it
+    reason = f"{outside} of its messages have log times outside those that it declares"
+    warn_of_damage(path, span, reason, "a part of the bag, chosen by times, may lack them")
 
 
 def _has_checksum(file: io.FileIO, span: Span, data: bytes) -> bool:

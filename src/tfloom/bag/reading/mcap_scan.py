@@ -17,6 +17,8 @@ from tfloom.bag.reading.mcap_records import RECORD_HEADER, Opcode, RecordError
 __all__ = ["Scan"]
 
 LOOSE = (Opcode.SCHEMA, Opcode.CHANNEL, Opcode.MESSAGE)
+PEEK = 1 << 12
+"""How much is read at least of a record's beginning [bytes]."""
 CHUNK_HEADER_SIZE = 256
 """Enough for a chunk's numbers and the name of its compression [bytes]."""
 
@@ -37,6 +39,8 @@ class Scan:
         self._size = file.seek(0, io.SEEK_END)
         self._block = b""
         self._block_at = 0
+        self._peeked = b""
+        self._peeked_at = 0
         self._spans: list[Span] = []
         self._times: list[int] = []
         self._is_ended = False
@@ -64,7 +68,7 @@ class Scan:
 
     def _read(self, at: int) -> int:
         """Read the record at an offset; return that of the next one."""
-        opcode, length = records.record_header(read_at(self._file, at, RECORD_HEADER.size))
+        opcode, length = records.record_header(self._peek(at, RECORD_HEADER.size))
         if opcode in LOOSE:
             return self._read_loose(at, length)
         content = at + RECORD_HEADER.size
@@ -76,11 +80,19 @@ class Scan:
             name = records.Fields(read_at(self._file, content, length)).text()
             self.layout.metadata_offsets.append((name, at))
         elif opcode == Opcode.MESSAGE_INDEX and self._chunk and content + length <= self._size:
-            channel = records.Fields(read_at(self._file, content, min(length, 2))).number("H")
+            channel = records.Fields(self._peek(content, min(length, 2))).number("H")
             self._chunk.index_offsets[channel] = at
         elif opcode == 0:
             raise RecordError("there is no record of kind 0")
         return content + length
+
+    def _peek(self, at: int, size: int) -> bytes:
+        """Return a few bytes; small records that follow each other are read at once."""
+        begin = at - self._peeked_at
+        if not 0 <= begin <= len(self._peeked) - size:
+            self._peeked, self._peeked_at = read_at(self._file, at, max(PEEK, size)), at
+            begin = 0
+        return self._peeked[begin : begin + size]
 
     def _read_loose(self, at: int, length: int) -> int:
         """Read messages, schemas and channels that aren't in a chunk, of one block; return the offset after them."""
@@ -117,11 +129,13 @@ class Scan:
         """Read a chunk whose record has its content at an offset, and this many bytes of it in the file."""
         self._chunk = None
         try:
-            header = records.ChunkHeader.read(read_at(self._file, at, min(left, CHUNK_HEADER_SIZE)))
+            header = records.ChunkHeader.read(self._peek(at, min(left, CHUNK_HEADER_SIZE)))
         except RecordError:
             if left < CHUNK_HEADER_SIZE:
                 return  # the file ends in it
             raise
+        if not (header.size or header.stored_size):
+            return
         stored = min(header.stored_size, left - header.data_offset)
         is_whole = stored == header.stored_size
         offset = at + header.data_offset

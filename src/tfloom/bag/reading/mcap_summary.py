@@ -21,6 +21,10 @@ CHECKSUM_OF_CHUNK = 33
 """From the beginning of a chunk record to its checksum [bytes]."""
 INDEX_OF_CHUNK = 49
 """From the beginning of a chunk record to its compressed bytes, without the compression's name [bytes]."""
+EMPTY_INDEX_SIZE = 64
+"""Of the content of a chunk's index without compression and message indexes [bytes]."""
+_SIZES = 16
+"""Of the sizes of a chunk at the end of its index [bytes]."""
 
 
 def read_layout(file: io.FileIO, path: Path) -> Layout:
@@ -74,12 +78,14 @@ def _read_summary(file: io.FileIO, header: records.Header, start: int, size: int
     layout = Layout(header)
     statistics: records.Statistics | None = None
     spans: list[Span] = []
+    chunks = 0
     fields = records.Fields(read_at(file, start, size - len(records.MAGIC) - start))
     while not fields.is_at_end:
         opcode, length = fields.numbers("BQ")
         content = fields.take(length)
         if opcode == Opcode.CHUNK_INDEX:
-            spans.append(_span_of_index(records.ChunkIndex.read(content), start))
+            chunks += 1
+            spans += _spans_of_index(content, chunks, start)
         elif opcode == Opcode.STATISTICS:
             statistics = records.Statistics.read(content)
         elif opcode == Opcode.METADATA_INDEX:
@@ -87,19 +93,45 @@ def _read_summary(file: io.FileIO, header: records.Header, start: int, size: int
             layout.metadata_offsets.append((metadata.name, metadata.offset))
         else:
             layout.add(opcode, content)
-    in_file = sorted(spans, key=lambda span: span.offset)
-    for one, other in pairwise(in_file):
-        if one.offset + one.stored_size > other.offset:
-            raise RecordError(f"the chunks at bytes {one.offset} and {other.offset} overlap")
-    if statistics is None or len(spans) != statistics.chunk_count:
+    _check_overlaps(spans)
+    if statistics is None or chunks != statistics.chunk_count:
         return None
     if statistics.message_count and not layout.channels:
         return None
     layout.counts = Counter(statistics.counts)
     layout.start_ns, layout.end_ns = statistics.start_ns, statistics.end_ns
-    if spans or not statistics.message_count:
+    if chunks or not statistics.message_count:
         layout.spans = spans
     return layout
+
+
+def _check_overlaps(spans: list[Span]) -> None:
+    in_file = sorted(spans, key=lambda span: span.offset)
+    for one, other in pairwise(in_file):
+        if one.offset + one.stored_size + INDEX_OF_CHUNK > other.offset:
+            raise RecordError(f"the chunks at bytes {one.offset} and {other.offset} overlap")
+
+
+def _spans_of_index(content: bytes, number: int, limit: int) -> list[Span]:
+    """Return the span of the index of a chunk; none if the chunk is empty.
+
+    A million empty chunks would take 400 MB as spans.
+    """
+    if number * INDEX_OF_CHUNK > limit:
+        raise RecordError(f"it names {number} chunks, more than fit before it")
+    if _is_empty(content):
+        return []
+    index = records.ChunkIndex.read(content)
+    return [_span_of_index(index, limit)] if index.size else []
+
+
+def _is_empty(content: bytes) -> bool:
+    """Return whether the index of a chunk says at once that it is empty, without compression and indexes."""
+    return (
+        len(content) == EMPTY_INDEX_SIZE
+        and content[-_SIZES:] == bytes(_SIZES)
+        and content[32:36] == bytes(4)  # no message indexes
+    )
 
 
 def _span_of_index(index: records.ChunkIndex, limit: int) -> Span:

@@ -1,0 +1,86 @@
+"""Whether a compressed chunk that declares a large size has messages for it, found without holding its content."""
+
+from __future__ import annotations
+
+from tfloom import _native
+from tfloom.bag.reading.compression import DamagedError, pieces
+from tfloom.bag.reading.mcap_records import RECORD_HEADER, Opcode
+
+__all__ = ["check_plausible"]
+
+MIN_SIZE = 1 << 26
+"""The least declared size that is looked at [bytes]."""
+MIN_RATIO = 100
+"""The least ratio of the declared size to the stored one that is looked at. Empty maps reach 10,000."""
+MAX_MESSAGES = 1 << 20
+"""The most messages in such a chunk, if they are small, because each takes 250 bytes of memory."""
+MAX_OTHERS = 1 << 17
+"""The most schemas and channels in such a chunk: there are no more numbers for them."""
+SMALL = 128
+"""The mean size of small messages [bytes]: at such a ratio their stamps can't differ."""
+_KINDS = {Opcode.SCHEMA, Opcode.CHANNEL, Opcode.MESSAGE}
+
+
+def check_plausible(method: str, stored: bytes, size: int, is_whole: bool) -> None:
+    """Raise DamagedError if a chunk isn't to be decompressed.
+
+    A high ratio alone is no sign, so the chunk is decompressed by parts, which are walked over and dropped.
+
+    Args:
+        method: The compression.
+        stored: The compressed bytes.
+        size: The declared size [bytes].
+        is_whole: Whether the file has all of it.
+
+    Raises:
+        DamagedError: it holds no message, or other records than those of a chunk, or the bytes are damaged.
+        CompressionError: the method is unknown, or its library isn't installed.
+    """
+    if not method or size < max(MIN_SIZE, MIN_RATIO * len(stored)):
+        return
+    walk = _Walk()
+    for piece in pieces(method, stored):
+        if reason := walk.add(piece):
+            raise DamagedError(f"{len(stored)} bytes stand for {size}, and {reason}")
+    if is_whole and (walk.left or not walk.messages):
+        what = "their last record isn't whole" if walk.left else "hold no message"
+        raise DamagedError(f"{len(stored)} bytes stand for {size}, and {what}")
+
+
+class _Walk:
+    """A walk over records that come in pieces."""
+
+    def __init__(self) -> None:
+        self.messages = 0
+        self.left = 0
+        """How much is still to come of a record whose header has come [bytes]."""
+        self._others = 0
+        self._at = 0
+        self._rest = b""
+
+    def add(self, piece: bytes) -> str:
+        """Walk over the next bytes; return what is wrong with them, or an empty text."""
+        skipped = min(self.left, len(piece))
+        self.left -= skipped
+        data = self._rest + piece[skipped:]
+        try:
+            counts, _, _, others, end = _native.summarise_mcap(data, 0)
+        except ValueError as error:
+            return f"they are damaged: {error}"
+        self.messages += sum(counts.values())
+        self._others += len(others)
+        self._at += skipped + end
+        self._rest = data[end:]
+        if len(self._rest) >= RECORD_HEADER.size:
+            opcode, length = RECORD_HEADER.unpack_from(self._rest)
+            if opcode not in _KINDS:
+                return f"have a record of kind {opcode} at byte {self._at}, after {self.messages} messages"
+            self.messages += opcode == Opcode.MESSAGE
+            self.left = RECORD_HEADER.size + length - len(self._rest)
+            self._at += len(self._rest)
+            self._rest = b""
+        if self.messages > MAX_MESSAGES and self._at < SMALL * self.messages:
+            return f"hold more than {MAX_MESSAGES} messages of one time"
+        if self._others > MAX_OTHERS:
+            return f"hold more than {MAX_OTHERS} schemas and channels"
+        return ""
