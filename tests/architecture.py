@@ -324,6 +324,66 @@ def files_are_written_whole(house: Path) -> list[str]:
     return found
 
 
+CALLS_OUT = {"push", "forget", "run_waiting", "set_result", "add_done_callback", "callback", "function"}
+"""Names of what calls users' functions: methods of native sinks, methods of futures, and callbacks."""
+
+
+def _called(tree: ast.AST) -> list[tuple[str, int]]:
+    """Return the name and line of each call in a tree, but for those in functions that it defines."""
+    found = []
+    for node in ast.iter_child_nodes(tree):
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)):
+            continue
+        if isinstance(node, ast.Call) and isinstance(node.func, (ast.Attribute, ast.Name)):
+            name = node.func.attr if isinstance(node.func, ast.Attribute) else node.func.id
+            found.append((name, node.lineno))
+        found += _called(node)
+    return found
+
+
+def no_users_code_under_a_lock(house: Path) -> list[str]:
+    """No wire calls a function of CALLS_OUT while it holds a lock, itself or by way of other functions of rmw/.
+
+    Such a function may write, match or close on the same wire, which would wait for the lock for ever. A name stands
+    for each function that has it, in the file of the call and in those of rmw/ that this file imports.
+    """
+    trees = {path.stem: ast.parse(path.read_text("utf-8")) for path in sorted((house / "rmw").glob("*.py"))}
+    seen = {stem: {stem} for stem in trees}
+    for each in imports(house):
+        if each.importer.startswith("tfloom.rmw.") and each.imported.startswith("tfloom.rmw."):
+            seen.setdefault(each.importer.split(".")[2], set()).add(each.imported.split(".")[2])
+    ways: dict[tuple[str, str], str] = {}
+
+    def way(stem: str, name: str) -> str:
+        """Return how a call of `name` in a file calls out, empty if it doesn't."""
+        if name in CALLS_OUT:
+            return name
+        return next((ways[other, name] for other in sorted(seen[stem]) if (other, name) in ways), "")
+
+    functions = [
+        (stem, node)
+        for stem, tree in trees.items()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.FunctionDef)
+    ]
+    size = -1
+    while size < len(ways):  # until no further function is known to call out
+        size = len(ways)
+        for stem, function in functions:
+            reached = [found for name, _ in _called(function) if (found := way(stem, name))]
+            if reached:
+                ways.setdefault((stem, function.name), f"{function.name}, {reached[0]}")
+    return [
+        f"rmw/{stem}.py:{line} calls {found} under a lock"
+        for stem, tree in trees.items()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.With)
+        and any(ast.unparse(item.context_expr).endswith("lock") for item in node.items)
+        for name, line in _called(node)
+        if (found := way(stem, name))
+    ]
+
+
 def the_command_line_starts_without_the_rooms(house: Path) -> list[str]:
     """`cli/main.py` imports nothing of the house but cli itself when it is loaded."""
     return [
@@ -377,5 +437,6 @@ HOUSE_RULES: list[Rule] = [
     the_command_line_starts_without_the_rooms,
     one_door_for_reading_yaml,
     files_are_written_whole,
+    no_users_code_under_a_lock,
 ]
 NATIVE_RULES: list[Rule] = [the_native_core_knows_no_python, native_rooms_point_down]

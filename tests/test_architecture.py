@@ -204,6 +204,26 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
             for place in ("cli/x.py:1", "cli/x.py:3", "tf2/x.py:1", "tf2/x.py:2")
         ],
     ),
+    (
+        architecture.no_users_code_under_a_lock,
+        {
+            "rmw/ends.py": "def give(sink):\n    sink.push()\ndef other():\n    give(sink)\n",
+            "rmw/x.py": (
+                "from tfloom.rmw.ends import give\n"
+                "def deliver(self):\n    give(self.sink)\n"
+                "def write(self):\n    with self._lock:\n"
+                "        later = lambda: give(self.sink)\n        self.deliver()\n"
+                "    self.deliver()\n"
+                "    with open(path):\n        callback()\n"
+                "    with lock:\n        callback()\n"
+            ),
+            "rmw/y.py": "def write(self):\n    with self._lock:\n        self.deliver()\n",
+        },
+        [
+            "rmw/x.py:12 calls callback under a lock",
+            "rmw/x.py:7 calls deliver, give, push under a lock",
+        ],
+    ),
 ]
 
 

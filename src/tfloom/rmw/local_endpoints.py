@@ -1,6 +1,8 @@
 """Writers and readers of the in-process wire: a write puts a sample into every matched reader before it returns.
 
-Locks are acquired in this order: a domain's, a writer's, a reader's.
+Locks are acquired in this order: a domain's, a writer's, a reader's. A sink calls Python, for example the done callback
+of a wait for a transform, which may write, match or close on this wire in its turn. So a sample for a sink is queued
+under these locks, and pushed by `LocalReader.flush`, which is called when all of them have been released.
 """
 
 from __future__ import annotations
@@ -79,15 +81,22 @@ class LocalWriter(LocalEndpoint):
             stored = _Stored(Sample(bytes(data), now_ns, now_ns, self.gid), self._expiry_ns(now_ns))
             if self.info.qos.durability == DurabilityPolicy.TRANSIENT_LOCAL:
                 self._late.append(stored)
-            for reader in self._readers:
-                reader.deliver(stored)
+            readers = tuple(self._readers)
+            for reader in readers:
+                reader.accept(stored)
+        for reader in readers:
+            reader.flush()
 
     def _expiry_ns(self, now_ns: int) -> int:
         lifespan_ns = self.info.qos.lifespan_ns
         return INFINITE_NS if lifespan_ns == INFINITE_NS else now_ns + lifespan_ns
 
     def match(self, reader: LocalReader) -> None:
-        """Connect a reader of the same topic, type and compatible qualities; send it the samples kept for it."""
+        """Connect a reader of the same topic, type and compatible qualities; send it the samples kept for it.
+
+        The caller holds the domain's lock. Either end is new, so that there is nothing to flush: a new writer has kept
+        no sample, and a new reader has no sink.
+        """
         mine, theirs = self.info, reader.info
         if mine.topic.name != theirs.topic.name or mine.topic.type_name != theirs.topic.type_name:
             return
@@ -105,7 +114,7 @@ class LocalWriter(LocalEndpoint):
             reader.add_writer(self.gid)
             if theirs.qos.durability == DurabilityPolicy.TRANSIENT_LOCAL:
                 for stored in self._late:
-                    reader.deliver(stored)
+                    reader.accept(stored)
 
     def unmatch(self, reader: LocalReader) -> None:
         """Disconnect a reader that leaves."""
@@ -152,20 +161,55 @@ class LocalReader(LocalEndpoint):
         self._waiting = _keep(info.qos)
         self._listener: tuple[ReadyQueue, int] | None = None
         self._sink: Sink | None = None
+        self._for_sink: deque[_Stored | bytes] = deque()
+        """Samples to push into the sink, and gids for it to forget, in order; of any length, because none is lost."""
+        self._flusher: int | None = None
+        """The thread inside `flush`, guarded by `_lock` as all members are."""
         self._writers: frozenset[bytes] = frozenset()
         """Their gids. Replaced, never changed, under `_lock`."""
 
-    def deliver(self, stored: _Stored) -> None:
-        """Accept one sample, on the writer's thread."""
+    def accept(self, stored: _Stored) -> None:
+        """Queue one sample, on the writer's thread, which calls `flush` when it holds no lock."""
         with self._lock:
             if self._closed:
                 return
             if self._sink is not None:
-                _push(self._sink, stored)
+                self._for_sink.append(stored)
                 return
             self._waiting.append(stored)
             if self._listener is not None:
                 self._listener[0].post(self._listener[1])
+
+    def flush(self) -> None:
+        """Give the sink what is queued for it. The caller holds no lock, because the sink calls users' functions.
+
+        One thread does so at a time, which keeps the order; other threads leave their samples to it, because a wait
+        for it could wait for a user's function that waits for them. A call from inside such a function does not: the
+        sample before has been stored by then, and so a write delivers before it returns there too.
+        """
+        if not self._for_sink:
+            return
+        me = threading.get_ident()
+        with self._lock:
+            if self._flusher not in (None, me):
+                return
+            outer, self._flusher = self._flusher, me
+        try:
+            while (task := self._next_task(outer)) is not None:
+                _give(*task)
+        except BaseException:
+            with self._lock:
+                self._flusher = outer
+            self.flush()  # the rest, which other threads have left to this one
+            raise
+
+    def _next_task(self, outer: int | None) -> tuple[Sink, _Stored | bytes] | None:
+        """Remove and return what to give to the sink, or None, which ends this flush under the same lock."""
+        with self._lock:
+            if self._sink is not None and self._for_sink:
+                return self._sink, self._for_sink.popleft()
+            self._flusher = outer
+            return None
 
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` when there is something to take, at once if there already is; None ends it."""
@@ -186,9 +230,11 @@ class LocalReader(LocalEndpoint):
     def feed(self, sink: Sink) -> None:
         """Push every sample into `sink` from now on, those already waiting first."""
         with self._lock:
-            self._sink = sink
-            while self._waiting:
-                _push(sink, self._waiting.popleft())
+            before, self._sink = self._sink, sink
+            self._for_sink.extend(self._waiting)
+            self._waiting.clear()
+        del before  # outside the lock, because its end may run users' code
+        self.flush()
 
     def add_writer(self, gid: bytes) -> None:
         """Add a writer that has matched."""
@@ -197,12 +243,13 @@ class LocalReader(LocalEndpoint):
             self.events.add_match(1)
 
     def remove_writer(self, gid: bytes) -> None:
-        """Remove a writer that has left, and what the sink stores for it."""
+        """Remove a writer that has left, and what the sink stores for it. The caller holds no lock."""
         with self._lock:
             self._writers = self._writers - {gid}
             self.events.add_match(-1)
             if self._sink is not None:
-                self._sink.forget(gid)
+                self._for_sink.append(gid)
+        self.flush()
 
     def matched_count(self) -> int:
         """Return how many writers are connected now."""
@@ -213,18 +260,26 @@ class LocalReader(LocalEndpoint):
         return self._writers
 
     def close(self) -> None:
-        """Leave the topic; waiting samples are dropped."""
+        """Leave the topic; waiting samples are dropped.
+
+        A sample that another thread is pushing into the sink is not waited for.
+        """
         with self._lock:
             if self._closed:
                 return
             self._closed = True
-            self._sink = None
+            sink, self._sink = self._sink, None
             self._listener = None
             self._waiting.clear()
+            self._for_sink.clear()
             self._writers = frozenset()
+        del sink  # outside the lock, because its end may run users' code
         self._leave(self)
 
 
-def _push(sink: Sink, stored: _Stored) -> None:
-    if stored.expires_ns > time.time_ns():
-        sink.push(*stored.sample)
+def _give(sink: Sink, task: _Stored | bytes) -> None:
+    """Push a sample whose lifespan hasn't ended, or let the sink forget a writer."""
+    if isinstance(task, bytes):
+        sink.forget(task)
+    elif task.expires_ns > time.time_ns():
+        sink.push(*task.sample)
