@@ -147,6 +147,20 @@ def test_workspace_package_takes_precedence(tmp_path: Path, add_program: Callabl
         run.find_command("turtlesim", "turtlesim_node")
 
 
+def test_a_program_that_tfloom_has_too_is_named(tmp_path: Path, add_program: Callable[..., Path]) -> None:
+    mine = add_program("other", "print('mine')")
+    assert transcript.run("run", "my_pkg", "other").text == "mine"
+    (tmp_path / index.RESOURCE_INDEX / "packages" / "turtlesim").touch()
+    own = tmp_path / "lib" / "turtlesim" / "turtlesim_node"
+    own.parent.mkdir(parents=True)
+    mine.rename(own)
+    answer = transcript.run("run", "turtlesim", "turtlesim_node")
+    assert sorted(answer.text.splitlines()) == [
+        f"[ros2run]: starting {own} of the sourced workspace, not tfloom's own turtlesim_node",
+        "mine",
+    ]
+
+
 def test_ambiguous_program_name_lists_all_paths(add_program: Callable[..., Path]) -> None:
     first, second = add_program("same", ""), add_program("deep/same", "")
     with pytest.raises(run.CommandError) as error:

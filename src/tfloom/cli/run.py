@@ -49,6 +49,12 @@ def package_programs(package: str) -> list[str] | None:
 def main(args: argparse.Namespace) -> int:
     """Run the program to its end and return its exit code, -N if signal N ended it."""
     command = find_command(args.package_name, args.executable_name)
+    if not isinstance(command, str) and args.executable_name in index.PROGRAMS.get(args.package_name, {}):
+        # Both have the program, and the user may not know that a sourced workspace precedes tfloom.
+        print(
+            f"[ros2run]: starting {command[-1]} of the sourced workspace, not tfloom's own {args.executable_name}",
+            file=sys.stderr,
+        )
     if isinstance(command, str) and args.prefix is None:
         code = run_here(command, args.executable_name, args.argv)
     else:
