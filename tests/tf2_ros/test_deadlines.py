@@ -67,3 +67,20 @@ def test_cancelled_calls_are_removed() -> None:
         for each in [call_after(3600.0, lambda: None) for _ in range(deadlines.MOST_CANCELLED)]:
             each.cancel()
     assert len(deadlines._waiting) <= deadlines.MOST_CANCELLED + 2 * len(deadlines._functions)
+
+
+@pytest.mark.parametrize("error", [RuntimeError("of a user"), SystemExit(3)], ids=["error", "exit"])
+def test_call_that_raises_is_reported_and_the_others_are_made(
+    error: BaseException, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    reported: list[threading.ExceptHookArgs] = []
+    monkeypatch.setattr(threading, "excepthook", reported.append)
+    ended = threading.Event()
+
+    def fail() -> None:
+        raise error
+
+    call_after(0.0, fail)
+    call_after(0.01, ended.set)  # queued before the first has raised, or after
+    assert ended.wait(30)
+    assert [args.exc_value for args in reported] == [error]

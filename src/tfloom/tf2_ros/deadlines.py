@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import heapq
+import sys
 import threading
 import time
 from collections.abc import Callable
@@ -57,4 +58,12 @@ def _run() -> None:
                 _changed.wait(min(left_s, threading.TIMEOUT_MAX))  # the longest possible wait
             function = _functions.pop(heapq.heappop(_waiting)[1], None)
         if function is not None:
-            function()
+            _call(function)
+        function = None  # while the thread waits, it keeps nothing of a user's alive
+
+
+def _call(function: Callable[[], None]) -> None:
+    try:
+        function()
+    except BaseException:  # noqa: BLE001  # the other calls of this thread must be made too
+        threading.excepthook(threading.ExceptHookArgs((*sys.exc_info(), threading.current_thread())))
