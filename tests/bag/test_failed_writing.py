@@ -84,10 +84,11 @@ def test_numbers_of_removed_topics_are_not_given_again(storage_id: str, tmp_path
 
     writer = SequentialWriter()
     writer.open(StorageOptions(uri=str(tmp_path / "bag"), storage_id=storage_id), ConverterOptions("", ""))
-    for name in ("/a", "/b", "/c", "/queued"):
+    for name in ("/a", "/b", "/c", "/queued", "/gone"):
         writer.create_topic(created(name))
     writer.write("/queued", text(0), START_NS)
-    for name in ("/a", "/queued"):
+    writer.write("/gone", text(5), START_NS + 5)
+    for name in ("/a", "/queued", "/gone"):
         writer.remove_topic(created(name))
         with pytest.raises(BagError, match="has not been created yet"):
             writer.write(name, text(0), START_NS)
@@ -97,12 +98,18 @@ def test_numbers_of_removed_topics_are_not_given_again(storage_id: str, tmp_path
     writer.create_topic(created("/queued"))
     writer.write("/queued", text(4), START_NS + 4)
     writer.close()
-    names = ("/queued", "/c", "/d", "/b", "/queued")
+    names = ("/queued", "/c", "/d", "/b", "/queued", "/gone")
     assert rows_of(tmp_path / "bag") == [
         (name, START_NS + number, text(number)) for number, name in enumerate(names)
     ]
     found = read_metadata(tmp_path / "bag").topics
-    assert {each.name: each.message_count for each in found} == {"/b": 1, "/c": 1, "/d": 1, "/queued": 2}
+    assert {each.name: each.message_count for each in found} == {
+        "/b": 1,
+        "/c": 1,
+        "/d": 1,
+        "/queued": 2,
+        "/gone": 1,
+    }
 
 
 def test_more_topics_than_numbers(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -179,3 +186,12 @@ def test_duration_of_a_file_of_several_chunks(tmp_path: Path) -> None:
     with open_bag(tmp_path / "bag") as bag:
         assert len(bag.files[0].storage.layout.spans) == 4
         assert (bag.start_ns, bag.end_ns) == (START_NS + 2 * STEP_NS, START_NS + 9 * STEP_NS)
+
+
+def test_duration_of_a_file_is_counted_from_its_beginning_by_size(tmp_path: Path) -> None:
+    writer = BagWriter(tmp_path / "bag", WriterSettings(max_file_size=200, max_file_duration_ns=6 * STEP_NS))
+    channel = writer.add_topic(CHATTER)
+    push_all(writer, channel, range(12))
+    writer.close()
+    counts = [each.message_count for each in read_metadata(tmp_path / "bag").files]
+    assert counts == [5, 5, 2, 0]  # without a new beginning, the second file would end after 2

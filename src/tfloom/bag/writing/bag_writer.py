@@ -192,7 +192,7 @@ class BagWriter:
         Raises:
             BagError: it can't be written; what was written before stays readable.
         """
-        if self.state is not State.CLOSED:
+        if self.state is not State.CLOSED and chunk not in self._unwritten:
             self._unwritten.append(chunk)
         self._check_open()
         with self._failing():
@@ -235,6 +235,10 @@ class BagWriter:
         self.state = State.OPEN
         try:
             self._write_waiting()
+        except BagError:
+            self.state = State.OPEN
+            self._write_waiting()  # once more, as after any failure
+            raise
         finally:
             try:
                 with self._failing():
@@ -248,9 +252,8 @@ class BagWriter:
 
     def _write_waiting(self) -> None:
         """Write all that was pushed, first the chunks that were refused."""
-        refused, self._unwritten = self._unwritten, []
-        for chunk in refused:
-            self.write_chunk(chunk)
+        while self._unwritten:
+            self.write_chunk(self._unwritten[0])
         if not self.settings.is_snapshot:
             self.write_rest()
 

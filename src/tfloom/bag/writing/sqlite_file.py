@@ -28,6 +28,9 @@ _TABLES = (
 )
 _INDEX = "CREATE INDEX timestamp_idx ON messages (timestamp ASC)"
 _SCHEMA_VERSION = 4
+_PRAGMAS = ("journal_mode=WAL", "synchronous=OFF", "wal_autocheckpoint=1")
+"""Each transaction goes on from the log into the database at once, so that the log needs room for one of them only:
+a full disk would else hold half of what it could."""
 
 
 class SqliteFile:
@@ -55,7 +58,7 @@ class SqliteFile:
         self._database = database
 
     def _begin(self, database: sqlite3.Connection, metadata: str) -> None:
-        for pragma in ("journal_mode=WAL", "synchronous=OFF", *self._settings.pragmas):
+        for pragma in (*_PRAGMAS, *self._settings.pragmas):
             database.execute(f"PRAGMA {pragma}")
         with database:
             for table in _TABLES:
