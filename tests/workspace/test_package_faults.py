@@ -24,6 +24,8 @@ LEFT, RIGHT = "\N{LEFT DOUBLE QUOTATION MARK}", "\N{RIGHT DOUBLE QUOTATION MARK}
         ),
         ("test.", "a & b", ":5:24: not XML: not well-formed (invalid token): write & as &amp; and < as &lt;"),
         ("<license>Apache-2.0</license>", "", ": the tag <license> is missing: add <license>…</license>"),
+        ("my_pkg", "p" * 201, ": the name of the package is too long: it has 201 letters, but may have 200"),
+        ("my_pkg", "p" * 200, None),
         ("my_pkg", " ", ": the tag <name> is missing: add <name>…</name>"),
         ("</package>", "", ":12:1: not XML: no element found: every tag that opens must close"),
     ],
@@ -52,8 +54,9 @@ def test_name_is_found_in_a_broken_manifest(tmp_path: Path) -> None:
     path = tmp_path / "package.xml"
     path.write_text("<package><name> my_pkg </name>")
     assert name_in_manifest(path) == "my_pkg"
-    path.write_text("<package>")
-    assert name_in_manifest(path) == tmp_path.name
+    for text in ("<package>", f"<package><name>{'p' * 201}</name>"):
+        path.write_text(text)
+        assert name_in_manifest(path) == tmp_path.name
 
 
 def test_curly_quotes_are_shown_as_they_must_be_typed(tmp_path: Path) -> None:
@@ -64,6 +67,16 @@ def test_curly_quotes_are_shown_as_they_must_be_typed(tmp_path: Path) -> None:
     assert find_setup_fault(path) == (
         f"{path}:3:5: curly quotes {LEFT} from a web page are not Python's: type this line as\n"
         '    "a = b.a:main",\n'
+        "1 more line below have them, too"
+    )
+
+
+def test_no_break_spaces_are_shown_as_they_must_be_typed(tmp_path: Path) -> None:
+    path = tmp_path / "setup.py"
+    path.write_text("def f():\n    x\u00a0= 1\n\u00a0   y = 2\n", "utf-8")
+    assert find_setup_fault(path) == (
+        f"{path}:2:6: no-break spaces U+00A0 from a web page are not Python's: type this line as\n"
+        "    x = 1\n"
         "1 more line below have them, too"
     )
 

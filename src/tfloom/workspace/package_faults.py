@@ -9,11 +9,15 @@ from xml.etree import ElementTree as ET
 
 from tfloom.xml_parsers import read_tree
 
+MAX_NAME = 200
+"""Letters that the name of a package may have: files are named after it, with more behind, and have at most 255."""
+_SPACE = "\N{NO-BREAK SPACE}"
 _CURLY = str.maketrans(
     dict.fromkeys(
         "\N{LEFT DOUBLE QUOTATION MARK}\N{RIGHT DOUBLE QUOTATION MARK}\N{DOUBLE LOW-9 QUOTATION MARK}", '"'
     )
     | dict.fromkeys("\N{LEFT SINGLE QUOTATION MARK}\N{RIGHT SINGLE QUOTATION MARK}", "'")
+    | {_SPACE: " "}
 )
 _NAME_TAG = re.compile(r"<name>\s*([A-Za-z0-9_-]+)\s*</name>")
 
@@ -38,9 +42,17 @@ def find_manifest_fault(path: Path) -> str | None:
         return f"{path}:{line}:{column + 1}: {fault}"
     if root.tag != "package":
         return None
+    fault = _find_tag_fault(root)
+    return None if fault is None else f"{path}: {fault}"
+
+
+def _find_tag_fault(root: ET.Element) -> str | None:
     for tag in ("name", "version", "description", "maintainer", "license"):
         if not (root.findtext(tag) or "").strip():
-            return f"{path}: the tag <{tag}> is missing: add <{tag}>…</{tag}>"
+            return f"the tag <{tag}> is missing: add <{tag}>…</{tag}>"
+    length = len((root.findtext("name") or "").strip())
+    if length > MAX_NAME:
+        return f"the name of the package is too long: it has {length} letters, but may have {MAX_NAME}"
     return None
 
 
@@ -62,12 +74,12 @@ def _advice(reason: str) -> str:
 
 
 def name_in_manifest(path: Path) -> str:
-    """Return the name of the package in a package.xml that may be broken, or that of its folder."""
+    """Return the name of the package in a package.xml that may be broken, or of its folder if no file can have that."""
     try:
         found = _NAME_TAG.search(path.read_text("utf-8", "replace"))
     except OSError:
         found = None
-    return found[1] if found else path.parent.name
+    return found[1] if found and len(found[1]) <= MAX_NAME else path.parent.name[:MAX_NAME]
 
 
 def find_setup_fault(path: Path) -> str | None:
@@ -97,7 +109,8 @@ def _explain(path: Path, text: str, error: SyntaxError) -> str:
     where = f"{path}:{number}:{line.index(curly[0]) + 1}"
     rest = sum(any(ord(letter) in _CURLY for letter in each) for each in lines[number:])
     more = f"\n{rest} more line{'s' * (rest > 1)} below have them, too" if rest else ""
+    what = "no-break spaces U+00A0" if curly[0] == _SPACE else f"curly quotes {curly[0]}"
     return (
-        f"{where}: curly quotes {curly[0]} from a web page are not Python's: type this line as\n"
+        f"{where}: {what} from a web page are not Python's: type this line as\n"
         f"    {line.strip().translate(_CURLY)}{more}"
     )
