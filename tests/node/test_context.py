@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import signal
+import sys
 import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
@@ -14,7 +15,7 @@ import pytest
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.node import client_library as rclpy
 from tfloom.node.context.arguments import RCLInvalidROSArgsError
-from tfloom.node.context.context import Context
+from tfloom.node.context.context import Context, live_contexts
 from tfloom.node.context.defaults import own_defaults
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.executing.signals import SignalHandlerOptions, get_current_signal_handlers_options
@@ -269,3 +270,31 @@ def test_missing_init_raises_the_text_of_the_reference(context: Context) -> None
     assert str(NotInitializedException()) == "rclpy.init() has not been called."
     with pytest.raises(RuntimeError, match=r"^Context must be initialized before it can be shutdown$"):
         Context().shutdown()
+
+
+def test_handler_lists_contexts_while_other_threads_make_them() -> None:
+    kept: list[Context] = []
+    is_over = threading.Event()
+
+    def make() -> None:
+        while not is_over.is_set():
+            context = Context()
+            context.init(args=[], initialize_logging=False)
+            kept.append(context)
+            if len(kept) % 100 == 0:
+                kept.clear()  # contexts leave as they come
+
+    before = sys.getswitchinterval()
+    sys.setswitchinterval(1e-5)
+    threads = [threading.Thread(target=make) for _ in range(2)]
+    try:
+        for thread in threads:
+            thread.start()
+        for _ in range(2000):
+            live_contexts()
+    finally:
+        is_over.set()
+        for thread in threads:
+            thread.join()
+        sys.setswitchinterval(before)
+    kept.clear()

@@ -9,6 +9,7 @@ import threading
 import weakref
 from collections import deque
 from collections.abc import Callable
+from itertools import count
 from types import MethodType, TracebackType
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -38,7 +39,13 @@ __all__ = ["Context"]
 WAKE = 0
 """The token that wakes an executor; no entity has it."""
 
-_contexts: weakref.WeakSet[Context] = weakref.WeakSet()
+_contexts: dict[int, weakref.ref[Context]] = {}
+"""The contexts that were initialised, by numbers.
+
+A signal's handler looks at them while another thread adds one. So they are in a dict, whose values are copied in a
+single operation: a WeakSet raises RuntimeError, and a lock may be held by the thread that the handler has interrupted.
+"""
+_context_numbers = count()
 
 
 class StoppedException(NotInitializedException, ExternalShutdownException):
@@ -122,7 +129,8 @@ class Context:
             self._initialized = self._valid = True
         if initialize_logging:
             _set_up_logging(arguments)
-        _contexts.add(self)
+        number = next(_context_numbers)
+        _contexts[number] = weakref.ref(self, lambda _, known=_contexts: known.pop(number, None))
 
     @property
     def arguments(self) -> Arguments:
@@ -384,11 +392,15 @@ def _call(hook: Callable[[], Any]) -> None:
 
 def live_contexts() -> list[Context]:
     """Return the contexts that are initialised and not shut down."""
-    return [context for context in _contexts if context.ok()]
+    return [context for context in _all_contexts() if context.ok()]
+
+
+def _all_contexts() -> list[Context]:
+    return [context for reference in list(_contexts.values()) if (context := reference()) is not None]
 
 
 def _inherit_all() -> None:
-    for context in list(_contexts):
+    for context in _all_contexts():
         context.inherit()
 
 
@@ -415,5 +427,5 @@ def _destroy_all() -> None:
         signal.signal(signal.SIGINT, signal.SIG_IGN)
     # A daemon thread that spins must end with the program, not with an exception.
     block_gil_reacquire_at_exit()
-    for context in list(_contexts):
+    for context in _all_contexts():
         context.destroy()
