@@ -69,6 +69,24 @@ def test_trees_name_the_publishers_of_the_smaller_ones() -> None:
     assert [source.node for source in finding.sources] == ["/vision"]
 
 
+def test_a_frame_whose_name_is_too_long_is_not_left_out_in_silence() -> None:
+    scene = Scene()
+    scene.steadily("map", "odom")
+    scene.send("map", "x" * 1_000_000, static=True, node="wild")
+    (finding,) = scene.findings()
+    assert finding.code == "TF204"
+    assert finding.summary.startswith(
+        "1 transform of /wild on /tf_static can't be checked: a name of more than"
+    )
+    assert [source.node for source in finding.sources] == ["/wild"]
+
+
+def test_a_frame_whose_name_is_too_long_is_a_transform_that_came() -> None:
+    scene = Scene()
+    scene.send("map", "x" * 1_000_000, static=True)
+    assert scene.codes() == ["TF204"]
+
+
 def test_slashes_do_not_part_trees() -> None:
     scene = Scene()
     scene.send("/map", "/odom", static=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from itertools import pairwise
 
@@ -31,10 +32,33 @@ def check_names(subject: Subject, limits: Limits) -> Iterator[Finding]:  # noqa:
         if edge.child.startswith("/") or edge.parent.startswith("/")
     ]
     yield from for_each_publisher("TF201", "sends frame ids with a leading slash: {}", slashed)
+    yield from _unchecked(subject)
     for prefix in sorted({frame.rpartition("/")[0] for frame in subject.frames}):
         yield from _misordered(subject, f"{prefix}/" if prefix else "")
     for frame in sorted(subject.frames):
         yield from _misspelled(subject, frame)
+
+
+def _unchecked(subject: Subject) -> Iterator[Finding]:
+    """Yield a finding for the transforms beyond the observer's limits, with the publishers that send them."""
+    if not subject.seen.unrecorded:
+        return
+    recorded: Counter[tuple[bytes, str]] = Counter()
+    for edge in subject.seen.edges:
+        recorded[edge.publisher.gid, edge.topic] += edge.statistics.count
+    sources = [
+        source_of(publisher)
+        for publisher in subject.seen.publishers
+        if publisher.traffic is not None
+        and publisher.traffic.transforms > recorded[publisher.gid, publisher.topic]
+    ]
+    who = f" of {listed(str(source) for source in sources)}" if sources else ""
+    unchecked = counted(subject.seen.unrecorded, "transform")
+    yield Finding(
+        "TF204",
+        f"{unchecked}{who} can't be checked: a name of more than 1,024 octets, or too many edges or publishers",
+        sources,
+    )
 
 
 def _misordered(subject: Subject, prefix: str) -> Iterator[Finding]:

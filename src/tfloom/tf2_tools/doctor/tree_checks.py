@@ -21,7 +21,7 @@ from tfloom.tf2_tools.watch.model import Edge, Publisher, stored_name
 
 def check_tree(subject: Subject, limits: Limits) -> Iterator[Finding]:  # noqa: ARG001 - as all checks
     """Yield the findings on the tree."""
-    if not subject.seen.edges:
+    if not (subject.seen.edges or subject.seen.unrecorded):
         yield _nothing(subject)
     for child, edges in subject.edges_of.items():
         yield from _several_publishers(child, edges)
