@@ -42,8 +42,8 @@ def find_manifest_fault(path: Path) -> str | None:
         return f"{path}:{line}:{column + 1}: {fault}"
     if root.tag != "package":
         return None
-    fault = _find_tag_fault(root)
-    return None if fault is None else f"{path}: {fault}"
+    problem = _find_tag_fault(root)
+    return None if problem is None else f"{path}: {problem}"
 
 
 def _find_tag_fault(root: ET.Element) -> str | None:
