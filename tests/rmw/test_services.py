@@ -318,12 +318,12 @@ def test_client_is_ready_when_matched_in_both_directions(requests, responses, is
     assert CycloneServers(FakeEnd(*requests), FakeEnd(*responses), "/kill", Vendors()).is_ready() is is_ready
 
 
-def test_client_is_ready_when_its_server_has_acknowledged_a_probe(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_question_begins_the_handshake_and_does_not_wait_for_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cyclone_services, "HANDSHAKE_S", 60.0)
     requests, responses = (FakeEnd((CYCLONE, b"serviceid=1;")) for _ in range(2))
     requests.acknowledges = False
     servers = CycloneServers(requests, responses, "/kill", Vendors())
-    assert not servers.is_ready()
+    assert servers.is_ready()
     assert servers.is_synchronising()
     assert requests.probes == 1
     requests.acknowledges = True
@@ -331,12 +331,14 @@ def test_client_is_ready_when_its_server_has_acknowledged_a_probe(monkeypatch: p
     assert not servers.is_synchronising()
     requests.peers = [*requests.peers, (bytes.fromhex(CYCLONE) + bytes(13) + b"2", b"serviceid=2;")]
     requests.acknowledges = False
-    assert not servers.is_ready()
+    assert servers.is_ready()
+    assert servers.is_synchronising()
     assert requests.probes == 2
     requests.peers = requests.peers[
         :1
     ]  # the second server leaves; the first has not acknowledged the second probe
-    assert not servers.is_ready()
+    assert servers.is_ready()
+    assert servers.is_synchronising()
     assert requests.probes == 2
 
 

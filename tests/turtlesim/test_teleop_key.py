@@ -137,6 +137,16 @@ def test_heading_keys_turn_the_turtle(
     turtlesim.wait_for("Rotation goal canceled")
 
 
+def test_heading_key_without_a_turtle_says_what_is_missing(
+    domain_id: int, start_program: Callable[..., Any], terminal: tuple[int, int]
+) -> None:
+    ours, theirs = terminal
+    teleop = start_program(*TELEOP, stdin=theirs)
+    teleop.wait_for("'Q' to quit.")
+    os.write(ours, b"t")
+    teleop.wait_for("no server of the action /turtle1/rotate_absolute is there. Start turtlesim_node")
+
+
 def test_keys_held_down_do_not_queue_up(
     listener: Listener,
     start_program: Callable[..., Any],

@@ -182,8 +182,17 @@ class CycloneServers(_Peers):
         self._handshake = Handshake(requests)
 
     def is_ready(self) -> bool:
-        """Return whether both endpoints of a server are matched and take data, and none is of another vendor."""
-        return self._is_matched() and self._handshake.is_complete(self._requests.matched())
+        """Return whether both endpoints of a server are matched, and none is of another vendor.
+
+        The server may not take data yet, for which `synchronise` waits before a request is written. The answer doesn't
+        depend on that, because the handshake begins when it is asked for: the first question would always get False.
+        """
+        if not self._is_matched():
+            return False
+        self._handshake.is_complete(
+            self._requests.matched()
+        )  # begins it, so that the first request waits less
+        return True
 
     def is_synchronising(self) -> bool:
         """Return whether a server is matched in both directions, and may not take data yet."""

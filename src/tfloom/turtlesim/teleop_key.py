@@ -79,6 +79,12 @@ class TeleopTurtle(Node):
     def _turn(self, theta: float) -> None:
         if self._rotator.server_is_ready():
             self._sent = self._rotator.send_goal_async(RotateAbsolute.Goal(theta=theta))
+        else:
+            name = self.resolve_service_name("turtle1/rotate_absolute")
+            self.get_logger().warning(
+                f"not turned: no server of the action {name} is there. Start turtlesim_node, or remap the action to "
+                "the turtle that is there"
+            )
 
     def _cancel(self) -> None:
         """Cancel the last goal, after its acceptance is known."""

@@ -39,6 +39,20 @@ def client(node: Node, server: Program) -> ActionClient:
     return client
 
 
+def test_server_that_is_discovered_is_ready_at_the_first_question(node: Node, server: Program) -> None:
+    client = ActionClient(node, Fibonacci, "fibonacci")
+    services = [each.wire_endpoint for each in (client._send, client._result, client._cancel)]
+    topics = [client._feedback, client._status]
+    wait_until(
+        lambda: (
+            all(service._servers._is_matched() for service in services)
+            and all(topic.get_publisher_count() for topic in topics)
+        )
+    )
+    assert client.server_is_ready()
+    assert send(client, 2) is not None
+
+
 def send(client: ActionClient, order: int, **options: Any) -> Future[Any]:
     return client.send_goal_async(Fibonacci.Goal(order=order), **options)
 
