@@ -128,8 +128,10 @@ def test_a_child_of_two_parents_is_named_whichever_came_last(parents: tuple[str,
     lookup = looked_up(parents[0], "tool", messages=messages)
     assert lookup.outcome == Outcome.UNKNOWN_FRAME
     assert advise(lookup) == [
-        f"'tool' is sent with several parents, of which a buffer keeps the last, now {parents[1]!r}: drive.mcap on "
-        "/tf (parent 'left') and drive.mcap on /tf (parent 'right'). Let only one of these send 'tool'."
+        (
+            f"'tool' is sent with several parents, of which a buffer keeps the last, now {parents[1]!r}: drive.mcap on "
+            "/tf (parent 'left') and drive.mcap on /tf (parent 'right'). Let only one of these send 'tool'."
+        )
     ]
 
 
