@@ -130,7 +130,12 @@ class Context:
         if initialize_logging:
             _set_up_logging(arguments)
         number = next(_context_numbers)
-        _contexts[number] = weakref.ref(self, lambda _, known=_contexts: known.pop(number, None))
+        known = _contexts  # at the interpreter's end, the module's name may be gone before a context is
+
+        def forget(_: object) -> None:
+            known.pop(number, None)
+
+        _contexts[number] = weakref.ref(self, forget)
 
     @property
     def arguments(self) -> Arguments:
