@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 #include <new>
+#include <utility>
 
 namespace tfloom::bag {
 namespace {
@@ -66,16 +67,17 @@ bool ChunkQueue::store(std::uint16_t channel, std::span<const std::byte> data, s
     ++dropped_count_;
     return false;
   }
-  if (limits_.duration_ns > 0 && file_start_ && log_time - *file_start_ > limits_.duration_ns) complete(true);
+  if (limits_.duration_ns > 0 && file_start_ && log_time - *file_start_ > limits_.duration_ns) start_file();
   if (!unfinished_) {
     unfinished_ = std::make_unique<Chunk>();
+    unfinished_->starts_file = std::exchange(next_starts_file_, false);
     unfinished_->records.reserve(std::min(limits_.chunk_size, most_reserved) + record_size);
   }
   unfinished_->append(channel, data, log_time, publish_time);
   if (!file_start_) file_start_ = log_time;
   size_ += record_size;
   ++message_count_;
-  if (unfinished_->records.size() >= limits_.chunk_size) complete(false);
+  if (unfinished_->records.size() >= limits_.chunk_size) complete();
   return true;
 }
 
@@ -88,15 +90,17 @@ bool ChunkQueue::make_room(std::size_t size) {
   return true;
 }
 
-void ChunkQueue::complete(bool ends_file) {
-  if (ends_file) file_start_.reset();
-  if (unfinished_) {
-    unfinished_->ends_file = ends_file;
-    complete_.push_back(std::move(unfinished_));
-    changed_.notify_one();
-  } else if (ends_file && !complete_.empty()) {
-    complete_.back()->ends_file = true;
-  }
+void ChunkQueue::complete() {
+  if (!unfinished_) return;
+  complete_.push_back(std::move(unfinished_));
+  changed_.notify_one();
+}
+
+// The first chunk of the new file bears the mark, not the last one of the file before: that one may have been taken.
+void ChunkQueue::start_file() {
+  complete();
+  file_start_.reset();
+  next_starts_file_ = true;
 }
 
 std::unique_ptr<Chunk> ChunkQueue::take(std::chrono::nanoseconds timeout) {
@@ -104,7 +108,7 @@ std::unique_ptr<Chunk> ChunkQueue::take(std::chrono::nanoseconds timeout) {
   if (complete_.empty() && !is_closed_ && timeout.count() > 0) {
     changed_.wait_for(lock, timeout, [this] { return !complete_.empty() || is_closed_; });
   }
-  if (complete_.empty()) complete(false);
+  if (complete_.empty()) complete();
   if (complete_.empty()) return nullptr;
   std::unique_ptr<Chunk> oldest = std::move(complete_.front());
   complete_.pop_front();
@@ -119,12 +123,12 @@ void ChunkQueue::wait(std::chrono::nanoseconds timeout) {
 
 void ChunkQueue::seal() {
   const std::lock_guard lock(mutex_);
-  complete(false);
+  complete();
 }
 
 void ChunkQueue::end_file() {
   const std::lock_guard lock(mutex_);
-  complete(true);
+  start_file();
 }
 
 void ChunkQueue::restart_file() {

@@ -29,7 +29,7 @@ struct Chunk {
   std::int64_t start = 0;                 // smallest and greatest log time
   std::int64_t end = 0;
   std::uint64_t message_count = 0;
-  bool ends_file = false;  // the next chunk belongs to a new file
+  bool starts_file = false;  // it is the first one of a new file
 
   void append(std::uint16_t channel, std::span<const std::byte> data, std::int64_t log_time,
               std::int64_t publish_time);
@@ -78,7 +78,8 @@ class ChunkQueue {
  private:
   bool store(std::uint16_t channel, std::span<const std::byte> data, std::int64_t log_time, std::int64_t publish_time);
   bool make_room(std::size_t size);
-  void complete(bool ends_file);
+  void complete();
+  void start_file();
 
   const Limits limits_;
   mutable std::mutex mutex_;
@@ -87,6 +88,7 @@ class ChunkQueue {
   std::unique_ptr<Chunk> unfinished_;
   std::size_t size_ = 0;
   std::optional<std::int64_t> file_start_;
+  bool next_starts_file_ = false;
   std::optional<std::int64_t> simulated_now_;
   bool is_paused_ = false;
   bool is_closed_ = false;

@@ -94,7 +94,7 @@ void bind_chunk(nb::module_& m) {
       .def_ro("start_ns", &Chunk::start, "Smallest log time [ns since epoch].")
       .def_ro("end_ns", &Chunk::end, "Greatest log time [ns since epoch].")
       .def_ro("message_count", &Chunk::message_count, "Number of messages; at least one.")
-      .def_ro("ends_file", &Chunk::ends_file, "Whether the next chunk belongs to a new file.")
+      .def_ro("starts_file", &Chunk::starts_file, "Whether it is the first one of a new file.")
       .def_prop_ro(
           "records",
           [](const Chunk& self) { return nb::bytes(self.records.data(), self.records.size()); }, "The records.")
@@ -129,7 +129,7 @@ void bind_bag(nb::module_& m) {
            "message.")
       .def("wait", &wait, "timeout_ns"_a, "Wait until there is a complete chunk, the queue is closed, or the timeout.")
       .def("seal", &call<&ChunkQueue::seal>, "Complete the unfinished chunk.")
-      .def("end_file", &call<&ChunkQueue::end_file>, "Complete the unfinished chunk, as the last one of its file.")
+      .def("end_file", &call<&ChunkQueue::end_file>, "Complete the unfinished chunk; the next one is the first of a new file.")
       .def("restart_file", &call<&ChunkQueue::restart_file>,
            "Let the next message be the first one of a file, from which its duration counts.")
       .def("close", &call<&ChunkQueue::close>,

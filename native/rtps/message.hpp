@@ -25,6 +25,7 @@ enum class Kind : std::uint8_t {
   pad = 0x01,
   acknack = 0x06,
   heartbeat = 0x07,
+  gap = 0x08,
   info_ts = 0x09,
   info_src = 0x0c,
   info_dst = 0x0e,

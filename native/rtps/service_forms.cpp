@@ -90,6 +90,21 @@ void write_heartbeat(std::byte* at, const EntityId& reader, const EntityId& writ
   store(at + 28, static_cast<std::uint32_t>(last + 1));  // counts the heartbeats, and grows with the samples
 }
 
+// Append what tells a participant's readers that a sample is not for them: a gap of one sequence number (8.3.7.4).
+void append_gap(std::vector<std::byte>& out, const Data& data, const EntityId& reader) {
+  constexpr std::size_t gap_size = 32;  // with an empty bitmap
+  const std::size_t start = out.size();
+  out.resize(start + gap_size);
+  std::byte* at = &out[start];
+  at[0] = static_cast<std::byte>(Kind::gap);
+  at[1] = static_cast<std::byte>(little_endian_flag);
+  store(at + 2, static_cast<std::uint16_t>(gap_size - submessage_header_size));
+  std::memcpy(at + 4, reader.data(), reader.size());
+  std::memcpy(at + 8, data.writer.data(), data.writer.size());
+  store_sequence_number(at + 12, data.sequence_number);
+  store_sequence_number(at + 20, data.sequence_number + 1);
+}
+
 template <typename Map>
 void erase_oldest(Map& map, std::size_t most) {
   while (map.size() > most) map.erase(map.begin());
@@ -413,7 +428,7 @@ bool ServiceForms::rewrite(const Address& address, Octets datagram, std::vector<
     ServiceEnd* end = data ? end_of(data->writer, source) : nullptr;
     const std::size_t former_size = out.size();
     if (end != nullptr) {
-      is_changed = append_rewritten(*end, *submessage, *data, out) || is_changed;
+      is_changed = append_rewritten(*end, *participant, *submessage, *data, out) || is_changed;
     } else if (submessage->kind == Kind::acknack && append_request(*participant, *submessage, out)) {
       is_changed = true;
     } else {
@@ -460,9 +475,9 @@ bool ServiceForms::append_request(const GuidPrefix& participant, const Submessag
   return true;
 }
 
-// Append a submessage of a service's writer in inline form. Return false if it is appended as it is.
-bool ServiceForms::append_rewritten(ServiceEnd& end, const Submessage& submessage, const Data& data,
-                                    std::vector<std::byte>& out) {
+// Append a submessage of a service's writer in inline form, for a participant. Return false if it is appended as it is.
+bool ServiceForms::append_rewritten(ServiceEnd& end, const GuidPrefix& participant, const Submessage& submessage,
+                                    const Data& data, std::vector<std::byte>& out) {
   if (!data.is_little_endian || !data.is_sample) {
     append(out, submessage.octets);
     return false;
@@ -500,6 +515,13 @@ bool ServiceForms::append_rewritten(ServiceEnd& end, const Submessage& submessag
     if (first < end_at) append(fragment, sample.subspan(first + ServiceHeader::size, end_at - first));
     payload[0] = fragment;
   }
+  // libddsc writes each response to every client of the service. The reader of a client on Fast DDS keeps ten samples
+  // until they are taken: if other clients' responses filled it, they would replace the one that this client waits for,
+  // and its call would never end.
+  if (!end.is_client_ && !is_awaited_by(participant, header)) {
+    append_gap(out, data, octets_at<4>(submessage.octets, 8));
+    return true;
+  }
   if (end.is_client_) {
     end.sent_[data.sequence_number] = header.number;
     erase_oldest(end.sent_, most_sent);
@@ -516,6 +538,12 @@ bool ServiceForms::append_rewritten(ServiceEnd& end, const Submessage& submessag
   store(&out[start + 2], static_cast<std::uint16_t>(size <= 0xffff ? size : 0));  // 0: to the end of the message
   if (data.is_fragment) store(&out[start + 32], static_cast<std::uint32_t>(data.sample_size - ServiceHeader::size));
   return true;
+}
+
+// Return whether the client of a response is in this participant.
+bool ServiceForms::is_awaited_by(const GuidPrefix& participant, const ServiceHeader& response) const {
+  const auto client = inline_clients_.find(response.client);
+  return client != inline_clients_.end() && prefix_of(client->second) == participant;
 }
 
 // Return the inline QoS that names the related sample, with its sentinel. Of a request: the reader of its response. Of a

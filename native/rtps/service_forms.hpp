@@ -187,7 +187,9 @@ class ServiceForms {
   std::array<std::uint8_t, 8> key_of(const Gid& client);
   ServiceEnd* end_of(const EntityId& writer, const GuidPrefix& participant);
   bool append_request(const GuidPrefix& participant, const Submessage& acknack, std::vector<std::byte>& out) const;
-  bool append_rewritten(ServiceEnd& end, const Submessage& submessage, const Data& data, std::vector<std::byte>& out);
+  bool append_rewritten(ServiceEnd& end, const GuidPrefix& participant, const Submessage& submessage, const Data& data,
+                        std::vector<std::byte>& out);
+  [[nodiscard]] bool is_awaited_by(const GuidPrefix& participant, const ServiceHeader& response) const;
   std::array<std::byte, 32> related_identity(const ServiceEnd& end, const ServiceHeader& header) const;
 
   std::atomic<bool> is_abandoned_ = false;

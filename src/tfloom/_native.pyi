@@ -1141,8 +1141,8 @@ class Chunk:
         """Number of messages; at least one."""
 
     @property
-    def ends_file(self) -> bool:
-        """Whether the next chunk belongs to a new file."""
+    def starts_file(self) -> bool:
+        """Whether it is the first one of a new file."""
 
     @property
     def records(self) -> bytes:
@@ -1192,7 +1192,9 @@ class ChunkQueue:
         """Complete the unfinished chunk."""
 
     def end_file(self) -> None:
-        """Complete the unfinished chunk, as the last one of its file."""
+        """
+        Complete the unfinished chunk; the next one is the first of a new file.
+        """
 
     def restart_file(self) -> None:
         """

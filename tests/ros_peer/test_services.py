@@ -15,7 +15,7 @@ import pytest
 from tests.conftest import Program
 from tools.ros_peer import RosPeer
 
-from .conftest import FROM_US, HERE, OURS, THEIRS, End, starter, vendors
+from .conftest import FROM_US, HERE, OURS, THEIRS, TO_US, End, starter, vendors
 
 pytestmark = pytest.mark.ros
 
@@ -149,6 +149,24 @@ def test_clients_of_both_vendors_are_answered_by_one_server(
             base = 10_000 * number + 300 * turn
             assert_all_answered(client("call", "/add", 100, 10, base), 300, 7)
     assert server("requests") == [1800, 0]
+
+
+@pytest.mark.row("services", direction=TO_US)
+def test_responses_to_others_replace_none_in_a_stock_client(
+    start_side: Callable[..., End], wait_until: Callable[..., None]
+) -> None:
+    # The readers of stock clients keep ten samples: the responses to others would replace the one that is awaited.
+    server = start_side(OURS, "the_server")
+    server("add_server", "/add")
+    slow, other = start_side(THEIRS, "slow_client"), start_side(THEIRS, "other_client")
+    for client in (slow, other):
+        client("clients", "/add", 1)
+        assert client("call", "/add", 1)["lost"] == []
+    slow("occupy")
+    slow("call_occupied", "/add")
+    wait_until(lambda: server("requests")[0] == 2, 20.0, "the request of the slow client")
+    assert_all_answered(other("call", "/add", 50, 1, 1000), 50)
+    assert slow("free", 5.0)
 
 
 @pytest.mark.row("services")

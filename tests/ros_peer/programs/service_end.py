@@ -38,6 +38,8 @@ class ServiceEnd:
         self._servers: dict[str, Any] = {}
         self._requests: Counter[tuple[int, int]] = Counter()
         self._group = ReentrantCallbackGroup()
+        self._free = threading.Event()
+        self._pending: Any = None
 
     def add_server(self, name: str, offset: int = 0) -> None:
         """Serve sums, plus an offset that tells who answers."""
@@ -116,6 +118,28 @@ class ServiceEnd:
             return "no answer"
         error = future.exception()
         return type(error).__name__ if error is not None else "answered"
+
+    def occupy(self) -> None:
+        """Occupy the group of the clients, so that nothing takes their responses, until `free`."""
+        occupied = threading.Event()
+        self._free.clear()
+
+        def hold() -> None:
+            timer.cancel()
+            occupied.set()
+            self._free.wait(WAIT_S)
+
+        timer = self.node.create_timer(0.001, hold)
+        assert occupied.wait(WAIT_S), "the timer did not expire"
+
+    def call_occupied(self, name: str) -> None:
+        """Send a request whose response is taken after `free`."""
+        self._pending = self._clients[name][0].call_async(AddTwoInts.Request(a=1, b=2))
+
+    def free(self, timeout_s: float) -> bool:
+        """End `occupy`; return whether the response of `call_occupied` arrives in time."""
+        self._free.set()
+        return wait(self._pending, timeout_s)
 
     def is_ready(self, name: str) -> bool:
         return self._clients[name][0].service_is_ready()

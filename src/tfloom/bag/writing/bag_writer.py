@@ -187,7 +187,7 @@ class BagWriter:
             self.write_chunk(chunk)
 
     def write_chunk(self, chunk: Chunk) -> None:
-        """Write one chunk, and go on to the next file if this one is complete.
+        """Write one chunk, into the next file if this one is complete.
 
         Raises:
             BagError: it can't be written; what was written before stays readable.
@@ -195,6 +195,9 @@ class BagWriter:
         if self.state is not State.CLOSED and chunk not in self._unwritten:
             self._unwritten.append(chunk)
         self._check_open()
+        # A split for another reason may have begun a file that has no message yet: this chunk then belongs to it.
+        if chunk.starts_file and self._files[-1].message_count:
+            self.split()
         with self._failing():
             if self._file is None:  # the one before could be completed, but the next one not opened
                 self._file = self._open_file()
@@ -202,9 +205,7 @@ class BagWriter:
             self._file.write(whole)
         self._unwritten.remove(chunk)
         self._count(chunk)
-        if chunk.ends_file:
-            self.split()
-        elif 0 < self.settings.max_file_size <= self._file.size:
+        if 0 < self.settings.max_file_size <= self._file.size:
             self.queue.restart_file()
             self.split()
 
