@@ -421,6 +421,39 @@ def test_requests_beyond_what_servers_keep_are_held_until_responses_are_taken() 
     assert len(writer.written) == 14
 
 
+def test_requests_that_are_given_up_are_never_sent() -> None:
+    writer, reader = FakeEnd((FAST, b"")), FakeEnd((FAST, b""))
+    client = HeaderRequester(
+        writer, reader, CycloneServers(writer, reader, "/kill", Vendors()), b"client 1", RequestsInFlight()
+    )
+    numbers = [client.send(HEADER + bytes([number] * 4)) for number in range(20)]
+    assert len(writer.written) == 10
+    client.give_up(numbers[:1])  # the server still keeps it
+    client.give_up(numbers[10:11])  # it was not sent
+    assert len(writer.written) == 10
+    # The server has left, and another one has come before this was noticed.
+    client.give_up(numbers, is_lost=True)
+    assert len(writer.written) == 10
+    for _ in range(11):
+        client.send(HEADER + b"new!")
+    assert [data[-4:] for data in writer.written[10:]] == [b"new!"] * 10
+
+
+def test_room_opens_when_the_last_server_with_a_limit_leaves() -> None:
+    writer, reader = FakeEnd((FAST, b"")), FakeEnd((FAST, b""))
+    client = HeaderRequester(
+        writer, reader, CycloneServers(writer, reader, "/kill", Vendors()), b"client 1", RequestsInFlight()
+    )
+    numbers = [client.send(HEADER + b"ask!") for _ in range(11)]
+    peers, writer.peers = writer.peers, []
+    client.give_up(numbers[:1], is_lost=True)
+    writer.peers = peers
+    before = len(writer.written)
+    for _ in range(10):
+        client.send(HEADER + b"ask!")
+    assert len(writer.written) == before + 10
+
+
 def test_response_to_a_client_that_is_matched_late_is_sent_then(
     monkeypatch: pytest.MonkeyPatch, wait_until
 ) -> None:

@@ -6,6 +6,7 @@ ROS's form here (`/turtle1/pose`, `turtlesim/msg/Pose`); each backend converts t
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import NamedTuple, Protocol
 
 from tfloom._native import ReadyQueue, Sink
@@ -245,6 +246,14 @@ class Requester(Protocol):
             ClosedError: the requester is closed.
         """
 
+    def give_up(self, sequence_numbers: Iterable[int], *, is_lost: bool = False) -> None:
+        """Await no response to these requests any longer. Those that wait for room at a server are never sent.
+
+        Args:
+            sequence_numbers: What `send` returned for each.
+            is_lost: All servers that had them have left, so they occupy no room.
+        """
+
     def take(self) -> Response | None:
         """Remove and return the oldest waiting response to a request of this client, or None. Never blocks."""
 
@@ -258,7 +267,7 @@ class Requester(Protocol):
         """Return whether a server is matched in both directions, so that it will receive and reply to a request."""
 
     def is_synchronising(self) -> bool:
-        """Return whether a server is matched in both directions, and may not take data yet: `is_ready` soon."""
+        """Return whether a server is matched in both directions, and may not take data yet; `send` waits for it."""
 
     def watch_servers(self, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` when a server may have come or left, and once at the start; None ends it.

@@ -9,8 +9,7 @@ from __future__ import annotations
 import struct
 import threading
 import time
-from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from collections.abc import Set as AbstractSet
 from contextlib import suppress
 from typing import Protocol
@@ -39,6 +38,9 @@ _DATA_START = _ENCAPSULATION_SIZE + _HEADER.size
 _KEY_SIZE = 8
 _GID_PADDING = bytes(8)
 _LEAST_REMEMBERED = 64
+
+_RequestKey = tuple[bytes, int]
+"""A request, by the gid of its client and its number."""
 
 
 class Servers(Protocol):
@@ -117,51 +119,84 @@ def _split(sample: Sample) -> tuple[bytes, int, bytes] | None:
 class RequestsInFlight:
     """The requests of this participant's clients of a service: holds some back while servers may have no room for them.
 
-    A request is in flight until its response is taken, for `UNANSWERED_S` at most.
+    A request is in flight until its response is taken, it is lost with its servers, or `UNANSWERED_S` is over.
     """
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
-        self._sent_s: dict[tuple[bytes, int], float] = {}
-        """When each request in flight was sent, on the monotonic clock [s], by its client and number; oldest first."""
-        self._held: deque[tuple[HeaderRequester, bytes, int]] = deque()
+        self._sent_s: dict[_RequestKey, float] = {}
+        """When each request in flight was sent, on the monotonic clock [s]; oldest first."""
+        self._held: dict[_RequestKey, tuple[HeaderRequester, bytes]] = {}
+        """The client and the data of each request that is not sent yet; oldest first."""
         self._timer: threading.Timer | None = None
         """Sends what is held although responses do not arrive."""
 
-    def send(self, client: HeaderRequester, data: bytes, number: int, most: int | None) -> None:
-        """Let a client write a request, at once if fewer than `most` are in flight, and all if it is None."""
-        if most is None and not self._held:
+    def send(
+        self, client: HeaderRequester, data: bytes, number: int, find_limit: Callable[[], int | None]
+    ) -> None:
+        """Let a client write a request, at once if fewer than the limit are in flight, or there is none."""
+        if not self._held and find_limit() is None:
             client.write(data, number)
             return
         with self._lock:
-            self._held.append((client, data, number))
-        self._send_held(most)
+            self._held[client.client_gid, number] = client, data
+        self._send_held(find_limit)
 
-    def answered(self, client: HeaderRequester, number: int, most: Callable[[], int | None]) -> None:
+    def answered(self, client: HeaderRequester, number: int, find_limit: Callable[[], int | None]) -> None:
         """Note that a client has taken a response."""
         if not self._sent_s:
             return
         with self._lock:
             self._sent_s.pop((client.client_gid, number), None)
         if self._held:
-            self._send_held(most())
+            self._send_held(find_limit)
 
-    def _send_held(self, most: int | None) -> None:
+    def give_up(
+        self,
+        client: HeaderRequester,
+        numbers: Iterable[int],
+        find_limit: Callable[[], int | None],
+        *,
+        is_lost: bool,
+    ) -> None:
+        """Never send those that are still held. With `is_lost`, their servers have left, and none is in flight.
+
+        They are given up at once, because each that leaves makes room in which another of them would be sent.
+        """
+        if not self._sent_s and not self._held:
+            return
+        with self._lock:
+            for number in numbers:
+                key = client.client_gid, number
+                self._held.pop(key, None)
+                # A server that is there keeps a request until it takes it, also one that was given up meanwhile.
+                if is_lost:
+                    self._sent_s.pop(key, None)
+            self._stop_timer_if_idle()
+        if self._held:
+            self._send_held(find_limit)
+
+    def _send_held(self, find_limit: Callable[[], int | None]) -> None:
+        limit = find_limit()
         with self._lock:
             if self._timer is not None:
                 self._timer.cancel()
                 self._timer = None
+            if limit is None:  # the last server with a limit has left, and with it what it kept
+                self._sent_s.clear()
             now_s = time.monotonic()
-            for request, sent_s in list(self._sent_s.items()):
+            for key, sent_s in list(self._sent_s.items()):
                 if sent_s > now_s - UNANSWERED_S:
                     break
-                del self._sent_s[request]
-            while self._held and (most is None or len(self._sent_s) < most):
-                client, data, number = self._held.popleft()
-                self._sent_s[client.client_gid, number] = now_s
-                client.write(data, number)
+                del self._sent_s[key]
+            while self._held and (limit is None or len(self._sent_s) < limit):
+                key = next(iter(self._held))
+                client, data = self._held.pop(key)
+                if limit is not None:
+                    self._sent_s[key] = now_s
+                client.write(data, key[1])
             if self._held:
-                self._timer = threading.Timer(UNANSWERED_S, self._send_held, [most])
+                self._timer = threading.Timer(UNANSWERED_S, self._send_held, [find_limit])
                 self._timer.daemon = True
                 self._timer.start()
 
@@ -170,13 +205,15 @@ class RequestsInFlight:
         if not self._sent_s and not self._held:
             return
         with self._lock:
-            self._held = deque(each for each in self._held if each[0] is not client)
-            self._sent_s = {
-                request: sent_s for request, sent_s in self._sent_s.items() if request[0] != client.client_gid
-            }
-            if not self._held and self._timer is not None:
-                self._timer.cancel()
-                self._timer = None
+            gid = client.client_gid
+            self._held = {key: held for key, held in self._held.items() if key[0] != gid}
+            self._sent_s = {key: sent_s for key, sent_s in self._sent_s.items() if key[0] != gid}
+            self._stop_timer_if_idle()
+
+    def _stop_timer_if_idle(self) -> None:
+        if not self._held and self._timer is not None:
+            self._timer.cancel()
+            self._timer = None
 
 
 class HeaderRequester:
@@ -215,7 +252,7 @@ class HeaderRequester:
         with self._lock:
             self._sequence_number += 1
             sequence_number = self._sequence_number
-        self._in_flight.send(self, data, sequence_number, self._servers.most_in_flight())
+        self._in_flight.send(self, data, sequence_number, self._servers.most_in_flight)
         return sequence_number
 
     def write(self, data: bytes, sequence_number: int) -> None:
@@ -231,6 +268,10 @@ class HeaderRequester:
                 request_id = RequestId(self.client_gid, parts[1])
                 return Response(parts[2], request_id, sample.source_stamp_ns, sample.received_stamp_ns)
         return None
+
+    def give_up(self, sequence_numbers: Iterable[int], *, is_lost: bool = False) -> None:
+        """Await no response to requests: those that were not sent yet never are. See `base.Requester.give_up`."""
+        self._in_flight.give_up(self, sequence_numbers, self._servers.most_in_flight, is_lost=is_lost)
 
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` when there may be something to take; None ends it."""

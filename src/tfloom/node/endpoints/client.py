@@ -217,15 +217,17 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         return self._pending[sequence_number].future
 
     def remove_pending_request(self, future: Future[SrvTypeResponse]) -> None:
-        """Remove a pending request; its response will be dropped."""
+        """Remove a pending request; its response will be dropped. If it was not sent yet, it never is."""
         with self._lock:
-            for number, pending in list(self._pending.items()):
-                if pending.future is future:
-                    del self._pending[number]
+            numbers = [number for number, pending in self._pending.items() if pending.future is future]
+        for number in numbers:
+            self._remove(number)
 
     def _remove(self, number: int) -> None:
         with self._lock:
-            self._pending.pop(number, None)
+            pending = self._pending.pop(number, None)
+        if pending is not None:  # without a response: it was cancelled, or nobody waits for it any longer
+            self._endpoint.give_up([number])
 
     def _fail(self, future: Future[Any], why: str) -> None:
         future.set_executor(self._executor())
@@ -245,13 +247,16 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         self._run_responses(own)
         with self._lock:
             orphans = [
-                pending.future
+                (number, pending.future)
                 for number, pending in requests
                 if pending.servers
                 and pending.servers.isdisjoint(connected)
                 and self._pending.pop(number, None) is not None
             ]
-        return [future for future in orphans if not future.cancelled()]
+        # Before the futures fail: the next server must not receive what the program is told has failed.
+        if orphans:
+            self._endpoint.give_up([number for number, _ in orphans], is_lost=True)
+        return [future for _, future in orphans if not future.cancelled()]
 
     def fail_orphans(self, orphans: list[Future[Any]]) -> None:
         """Complete the futures of requests whose servers have left."""
