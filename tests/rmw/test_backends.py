@@ -39,6 +39,23 @@ def test_cyclone_replaces_fast_dds_with_one_message(monkeypatch, capsys) -> None
     assert capsys.readouterr().err == ""
 
 
+@pytest.mark.parametrize(
+    ("variable", "platform", "passing"),
+    [
+        ("", "linux", "topics and services pass between the two"),
+        ("0", "linux", "services don't, because TFLOOM_FASTDDS_SERVICES is 0"),
+        ("", "darwin", "services don't, because they are translated on Linux only"),
+    ],
+)
+def test_stand_in_says_whether_services_pass(monkeypatch, capsys, variable, platform, passing) -> None:
+    monkeypatch.setattr(backends, "_reported_replacements", set())
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_fastrtps_cpp")
+    monkeypatch.setenv("TFLOOM_FASTDDS_SERVICES", variable)
+    monkeypatch.setattr(backends.sys, "platform", platform)
+    assert backends.implementation_identifier() == "rmw_cyclonedds_cpp"
+    assert capsys.readouterr().err.endswith(f"{passing}\n")
+
+
 def test_unknown_wire_error_lists_the_known_ones(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_conext_cpp")
     with pytest.raises(

@@ -63,11 +63,22 @@ def implementation_identifier() -> str:
         raise NoBackendError(f"RMW_IMPLEMENTATION is {asked!r}, which is none of: {known}")
     if name != asked and asked not in _reported_replacements:
         _reported_replacements.add(asked)
-        print(
-            f"tfloom: {asked} isn't available, so {name} is used: topics pass between the two, services don't",
-            file=sys.stderr,
+        passing = (
+            f"topics pass between the two, services don't, because {why}"
+            if (why := _untranslated())
+            else ("topics and services pass between the two")
         )
+        print(f"tfloom: {asked} isn't available, so {name} is used: {passing}", file=sys.stderr)
     return name
+
+
+def _untranslated() -> str:
+    """Return why services don't pass with Fast DDS, as far as it is known before the wire's library is loaded."""
+    from tfloom.rmw.cyclone_services import TRANSLATION_VARIABLE
+
+    if os.environ.get(TRANSLATION_VARIABLE) == "0":
+        return f"{TRANSLATION_VARIABLE} is 0"
+    return "" if sys.platform == "linux" else "they are translated on Linux only"
 
 
 def is_installed(name: str) -> bool:
