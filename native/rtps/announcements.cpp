@@ -26,7 +26,6 @@ constexpr std::uint32_t udp_v4 = 1;
 constexpr std::uint32_t udp_v6 = 2;
 constexpr std::size_t locator_size = 24;
 
-constexpr std::size_t most_addresses = 16384;  // because anybody may announce addresses
 constexpr std::size_t most_versions = 1024;
 constexpr std::size_t longest_version = 32;
 
@@ -114,23 +113,27 @@ void Addresses::read(const GuidPrefix& source, const Data& data) {
 }
 
 void Addresses::add(const Address& address, const GuidPrefix& participant) {
-  const auto [entry, is_new] = participants_.try_emplace(address, participant);
-  if (!is_new) {
-    if (entry->second == participant) return;
-    if (const auto former = known_.find(entry->second); --former->second == 0) known_.erase(former);
-    entry->second = participant;
-  } else if (participants_.size() > most_addresses) {
-    participants_.clear();
-    known_.clear();
-    participants_.emplace(address, participant);
+  if (const GuidPrefix* const former = participants_.find(address)) {
+    if (*former == participant) {
+      participants_.use(address);
+      return;
+    }
+    forget(*former);
+  } else if (participants_.is_full()) {
+    forget(participants_.take_oldest()->second);
   }
+  participants_.use(address) = participant;
   ++known_[participant];
 }
 
+void Addresses::forget(const GuidPrefix& participant) {
+  if (const auto known = known_.find(participant); --known->second == 0) known_.erase(known);
+}
+
 std::optional<GuidPrefix> Addresses::participant_at(const Address& address) const {
-  const auto found = participants_.find(address);
-  if (found == participants_.end()) return std::nullopt;
-  return found->second;
+  const GuidPrefix* const participant = participants_.find(address);
+  if (participant == nullptr) return std::nullopt;
+  return *participant;
 }
 
 bool is_of_service(std::string_view topic) { return topic.starts_with("rq/") || topic.starts_with("rr/"); }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -11,6 +12,7 @@
 #include <string_view>
 
 #include "rtps/message.hpp"
+#include "rtps/recent_map.hpp"
 
 namespace tfloom::rtps {
 
@@ -26,6 +28,9 @@ struct Address {
   }
 };
 
+// How many addresses are remembered, because anybody may announce some.
+constexpr std::size_t max_addresses = 16'384;
+
 class Addresses {
  public:
   // Read what `source` announces of itself in a submessage to the built-in readers; ignore all others.
@@ -39,8 +44,9 @@ class Addresses {
 
  private:
   void add(const Address& address, const GuidPrefix& participant);
+  void forget(const GuidPrefix& participant);  // one of its addresses
 
-  std::map<Address, GuidPrefix> participants_;
+  RecentMap<Address, GuidPrefix> participants_{max_addresses};
   std::map<GuidPrefix, int> known_;  // how many addresses each has
 };
 

@@ -23,7 +23,7 @@ constexpr std::uint64_t unknown_sequence_number = 0xffffffff'00000000;
 constexpr std::size_t header_end = encapsulation_size + ServiceHeader::size;
 constexpr std::size_t most_remembered = 200'000;  // requests and responses that nobody has taken yet
 constexpr std::size_t most_sent = 1024;  // requests of a client: far more than the ten that a server on Fast DDS keeps
-constexpr std::size_t most_clients = 65'536;
+constexpr std::size_t most_of_writer = most_remembered / 2;  // so that no writer displaces all others
 constexpr std::int64_t stamp_tolerance_ns = 2;  // a stamp on the wire has the unit 2^-32 s
 constexpr std::int64_t no_stamp = -1;
 constexpr std::size_t most_datagram_octets = 65'507;
@@ -105,6 +105,7 @@ void append_gap(std::vector<std::byte>& out, const Data& data, const EntityId& r
   store_sequence_number(at + 20, data.sequence_number + 1);
 }
 
+// Erase the smallest keys, which are sequence numbers.
 template <typename Map>
 void erase_oldest(Map& map, std::size_t most) {
   while (map.size() > most) map.erase(map.begin());
@@ -200,9 +201,11 @@ void ServiceForms::remove(ServiceEnd& end) {
   ends_by_writer_.erase(end.writer_);
   clients_by_reader_.erase(end.reader_);
   has_ends_ = !ends_by_writer_.empty();
-  for (auto& [writer, requests] : requests_) {
-    if (requests.service == end.service_) forget_taken(writer, requests);
-  }
+  requests_.erase_if([&](const Gid& writer, Requests& requests) {
+    if (requests.service != end.service_) return false;
+    forget_taken(writer, requests);
+    return requests.arrivals.empty();
+  });
 }
 
 std::size_t ServiceForms::receive(std::span<std::byte> buffer, std::size_t size) {
@@ -223,7 +226,9 @@ std::size_t ServiceForms::receive(std::span<std::byte> buffer, std::size_t size)
       addresses_.read(source, *data);
       if (reads_versions_) versions_.read(source, *data);
       has_inline_peers_ = has_inline_peers_ || is_inline;
-      if (const auto writer = is_inline ? announced_service_writer(*data) : std::nullopt) beginnings_[*writer];
+      if (const auto writer = is_inline ? announced_service_writer(*data) : std::nullopt) {
+        beginnings_.use(*writer);
+      }
     }
     if (!is_inline || !has_ends_) continue;
     const auto at = static_cast<std::size_t>(submessage->octets.data() - datagram.data());
@@ -231,14 +236,13 @@ std::size_t ServiceForms::receive(std::span<std::byte> buffer, std::size_t size)
       const Gid writer = gid_of(source, data->writer);
       if (const auto related = related_sample(*data)) {
         if (data->is_sample) arrived(writer, data->sequence_number, source_stamp_ns, *related);
-        beginnings_[writer];  // its announcement may arrive later
+        beginnings_.use(writer);  // its announcement may arrive later
       }
       insert_heartbeats(writer, *submessage, at, inserted);
     } else if (submessage->kind == Kind::heartbeat && submessage->fields().has(28)) {
       insert_heartbeats(gid_of(source, octets_at<4>(submessage->octets, 8)), *submessage, at, inserted);
     }
   }
-  erase_oldest(beginnings_, most_clients);
   if (size + inserted.size() * heartbeat_size > buffer.size()) return size;
   for (const Heartbeat& each : inserted | std::views::reverse) {
     std::byte* place = buffer.data() + each.at;
@@ -253,9 +257,9 @@ std::size_t ServiceForms::receive(std::span<std::byte> buffer, std::size_t size)
 // received; then, before a sample, one that counts those before it.
 void ServiceForms::insert_heartbeats(const Gid& writer, const Submessage& submessage, std::size_t at,
                                      std::vector<Heartbeat>& inserted) {
-  const auto found = beginnings_.find(writer);
-  if (found == beginnings_.end() || found->second.is_taken) return;
-  Beginning& beginning = found->second;
+  Beginning* const known = beginnings_.find(writer);
+  if (known == nullptr || known->is_taken) return;
+  Beginning& beginning = *known;
   const bool is_heartbeat = submessage.kind == Kind::heartbeat;
   const EntityId reader = octets_at<4>(submessage.octets, is_heartbeat ? 4 : 8);
   const EntityId entity = octets_at<4>(submessage.octets, is_heartbeat ? 8 : 12);
@@ -285,41 +289,38 @@ void ServiceForms::arrived(const Gid& writer, std::uint64_t sequence_number, std
   }
   const auto sent = client->sent_.find(related.sequence_number);
   if (sent == client->sent_.end()) return;
-  auto& arrivals = client->responses_[writer];
+  auto& arrivals = client->responses_.use(writer);
   arrivals[sequence_number] = {source_stamp_ns, {client->client_, sent->second}};
   erase_oldest(arrivals, most_remembered);
-  erase_oldest(client->responses_, most_clients);
 }
 
 void ServiceForms::request_arrived(const Gid& writer, const Gid& client, std::uint64_t sequence_number,
                                    std::int64_t source_stamp_ns) {
-  Requests& requests = requests_[writer];
+  // Before the new one, so that the one that is displaced can be counted.
+  if (requests_.is_full() && requests_.find(writer) == nullptr) forget_oldest_requests();
+  Requests& requests = requests_.use(writer);
   const ServiceHeader header{key_of(client), static_cast<std::int64_t>(sequence_number)};
   if (requests.arrivals.insert_or_assign(sequence_number, ServiceEnd::Arrived{source_stamp_ns, header}).second) {
     ++arrivals_;
   }
-  while (arrivals_ > most_remembered || requests_.size() > most_clients) {
-    const auto largest = std::ranges::max_element(
-        requests_, {}, [](const auto& entry) { return entry.second.arrivals.size(); });
-    arrivals_ -= largest->second.arrivals.size();
-    requests_.erase(largest);
-  }
+  const std::size_t size = requests.arrivals.size();
+  erase_oldest(requests.arrivals, most_of_writer);
+  arrivals_ -= size - requests.arrivals.size();
+  while (arrivals_ > most_remembered) forget_oldest_requests();
+}
+
+void ServiceForms::forget_oldest_requests() {
+  if (const auto oldest = requests_.take_oldest()) arrivals_ -= oldest->second.arrivals.size();
 }
 
 std::array<std::uint8_t, 8> ServiceForms::key_of(const Gid& client) {
-  if (const auto known = keys_.find(client); known != keys_.end()) return known->second;
-  if (oldest_clients_.size() >= most_clients) {
-    const auto oldest = keys_.find(oldest_clients_.front());
-    inline_clients_.erase(oldest->second);
-    keys_.erase(oldest);
-    oldest_clients_.pop_front();
-  }
+  if (keys_.find(client) != nullptr) return keys_.use(client);
+  if (keys_.is_full()) inline_clients_.erase(keys_.take_oldest()->second);
   std::array<std::uint8_t, 8> key{};
   std::memcpy(key.data(), &next_key_, key.size());
   ++next_key_;
-  keys_[client] = key;
+  keys_.use(client) = key;
   inline_clients_[key] = client;
-  oldest_clients_.push_back(client);
   return key;
 }
 
@@ -329,32 +330,32 @@ std::optional<ServiceHeader> ServiceForms::take_header(ServiceEnd& end, const Gi
                                                        std::int64_t source_stamp_ns) {
   const std::lock_guard lock(mutex_);
   if (end.is_client_) {
-    const auto responses = end.responses_.find(writer);
-    if (responses == end.responses_.end()) return std::nullopt;
-    auto& arrivals = responses->second;
+    auto* const responses = end.responses_.find(writer);
+    if (responses == nullptr) return std::nullopt;
+    auto& arrivals = *responses;
     const auto found = std::ranges::find_if(
         arrivals, [&](const auto& entry) { return is_stamp(entry.second.source_stamp_ns, source_stamp_ns); });
     if (found == arrivals.end()) return std::nullopt;
     const ServiceHeader header = found->second.header;
-    beginnings_[writer].is_taken = true;
+    beginnings_.use(writer).is_taken = true;
     arrivals.erase(arrivals.begin(), std::next(found));
-    if (arrivals.empty()) end.responses_.erase(responses);
+    if (arrivals.empty()) end.responses_.erase(writer);
     return header;
   }
-  const auto requests = requests_.find(writer);
-  if (requests == requests_.end()) return std::nullopt;
-  requests->second.service = end.service_;
-  auto& arrivals = requests->second.arrivals;
-  std::uint64_t& last_taken = end.taken_[writer];
+  Requests* const requests = requests_.find(writer);
+  if (requests == nullptr) return std::nullopt;
+  requests->service = end.service_;
+  auto& arrivals = requests->arrivals;
+  std::uint64_t& last_taken = end.taken_.use(writer);
   const auto found = std::find_if(arrivals.upper_bound(last_taken), arrivals.end(), [&](const auto& entry) {
     return is_stamp(entry.second.source_stamp_ns, source_stamp_ns);
   });
   if (found == arrivals.end()) return std::nullopt;
   const ServiceHeader header = found->second.header;
-  beginnings_[writer].is_taken = true;
+  beginnings_.use(writer).is_taken = true;
   last_taken = found->first;
-  forget_taken(writer, requests->second);
-  erase_oldest(end.taken_, most_clients);
+  forget_taken(writer, *requests);
+  if (requests->arrivals.empty()) requests_.erase(writer);
   return header;
 }
 
@@ -364,8 +365,8 @@ void ServiceForms::forget_taken(const Gid& writer, Requests& requests) {
   std::uint64_t taken_by_all = arrivals.empty() ? 0 : arrivals.rbegin()->first;
   for (const auto& [gid, end] : ends_by_writer_) {
     if (end->is_client_ || end->service_ != requests.service) continue;
-    const auto taken = end->taken_.find(writer);
-    taken_by_all = std::min(taken_by_all, taken == end->taken_.end() ? 0 : taken->second);
+    const std::uint64_t* const taken = end->taken_.find(writer);
+    taken_by_all = std::min(taken_by_all, taken == nullptr ? 0 : *taken);
   }
   const auto first_kept = arrivals.upper_bound(taken_by_all);
   arrivals_ -= static_cast<std::size_t>(std::distance(arrivals.begin(), first_kept));
@@ -460,9 +461,9 @@ bool ServiceForms::append_request(const GuidPrefix& participant, const Submessag
   constexpr std::size_t bitmap_at = 24;  // after the ids, the base and the number of bits
   const Fields fields = acknack.fields();
   if (!fields.is_little_endian() || acknack.octets.size() != bitmap_at + 4 || fields.u32(20) != 0) return false;
-  const auto found = beginnings_.find(gid_of(participant, octets_at<4>(acknack.octets, 8)));
-  if (found == beginnings_.end() || found->second.is_taken) return false;
-  const std::uint64_t first = found->second.first;
+  const Beginning* const beginning = beginnings_.find(gid_of(participant, octets_at<4>(acknack.octets, 8)));
+  if (beginning == nullptr || beginning->is_taken) return false;
+  const std::uint64_t first = beginning->first;
   if (first == 0 || fields.sequence_number(12) > first) return false;
   const std::size_t start = out.size();
   append(out, acknack.octets.first(bitmap_at));

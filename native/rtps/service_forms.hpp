@@ -25,6 +25,7 @@
 #include "core/sink.hpp"
 #include "rtps/announcements.hpp"
 #include "rtps/message.hpp"
+#include "rtps/recent_map.hpp"
 
 namespace tfloom::rtps {
 
@@ -52,6 +53,9 @@ struct Related {
   Gid gid{};
   std::uint64_t sequence_number = 0;
 };
+
+// How many clients and servers of other participants are remembered.
+constexpr std::size_t max_clients = 65'536;
 
 class ServiceForms;
 
@@ -95,8 +99,8 @@ class ServiceEnd {
   const std::array<std::uint8_t, 8> client_;  // of a client: in its headers
   // The rest is guarded by the mutex of `forms_`.
   std::map<std::uint64_t, std::int64_t> sent_;  // of a client: the requests' numbers, by sequence number
-  std::map<Gid, Arrivals> responses_;           // of a client: by the server's writer
-  std::map<Gid, std::uint64_t> taken_;          // of a server: the last sequence number, by the client's writer
+  RecentMap<Gid, Arrivals> responses_{max_clients};    // of a client: by the server's writer
+  RecentMap<Gid, std::uint64_t> taken_{max_clients};  // of a server: the last sequence number, by the client's writer
   std::deque<Kept> kept_;
   std::size_t kept_size_ = 0;
 };
@@ -184,6 +188,7 @@ class ServiceForms {
   void request_arrived(const Gid& writer, const Gid& client, std::uint64_t sequence_number,
                        std::int64_t source_stamp_ns);
   void forget_taken(const Gid& writer, Requests& requests);
+  void forget_oldest_requests();
   std::array<std::uint8_t, 8> key_of(const Gid& client);
   ServiceEnd* end_of(const EntityId& writer, const GuidPrefix& participant);
   bool append_request(const GuidPrefix& participant, const Submessage& acknack, std::vector<std::byte>& out) const;
@@ -202,12 +207,11 @@ class ServiceForms {
   std::atomic<bool> has_inline_peers_ = false;
   std::map<Gid, ServiceEnd*> ends_by_writer_;
   std::map<Gid, ServiceEnd*> clients_by_reader_;
-  std::map<Gid, Requests> requests_;  // by the client's writer
-  std::size_t arrivals_ = 0;          // in requests_
-  std::map<std::array<std::uint8_t, 8>, Gid> inline_clients_;  // by the key in our headers
-  std::map<Gid, std::array<std::uint8_t, 8>> keys_;            // the reverse
-  std::deque<Gid> oldest_clients_;
-  std::map<Gid, Beginning> beginnings_;
+  RecentMap<Gid, Requests> requests_{max_clients};  // by the client's writer
+  std::size_t arrivals_ = 0;                       // in requests_
+  std::map<std::array<std::uint8_t, 8>, Gid> inline_clients_;         // by the key in our headers
+  RecentMap<Gid, std::array<std::uint8_t, 8>> keys_{max_clients};  // the reverse
+  RecentMap<Gid, Beginning> beginnings_{max_clients};
   std::uint64_t next_key_;
 };
 

@@ -1,0 +1,86 @@
+// A map of what others have sent, of bounded size.
+#pragma once
+
+#include <cstddef>
+#include <list>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace tfloom::rtps {
+
+// A map that gives up the entry that was not used for the longest time when it holds more than its bound. So senders that
+// come in great numbers displace one another and those that are silent, and never one that goes on sending.
+template <typename Key, typename Value>
+class RecentMap {
+ public:
+  explicit RecentMap(std::size_t max_size) : max_size_(max_size) {}
+
+  // Return the value of a key, which is made where there is none, as the last used one. References to other values stay
+  // valid, but for that of the entry that is given up.
+  Value& use(const Key& key) {
+    const auto [entry, is_new] = entries_.try_emplace(key);
+    if (is_new) {
+      entry->second.place = uses_.insert(uses_.end(), key);
+      if (entries_.size() > max_size_) take_oldest();
+    } else {
+      uses_.splice(uses_.end(), uses_, entry->second.place);
+    }
+    return entry->second.value;
+  }
+
+  // Return the value of a key, or nullptr; this does not count as a use.
+  [[nodiscard]] Value* find(const Key& key) {
+    const auto entry = entries_.find(key);
+    return entry == entries_.end() ? nullptr : &entry->second.value;
+  }
+  [[nodiscard]] const Value* find(const Key& key) const {
+    const auto entry = entries_.find(key);
+    return entry == entries_.end() ? nullptr : &entry->second.value;
+  }
+
+  void erase(const Key& key) {
+    const auto entry = entries_.find(key);
+    if (entry == entries_.end()) return;
+    uses_.erase(entry->second.place);
+    entries_.erase(entry);
+  }
+
+  // Remove and return the entry that was not used for the longest time; nullopt if there is none.
+  std::optional<std::pair<Key, Value>> take_oldest() {
+    if (uses_.empty()) return std::nullopt;
+    const auto entry = entries_.find(uses_.front());
+    std::pair<Key, Value> oldest(entry->first, std::move(entry->second.value));
+    uses_.pop_front();
+    entries_.erase(entry);
+    return oldest;
+  }
+
+  [[nodiscard]] std::size_t size() const { return entries_.size(); }
+  [[nodiscard]] bool is_full() const { return size() >= max_size_; }
+
+  // Remove each entry of which `is_over(key, value)` is true.
+  template <typename Predicate>
+  void erase_if(Predicate is_over) {
+    for (auto entry = entries_.begin(); entry != entries_.end();) {
+      if (is_over(entry->first, entry->second.value)) {
+        uses_.erase(entry->second.place);
+        entry = entries_.erase(entry);
+      } else {
+        ++entry;
+      }
+    }
+  }
+
+ private:
+  struct Entry {
+    Value value{};
+    typename std::list<Key>::iterator place{};  // in uses_
+  };
+
+  std::size_t max_size_;
+  std::map<Key, Entry> entries_;
+  std::list<Key> uses_;  // the last used one at the end
+};
+
+}  // namespace tfloom::rtps
