@@ -142,7 +142,9 @@ def test_files_are_split_where_they_must_be(is_written_at_once: bool, tmp_path: 
     channel = writer.add_topic(topic("/chatter", "std_msgs/msg/String"))
     for number in range(25):
         writer.push(channel, text(number), START_NS + number * STEP_NS, START_NS)
-        if is_written_at_once:  # as by a recorder's flush, after which no chunk is left to bear the mark of a split
+        if (
+            is_written_at_once
+        ):  # as by a recorder's flush, after which no chunk is left to bear the mark of a split
             writer.write_present()
     writer.close()
     files = read_metadata(tmp_path / "bag").files

@@ -127,9 +127,9 @@ def test_error_of_a_tag_has_its_line(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ["file_in_package", "package"])
-def test_first_line_of_an_unknown_name_equals_the_reference(name: str) -> None:
+def test_first_line_of_an_unknown_name_equals_the_reference(name: str, tmp_path: Path) -> None:
     recorded = transcript.golden(f"launch_bad_{name}")
-    ours = launch(*recorded.command[1:])
+    ours = launch(*recorded.command[1:], AMENT_PREFIX_PATH=str(tmp_path))  # a workspace is sourced there
     assert masked(ours.text.splitlines()[0]) == masked(recorded.text)
     assert ours.exit_code == recorded.exit_code
 

@@ -22,6 +22,7 @@ PROGRAMS = [
     "hostile_tf",
     "observer_threads",
     "queue_threads",
+    "service_clients",
 ]
 CMAKE_OPTIONS = [
     "-DTFLOOM_WARNINGS_AS_ERRORS=ON",

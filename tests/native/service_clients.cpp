@@ -1,0 +1,131 @@
+// A server and the clients on Fast DDS that have called it: many that come and leave, and one that stays.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <initializer_list>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "rtps/service_forms.hpp"
+
+using namespace tfloom;
+using namespace tfloom::rtps;
+
+namespace {
+
+constexpr std::uint32_t client_count = 70'000;  // more than are remembered
+int faults = 0;
+
+void check(bool is_right, const char* what) {
+  if (is_right) return;
+  ++faults;
+  std::fprintf(stderr, "fault: %s\n", what);
+}
+
+class Datagram {
+ public:
+  Datagram& octets(std::initializer_list<int> values) {
+    for (const int value : values) octets_.push_back(static_cast<std::byte>(value));
+    return *this;
+  }
+  Datagram& u32(std::uint32_t value) {
+    for (int i = 0; i < 4; ++i) octets_.push_back(static_cast<std::byte>(value >> (8 * i) & 0xff));
+    return *this;
+  }
+  template <typename Range>
+  Datagram& range(const Range& values) {
+    for (const auto value : values) octets_.push_back(static_cast<std::byte>(value));
+    return *this;
+  }
+  std::vector<std::byte> octets_;
+};
+
+Gid gid_of_client(std::uint32_t number, std::uint8_t entity_kind) {
+  return {0x01, 0x0f, static_cast<std::uint8_t>(number >> 16), static_cast<std::uint8_t>(number >> 8),
+          static_cast<std::uint8_t>(number), 1, 2, 3, 4, 5, 6, 7, 0, 0, 5, entity_kind};
+}
+
+// A request: its sequence number is also its stamp [s].
+std::vector<std::byte> request(std::uint32_t client, std::uint32_t number) {
+  const Gid writer = gid_of_client(client, 0x03);
+  Datagram datagram;
+  datagram.range(std::string_view("RTPS")).octets({2, 3, 1, 15});
+  for (int i = 0; i < 12; ++i) datagram.octets({writer[static_cast<std::size_t>(i)]});
+  datagram.octets({9, 1, 8, 0}).u32(number).u32(0);
+  datagram.octets({0x15, 7, 56, 0, 0, 0, 16, 0}).u32(0);
+  for (std::size_t i = 12; i < 16; ++i) datagram.octets({writer[i]});
+  datagram.u32(0).u32(number);
+  datagram.octets({0x83, 0, 24, 0}).range(gid_of_client(client, 0x04)).u32(0xffffffff).u32(0).octets({1, 0, 0, 0});
+  datagram.octets({0, 1, 0, 0});
+  return datagram.octets_;
+}
+
+class Server {
+ public:
+  Server() : end_(forms_.add_server("/s", Gid{1, 16, 7, 3}, Gid{1, 16, 7, 4})) {}
+
+  void receive(std::uint32_t client, std::uint32_t number) {
+    const auto datagram = request(client, number);
+    std::memcpy(buffer_.data(), datagram.data(), datagram.size());
+    forms_.receive(buffer_, datagram.size());
+  }
+
+  bool take(std::uint32_t client, std::uint32_t number) {
+    const auto header = end_->take_header(gid_of_client(client, 0x03), std::int64_t{number} * 1'000'000'000);
+    return header && header->number == number;
+  }
+
+ private:
+  ServiceForms forms_;
+  std::shared_ptr<ServiceEnd> end_;
+  std::array<std::byte, 4096> buffer_{};
+};
+
+void serve_all_that_come() {
+  Server server;
+  int lost = 0;
+  for (std::uint32_t client = 0; client < client_count; ++client) {
+    server.receive(client, 1);
+    lost += server.take(client, 1) ? 0 : 1;
+  }
+  check(lost == 0, "requests of new clients were lost");
+}
+
+// Forged datagrams of clients whose requests nobody takes displace one another.
+void serve_one_among_many() {
+  Server server;
+  constexpr std::uint32_t steady_client = client_count;
+  int lost = 0;
+  for (std::uint32_t client = 0; client < client_count; ++client) {
+    server.receive(client, 1);
+    if (client % 1000 != 0) continue;
+    const std::uint32_t number = 1 + client / 1000;
+    server.receive(steady_client, number);
+    lost += server.take(steady_client, number) ? 0 : 1;
+  }
+  check(lost == 0, "requests of the client that stays were lost");
+  check(!server.take(0, 1), "the client that was silent longest is remembered");
+  check(server.take(client_count - 1, 1), "the last client is not remembered");
+}
+
+// One client that sends without end displaces its own requests.
+void serve_another_beside_a_flood() {
+  Server server;
+  server.receive(1, 1);
+  for (std::uint32_t number = 1; number <= 300'000; ++number) server.receive(2, number);
+  check(server.take(1, 1), "the request before a flood was lost");
+  check(server.take(2, 300'000), "the last request of a flood was lost");
+}
+
+}  // namespace
+
+int main() {
+  serve_all_that_come();
+  serve_one_among_many();
+  serve_another_beside_a_flood();
+  std::printf("service clients: %d faults\n", faults);
+  return faults == 0 ? 0 : 1;
+}
