@@ -189,9 +189,8 @@ class CycloneServers(_Peers):
         """
         if not self._is_matched():
             return False
-        self._handshake.is_complete(
-            self._requests.matched()
-        )  # begins it, so that the first request waits less
+        # Begin it, so that the first request waits less.
+        self._handshake.is_complete(self._requests.matched())
         return True
 
     def is_synchronising(self) -> bool:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import struct
 import threading
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from collections.abc import Set as AbstractSet
 from contextlib import suppress
 from typing import Protocol
@@ -131,34 +131,25 @@ class RequestsInFlight:
         self._timer: threading.Timer | None = None
         """Sends what is held although responses do not arrive."""
 
-    def send(
-        self, client: HeaderRequester, data: bytes, number: int, find_limit: Callable[[], int | None]
-    ) -> None:
-        """Let a client write a request, at once if fewer than the limit are in flight, or there is none."""
-        if not self._held and find_limit() is None:
+    def send(self, client: HeaderRequester, data: bytes, number: int) -> None:
+        """Let a client write a request, at once if fewer than its limit are in flight, or it has none."""
+        if not self._held and client.most_in_flight() is None:
             client.write(data, number)
             return
         with self._lock:
             self._held[client.client_gid, number] = client, data
-        self._send_held(find_limit)
+        self._send_held()
 
-    def answered(self, client: HeaderRequester, number: int, find_limit: Callable[[], int | None]) -> None:
+    def answered(self, client: HeaderRequester, number: int) -> None:
         """Note that a client has taken a response."""
         if not self._sent_s:
             return
         with self._lock:
             self._sent_s.pop((client.client_gid, number), None)
         if self._held:
-            self._send_held(find_limit)
+            self._send_held()
 
-    def give_up(
-        self,
-        client: HeaderRequester,
-        numbers: Iterable[int],
-        find_limit: Callable[[], int | None],
-        *,
-        is_lost: bool,
-    ) -> None:
+    def give_up(self, client: HeaderRequester, numbers: Iterable[int], *, is_lost: bool) -> None:
         """Never send those that are still held. With `is_lost`, their servers have left, and none is in flight.
 
         They are given up at once, because each that leaves makes room in which another of them would be sent.
@@ -172,16 +163,17 @@ class RequestsInFlight:
                 # A server that is there keeps a request until it takes it, also one that was given up meanwhile.
                 if is_lost:
                     self._sent_s.pop(key, None)
-            self._stop_timer_if_idle()
-        if self._held:
-            self._send_held(find_limit)
+        self._send_held()
 
-    def _send_held(self, find_limit: Callable[[], int | None]) -> None:
-        limit = find_limit()
+    def _send_held(self) -> None:
         with self._lock:
             if self._timer is not None:
                 self._timer.cancel()
                 self._timer = None
+            if not self._held:
+                return
+            # The servers are those of a client that is still there: `leave` takes what a client holds under this lock.
+            limit = next(iter(self._held.values()))[0].most_in_flight()
             if limit is None:  # the last server with a limit has left, and with it what it kept
                 self._sent_s.clear()
             now_s = time.monotonic()
@@ -196,7 +188,7 @@ class RequestsInFlight:
                     self._sent_s[key] = now_s
                 client.write(data, key[1])
             if self._held:
-                self._timer = threading.Timer(UNANSWERED_S, self._send_held, [find_limit])
+                self._timer = threading.Timer(UNANSWERED_S, self._send_held)
                 self._timer.daemon = True
                 self._timer.start()
 
@@ -208,12 +200,7 @@ class RequestsInFlight:
             gid = client.client_gid
             self._held = {key: held for key, held in self._held.items() if key[0] != gid}
             self._sent_s = {key: sent_s for key, sent_s in self._sent_s.items() if key[0] != gid}
-            self._stop_timer_if_idle()
-
-    def _stop_timer_if_idle(self) -> None:
-        if not self._held and self._timer is not None:
-            self._timer.cancel()
-            self._timer = None
+        self._send_held()
 
 
 class HeaderRequester:
@@ -252,8 +239,12 @@ class HeaderRequester:
         with self._lock:
             self._sequence_number += 1
             sequence_number = self._sequence_number
-        self._in_flight.send(self, data, sequence_number, self._servers.most_in_flight)
+        self._in_flight.send(self, data, sequence_number)
         return sequence_number
+
+    def most_in_flight(self) -> int | None:
+        """Return how many requests the servers keep until they are taken; None: as many as there are."""
+        return self._servers.most_in_flight()
 
     def write(self, data: bytes, sequence_number: int) -> None:
         """Write a request without regard to others; called by `RequestsInFlight`."""
@@ -264,14 +255,14 @@ class HeaderRequester:
         while sample := self._responses.take():
             parts = _split(sample)
             if parts is not None and parts[0] == self._key:
-                self._in_flight.answered(self, parts[1], self._servers.most_in_flight)
+                self._in_flight.answered(self, parts[1])
                 request_id = RequestId(self.client_gid, parts[1])
                 return Response(parts[2], request_id, sample.source_stamp_ns, sample.received_stamp_ns)
         return None
 
     def give_up(self, sequence_numbers: Iterable[int], *, is_lost: bool = False) -> None:
         """Await no response to requests: those that were not sent yet never are. See `base.Requester.give_up`."""
-        self._in_flight.give_up(self, sequence_numbers, self._servers.most_in_flight, is_lost=is_lost)
+        self._in_flight.give_up(self, sequence_numbers, is_lost=is_lost)
 
     def notify(self, queue: ReadyQueue | None, token: int = 0) -> None:
         """Post `token` to `queue` when there may be something to take; None ends it."""
