@@ -17,12 +17,12 @@ constexpr std::chrono::seconds longest_wait(1);  // for callbacks that run when 
 enum class Phase { running, ending, ended };
 std::atomic<Phase> phase{Phase::running};
 std::thread::id ending_thread;  // written once, before `phase`, and read after it
-std::atomic<int> users{0};      // threads that are acquiring the GIL, or are inside an AcquiredGil
-thread_local int depth = 0;     // of the AcquiredGil scopes of this thread
+std::atomic<int> users{0};      // how often threads are acquiring the GIL, or are inside one of the other two scopes
+thread_local int depth = 0;     // of the AcquiredGil scopes and PythonCallScopes of this thread
 
 // Count this thread as a user, unless the interpreter is ending on another thread: return false then. The count precedes
 // the check, so that either this thread sees the end, or the ending thread sees the count and waits: check and
-// acquisition are one step. A thread inside an AcquiredGil may still acquire the GIL while the ending thread waits for
+// acquisition are one step. A thread inside such a scope may still acquire the GIL while the ending thread waits for
 // the end of that scope.
 bool enter() {
   ++users;
@@ -77,6 +77,19 @@ AcquiredGil::~AcquiredGil() {
   if (use_ != Use::acquired) return;
   --depth;
   PyGILState_Release(state_);
+  --users;
+}
+
+PythonCallScope::PythonCallScope() {
+  if (!enter()) {
+    PyEval_SaveThread();
+    block_forever();
+  }
+  ++depth;
+}
+
+PythonCallScope::~PythonCallScope() {
+  --depth;
   --users;
 }
 

@@ -36,6 +36,17 @@ class AcquiredGil {
   PyGILState_STATE state_{};
 };
 
+// A scope, with the GIL held, in which native code runs Python code, which may give up the GIL and acquire it again at any
+// line: an import does so for many milliseconds. The interpreter's end waits for it, as for an AcquiredGil; after that it
+// blocks its thread for ever, because Python would unwind the native frames with it.
+class PythonCallScope {
+ public:
+  PythonCallScope();
+  ~PythonCallScope();
+  PythonCallScope(const PythonCallScope&) = delete;
+  PythonCallScope& operator=(const PythonCallScope&) = delete;
+};
+
 // A class whose `close` waits for other threads, as Python holds it: its destructor closes it without the GIL, because
 // those threads may wait for the GIL. A class with virtual functions must not be derived from like this: other threads
 // may call them while the constructor of the derived class replaces them.
@@ -49,8 +60,8 @@ class ClosedWithoutGil : public Closable {
   }
 };
 
-// From now on, block every other thread for ever at the end of its ReleasedGil, and let no other thread begin an
-// AcquiredGil. Wait up to a second for the end of those that have begun. Must be called with the GIL held, on the thread
+// From now on, block every other thread for ever at the end of its ReleasedGil and at the start of its PythonCallScope, and
+// let no other thread begin an AcquiredGil. Wait up to a second for the end of those that have begun. Must be called with the GIL held, on the thread
 // that ends the interpreter.
 void block_gil_reacquire_at_exit();
 

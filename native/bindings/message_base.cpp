@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "bindings/gil.hpp"
 #include "bindings/objects.hpp"
 
 namespace tfloom::bindings {
@@ -48,7 +49,9 @@ nb::object new_message(const ObjectPlan& plan) {
 }
 
 nb::object convert(PyObject* self, const ObjectPlan::Slot& slot, const nb::object& value) {
-  return slot.converts ? message_hooks().convert(class_of(self), slot.name, value) : value;
+  if (!slot.converts) return value;
+  const PythonCallScope scope;
+  return message_hooks().convert(class_of(self), slot.name, value);
 }
 
 void take_check_fields(PyObject* self, PyObject* kwargs) {
