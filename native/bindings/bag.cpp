@@ -129,7 +129,8 @@ void bind_bag(nb::module_& m) {
            "message.")
       .def("wait", &wait, "timeout_ns"_a, "Wait until there is a complete chunk, the queue is closed, or the timeout.")
       .def("seal", &call<&ChunkQueue::seal>, "Complete the unfinished chunk.")
-      .def("end_file", &call<&ChunkQueue::end_file>, "Complete the unfinished chunk; the next one is the first of a new file.")
+      .def("end_file", &call<&ChunkQueue::end_file>,
+           "Complete the unfinished chunk; the next one is the first of a new file.")
       .def("restart_file", &call<&ChunkQueue::restart_file>,
            "Let the next message be the first one of a file, from which its duration counts.")
       .def("close", &call<&ChunkQueue::close>,

@@ -61,8 +61,8 @@ class ClosedWithoutGil : public Closable {
 };
 
 // From now on, block every other thread for ever at the end of its ReleasedGil and at the start of its PythonCallScope, and
-// let no other thread begin an AcquiredGil. Wait up to a second for the end of those that have begun. Must be called with the GIL held, on the thread
-// that ends the interpreter.
+// let no other thread begin an AcquiredGil. Wait up to a second for the end of those that have begun. Must be called with
+// the GIL held, on the thread that ends the interpreter.
 void block_gil_reacquire_at_exit();
 
 // From now on, a fork of this process counts only the thread that it has. Must be called once.

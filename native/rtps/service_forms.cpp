@@ -548,7 +548,7 @@ bool ServiceForms::is_awaited_by(const GuidPrefix& participant, const ServiceHea
 }
 
 // Return the inline QoS that names the related sample, with its sentinel. Of a request: the reader of its response. Of a
-// response: the request, or nothing that a client of this form would wait for.
+// response: the request; `is_awaited_by` has found its client.
 std::array<std::byte, 32> ServiceForms::related_identity(const ServiceEnd& end, const ServiceHeader& header) const {
   std::array<std::byte, 32> list{};
   store(list.data(), related_sample_id);

@@ -60,6 +60,10 @@ def log_times(folder: Path) -> list[int]:
         return [(each.log_time_ns - START_NS) // STEP_NS for each in bag.messages()]
 
 
+def raise_odd(*_: object) -> None:
+    raise ValueError("odd")
+
+
 @pytest.mark.parametrize("storage_id", ["mcap", "sqlite3"])
 def test_any_error_while_writing_ends_the_recording_loudly(
     storage_id: str, started: Start, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: Any
@@ -89,10 +93,7 @@ def test_error_beside_the_files_ends_the_recording_loudly(
     recorder = started(WriterSettings())
     channel = recorder.writer.add_topic(CHATTER)
 
-    def fail(_: object) -> None:
-        raise ValueError("odd")
-
-    monkeypatch.setattr(recorder.writer, "_count", fail)
+    monkeypatch.setattr(recorder.writer, "_count", raise_odd)
     push(recorder, channel, range(1))
     wait_until(lambda: recorder.failure is not None)
     assert "bag: writing has ended: ValueError: odd" in str(recorder.failure)
@@ -106,11 +107,7 @@ def test_error_in_discovery_ends_the_recording_loudly(
     channel = recorder.writer.add_topic(CHATTER)
     push(recorder, channel, range(3))
     with monkeypatch.context() as patched:
-
-        def fail() -> None:
-            raise ValueError("odd")
-
-        patched.setattr(recorder._topics, "subscribe_changed", fail)
+        patched.setattr(recorder._topics, "subscribe_changed", raise_odd)
         wait_until(lambda: recorder.failure is not None)
     assert "bag: no more topics can be subscribed to: ValueError: odd" in str(recorder.failure)
     recorder.stop()
@@ -123,10 +120,7 @@ def test_split_that_cannot_be_announced_is_a_split(
     recorder = started(WriterSettings())
     channel = recorder.writer.add_topic(CHATTER)
 
-    def fail(_: object) -> None:
-        raise ValueError("odd")
-
-    monkeypatch.setattr(recorder._split_events, "publish", fail)
+    monkeypatch.setattr(recorder._split_events, "publish", raise_odd)
     push(recorder, channel, range(1))
     recorder.split_bagfile()
     push(recorder, channel, range(1, 2))
