@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Callable
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from tests.conftest import wait_until
 
 from tfloom.interfaces.action_msgs.msg import GoalInfo, GoalStatus
 from tfloom.interfaces.action_msgs.srv import CancelGoal
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.example_interfaces.action import Fibonacci
-from tfloom.node.action.client import ActionClient
+from tfloom.node.action.client import MAX_ENDED, ActionClient
 from tfloom.node.action.graph import (
     get_action_client_names_and_types_by_node,
     get_action_names_and_types,
@@ -21,10 +24,13 @@ from tfloom.node.action.graph import (
 from tfloom.node.action.names import new_goal_id
 from tfloom.node.action.server import ActionServer, CancelResponse, GoalResponse, ServerGoalHandle
 from tfloom.node.context.context import Context
+from tfloom.node.endpoints.client import NoResponseError
+from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup
 from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 from tfloom.node.values.exceptions import RCLError
+from tfloom.rmw import local_endpoints
 
 Finish = Callable[[Future[Any]], Any]
 
@@ -242,6 +248,84 @@ def test_blocking_calls_work_with_threads(make_node: Callable[..., Node], contex
         finally:
             end.set_result(None)
             thread.join(10)
+
+
+def test_feedback_callbacks_of_ended_goals_are_dropped(
+    server_node: Node, client: ActionClient, finish: Finish, spin_until: Callable[..., None]
+) -> None:
+    """Where nobody requests the results; those of the last goals stay, because feedback may arrive behind the end."""
+    ActionServer(server_node, Fibonacci, "fibonacci", fibonacci)
+    heard: list[int] = []
+    goals = MAX_ENDED + 10
+    for number in range(goals):
+        finish(
+            client.send_goal_async(
+                Fibonacci.Goal(order=2), feedback_callback=lambda _, number=number: heard.append(number)
+            )
+        )
+    spin_until(lambda: len(client._feedback_callbacks) == MAX_ENDED)
+    spin_until(lambda: len(heard) == goals)
+    assert sorted(heard) == list(range(goals))
+
+
+def test_the_feedback_callback_of_a_goal_that_no_server_has_is_dropped(
+    client: ActionClient, executor: SingleThreadedExecutor
+) -> None:
+    future = client.send_goal_async(Fibonacci.Goal(), feedback_callback=print)
+    executor.spin_until_future_complete(future, timeout_sec=5)
+    assert isinstance(future.exception(), NoResponseError)
+    assert client._feedback_callbacks == {}
+
+
+@pytest.mark.parametrize("hours", [-1, 0, 1])
+def test_feedback_ends_with_the_result_whatever_the_servers_clock_says(
+    hours: int, server_node: Node, node: Node, context: Context, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What the server sent before the result and waits behind it is delivered, what it sent after it is not."""
+    now_ns = time.time_ns
+    monkeypatch.setattr(
+        local_endpoints, "time", SimpleNamespace(time_ns=lambda: now_ns() + hours * 3_600_000_000_000)
+    )
+    may_return = threading.Event()
+    heard: list[int] = []
+    late: list[ServerGoalHandle] = []
+
+    def execute(goal_handle: ServerGoalHandle) -> Fibonacci.Result:
+        goal_handle.publish_feedback(Fibonacci.Feedback(sequence=[1]))
+        goal_handle.publish_feedback(Fibonacci.Feedback(sequence=[2]))
+        goal_handle.succeed()
+        late.append(goal_handle)
+        return Fibonacci.Result()
+
+    def hear(message: Any) -> None:
+        heard.append(message.feedback.sequence[0])
+        may_return.wait(30)
+
+    # The first message occupies the callback group, so the second waits until after the result.
+    client: ActionClient = ActionClient(
+        node, Fibonacci, "shifted", callback_group=MutuallyExclusiveCallbackGroup()
+    )
+    with (
+        ActionServer(server_node, Fibonacci, "shifted", execute),
+        MultiThreadedExecutor(4, context=context) as spinning,
+    ):
+        spinning.add_node(node)
+        spinning.add_node(server_node)
+        thread = threading.Thread(target=spinning.spin)
+        thread.start()
+        try:
+            assert client.wait_for_server(timeout_sec=30)
+            handle = client.wait_for(client.send_goal_async(Fibonacci.Goal(), feedback_callback=hear))
+            assert handle is not None
+            assert handle.get_result() is not None
+            late[0].publish_feedback(Fibonacci.Feedback(sequence=[3]))
+            may_return.set()
+            wait_until(lambda: len(heard) > 1)
+        finally:
+            may_return.set()
+            spinning.shutdown()
+            thread.join()
+    assert heard == [1, 2]
 
 
 def test_invalid_arguments_raise(node: Node, client: ActionClient) -> None:

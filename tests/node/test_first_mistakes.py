@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import sys
+import threading
 import time
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -16,7 +17,7 @@ from tfloom.node import client_library as rclpy
 from tfloom.node.context.context import Context
 from tfloom.node.executing import executor as executor_module
 from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup
-from tfloom.node.executing.executor import NESTED_HINT, Executor
+from tfloom.node.executing.executor import ENDLESS_HINT, NESTED_HINT, Executor
 from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.executing.task import Future
 from tfloom.node.lifecycle.node import LifecycleNode
@@ -212,6 +213,49 @@ def test_in_its_own_executor_too(
     executor.add_node(node)
     spin_until(executor, done)
     assert warnings(capsys) == [NESTED_HINT]
+
+
+ENDLESS_SPINS: dict[str, Callable[[Node, Future[Any], Executor], None]] = {
+    "spin_once": lambda node, _, executor: rclpy.spin_once(node, executor=executor),
+    "spin_until_future_complete": rclpy.spin_until_future_complete,
+}
+
+
+@pytest.mark.parametrize("is_own", [True, False])
+@pytest.mark.parametrize("spin", ENDLESS_SPINS)
+def test_a_spin_without_a_limit_says_that_nothing_may_run(
+    spin: str,
+    is_own: bool,
+    node: Node,
+    context: Context,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """In a callback of a node with nothing else to run, which therefore waits for ever."""
+    monkeypatch.setattr(executor_module, "ENDLESS_HINT_NS", 20_000_000)
+    outer, inner = (SingleThreadedExecutor(context=context) for _ in range(2))
+    waited_for, done = Future[None](), Future[None]()
+
+    def wait() -> None:
+        timer.cancel()
+        executor = outer if is_own else inner
+        thread = threading.Thread(target=end_after_hint, args=[executor])
+        thread.start()
+        ENDLESS_SPINS[spin](node, waited_for, executor)
+        thread.join()
+        done.set_result(None)
+
+    def end_after_hint(executor: Executor) -> None:
+        end = time.monotonic() + 3
+        while not executor._has_hinted and time.monotonic() < end:
+            time.sleep(0.005)
+        executor.create_task(waited_for.set_result, None)
+
+    timer = node.create_timer(0.0, wait)
+    outer.add_node(node)
+    with outer, inner:
+        spin_until(outer, done)
+    assert warnings(capsys) == [ENDLESS_HINT]
 
 
 @pytest.mark.usefixtures("short_hint")

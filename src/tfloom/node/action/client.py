@@ -13,7 +13,7 @@ from tfloom.interfaces.action_msgs.msg import GoalInfo, GoalStatus, GoalStatusAr
 from tfloom.interfaces.action_msgs.srv import CancelGoal, CancelGoal_Response
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.unique_identifier_msgs.msg import UUID
-from tfloom.node.action.goal_states import ACTIVE
+from tfloom.node.action.goal_states import ACTIVE, TERMINAL
 from tfloom.node.action.names import (
     CANCEL_GOAL,
     FEEDBACK,
@@ -38,7 +38,7 @@ from tfloom.rosidl.service import Action
 if TYPE_CHECKING:
     from typing_extensions import Self
 
-    from tfloom.node.endpoints.client import Client
+    from tfloom.node.endpoints.client import Client, ResponseFuture
     from tfloom.node.executing.callback_groups import CallbackGroup
     from tfloom.node.node import Node
 
@@ -47,8 +47,8 @@ __all__ = ["ActionClient", "ClientGoalHandle"]
 T = TypeVar("T")
 
 _POLL_S = 0.01
-MOST_ENDED = 64
-"""Number of ended goals whose feedback callbacks are kept."""
+MAX_ENDED = 64
+"""Number of ended goals whose feedback callbacks are kept, because feedback may arrive behind the goal's end."""
 
 
 class ClientGoalHandle(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultResponseT]):
@@ -145,8 +145,9 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
         self._lock = threading.Lock()
         """Guards the goals and their callbacks, below."""
         self._feedback_callbacks: dict[bytes, Callable[[FeedbackMessageT], Any]] = {}
-        self._ended_ns: OrderedDict[bytes, int] = OrderedDict()
-        """Times at which the results of goals were taken [ns since the epoch], the oldest first."""
+        self._ended_ns: OrderedDict[bytes, int | None] = OrderedDict()
+        """The goals that ended last, the oldest first: when the server sent the result, by its clock [ns since the
+        epoch]; None where the result was not requested."""
         self._unanswered: dict[bytes, int] = {}
         """The last state received of each goal whose request has no response yet. Guarded by `_lock`."""
         self._goals: weakref.WeakValueDictionary[
@@ -223,13 +224,14 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
             self._unanswered[key] = GoalStatus.STATUS_UNKNOWN
             if feedback_callback is not None:
                 self._feedback_callbacks[key] = feedback_callback
+                self._ended_ns.pop(key, None)  # of an earlier goal with this id
         request = self._action_type.Impl.SendGoalService.Request(goal_id=goal_id, goal=goal)
         future: Future[ClientGoalHandle[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultResponseT]] = (
             Future()
         )
 
         def on_response(
-            response: Any,
+            response: Any, stamp_ns: int | None
         ) -> ClientGoalHandle[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultResponseT]:
             handle = ClientGoalHandle(self, goal_id, response)
             if response.accepted:
@@ -237,7 +239,7 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
                     handle.status = self._unanswered.pop(key, GoalStatus.STATUS_UNKNOWN)
                     self._goals[key] = handle
             else:
-                self._forget(key)
+                self._end(key, stamp_ns)
             return handle
 
         try:
@@ -247,7 +249,7 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
             self._feedback_callbacks.pop(key, None)
             raise
         self._chain(answer, future, on_response)
-        answer.when_complete(lambda: self._forget_answered(key))
+        answer.when_complete(lambda: self._forget_answered(key, answer))
         return future
 
     def send_goal(self, goal: GoalT, **kwargs: Any) -> ResultResponseT | None:
@@ -274,9 +276,9 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
         request = self._action_type.Impl.GetResultService.Request(goal_id=goal_handle.goal_id)
         future: Future[ResultResponseT] = Future()
 
-        def on_response(response: Any) -> Any:
+        def on_response(response: Any, stamp_ns: int | None) -> Any:
             goal_handle.status = response.status
-            self._forget(key_of(goal_handle.goal_id))
+            self._end(key_of(goal_handle.goal_id), stamp_ns)
             return response
 
         self._chain(self._result.call_async(request), future, on_response, self._deliver_waiting_feedback)
@@ -301,12 +303,15 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
 
     def _chain(
         self,
-        first: Future[Any],
+        first: ResponseFuture[Any],
         then: Future[T],
-        convert: Callable[[Any], T],
+        convert: Callable[[Any, int | None], T],
         before: Callable[[], None] | None = None,
     ) -> None:
-        """When `first` completes with `result`, call `before`, and complete `then` with `convert(result)`."""
+        """When `first` completes with `result`, call `before`, and complete `then` with `convert(result, stamp_ns)`.
+
+        `stamp_ns` is when the server sent the result, by its clock.
+        """
 
         def complete() -> None:
             if then.cancelled():
@@ -323,19 +328,28 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
                     before()
             finally:
                 then.set_executor(self._node.executor)
-                then.set_result(convert(first.result()))
+                then.set_result(convert(first.result(), first.source_stamp_ns))
 
         first.when_complete(complete)
 
-    def _forget_answered(self, key: bytes) -> None:
+    def _forget_answered(self, key: bytes, answer: Future[Any]) -> None:
         with self._lock:
             self._unanswered.pop(key, None)
+            if answer.exception() is not None:  # no server has the goal
+                self._feedback_callbacks.pop(key, None)
 
-    def _forget(self, key: bytes) -> None:
-        """End the feedback of a goal: only what was published before, and waits for a thread, is still delivered."""
+    def _end(self, key: bytes, stamp_ns: int | None = None) -> None:
+        """End a goal's feedback: what the server sent after its result, at `stamp_ns` by its clock, isn't delivered.
+
+        The stamps of feedback are compared with that of the result, and never with the time here: the server may run
+        on another host, whose clock differs. Without a stamp, all that still arrives is delivered. Only the goals that
+        ended last keep their callbacks.
+        """
         with self._lock:
-            self._ended_ns[key] = time.time_ns()
-            if len(self._ended_ns) > MOST_ENDED:
+            if key not in self._feedback_callbacks:
+                return
+            self._ended_ns[key] = stamp_ns
+            if len(self._ended_ns) > MAX_ENDED:
                 self._feedback_callbacks.pop(self._ended_ns.popitem(last=False)[0], None)
 
     def _on_feedback(self, message: Any, info: dict[str, Any]) -> Any:
@@ -358,6 +372,9 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
                 if key in self._unanswered:
                     self._unanswered[key] = each.status
                 handle = self._goals.get(key)
+                has_ended = each.status in TERMINAL and key not in self._ended_ns
+            if has_ended:  # by itself, because nobody may ever request the result
+                self._end(key)
             # The status in the result is the final one.
             if handle is not None and (handle.status in ACTIVE or handle.status == GoalStatus.STATUS_UNKNOWN):
                 handle.status = each.status

@@ -15,7 +15,7 @@ from enum import IntEnum
 from tfloom.interfaces.action_msgs.msg import GoalStatus
 from tfloom.node.values.exceptions import RCLError
 
-__all__ = ["ACTIVE", "GoalEvent", "next_state"]
+__all__ = ["ACTIVE", "TERMINAL", "GoalEvent", "next_state"]
 
 
 class GoalEvent(IntEnum):
@@ -30,6 +30,8 @@ class GoalEvent(IntEnum):
 
 ACTIVE = (GoalStatus.STATUS_ACCEPTED, GoalStatus.STATUS_EXECUTING, GoalStatus.STATUS_CANCELING)
 """The states of a goal that hasn't ended."""
+TERMINAL = (GoalStatus.STATUS_SUCCEEDED, GoalStatus.STATUS_CANCELED, GoalStatus.STATUS_ABORTED)
+"""The states of a goal that has ended."""
 
 _TRANSITIONS = {
     (GoalStatus.STATUS_ACCEPTED, GoalEvent.EXECUTE): GoalStatus.STATUS_EXECUTING,

@@ -42,10 +42,17 @@ class NoResponseError(RCLError):
     """A request gets no response: no server received it, or all that did have left the graph."""
 
 
+class ResponseFuture(Future[SrvTypeResponse]):
+    """The future of a response, which also tells when the server sent it."""
+
+    source_stamp_ns: int | None = None
+    """When the server sent the response, by the server's clock [ns since the epoch]; None before it is complete."""
+
+
 class _Pending(NamedTuple):
     """A request without a response."""
 
-    future: Future[Any]
+    future: ResponseFuture[Any]
     servers: frozenset[str]
     """Ids of the servers that received it."""
 
@@ -179,7 +186,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         if self._was_completed_elsewhere:
             self._posting.post()
 
-    def call_async(self, request: SrvTypeRequest) -> Future[SrvTypeResponse]:
+    def call_async(self, request: SrvTypeRequest) -> ResponseFuture[SrvTypeResponse]:
         """Send a request and return the future of its response.
 
         The future's exception is a NoResponseError if no server is there, or all that were there leave without a
@@ -196,7 +203,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
             raise TypeError(f"Expected {self.srv_type.Request}, got {type(request)}")
         self._context.check_not_inherited(f"cannot call {self.srv_name}")
         data = cdr.encode(request)
-        future: Future[SrvTypeResponse] = Future()
+        future: ResponseFuture[SrvTypeResponse] = ResponseFuture()
         with self._alive()._lock:  # a response may arrive before `send` has returned  # noqa: SLF001
             # A server that leaves from here on is noticed by the watch, which waits for the lock.
             servers = self._endpoint.receiving_servers()
@@ -340,7 +347,10 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         message = cdr.decode(self.srv_type.Response, incoming.data)
         self._introspection.response_received(message, incoming.id)
         with self._lock:
-            return message, self._pending.pop(incoming.id.sequence_number, None)
+            pending = self._pending.pop(incoming.id.sequence_number, None)
+        if pending is not None:
+            pending.future.source_stamp_ns = incoming.source_stamp_ns
+        return message, pending
 
     def run(self, taken: Any) -> Any:
         """Complete the future of the request with its response."""

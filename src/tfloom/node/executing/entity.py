@@ -31,6 +31,9 @@ class Entity:
     takes_on_any_thread = False
     """Whether `take` may be called on any thread, one at a time."""
 
+    posts_when_attached = False
+    """Whether it posts whenever it is attached, even if it has nothing to run."""
+
     callback_group: CallbackGroup | None
 
     _part_of: Any = None  # the node: a reference to the entity keeps it alive

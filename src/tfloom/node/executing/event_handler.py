@@ -79,6 +79,8 @@ class EventHandler(Entity):
         InvalidHandle: the endpoint was destroyed.
     """
 
+    posts_when_attached = True
+
     def __init__(
         self,
         *,

@@ -40,6 +40,13 @@ NESTED_HINT = (
     "A callback spins, and others that are ready can't run before it returns, because they are in its callback "
     "group. Await the future in an async callback, or give one of them a callback group of its own"
 )
+ENDLESS_HINT_NS = 5_000_000_000
+"""How long a callback may spin without a limit, and without anything to run, before a hint is logged [ns]."""
+ENDLESS_HINT = (
+    "A callback spins without a timeout, and nothing that it may run has become ready for some seconds. Until it "
+    "returns, nothing of its callback group runs, nor its own timer or subscription again: if it waits for one of "
+    "these, it waits for ever. Pass a timeout, or await a future in an async callback"
+)
 
 
 class SpunNode(Protocol):
@@ -105,7 +112,9 @@ class Executor(WorkQueue):
         self._running = RunningWork()
         """The threads that run callbacks now."""
         self._held_since_ns: int | None = None
-        """When callbacks were first found held by one that spins. Of the thread that spins alone, as is the next."""
+        """When callbacks were first found held by one that spins. Of the thread that spins alone, as all below."""
+        self._endless_since_ns: int | None = None
+        """When the present wait of a callback that spins without a limit began."""
         self._has_hinted = False
 
     @property
@@ -222,6 +231,7 @@ class Executor(WorkQueue):
             ExternalShutdownException: its context was shut down.
         """
         waited = self._has_response = False
+        self._endless_since_ns = None
         while True:
             if self._is_shutdown:
                 raise ShutdownException
@@ -245,23 +255,29 @@ class Executor(WorkQueue):
     def _end_of_nested_wait(self, end_ns: int | None) -> int | None:
         """Return when to wake from a wait until `end_ns` to log a hint: a callback that spins may wait for itself.
 
-        Callbacks of its group are ready and can't run before it returns. The hint comes once, because the wait may
-        be for something else.
+        Either callbacks of its group are ready and can't run before it returns; or it waits without a limit, and
+        nothing is ready. The hint comes once, because the wait may be for something else.
         """
         if self._has_hinted or not RunningWork.is_any_on_this_thread():
             return end_ns
-        held = next((each for each in self._entities.values() if _is_held(each)), None)
-        if held is None:
-            self._held_since_ns = None
-            return end_ns
+        entities = list(self._entities.values())
         now_ns = time.monotonic_ns()
-        if self._held_since_ns is None:
-            self._held_since_ns = now_ns
-        hint_ns = self._held_since_ns + NESTED_HINT_NS
+        entity = next((entity for entity in entities if _is_held(entity)), None)
+        if entity is not None:
+            since_ns = self._held_since_ns = self._held_since_ns or now_ns
+            hint, hint_ns = NESTED_HINT, since_ns + NESTED_HINT_NS
+        else:
+            self._held_since_ns = None
+            # Where no callback of these entities runs, none of them waits for the callback that spins.
+            entity = next(filter(_is_running, entities), None) if end_ns is None else None
+            if entity is None:
+                return end_ns
+            since_ns = self._endless_since_ns = self._endless_since_ns or now_ns
+            hint, hint_ns = ENDLESS_HINT, since_ns + ENDLESS_HINT_NS
         if now_ns < hint_ns:
             return hint_ns if end_ns is None else min(end_ns, hint_ns)
         self._has_hinted = True
-        held._part_of.get_logger().warning(NESTED_HINT)  # noqa: SLF001  # ours
+        entity._part_of.get_logger().warning(hint)  # noqa: SLF001  # ours
         return end_ns
 
     # Running
@@ -461,12 +477,19 @@ def _end_ns(timeout_sec: float | None) -> int | None:
     return None if timeout_ns < 0 else time.monotonic_ns() + timeout_ns
 
 
+def _is_running(entity: Entity) -> bool:
+    """Return whether a callback of an entity runs, and keeps its group from running others."""
+    group = entity.callback_group
+    return isinstance(group, MutuallyExclusiveCallbackGroup) and group.is_running(entity)
+
+
 def _is_held(entity: Entity) -> bool:
     """Return whether an entity has posted, and waits for a callback of another one in its group to complete."""
     group = entity.callback_group
     if not isinstance(group, MutuallyExclusiveCallbackGroup) or not group.has_parked(entity):
         return False
-    # An entity is looked at again after each of its callbacks: that alone is no sign of more to run.
-    if group.is_running(entity) or group.can_execute(entity):
+    # An entity is looked at again after each of its callbacks, and some when they are attached: that alone is no sign
+    # of more to run.
+    if entity.posts_when_attached or group.is_running(entity) or group.can_execute(entity):
         return False
     return not entity.is_timed or entity.deadline_ns() is not None
