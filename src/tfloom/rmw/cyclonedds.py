@@ -9,6 +9,7 @@ from __future__ import annotations
 import atexit
 import os
 import threading
+import time
 from collections.abc import Callable
 from itertools import count
 from typing import TypeVar, cast
@@ -33,10 +34,13 @@ from tfloom.rmw.cyclone_services import (
 )
 from tfloom.rmw.errors import ClosedError, WireError
 from tfloom.rmw.forks import Inherited, refuse
+from tfloom.rmw.machine_clock import describe_machine_clock
 from tfloom.rmw.qos import DurabilityPolicy, QoS
 from tfloom.rmw.services import HeaderRequester, HeaderResponder, RequestsInFlight, waiting_qos
 from tfloom.rmw.topic_names import request_topic, response_topic, topic_to_dds, type_to_dds
 
+MAX_TIME_NS = 2**32 * 1_000_000_000 - 1
+"""The latest time that a packet of DDS can hold [ns since the epoch]: its seconds are a uint32."""
 _WRITE_LAST = QoS(durability=DurabilityPolicy.TRANSIENT_LOCAL, depth=1)
 
 _End = TypeVar("_End", CycloneWriter, CycloneReader)
@@ -92,13 +96,19 @@ def _close_all() -> None:
         participant.close()
 
 
-def _advice(domain_id: int) -> str:
+def _explain(error: RuntimeError, domain_id: int) -> str:
+    """Return why this process could not join a domain, and what to do."""
+    if not 0 <= (now_ns := time.time_ns()) <= MAX_TIME_NS:
+        clock = describe_machine_clock(now_ns)
+        return f"{error}, because {clock}, and DDS has no times before 1970 nor after 7 February 2106. Set the clock"
     if "CYCLONEDDS_URI" in os.environ:
-        return "check CYCLONEDDS_URI"
-    return (
-        "end some program or choose another ROS_DOMAIN_ID if "
-        f"{cyclone_config.local_participants(domain_id)} are on this domain: one machine has room for no more"
-    )
+        advice = "check CYCLONEDDS_URI"
+    else:
+        advice = (
+            "end some program or choose another ROS_DOMAIN_ID if "
+            f"{cyclone_config.local_participants(domain_id)} are on this domain: one machine has room for no more"
+        )
+    return f"{error}; see Cyclone's message above, and {advice}"
 
 
 def _user_data(topic: Topic) -> bytes:
@@ -146,7 +156,7 @@ class CycloneParticipant:
         except WireError:
             raise
         except RuntimeError as error:
-            raise WireError(f"{error}; see Cyclone's message above, and {_advice(domain_id)}") from None
+            raise WireError(_explain(error, domain_id)) from None
 
     def add_node(self, node: NodeName) -> None:
         """Add a node to the graph."""

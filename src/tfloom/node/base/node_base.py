@@ -32,6 +32,7 @@ from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events, qos_pr
 from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions, apply_overrides
 from tfloom.node.values.constants import S_TO_NS
 from tfloom.node.values.set_by_init import SET_BY_INIT
+from tfloom.node.values.stamps import check_fits_stamp
 from tfloom.node.values.type_support import (
     check_is_valid_msg_type,
     check_is_valid_srv_type,
@@ -132,7 +133,9 @@ class NodeBase(NodeEntities, NodeParameters):
             raise
 
     def __publish_parameter_event(self, event: rcl_msg.ParameterEvent) -> None:
-        event.stamp = self.get_clock().now().to_msg()
+        now = self.get_clock().now()
+        check_fits_stamp(now.nanoseconds)
+        event.stamp = now.to_msg()
         event.node = self.get_fully_qualified_name()
         if self.__parameter_event_publisher is not None and self.context.ok():
             self.__parameter_event_publisher.publish(event)

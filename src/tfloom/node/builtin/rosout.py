@@ -11,6 +11,7 @@ from tfloom.node.log import log_output
 from tfloom.node.log.rcutils_logger import RcutilsLogger
 from tfloom.node.qos.qos import qos_profile_rosout_default
 from tfloom.node.values.constants import S_TO_NS
+from tfloom.node.values.stamps import check_fits_stamp
 from tfloom.rmw.errors import ClosedError
 from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
@@ -52,6 +53,7 @@ class Rosout:
     def _publish(self, record: log_output.Record) -> None:
         if self._twins[:1] != [self]:
             return
+        check_fits_stamp(record.stamp_ns)
         sec, nanosec = divmod(record.stamp_ns, S_TO_NS)
         message = rcl_msg.Log(
             stamp=builtin_msg.Time(sec=sec, nanosec=nanosec),
