@@ -66,7 +66,7 @@ def test_handlers_are_asked_in_order_and_removed() -> None:
     context.register_event_handler(handlers[0])
     context.register_event_handler(handlers[1])
     context.register_event_handler(handlers[2], append=True)
-    assert list(context._event_handlers) == [handlers[1], handlers[0], handlers[2]]
+    assert list(context.run_state.handlers) == [handlers[1], handlers[0], handlers[2]]
     assert context.would_handle_event(Event())
     for handler in handlers:
         context.unregister_event_handler(handler)

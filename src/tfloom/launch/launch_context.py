@@ -3,27 +3,17 @@
 from __future__ import annotations
 
 import os
-from collections import deque
-from collections.abc import Callable, Iterable, Mapping, MutableMapping
+from collections.abc import Iterable, Mapping, MutableMapping
 from typing import TYPE_CHECKING, Any, Protocol
 
 from tfloom.launch.event import Event
 from tfloom.launch.logging import get_logger
+from tfloom.launch.run_state import HandlesEvents, RunState
 
 if TYPE_CHECKING:
     from asyncio import AbstractEventLoop, Future
 
 __all__ = ["LaunchContext", "Locals"]
-
-
-class HandlesEvents(Protocol):
-    """An event handler, as the context needs it."""
-
-    def matches(self, event: Event) -> bool:
-        """Return whether the handler handles an event."""
-
-    def handle(self, event: Event, context: Any) -> Any:
-        """Handle an event, and return the entities to visit."""
 
 
 class Performs(Protocol):
@@ -46,7 +36,7 @@ class Locals:
 class LaunchContext:
     """The state that entities share while a description is launched.
 
-    All members are used by the thread that runs the launch, except `_post`, which any thread may call.
+    All members are used by the thread that runs the launch.
 
     Args:
         argv: The arguments of the launch's command line.
@@ -56,11 +46,8 @@ class LaunchContext:
     def __init__(self, *, argv: Iterable[str] | None = None, noninteractive: bool = False) -> None:
         self._argv = list(argv) if argv is not None else []
         self._noninteractive = noninteractive
-        self._events: deque[Event] = deque()
-        self._post: Callable[[], None] = lambda: None
-        """Wakes the service; the service replaces it."""
-        self._event_handlers: deque[HandlesEvents] = deque()
-        self._completion_futures: list[Future[Any]] = []
+        self.run_state = RunState()
+        """Events and their handlers; the service changes it."""
         self._globals: dict[str, Any] = {}
         self._locals: dict[str, Any] = {}
         self._locals_stack: list[dict[str, Any]] = []
@@ -70,8 +57,6 @@ class LaunchContext:
         self._launch_configurations_stack: list[dict[str, str]] = []
         self._initial_environment = dict(os.environ)
         self._environment_stack: list[dict[str, str]] = []
-        self._is_shutdown = False
-        self._asyncio_loop: AbstractEventLoop | None = None
         self._process_count = 0
         self._logger = get_logger("launch.launch_context")
 
@@ -88,23 +73,22 @@ class LaunchContext:
     @property
     def is_shutdown(self) -> bool:
         """Whether a Shutdown event has been handled."""
-        return self._is_shutdown
+        return self.run_state.is_shutdown
 
     def _set_is_shutdown(self, state: bool) -> None:
-        self._is_shutdown = state
+        self.run_state.is_shutdown = state
 
     @property
     def asyncio_loop(self) -> AbstractEventLoop | None:
         """Loop that runs the launch; None while it doesn't run."""
-        return self._asyncio_loop
+        return self.run_state.loop
 
     def _set_asyncio_loop(self, loop: AbstractEventLoop | None) -> None:
-        self._asyncio_loop = loop
+        self.run_state.loop = loop
 
     def add_completion_future(self, completion_future: Future[Any]) -> None:
         """Keep the launch running until a future is done."""
-        self._completion_futures.append(completion_future)
-        completion_future.add_done_callback(lambda _: self._post())
+        self.run_state.add_future(completion_future)
 
     def _next_process_number(self) -> int:
         self._process_count += 1
@@ -186,9 +170,9 @@ class LaunchContext:
     def register_event_handler(self, event_handler: HandlesEvents, append: bool = False) -> None:
         """Add a handler, before the others, or after them if `append`."""
         if append:
-            self._event_handlers.append(event_handler)
+            self.run_state.handlers.append(event_handler)
         else:
-            self._event_handlers.appendleft(event_handler)
+            self.run_state.handlers.appendleft(event_handler)
 
     def unregister_event_handler(self, event_handler: HandlesEvents) -> None:
         """Remove a handler.
@@ -196,23 +180,21 @@ class LaunchContext:
         Raises:
             ValueError: it was not registered.
         """
-        self._event_handlers.remove(event_handler)
+        self.run_state.handlers.remove(event_handler)
 
     def would_handle_event(self, event: Event) -> bool:
         """Return whether any handler handles an event."""
-        return any(handler.matches(event) for handler in self._event_handlers)
+        return any(handler.matches(event) for handler in self.run_state.handlers)
 
     def emit_event_sync(self, event: Event) -> None:
         """Add an event to those that the service handles, in order."""
         self._logger.debug("emitting event synchronously: '%s'", event.name)
-        self._events.append(event)
-        self._post()
+        self.run_state.emit(event)
 
     async def emit_event(self, event: Event) -> None:
         """Add an event to those that the service handles, in order."""
         self._logger.debug("emitting event: '%s'", event.name)
-        self._events.append(event)
-        self._post()
+        self.run_state.emit(event)
 
     def perform_substitution(self, substitution: Performs) -> str:
         """Return a substitution's text."""

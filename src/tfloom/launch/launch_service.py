@@ -65,12 +65,12 @@ class LaunchService:
         self._debug = debug
         self._logger = get_logger("launch")
         self._context = LaunchContext(argv=argv, noninteractive=noninteractive)
+        self._state = self._context.run_state
         self._context.register_event_handler(OnIncludeLaunchDescription())
         self._context.register_event_handler(OnShutdown(on_shutdown=self._on_shutdown))
         self._open: list[tuple[LaunchDescriptionEntity, asyncio.Future[Any]]] = []
         """Entities that go on, each with its future."""
         self._return_code = 0
-        self._is_shutting_down = False
         self._lock = threading.Lock()
         """Guards the members below, which other threads read."""
         self._loop: asyncio.AbstractEventLoop | None = None
@@ -126,20 +126,20 @@ class LaunchService:
 
     async def _handle_events(self, *, shutdown_when_idle: bool) -> None:
         """Handle events in order, until the launch is idle after its shutdown."""
-        context = self._context
+        state = self._state
         while True:
-            if context._events:  # noqa: SLF001  # of this room
+            if state.events:
                 try:
-                    self._handle(context._events.popleft())  # noqa: SLF001
+                    self._handle(state.events.popleft())
                 except Exception as error:  # noqa: BLE001  # of a user's description
                     self._fail(error)
                 await asyncio.sleep(0)  # processes and timers go on between events
             elif self._has_open_futures():
                 await self._wake.wait()
-            elif self._is_shutting_down:
+            elif state.is_shutdown:
                 return
             elif shutdown_when_idle:
-                await context.emit_event(Shutdown(reason="idle"))
+                await self._context.emit_event(Shutdown(reason="idle"))
             else:
                 await self._wake.wait()
             self._wake.clear()
@@ -147,7 +147,7 @@ class LaunchService:
     def _handle(self, event: Event) -> None:
         """Visit what the handlers of an event return."""
         self._logger.debug("processing event: '%s'", event)
-        for handler in tuple(self._context._event_handlers):  # noqa: SLF001
+        for handler in tuple(self._state.handlers):
             if not handler.matches(event):
                 continue
             self._logger.debug("processing event: '%s' ✓ '%s'", event, handler)
@@ -166,17 +166,15 @@ class LaunchService:
             if future.done() and not future.cancelled() and (error := future.exception()) is not None:
                 self._fail(error)
         self._open = [pair for pair in self._open if not pair[1].done()]
-        waiting = self._context._completion_futures  # noqa: SLF001
-        return bool(self._open) or any(not future.done() for future in waiting)
+        return bool(self._open) or self._state.has_open_futures()
 
     # Its end
 
     def _on_shutdown(self, event: Shutdown, context: LaunchContext) -> None:
-        self._is_shutting_down = True
-        context._set_is_shutdown(True)  # noqa: SLF001
+        self._state.is_shutdown = True
 
     def _shut_down(self, reason: str, *, due_to_sigint: bool = False) -> None:
-        if not self._is_shutting_down:
+        if not self._state.is_shutdown:
             self._context.emit_event_sync(Shutdown(reason=reason, due_to_sigint=due_to_sigint))
 
     def _fail(self, error: BaseException) -> None:
@@ -189,7 +187,7 @@ class LaunchService:
 
     def _on_interrupt(self, _: int) -> None:
         text = "user interrupted with ctrl-c (SIGINT)"
-        if self._is_shutting_down:
+        if self._state.is_shutdown:
             self._logger.warning("%s again, ignoring...", text)
             return
         self._logger.warning("%s", text)
@@ -208,17 +206,12 @@ class LaunchService:
             if self._loop is not None:
                 raise RuntimeError("LaunchService is already running")
             self._loop, self._thread, self._task = loop, threading.get_ident(), asyncio.current_task()
-        context = self._context
         self._wake = asyncio.Event()
-        context._post = self._wake.set  # noqa: SLF001
-        context._set_asyncio_loop(loop)  # noqa: SLF001
-        context._set_is_shutdown(False)  # noqa: SLF001
-        self._is_shutting_down = False
+        self._state.start(loop, self._wake.set)
         try:
             yield loop
         finally:
-            context._set_asyncio_loop(None)  # noqa: SLF001
-            context._post = lambda: None  # noqa: SLF001
+            self._state.stop()
             with self._lock:
                 self._loop = self._thread = self._task = None
 
@@ -258,7 +251,7 @@ class LaunchService:
             emitted.
         """
         event = Shutdown(reason="LaunchService.shutdown() called")
-        if self._loop is None or self._is_shutting_down:
+        if self._loop is None or self._state.is_shutdown:
             return None
         if not force_sync and self._thread == threading.get_ident():
             return self._context.emit_event(event)

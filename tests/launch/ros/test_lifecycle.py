@@ -182,7 +182,7 @@ def test_next_transition_needs_the_success_of_the_one_before(
     followed = []
     for start, goal in states:
         happened = event(start, goal)
-        for handler in [each for each in context._event_handlers if each.matches(happened)]:
+        for handler in [each for each in context.run_state.handlers if each.matches(happened)]:
             for entity in handler.handle(happened, context):
                 followed += entity.execute(context) or []
     assert [each.event.transition_id for each in followed] == requested

@@ -1,0 +1,67 @@
+"""What the context of a launch and its service share: events, their handlers, and whether it runs."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Protocol
+
+from tfloom.launch.event import Event
+
+if TYPE_CHECKING:
+    from asyncio import AbstractEventLoop, Future
+
+__all__ = ["HandlesEvents", "RunState"]
+
+
+class HandlesEvents(Protocol):
+    """The methods of an event handler that a launch calls."""
+
+    def matches(self, event: Event) -> bool:
+        """Return whether the handler handles an event."""
+
+    def handle(self, event: Event, context: Any) -> Any:
+        """Handle an event, and return the entities to visit."""
+
+
+class RunState:
+    """The state of a launch that its service changes. Used on the thread that runs the launch."""
+
+    def __init__(self) -> None:
+        self.events: deque[Event] = deque()
+        """Events to handle, the oldest first."""
+        self.handlers: deque[HandlesEvents] = deque()
+        """Event handlers, in the order in which they are asked."""
+        self.loop: AbstractEventLoop | None = None
+        """Loop that runs the launch; None while it doesn't run."""
+        self.is_shutdown = False
+        """Whether a Shutdown event has been handled."""
+        self.wake: Callable[[], None] = _do_nothing
+        """Wakes the service, while one waits for events."""
+        self._futures: list[Future[Any]] = []
+
+    def start(self, loop: AbstractEventLoop, wake: Callable[[], None]) -> None:
+        """Begin a run on an asyncio loop; `wake` is called when there is something to do."""
+        self.loop, self.wake, self.is_shutdown = loop, wake, False
+
+    def stop(self) -> None:
+        """End the run; events are kept for the next one."""
+        self.loop, self.wake = None, _do_nothing
+
+    def emit(self, event: Event) -> None:
+        """Add an event to those to handle."""
+        self.events.append(event)
+        self.wake()
+
+    def add_future(self, future: Future[Any]) -> None:
+        """Keep the launch running until a future is done."""
+        self._futures.append(future)
+        future.add_done_callback(lambda _: self.wake())
+
+    def has_open_futures(self) -> bool:
+        """Return whether a future that was added is not done."""
+        return any(not future.done() for future in self._futures)
+
+
+def _do_nothing() -> None:
+    """Wake nobody, because no service runs."""
