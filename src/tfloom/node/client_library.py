@@ -187,12 +187,10 @@ class _TemporarilyAdded:
         self._is_new = self._executor.add_node(self._node)
 
     def __exit__(self, *_: object) -> None:
-        if not self._is_new:
-            return
-        if self._before is None:
-            self._executor.rest_node(self._node)  # because programs spin a node once after another
-        elif self._node in self._executor.get_nodes():  # otherwise a callback has destroyed or moved it
-            self._executor.remove_node(self._node)
+        if not self._is_new or self._node not in self._executor.get_nodes():
+            return  # a callback has destroyed or moved it
+        self._executor.remove_node(self._node)
+        if self._before is not None:
             with suppress(ShutdownException):
                 self._before.add_node(self._node)
 

@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     from tfloom.node.endpoints.publisher import Publisher
     from tfloom.node.executing.entity import Entity
     from tfloom.node.executing.executor import Executor
-    from tfloom.node.executing.rest import Rest
     from tfloom.node.executing.waitable import Waitable
     from tfloom.node.log.rcutils_logger import RcutilsLogger
     from tfloom.rmw.base import Graph, NodeName, Participant
@@ -55,8 +54,6 @@ class NodeEntities(NodeGraph):
     __executor: weakref.ref[Executor] | None = SET_BY_INIT
     __default_callback_group: CallbackGroup = SET_BY_INIT
     __destroyed: bool = SET_BY_INIT
-    _executor_rest: Rest | None = None
-    """What remains in the executor that the node has left; executors alone use it."""
 
     def __init__(
         self,

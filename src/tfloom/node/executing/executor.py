@@ -18,7 +18,6 @@ from tfloom.node.executing.executor_exceptions import (
     TimeoutException,
     TimeoutObject,
 )
-from tfloom.node.executing.rest import Rest
 from tfloom.node.executing.running_work import RunningWork
 from tfloom.node.executing.signals import shutdown_exception
 from tfloom.node.executing.task import Future, Task
@@ -58,9 +57,6 @@ class SpunNode(Protocol):
 
     def _enter_executor(self, executor: Executor | None) -> None:
         """Store the executor that has added the node, and leave the former one; None: none has."""
-
-    _executor_rest: Rest | None
-    """What remains in the executor that the node has left; executors alone use it."""
 
     @property
     def context(self) -> Context:
@@ -134,10 +130,7 @@ class Executor(WorkQueue):
                 return False
             self._nodes.append(node)
         node._enter_executor(self)  # noqa: SLF001  # ours
-        entities, rest = node.entities(), node._executor_rest  # noqa: SLF001  # ours
-        if rest is None or not rest.end_by_return(self, entities):
-            node._executor_rest = None  # noqa: SLF001  # ours
-            self.add_entities(entities)
+        self.add_entities(node.entities())
         return True
 
     def remove_node(self, node: SpunNode) -> None:
@@ -149,26 +142,6 @@ class Executor(WorkQueue):
         self.remove_entities(node.entities())
         if node.executor is self:
             node._enter_executor(None)  # noqa: SLF001  # ours
-
-    def rest_node(self, node: SpunNode) -> None:
-        """Remove a node that probably returns soon: that is quick if none of its entities changes until then."""
-        if not self._spinning.acquire(blocking=False):
-            self.remove_node(node)
-            return
-        try:
-            if node not in self._nodes:
-                return
-            last = node._executor_rest  # noqa: SLF001  # ours
-            rest = self.set_aside(node.entities(), last) if self._running.is_none() else None
-            if rest is None:
-                self.remove_node(node)
-                return
-            node._executor_rest = rest  # noqa: SLF001  # ours
-            with self._lock:
-                self._nodes.remove(node)
-            node._enter_executor(None)  # noqa: SLF001  # ours
-        finally:
-            self._spinning.release()
 
     def get_nodes(self) -> list[SpunNode]:
         """Return the nodes that were added."""

@@ -4,18 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_left, insort
 
-__all__ = ["CELL_NS", "CROWD", "TimerSchedule"]
-
-CELL_NS = 1_000_000
-"""Length of the cells of the steady clock in which a crowd of deadlines shares one wake [ns].
-
-A wake takes up to 25 us of CPU time, three times as much as the call of a timer, so a cell is as long as the shortest
-time that asyncio distinguishes. The cells are fixed, so that a timer whose period is a multiple of their length is
-delayed by the same time in each of its periods.
-"""
-
-CROWD = 4
-"""The least number of deadlines of a cell that share a wake. Fewer, as those of most programs, are met exactly."""
+__all__ = ["TimerSchedule"]
 
 
 class TimerSchedule:
@@ -39,27 +28,16 @@ class TimerSchedule:
             self._deadlines[token] = deadline_ns
 
     def wake_ns(self) -> int | None:
-        """Return when to wake next: at the earliest deadline or, in a crowd, at the last one of its cell; or None."""
-        order = self._order
-        if not order:
-            return None
-        first_ns = order[0][0]
-        last_of_cell_ns = first_ns - first_ns % CELL_NS + CELL_NS - 1
-        if len(order) < CROWD or order[CROWD - 1][0] > last_of_cell_ns:
-            return first_ns
-        return order[self._count_until(last_of_cell_ns) - 1][0]
+        """Return the earliest deadline, or None."""
+        return self._order[0][0] if self._order else None
 
     def take_due(self, now_ns: int) -> list[int]:
         """Remove and return the tokens whose deadline has passed, the earliest first."""
         if not self._order or self._order[0][0] > now_ns:
             return []
-        count = self._count_until(now_ns)
+        count = bisect_left(self._order, (now_ns + 1, 0))
         due = [token for _, token in self._order[:count]]
         for token in due:
             self._deadlines.pop(token, None)
         del self._order[:count]
         return due
-
-    def _count_until(self, time_ns: int) -> int:
-        """Return the number of deadlines up to and including `time_ns`."""
-        return bisect_left(self._order, (time_ns + 1, 0))

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import threading
 import time
-import weakref
 from collections import deque
 from collections.abc import Callable, Coroutine, Iterable
 from itertools import count
@@ -17,7 +16,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 from tfloom._native import ReadyQueue
 from tfloom.node.context.context import WAKE
 from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
-from tfloom.node.executing.rest import Rest
 from tfloom.node.executing.task import Future, Task
 from tfloom.node.executing.timer_schedule import TimerSchedule
 
@@ -83,8 +81,6 @@ class WorkQueue:
         """Set when a response to a client was taken, and cleared by whatever waits for one."""
         self._timers = TimerSchedule()
         """The deadlines of timed entities."""
-        self._rest: weakref.ref[Rest] | None = None
-        """The rest of the node that left last. Written under `_lock`; the thread that spins reads it without."""
 
     def add_entity(self, entity: Entity) -> None:
         """Add an entity; nodes call this for what they create."""
@@ -125,43 +121,6 @@ class WorkQueue:
                 if entity.is_polled:
                     self._polled = [each for each in self._polled if each != token]
                 entity.detach()
-
-    def register(self, rest: Rest) -> None:
-        """Add entities that post already."""
-        with self._lock:
-            self._tokens.update(rest.tokens)
-            self._entities.update(rest.by_token)
-
-    def set_aside(self, entities: list[Entity], last: Rest | None) -> Rest | None:
-        """Remove entities that may return at once; return what they need for it.
-
-        Return None, without removing them, if one of them isn't here, or is in a state that doesn't survive it. To
-        be called while no other thread spins.
-
-        Args:
-            entities: All entities of a node.
-            last: What the last call returned for this node, used again if nothing has changed.
-        """
-        if self._rest is not None and self._rest() is not last:
-            self._end_rest()
-        tokens, by_token = self._tokens, self._entities
-        with self._lock:
-            if self._polled or self._held or self._refused:
-                return None
-            if last is None or last.entities != entities:
-                if not tokens.keys() >= set(entities):
-                    return None
-                last = Rest(self, {entity: tokens[entity] for entity in entities})
-            last.is_resting = True
-            self._rest = weakref.ref(last)
-            for entity, token in last.tokens.items():
-                del tokens[entity], by_token[token]
-            return last
-
-    def _end_rest(self) -> None:
-        rest = None if self._rest is None else self._rest()
-        if rest is not None:
-            rest.end()
 
     def create_task(
         self, callback: Callable[..., T] | Coroutine[Any, Any, T], *args: Any, **kwargs: Any
@@ -274,12 +233,7 @@ class WorkQueue:
         entity = self._entities.get(token)
         if entity is None:
             task = self._tasks.get(token)
-            if task is not None:
-                return Work(None, task)
-            self._end_rest()  # because it may have been the token of one of its entities
-            entity = self._entities.get(token)  # whose node may have returned in between
-            if entity is None:
-                return None
+            return None if task is None else Work(None, task)
         if not entity.goes_by_group:
             self._take_responses(token)
             return None
