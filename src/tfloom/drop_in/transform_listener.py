@@ -16,18 +16,15 @@ from tfloom.drop_in.sources import (
     why_not_own_reader,
     wire_qos,
 )
-from tfloom.node.clock.time_jump import ClockChange
 from tfloom.rmw.errors import WireError
 from tfloom.tf2.buffer import Buffer as NativeBuffer
-from tfloom.tf2_ros.buffer_core import BufferCore
 from tfloom.tf2_ros.deadlines import call_after
 from tfloom.tf2_ros.far_stamps import held_callback, jump_callback, warn_of_held
+from tfloom.tf2_ros.listener_base import AUTHORITY, ListenerBase
 from tfloom.tf2_ros.transform_listener import (
-    AUTHORITY,
     DEFAULT_STATIC_TF_TOPIC,
     DEFAULT_TF_TOPIC,
     DEPTH,
-    JOIN_TIMEOUT_S,
 )
 
 if TYPE_CHECKING:
@@ -45,7 +42,7 @@ Fast DDS may take 3 s to send its list of publishers, after the second in which 
 """
 
 
-class TransformListener:
+class TransformListener(ListenerBase):
     """Subscribes to /tf and /tf_static for a node of a real rclpy, and inserts all transforms into a buffer.
 
     The topics are remapped by the node's rules. By default tfloom opens a reader of its own beside the node, on the
@@ -92,9 +89,8 @@ class TransformListener:
         static_only: bool = False,
         raw: bool | None = None,
     ) -> None:
+        super().__init__()
         self.node = node
-        self.executor: Any = None
-        self.dedicated_listener_thread: threading.Thread | None = None
         self.group = real_ros.module("rclpy.callback_groups").ReentrantCallbackGroup()
         self.tf_sub: Any = None
         """The source of /tf: a reader of tfloom's own, or a subscription of rclpy."""
@@ -112,8 +108,6 @@ class TransformListener:
         """The sources that feed the native buffer, by whether they are static."""
         self._topics = [] if static_only else [(False, tf_topic, _profile() if qos is None else qos)]
         self._topics.append((True, tf_static_topic, _static_profile() if static_qos is None else static_qos))
-        self._sink: TfSink | None = None
-        self._jump_handle: Any = None
         self._raw = requested_raw(raw)
         self._undiscovered_checks = 0
         self._has_warned = False
@@ -123,10 +117,16 @@ class TransformListener:
         node.context.on_shutdown(self._on_shutdown)
         call_after(CHECK_S, _check_callback(weakref.ref(self)))
         if spin_thread:
-            self._spin()
+            executors = real_ros.module("rclpy.executors")
+            self._spin(
+                executors.SingleThreadedExecutor(context=node.context), executors.ExternalShutdownException
+            )
 
     def _subscribe(self) -> None:
-        if not self._is_direct():
+        is_direct = isinstance(self._buffer, NativeBuffer) and all(
+            self._is_direct(is_static=is_static) for is_static in (False, True)
+        )
+        if not is_direct:
             self._subscribe_to_messages()
             return
         if self._raw is None:
@@ -222,58 +222,20 @@ class TransformListener:
             self._jump_handle = clock.create_jump_callback(
                 threshold, post_callback=jump_callback(weakref.WeakMethod(self._on_jump))
             )
-        sink.set_simulated_time(_simulated_ns(clock))
+        sink.set_simulated_time(self._simulated_ns())
 
-    def _on_jump(self, jump: Any) -> None:
-        sink = self._sink
-        if sink is None:
-            return
-        sink.set_simulated_time(_simulated_ns(self.node.get_clock()))
-        if int(jump.clock_change) != int(ClockChange.ROS_TIME_NO_CHANGE) or jump.delta.nanoseconds < 0:
-            sink.forget_all()
+    def _simulated_ns(self) -> int | None:
+        clock = self.node.get_clock()
+        if not getattr(clock, "ros_time_is_active", False):
+            return None
+        now_ns: int = clock.now().nanoseconds
+        return now_ns
 
     def _on_held(self, gid: bytes, child_frame_id: str, stamp_ns: int, now_ns: int) -> None:
         """Warn of a publisher's first transform that is held."""
         source = self._sources.get(False)
         if source is not None:
             warn_of_held(self.node, source.topic_name, gid, child_frame_id, stamp_ns, now_ns)
-
-    def _is_direct(self) -> bool:
-        """Return whether there is no override between the wire and a native buffer."""
-        kind = type(self._buffer)
-        if not isinstance(self._buffer, NativeBuffer):
-            return False
-        return (
-            isinstance(self._buffer, BufferCore)
-            and not {"set_transform", "set_transform_static"} & vars(self._buffer).keys()
-            and kind.set_transform is BufferCore.set_transform
-            and kind.set_transform_static is BufferCore.set_transform_static
-            and type(self).callback is TransformListener.callback
-            and type(self).static_callback is TransformListener.static_callback
-        )
-
-    def callback(self, data: Any) -> None:
-        """Insert the transforms of a message into the buffer."""
-        for transform in data.transforms:
-            self._buffer.set_transform(transform, AUTHORITY)
-
-    def static_callback(self, data: Any) -> None:
-        """Insert the transforms of a message into the buffer, as static ones."""
-        for transform in data.transforms:
-            self._buffer.set_transform_static(transform, AUTHORITY)
-
-    def _spin(self) -> None:
-        executor = real_ros.module("rclpy.executors").SingleThreadedExecutor(context=self.node.context)
-        executor.add_node(self.node)
-        ended = real_ros.module("rclpy.executors").ExternalShutdownException
-
-        def run() -> None:
-            with suppress(ended):
-                executor.spin()
-
-        self.executor = executor
-        self.dedicated_listener_thread = threading.Thread(target=run, name="tf_listener", daemon=True)
-        self.dedicated_listener_thread.start()
 
     def check(self) -> bool:
         """Close the own readers if the node or its context has ended, and return whether both exist.
@@ -356,16 +318,6 @@ class TransformListener:
             if subscription is not None and not isinstance(subscription, OwnReader):
                 self.node.destroy_subscription(subscription)
 
-    def __del__(self) -> None:
-        # Runs on any thread, at any time, perhaps after a failed __init__ or at the interpreter's end.
-        with suppress(Exception):
-            if self.executor is not None:
-                self.executor.shutdown(0)
-            thread = self.dedicated_listener_thread
-            if thread is not None and thread is not threading.current_thread():
-                thread.join(JOIN_TIMEOUT_S)
-            self.unregister()
-
 
 class StaticTransformListener(TransformListener):
     """Subscribes to /tf_static alone; see TransformListener."""
@@ -414,14 +366,6 @@ def _exists(node: Any) -> bool:
             return True
     except Exception:  # noqa: BLE001, InvalidHandle, a name of rclpy's compiled half
         return False
-
-
-def _simulated_ns(clock: Any) -> int | None:
-    """Return the simulated time [ns]; None where the clock returns the system's."""
-    if not getattr(clock, "ros_time_is_active", False):
-        return None
-    now_ns: int = clock.now().nanoseconds
-    return now_ns
 
 
 def _profile() -> Any:

@@ -3,26 +3,23 @@
 from __future__ import annotations
 
 import secrets
-import threading
 import weakref
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.node.clock.clock import ROSClock
-from tfloom.node.clock.time_jump import ANY_JUMP, ClockChange
+from tfloom.node.clock.time_jump import ANY_JUMP
 from tfloom.node.executing.callback_groups import ReentrantCallbackGroup
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from tfloom.node.values.exceptions import ExternalShutdownException
-from tfloom.tf2_ros.buffer_core import BufferCore
 from tfloom.tf2_ros.far_stamps import held_callback, jump_callback, warn_of_held
+from tfloom.tf2_ros.listener_base import AUTHORITY, ListenerBase
 
 if TYPE_CHECKING:
     from tfloom._native import TfSink
-    from tfloom.node.clock.clock import Clock, JumpHandle
-    from tfloom.node.clock.time_jump import TimeJump
     from tfloom.node.endpoints.subscription import Subscription
 
 __all__ = ["DEFAULT_STATIC_TF_TOPIC", "DEFAULT_TF_TOPIC", "StaticTransformListener", "TransformListener"]
@@ -31,12 +28,10 @@ DEFAULT_TF_TOPIC = "/tf"
 """The topic of moving transforms."""
 DEFAULT_STATIC_TF_TOPIC = "/tf_static"
 """The topic of static transforms."""
-AUTHORITY = "default_authority"
 DEPTH = 100
-JOIN_TIMEOUT_S = 2.0
 
 
-class TransformListener:
+class TransformListener(ListenerBase):
     """Subscribes to /tf and /tf_static and inserts all transforms into a buffer.
 
     The wire's thread passes the bytes directly to the native buffer: no message is built, and no executor is needed.
@@ -73,16 +68,13 @@ class TransformListener:
         tf_static_topic: str = DEFAULT_STATIC_TF_TOPIC,
         static_only: bool = False,
     ) -> None:
+        super().__init__()
         self._owns_node = node is None
-        self.node = _hidden_node() if node is None else node
-        self.executor: SingleThreadedExecutor | None = None
-        self.dedicated_listener_thread: threading.Thread | None = None
+        self.node: Node = _hidden_node() if node is None else node
         self.group = ReentrantCallbackGroup()
         self.tf_sub: Subscription[TFMessage] | None = None
         self.tf_static_sub: Subscription[TFMessage] | None = None
         self._buffer = buffer
-        self._sink: TfSink | None = None
-        self._jump_handle: JumpHandle | None = None
         if not static_only:
             self.tf_sub = self._subscribe(
                 tf_topic, self.callback, QoSProfile(depth=DEPTH) if qos is None else qos
@@ -92,7 +84,7 @@ class TransformListener:
         )
         self.buffer = buffer
         if spin_thread:
-            self._spin()
+            self._spin(SingleThreadedExecutor(context=self.node.context), ExternalShutdownException)
 
     def _subscribe(self, topic: str, callback: Any, qos: QoSProfile | int) -> Subscription[TFMessage]:
         return self.node.create_subscription(TFMessage, topic, callback, qos, callback_group=self.group)
@@ -107,19 +99,16 @@ class TransformListener:
         self._buffer = buffer
         if hasattr(buffer, "watch_clock"):
             buffer.watch_clock(self.node)
-        for subscription, name, setter in (
-            (self.tf_sub, "callback", "set_transform"),
-            (self.tf_static_sub, "static_callback", "set_transform_static"),
-        ):
-            if subscription is not None and self._is_direct(name, setter):
-                if name == "static_callback":
-                    sink = buffer.tf_sink(AUTHORITY, static=True)
-                else:
-                    sink = buffer.tf_sink(
-                        AUTHORITY, static=False, on_held=held_callback(weakref.WeakMethod(self._on_held))
-                    )
-                    self._watch_clock(sink)
-                subscription.feed(sink)
+        for is_static, subscription in ((False, self.tf_sub), (True, self.tf_static_sub)):
+            if subscription is None or not self._is_direct(is_static=is_static):
+                continue
+            if is_static:
+                sink = buffer.tf_sink(AUTHORITY, static=True)
+            else:
+                held = held_callback(weakref.WeakMethod(self._on_held))
+                sink = buffer.tf_sink(AUTHORITY, static=False, on_held=held)
+                self._watch_clock(sink)
+            subscription.feed(sink)
 
     def _watch_clock(self, sink: TfSink) -> None:
         """Compare stamps with the node's time, which the sink cannot read itself while it is simulated."""
@@ -129,53 +118,17 @@ class TransformListener:
             self._jump_handle = clock.create_jump_callback(
                 ANY_JUMP, post_callback=jump_callback(weakref.WeakMethod(self._on_jump))
             )
-        sink.set_simulated_time(_simulated_ns(clock))
+        sink.set_simulated_time(self._simulated_ns())
 
-    def _on_jump(self, jump: TimeJump) -> None:
-        sink = self._sink
-        if sink is None:
-            return
-        sink.set_simulated_time(_simulated_ns(self.node.get_clock()))
-        if jump.clock_change != ClockChange.ROS_TIME_NO_CHANGE or jump.delta.nanoseconds < 0:
-            sink.forget_all()
+    def _simulated_ns(self) -> int | None:
+        clock = self.node.get_clock()
+        return clock.now_ns() if isinstance(clock, ROSClock) and clock.ros_time_is_active else None
 
     def _on_held(self, gid: bytes, child_frame_id: str, stamp_ns: int, now_ns: int) -> None:
         """Warn of a publisher's first transform that is held."""
         if self.tf_sub is None:
             return
         warn_of_held(self.node, self.tf_sub.topic_name, gid, child_frame_id, stamp_ns, now_ns)
-
-    def _is_direct(self, callback: str, setter: str) -> bool:
-        """Return whether there is no override between the wire and the native buffer."""
-        kind = type(self._buffer)
-        return (
-            isinstance(self._buffer, BufferCore)
-            and getattr(kind, setter) is getattr(BufferCore, setter)
-            and setter not in vars(self._buffer)
-            and getattr(type(self), callback) is getattr(TransformListener, callback)
-        )
-
-    def callback(self, data: TFMessage) -> None:
-        """Insert the transforms of a message into the buffer."""
-        for transform in data.transforms:
-            self._buffer.set_transform(transform, AUTHORITY)
-
-    def static_callback(self, data: TFMessage) -> None:
-        """Insert the transforms of a message into the buffer, as static ones."""
-        for transform in data.transforms:
-            self._buffer.set_transform_static(transform, AUTHORITY)
-
-    def _spin(self) -> None:
-        executor = SingleThreadedExecutor(context=self.node.context)
-        executor.add_node(self.node)
-
-        def run() -> None:
-            with suppress(ExternalShutdownException):
-                executor.spin()
-
-        self.executor = executor
-        self.dedicated_listener_thread = threading.Thread(target=run, name="tf_listener", daemon=True)
-        self.dedicated_listener_thread.start()
 
     def unregister(self) -> None:
         """Destroy the subscriptions. The buffer keeps its content."""
@@ -187,14 +140,8 @@ class TransformListener:
                 self.node.destroy_subscription(subscription)
 
     def __del__(self) -> None:
-        # Runs on any thread, at any time, perhaps after a failed __init__ or at the interpreter's end.
+        super().__del__()
         with suppress(Exception):
-            if self.executor is not None:
-                self.executor.shutdown(0)
-            thread = self.dedicated_listener_thread
-            if thread is not None and thread is not threading.current_thread():
-                thread.join(JOIN_TIMEOUT_S)
-            self.unregister()
             if self._owns_node:
                 self.node.destroy_node()
 
@@ -219,11 +166,6 @@ class StaticTransformListener(TransformListener):
             tf_static_topic=tf_static_topic,
             static_only=True,
         )
-
-
-def _simulated_ns(clock: Clock) -> int | None:
-    """Return the simulated time [ns]; None where the clock returns the system's."""
-    return clock.now_ns() if isinstance(clock, ROSClock) and clock.ros_time_is_active else None
 
 
 def _static_profile() -> QoSProfile:
