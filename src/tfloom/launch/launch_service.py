@@ -24,6 +24,7 @@ from collections.abc import Coroutine, Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
+from tfloom.launch.background_writing import background_writing
 from tfloom.launch.event import Event
 from tfloom.launch.event_handlers.on_include_launch_description import OnIncludeLaunchDescription
 from tfloom.launch.event_handlers.on_shutdown import OnShutdown
@@ -108,21 +109,23 @@ class LaunchService:
     async def run_async(self, *, shutdown_when_idle: bool = True) -> int:
         """Run the launch until its end, as `run` does."""
         with self._running(asyncio.get_running_loop()) as loop, self._signal_handlers(loop):
-            log_launch_config(logger=self._logger)
-            try:
-                await self._handle_events(shutdown_when_idle=shutdown_when_idle)
-            except asyncio.CancelledError:
-                self._shut_down("the launch's task was cancelled")
-                await self._handle_events(shutdown_when_idle=True)
-                raise
-            finally:
-                left = guard_of(self._context).close()
-                if left:
-                    await asyncio.sleep(CLOSE_S)
-                    self._logger.warning(
-                        "ended processes that others had started and left: %s", ", ".join(left)
-                    )
+            async with background_writing.running(self._warn_of_dropped_lines):
+                log_launch_config(logger=self._logger)
+                await self._run_to_its_end(shutdown_when_idle=shutdown_when_idle)
         return self._return_code
+
+    async def _run_to_its_end(self, *, shutdown_when_idle: bool) -> None:
+        try:
+            await self._handle_events(shutdown_when_idle=shutdown_when_idle)
+        except asyncio.CancelledError:
+            self._shut_down("the launch's task was cancelled")
+            await self._handle_events(shutdown_when_idle=True)
+            raise
+        finally:
+            left = guard_of(self._context).close()
+            if left:
+                await asyncio.sleep(CLOSE_S)
+                self._logger.warning("ended processes that others had started and left: %s", ", ".join(left))
 
     async def _handle_events(self, *, shutdown_when_idle: bool) -> None:
         """Handle events in order, until the launch is idle after its shutdown."""
@@ -185,7 +188,11 @@ class LaunchService:
         self._return_code = 1
         self._shut_down(f"Caught exception in launch: {text}")
 
+    def _warn_of_dropped_lines(self, destination: str, count: int) -> None:
+        self._logger.warning("%d lines are lost: %s did not take them in time", count, destination)
+
     def _on_interrupt(self, _: int) -> None:
+        background_writing.hurry()
         text = "user interrupted with ctrl-c (SIGINT)"
         if self._state.is_shutdown:
             self._logger.warning("%s again, ignoring...", text)
@@ -194,6 +201,7 @@ class LaunchService:
         self._shut_down(text, due_to_sigint=True)
 
     def _on_ending_signal(self, number: int) -> None:
+        background_writing.hurry()
         text = f"{signal.Signals(number).name} received"
         self._logger.warning("%s, ending all processes", text)
         self._shut_down(text)

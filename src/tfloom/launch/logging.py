@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import contextlib
 import logging
 import os
 import sys
 import time
-import weakref
 from collections.abc import Callable, Mapping
 from datetime import datetime
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Union
+from typing import Any, Union
 
-from tfloom.launch.terminal_colors import colors_of
-from tfloom.terminal_text import is_terminal, shown_in_colors, unescaped
+from tfloom.launch.log_handlers import BraceFormatter, FileHandler, StdoutHandler
 
 __all__ = [
     "LaunchConfig",
@@ -59,85 +56,8 @@ class LaunchLogger(logging.Logger):
         self._cache.clear()  # type: ignore[attr-defined]  # the base class clears those of its own loggers only
 
 
-class _BraceFormatter(logging.Formatter):
-    """Formats by `str.format`, with the colors of the level and of the process if the stream is a terminal."""
-
-    def __init__(self, text: str, stream: Any = None) -> None:
-        super().__init__(text, style="{")
-        self._text = text
-        self._colors = colors_of(stream)
-
-    def format(self, record: logging.LogRecord) -> str:
-        """Return the line of a record."""
-        values = {**record.__dict__, "msg": record.getMessage()}
-        try:
-            line = self._text.format(**values)
-        except (KeyError, ValueError, IndexError):
-            line = f"{record.levelname} {record.name}: {record.getMessage()}"
-        if record.exc_info:
-            line += "\n" + self.formatException(record.exc_info)
-        return self._colors(line, record.levelname, record.name) if self._colors else line
-
-
-if TYPE_CHECKING:
-    _StreamHandler = logging.StreamHandler[Any]
-else:
-    _StreamHandler = logging.StreamHandler  # Python 3.10 has no subscript of it
-
-
-class _StdoutHandler(_StreamHandler):
-    """Writes on the `sys.stdout` of the moment, which tests and notebooks replace."""
-
-    def __init__(self) -> None:
-        super().__init__(sys.stdout)
-
-    def emit(self, record: logging.LogRecord) -> None:
-        """Write a record at once."""
-        self.stream = unescaped(sys.stdout)
-        if self.stream is not None:
-            super().emit(record)
-
-    def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802  # of the base class
-        """Print one line on stderr, once, if stdout can't be written."""
-        if not _is_full(self, "stdout"):
-            super().handleError(record)
-
-    def format(self, record: logging.LogRecord) -> str:
-        """Return the line of a record; on a terminal, colors are the only control sequences in it."""
-        lines = super().format(record)
-        if not is_terminal(self.stream):
-            return lines
-        return "\n".join(map(shown_in_colors, lines.split("\n")))
-
-
-class _FileHandler(logging.FileHandler):
-    """Writes to a log file."""
-
-    def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802  # of the base class
-        """Print one line on stderr, once, if the file can't be written."""
-        if not _is_full(self, self.baseFilename):
-            super().handleError(record)
-
-
-_full: weakref.WeakSet[logging.Handler] = weakref.WeakSet()
-"""Handlers whose files could not be written: the next line says no more."""
-
-
-def _is_full(handler: logging.Handler, name: str) -> bool:
-    """Return whether the error that is handled is one of the file; print it if it is the first one."""
-    error = sys.exc_info()[1]
-    if not isinstance(error, OSError):
-        return False
-    # After `| head -1` nobody reads stdout any more, and the log files have every line.
-    if not isinstance(error, BrokenPipeError) and handler not in _full and sys.stderr is not None:
-        _full.add(handler)
-        with contextlib.suppress(OSError):
-            sys.stderr.write(f"[launch]: lines of {name} are lost: {error.strerror}\n")
-    return True
-
-
 def _file_handler(path: str) -> logging.Handler:
-    return _FileHandler(path, encoding="utf-8")
+    return FileHandler(path, encoding="utf-8")
 
 
 class LaunchConfig:
@@ -204,8 +124,8 @@ class LaunchConfig:
         """Return the handler that writes on the screen; `lines` are those of processes."""
         name = "lines" if lines else "records"
         if name not in self._screen:
-            handler = _StdoutHandler()
-            handler.setFormatter(_BraceFormatter(LINE_FORMAT if lines else self.screen_format, sys.stdout))
+            handler = StdoutHandler()
+            handler.setFormatter(BraceFormatter(LINE_FORMAT if lines else self.screen_format, sys.stdout))
             self._screen[name] = handler
         return self._screen[name]
 
@@ -216,7 +136,7 @@ class LaunchConfig:
             handler = self.log_handler_factory(self.get_log_file_path(file_name))
             is_own = file_name != "launch.log"
             text = LINE_FORMAT if is_own else "{created:.7f} {msg}" if lines else self.log_format
-            handler.setFormatter(_BraceFormatter(text))
+            handler.setFormatter(BraceFormatter(text))
             self._file_handlers[key] = handler
         return self._file_handlers[key]
 

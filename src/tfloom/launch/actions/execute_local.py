@@ -254,6 +254,7 @@ class ExecuteLocal(Action):
             process = await LocalProcess.start(
                 cmd,
                 lambda fd, data: self._receive(context, fd, data),
+                lambda: self._output is not None and self._output.is_behind(context),
                 cwd=executable.final_cwd,
                 env=guard.environment(environment),
                 shell=self._shell,

@@ -9,12 +9,16 @@ from typing import Any
 from tfloom.launch.events.process.process_stderr import ProcessStderr
 from tfloom.launch.events.process.process_stdout import ProcessStdout
 from tfloom.launch.launch_context import LaunchContext
+from tfloom.launch.log_handlers import around_field, is_behind, log_lines
 from tfloom.launch.logging import OutputConfig, get_output_loggers
 
 __all__ = ["ProcessOutput"]
 
 LONGEST_LINE = 1_000_000
 """Characters after which an incomplete line is printed."""
+
+MAX_EVENTS = 64
+"""Events that wait to be handled, from which on a process whose output is an event is not read."""
 
 
 class _Stream:
@@ -23,8 +27,12 @@ class _Stream:
     def __init__(self, logger: logging.Logger) -> None:
         self.logger = logger
         self.decoder = codecs.getincrementaldecoder("utf-8")(errors="replace")
-        self.rest = ""
+        self.rest: list[str] = []
+        """Parts of the last line, which is incomplete."""
+        self.rest_length = 0
         self.cached: list[str] = []
+        self.has_events = False
+        """Whether handlers take what is written."""
 
 
 class ProcessOutput:
@@ -49,17 +57,25 @@ class ProcessOutput:
     def text(self, fd: int) -> str:
         """Return all of the output of stdout (1) or stderr (2) if it is cached, else the last, incomplete line."""
         stream = self._streams[fd]
-        return "".join(stream.cached) if self._is_cached else stream.rest
+        return "".join(stream.cached if self._is_cached else stream.rest)
+
+    def is_behind(self, context: LaunchContext) -> bool:
+        """Return whether the process should not be read for now, because what it has written is not handled yet."""
+        streams = self._streams.values()
+        if any(is_behind(stream.logger) for stream in streams):
+            return True
+        return any(stream.has_events for stream in streams) and len(context.run_state.events) > MAX_EVENTS
 
     def receive(self, context: LaunchContext, fd: int, data: bytes) -> None:
         """Take what the process has written."""
         event_type = ProcessStdout if fd == 1 else ProcessStderr
         details = self._action.process_details
+        stream = self._streams[fd]
         if details is not None:
             event = event_type(text=data, **details)
-            if context.would_handle_event(event):
+            stream.has_events = context.would_handle_event(event)
+            if stream.has_events:
                 context.emit_event_sync(event)
-        stream = self._streams[fd]
         self._print(stream, stream.decoder.decode(data))
 
     def flush(self) -> None:
@@ -72,9 +88,21 @@ class ProcessOutput:
     def _print(self, stream: _Stream, text: str) -> None:
         if self._is_cached:
             stream.cached.append(text)
-        *lines, stream.rest = (stream.rest + text).split("\n")
-        if len(stream.rest) > LONGEST_LINE:
-            lines.append(stream.rest)
-            stream.rest = ""
-        for line in lines:
-            stream.logger.info("%s", self._line_format.format(line=line.rstrip("\r"), this=self._action))
+        *lines, rest = text.split("\n")
+        if lines:
+            lines[0] = "".join([*stream.rest, lines[0]])
+            stream.rest, stream.rest_length = [], 0
+        if rest:
+            # Parts, because a line may come in single characters, and be long.
+            stream.rest.append(rest)
+            stream.rest_length += len(rest)
+        if stream.rest_length > LONGEST_LINE:
+            lines.append("".join(stream.rest))
+            stream.rest, stream.rest_length = [], 0
+        log_lines(stream.logger, self._formatted([line.rstrip("\r") for line in lines]))
+
+    def _formatted(self, lines: list[str]) -> list[str]:
+        if (around := around_field(self._line_format, "line", {"this": self._action})) is not None:
+            before, after = around
+            return [f"{before}{line}{after}" for line in lines]
+        return [self._line_format.format(line=line, this=self._action) for line in lines]

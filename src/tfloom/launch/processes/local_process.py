@@ -20,6 +20,15 @@ __all__ = ["LocalProcess"]
 Output = Callable[[int, bytes], None]
 """Takes 1 for stdout or 2 for stderr, and what was written."""
 
+IsBehind = Callable[[], bool]
+"""Returns whether the output should be left in its pipes for now."""
+
+POLL_S = 0.01
+"""Time between two questions whether it still should [s]."""
+
+MAX_PAUSES = 20
+"""Pauses after the end of a process, between which the rest of its output is read, in parts."""
+
 OUTPUT_S = 0.5
 """Time to wait for the rest of the output after the end: a process that inherited the pipe may hold it open."""
 
@@ -31,8 +40,9 @@ class LocalProcess:
     the launch alone, which passes it on once.
     """
 
-    def __init__(self, output: Output) -> None:
-        self._protocol = _Protocol(output)
+    def __init__(self, output: Output, is_behind: IsBehind) -> None:
+        self._flow = _Flow(output, is_behind)
+        self._protocol = _Protocol(self._flow)
         self._transport: asyncio.SubprocessTransport | None = None
         self._terminals: list[_Terminal] = []
 
@@ -41,6 +51,7 @@ class LocalProcess:
         cls,
         cmd: Sequence[str],
         output: Output,
+        is_behind: IsBehind = lambda: False,
         *,
         cwd: str | None,
         env: Mapping[str, str],
@@ -52,6 +63,8 @@ class LocalProcess:
         Args:
             cmd: The command line; for a shell, its words are joined with spaces.
             output: Called on the loop's thread with each part of the output.
+            is_behind: Called after each part; while it returns True, the process is not read, and waits when its pipes
+                are full.
             cwd: The folder to start in; None: the launch's.
             env: Its environment variables.
             shell: Whether a shell runs the command line.
@@ -60,7 +73,7 @@ class LocalProcess:
         Raises:
             OSError: the program can't be started.
         """
-        self = cls(output)
+        self = cls(output, is_behind)
         loop = asyncio.get_running_loop()
         options: dict[str, Any] = {"cwd": cwd, "env": dict(env), "stdin": subprocess.PIPE, **_own_group()}
         ends = self._open_terminals() if emulate_tty and os.name == "posix" else []
@@ -81,7 +94,7 @@ class LocalProcess:
                 os.close(theirs)
         self._transport = started[0]
         for number, (ours, _) in enumerate(ends, start=1):
-            terminal = _Terminal(number, output)
+            terminal = _Terminal(number, self._flow)
             self._terminals.append(terminal)
             await loop.connect_read_pipe(lambda terminal=terminal: terminal, os.fdopen(ours, "rb", 0))  # type: ignore[misc]
         return self
@@ -122,7 +135,11 @@ class LocalProcess:
         """Wait for the end and for the rest of the output, and return the exit code; minus the number of a signal."""
         await self._protocol.exited
         silences = [self._protocol.silent, *(terminal.closed for terminal in self._terminals)]
-        await asyncio.wait(silences, timeout=OUTPUT_S)
+        for _ in range(MAX_PAUSES):
+            await self._flow.flows.wait()
+            await asyncio.wait(silences, timeout=OUTPUT_S)
+            if self._flow.flows.is_set():
+                break
         for terminal in self._terminals:
             terminal.close()
         assert self._transport is not None  # noqa: S101  # after `start`
@@ -145,24 +162,61 @@ def _own_group() -> dict[str, Any]:
     return {"process_group": 0} if sys.version_info >= (3, 11) else {"start_new_session": True}
 
 
+class _Flow:
+    """Passes the output on, and pauses the reading of all pipes of a process while it is not wanted."""
+
+    def __init__(self, output: Output, is_behind: IsBehind) -> None:
+        self._output = output
+        self._is_behind = is_behind
+        self._pipes: list[asyncio.ReadTransport] = []
+        self.flows = asyncio.Event()
+        """Set while the pipes are read."""
+        self.flows.set()
+
+    def add(self, pipe: asyncio.BaseTransport) -> None:
+        self._pipes.append(cast("asyncio.ReadTransport", pipe))
+
+    def receive(self, fd: int, data: bytes) -> None:
+        self._output(fd, data)
+        if self.flows.is_set() and self._is_behind():
+            self.flows.clear()
+            self._call_on_open_pipes("pause_reading")
+            self._poll()
+
+    def _poll(self) -> None:
+        if self._is_behind():
+            asyncio.get_running_loop().call_later(POLL_S, self._poll)
+        else:
+            self.flows.set()
+            self._call_on_open_pipes("resume_reading")
+
+    def _call_on_open_pipes(self, method: str) -> None:
+        for pipe in self._pipes:
+            if not pipe.is_closing():
+                getattr(pipe, method)()
+
+
 class _Protocol(asyncio.SubprocessProtocol):
     """Receives what happens to the process."""
 
-    def __init__(self, output: Output) -> None:
+    def __init__(self, flow: _Flow) -> None:
         loop = asyncio.get_running_loop()
         self.exited: asyncio.Future[None] = loop.create_future()
         self.silent: asyncio.Future[None] = loop.create_future()
         """Done when the pipes of stdout and stderr are closed."""
-        self._output = output
+        self._flow = flow
         self._open = 0
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         pipes = [cast("asyncio.SubprocessTransport", transport).get_pipe_transport(fd) for fd in (1, 2)]
-        self._open = sum(pipe is not None for pipe in pipes)
+        for pipe in pipes:
+            if pipe is not None:
+                self._open += 1
+                self._flow.add(pipe)
         self._finish()
 
     def pipe_data_received(self, fd: int, data: bytes) -> None:
-        self._output(fd, data)
+        self._flow.receive(fd, data)
 
     def pipe_connection_lost(self, fd: int, exc: Exception | None) -> None:
         if fd != 0:
@@ -180,19 +234,20 @@ class _Protocol(asyncio.SubprocessProtocol):
 class _Terminal(asyncio.Protocol):
     """Receives what the process writes to a terminal."""
 
-    def __init__(self, number: int, output: Output) -> None:
+    def __init__(self, number: int, flow: _Flow) -> None:
         self.closed: asyncio.Future[None] = asyncio.get_running_loop().create_future()
         self._number = number
-        self._output = output
+        self._flow = flow
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         self._transport = transport
+        self._flow.add(transport)
 
     def close(self) -> None:
         self._transport.close()
 
     def data_received(self, data: bytes) -> None:
-        self._output(self._number, data.replace(b"\r\n", b"\n"))
+        self._flow.receive(self._number, data.replace(b"\r\n", b"\n"))
 
     def connection_lost(self, exc: Exception | None) -> None:
         _complete(self.closed)

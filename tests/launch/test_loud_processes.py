@@ -1,0 +1,429 @@
+"""A launch obeys signals in time whatever its processes write, and wherever that goes."""
+
+from __future__ import annotations
+
+import errno
+import io
+import logging
+import os
+import re
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import psutil
+import pytest
+
+from tfloom.launch import background_writing
+from tfloom.launch import logging as launch_logging
+from tfloom.launch.actions.execute_process import ExecuteProcess
+from tfloom.launch.actions.register_event_handler import RegisterEventHandler
+from tfloom.launch.actions.shutdown_action import Shutdown
+from tfloom.launch.background_writing import SCREEN, BackgroundWriter
+from tfloom.launch.event_handlers.on_process_io import OnProcessIO
+
+pytestmark = pytest.mark.skipif(os.name == "nt", reason="the programs are of POSIX")
+
+Launch = Callable[..., tuple]
+
+OBEYED_S = 20.0
+"""Time in which a launch with timeouts of half a second has ended, also beside the other tests."""
+MEMORY = 120_000_000
+"""What a launch may take; without a bound it would read several hundred megabytes a second."""
+
+FILE = """
+import sys
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess, RegisterEventHandler
+from launch.event_handlers import OnProcessIO
+
+def generate_launch_description():
+    return LaunchDescription([*{handlers}, *(
+        ExecuteProcess(
+            cmd=[sys.executable, "-c", {code!r}], name="loud", sigterm_timeout="0.5", sigkill_timeout="0.5", **{options}
+        )
+        for _ in range({count})
+    )])
+"""
+WRITES = "import os, signal\n{before}\ndata = {data} * 1000\nwhile True:\n    os.write(1, data)"
+DEAF = "signal.signal(signal.SIGINT, signal.SIG_IGN); signal.signal(signal.SIGTERM, signal.SIG_IGN)"
+SHORT, LONG = "b'y\\n' * 30", "b'y' * 60"
+
+
+def write_file(
+    folder: Path,
+    *,
+    data: str = SHORT,
+    count: int = 1,
+    before: str = "",
+    handlers: str = "[]",
+    **options: object,
+) -> Path:
+    file = folder / "loud.launch.py"
+    code = WRITES.format(before=before, data=data)
+    options = {"output": "screen", **options}
+    file.write_text(FILE.format(code=code, count=count, options=options, handlers=handlers), "utf-8")
+    return file
+
+
+class Screen:
+    """The stdout of a launch: a pipe or a terminal, which is read as fast as told."""
+
+    def __init__(self, *, is_terminal: bool) -> None:
+        self.ours, self.theirs = os.openpty() if is_terminal else os.pipe()
+        self.text = b""
+        self.size = 0
+        self.pause_s = 0.0
+        """Time between two reads of a thousand bytes [s]; infinite: nothing more is read."""
+        self._ends = threading.Event()
+        self._thread = threading.Thread(target=self._read)
+        self._thread.start()
+
+    def _read(self) -> None:
+        while not self._ends.is_set():
+            if self.pause_s:
+                self._ends.wait(min(self.pause_s, 0.05))
+                if self.pause_s == float("inf"):
+                    continue
+            try:
+                data = os.read(self.ours, 1000 if self.pause_s else 65536)
+            except OSError:  # a terminal whose other end is closed
+                return
+            if not data:
+                return
+            self.size += len(data)
+            self.text = (self.text + data)[-5000:]
+
+    def close(self) -> None:
+        self._ends.set()
+        self._thread.join(30)
+        os.close(self.ours)
+
+
+@contextmanager
+def launched(file: Path, logs: Path, *, is_terminal: bool = False) -> Iterator[tuple[psutil.Popen, Screen]]:
+    """Launch a file, and wait until its processes write."""
+    screen = Screen(is_terminal=is_terminal)
+    process = psutil.Popen(
+        [sys.executable, "-m", "tfloom.cli", "launch", str(file)],
+        stdin=subprocess.DEVNULL,
+        stdout=screen.theirs,
+        stderr=subprocess.STDOUT,
+        env={**os.environ, "ROS_LOG_DIR": str(logs)},
+        start_new_session=True,
+    )
+    os.close(screen.theirs)
+    try:
+        yield process, screen
+    finally:
+        left = [process, *process.children(recursive=True)] if process.poll() is None else []
+        for one in left:
+            one.kill()
+        process.wait(30)
+        screen.close()
+
+
+def seconds_until_it_ends(process: psutil.Popen, number: int) -> float:
+    start = time.monotonic()
+    process.send_signal(number)
+    assert process.wait(60) == 0
+    return time.monotonic() - start
+
+
+STOPPED_S = float("inf")
+
+
+@pytest.mark.parametrize(
+    ("number", "pause_s", "is_terminal"),
+    [
+        (signal.SIGTERM, STOPPED_S, False),
+        (signal.SIGINT, STOPPED_S, True),
+        (signal.SIGTERM, 0.05, False),
+        pytest.param(signal.SIGTERM, STOPPED_S, True, marks=pytest.mark.slow),
+        pytest.param(signal.SIGINT, STOPPED_S, False, marks=pytest.mark.slow),
+        pytest.param(signal.SIGINT, 0.05, True, marks=pytest.mark.slow),
+    ],
+)
+def test_a_screen_that_takes_nothing_delays_no_signal(
+    tmp_path: Path, wait_until: Callable[..., None], number: int, pause_s: float, is_terminal: bool
+) -> None:
+    file = write_file(tmp_path, before=DEAF, output="both", count=2)
+    with launched(file, tmp_path / "log", is_terminal=is_terminal) as (process, screen):
+        wait_until(lambda: screen.size > 10_000, timeout_s=60)
+        screen.pause_s = pause_s
+        wait_until(lambda: is_blocked_on_output(process), timeout_s=60, what="the screen to be full")
+        assert seconds_until_it_ends(process, number) < OBEYED_S
+    (log,) = (tmp_path / "log").rglob("launch.log")
+    text = log.read_text("utf-8")
+    assert "escalating to 'SIGKILL'" in text
+    assert re.search(r"\[WARNING\] \[launch\]: \d+ lines are lost: screen did not take them in time\n", text)
+
+
+def is_blocked_on_output(process: psutil.Popen) -> bool:
+    """Return whether the programs of a launch wait, because nobody reads what they write."""
+    loud = [child for child in process.children() if "os.write(1, data)" in " ".join(child.cmdline())]
+    before = [child.cpu_times().user + child.cpu_times().system for child in loud]
+    time.sleep(0.3)
+    return bool(loud) and before == [child.cpu_times().user + child.cpu_times().system for child in loud]
+
+
+@pytest.mark.parametrize(
+    "output", ["full", *(pytest.param(output, marks=pytest.mark.slow) for output in ("screen", "both"))]
+)
+@pytest.mark.parametrize(
+    "options",
+    [{"data": SHORT, "count": 4}, {"data": LONG, "count": 2}, {"data": SHORT, "emulate_tty": True}],
+    ids=["short-lines", "no-line-end", "terminal"],
+)
+def test_deaf_processes_that_write_at_full_speed_are_ended_in_time(
+    tmp_path: Path, wait_until: Callable[..., None], options: dict, output: str
+) -> None:
+    file = write_file(tmp_path, before=DEAF, output=output, **options)
+    with launched(file, tmp_path / "log") as (process, screen):
+        wait_until(lambda: screen.size > 3_000_000, timeout_s=60)
+        assert process.memory_info().rss < MEMORY
+        assert seconds_until_it_ends(process, signal.SIGTERM) < OBEYED_S
+    (log,) = (tmp_path / "log").rglob("launch.log")
+    with log.open("rb") as lines:
+        assert any(b"sending signal 'SIGKILL' to process[loud-" in line for line in lines)
+
+
+def test_handlers_that_are_slower_than_the_output_delay_no_signal(
+    tmp_path: Path, wait_until: Callable[..., None]
+) -> None:
+    """Each event of output is handled in its turn, and so is that of the end."""
+    slow = "[RegisterEventHandler(OnProcessIO(on_stdout=lambda event: __import__('time').sleep(0.002)))]"
+    with launched(write_file(tmp_path, count=8, handlers=slow, output="own_log"), tmp_path / "log") as (
+        process,
+        _,
+    ):
+        wait_until(lambda: is_blocked_on_output(process), timeout_s=60, what="the queue to be full")
+        assert process.memory_info().rss < MEMORY
+        assert seconds_until_it_ends(process, signal.SIGTERM) < OBEYED_S
+
+
+class SlowFile(io.TextIOWrapper):
+    """A log file on a disk that takes some time for each write, and may fail."""
+
+    def __init__(self, path: str, pause_s: float) -> None:
+        super().__init__(Path(path).open("ab"), "utf-8")  # noqa: SIM115  # closed with this
+        self.pause_s = pause_s
+
+    def write(self, text: str) -> int:
+        time.sleep(self.pause_s)
+        return super().write(text)
+
+
+def slow_handler(path: str, pause_s: float) -> logging.Handler:
+    handler = launch_logging._file_handler(path)
+    handler.stream.close()
+    handler.stream = SlowFile(path, pause_s)
+    return handler
+
+
+def test_what_was_read_is_in_a_log_file_on_a_slow_disk(
+    launch: Launch, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A signal comes while much waits to be written; each line of the processes that was passed on is in the file."""
+    monkeypatch.setattr(background_writing, "MAX_BACKLOG", 100_000)
+    launch_logging.launch_config.log_handler_factory = lambda path: slow_handler(path, 0.02)
+    events: list[bytes] = []
+
+    def on_stdout(event: object) -> None:
+        events.append(event.text)
+        if len(events) == 5:
+            os.kill(os.getpid(), signal.SIGTERM)
+
+    loud = ExecuteProcess(
+        cmd=[
+            sys.executable,
+            "-c",
+            "import signal\nsignal.signal(2, signal.SIG_DFL)\nn = 0\nwhile True:\n    print(n)\n    n += 1",
+        ],
+        additional_env={"PYTHONUNBUFFERED": ""},
+        name="loud",
+        output="log",
+    )
+    start = time.monotonic()
+    ran = launch(RegisterEventHandler(OnProcessIO(target_action=loud, on_stdout=on_stdout)), loud)
+    assert time.monotonic() - start < OBEYED_S
+    assert ran.code == 0
+    lines = b"".join(events).decode().splitlines()
+    folder = Path(launch_logging.launch_config.log_dir)
+    launch_logging.reset()
+    logged = re.findall(r"\[loud-1\] (\d+)\n", (folder / "launch.log").read_text("utf-8"))
+    assert logged == lines
+    assert len(lines) > 10_000
+
+
+def test_a_launch_that_ends_by_itself_waits_for_a_slow_screen(
+    tmp_path: Path, wait_until: Callable[..., None]
+) -> None:
+    file = tmp_path / "some.launch.py"
+    code = "for number in range(20000): print(number)"
+    file.write_text(
+        "import sys\nfrom launch import LaunchDescription\nfrom launch.actions import ExecuteProcess\n"
+        "def generate_launch_description():\n"
+        f"    return LaunchDescription([ExecuteProcess(cmd=[sys.executable, '-c', {code!r}], output='screen')])\n",
+        "utf-8",
+    )
+    with launched(file, tmp_path / "log") as (process, screen):
+        screen.pause_s = float("inf")
+        wait_until(lambda: len(process.children()) > 1, timeout_s=60)
+        wait_until(lambda: len(process.children()) < 2, timeout_s=60, what="the process to end or wait")
+        screen.pause_s = 0.0
+        assert process.wait(60) == 0
+        wait_until(lambda: b"finished cleanly" in screen.text)
+        assert b"19999\n" in screen.text
+
+
+def test_a_long_line_may_come_in_single_characters(launch: Launch) -> None:
+    """What has come of it is not copied with each character: that takes minutes for some hundred thousand."""
+    code = "import os\nfor _ in range(60_000): os.write(1, b'y' * 10)\nos.write(1, b'\\nend\\n')"
+    ran = launch(ExecuteProcess(cmd=[sys.executable, "-c", code], name="dots", output="screen"))
+    assert [line for line in ran.lines if line.startswith("[dots-1] ")] == [
+        f"[dots-1] {'y' * 600_000}",
+        "[dots-1] end",
+    ]
+
+
+def test_a_process_that_is_not_read_is_read_to_its_end_when_the_screen_goes_on(
+    launch: Launch, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(background_writing, "MAX_BACKLOG", 1000)
+    launch_logging.launch_config.log_handler_factory = lambda path: slow_handler(path, 0.01)
+    code = "for number in range(100_000): print(number)"
+    ran = launch(ExecuteProcess(cmd=[sys.executable, "-c", code], name="loud", output="log"))
+    assert ran.code == 0
+    folder = Path(launch_logging.launch_config.log_dir)
+    launch_logging.reset()
+    logged = re.findall(r"\[loud-1\] (.*)\n", (folder / "launch.log").read_text("utf-8"))
+    assert logged == [str(number) for number in range(100_000)]
+
+
+def test_no_thread_is_left_and_the_next_launch_writes(launch: Launch) -> None:
+    before = set(threading.enumerate())
+    for _ in range(2):
+        launch(ExecuteProcess(cmd=["echo", "heard"], output="both"))
+        text = Path(launch_logging.launch_config.get_log_file_path()).read_text("utf-8")
+        assert text.splitlines()[-2].endswith(" [echo-1] heard") or " [echo-1] heard\n" in text
+    assert set(threading.enumerate()) == before
+
+
+def test_users_handlers_get_a_record_of_each_line(launch: Launch) -> None:
+    records: list[logging.LogRecord] = []
+
+    class Collects(logging.Handler):
+        def emit(self, record: logging.LogRecord) -> None:
+            records.append(record)
+
+    launch_logging.launch_config.log_handler_factory = lambda _: Collects()
+    launch(ExecuteProcess(cmd=["printf", "a\\nb\\n"], name="two", output="log"))
+    assert [record.getMessage() for record in records if record.name == "two-1-stdout"] == [
+        "[two-1] a",
+        "[two-1] b",
+    ]
+
+
+@pytest.mark.parametrize(
+    "line_format", ["{line}", "<{this.process_details[name]}> {line:>3}!", "{{line}} {line}"]
+)
+def test_lines_have_the_format_of_their_action(launch: Launch, line_format: str) -> None:
+    ran = launch(
+        ExecuteProcess(cmd=["printf", "a\\nb\\n"], name="two", output="screen", output_format=line_format)
+    )
+    expected = {
+        "{line}": ["a", "b"],
+        "<{this.process_details[name]}> {line:>3}!": ["<two-1>   a!", "<two-1>   b!"],
+        "{{line}} {line}": ["{line} a", "{line} b"],
+    }
+    assert [line for line in ran.lines if "[INFO]" not in line] == expected[line_format]
+
+
+class Gate:
+    """A destination that takes nothing until it is opened."""
+
+    def __init__(self) -> None:
+        self.opened = threading.Event()
+        self.texts: list[str] = []
+
+    def write(self, text: str) -> None:
+        assert self.opened.wait(30)
+        self.texts.append(text)
+
+
+def test_a_writer_keeps_the_order_and_what_it_cannot_write_yet(wait_until: Callable[..., None]) -> None:
+    gate, writer = Gate(), BackgroundWriter("file")
+    for number in range(10):
+        writer.put(gate.write, f"{number}" * 20_000, is_droppable=True)
+    assert not writer.is_behind
+    assert writer.idle_s() > 0.0
+    for _ in range(10):
+        writer.put(gate.write, "a" * 100_000, is_droppable=True)
+    assert writer.is_behind
+    gate.opened.set()
+    wait_until(lambda: writer.idle_s() is None)
+    assert not writer.is_behind
+    text = "".join(gate.texts)
+    assert text == "".join(f"{number}" * 20_000 for number in range(10)) + "a" * 1_000_000
+    writer.end()
+
+
+def test_a_writer_of_the_screen_that_hurries_leaves_out_what_may_be(wait_until: Callable[..., None]) -> None:
+    gate, writer = Gate(), BackgroundWriter(SCREEN)
+    writer.put(gate.write, "a" * (background_writing.MAX_BACKLOG + 1), is_droppable=True)
+    writer.hurry()
+    assert not writer.is_behind
+    writer.put(gate.write, "lost\nlost\n", is_droppable=True)
+    writer.put(gate.write, "kept\n", is_droppable=False)
+    assert writer.dropped_lines == 2
+    gate.opened.set()
+    wait_until(lambda: writer.idle_s() is None)
+    assert "".join(gate.texts).endswith("akept\n")
+    writer.end()
+
+
+def test_a_file_that_takes_nothing_is_given_up_after_some_seconds(monkeypatch: pytest.MonkeyPatch) -> None:
+    gate, writer = Gate(), BackgroundWriter("file")
+    writer.put(gate.write, "a" * (background_writing.MAX_BACKLOG + 1), is_droppable=True)
+    writer.hurry()
+    assert writer.is_behind
+    monkeypatch.setattr(background_writing, "STUCK_S", 0.0)
+    assert not writer.is_behind
+    writer.put(gate.write, "lost\n", is_droppable=True)
+    assert writer.dropped_lines == 1
+    writer.end()
+    gate.opened.set()
+
+
+def test_a_destination_that_fails_in_the_background_is_named_once(
+    launch: Launch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    class Full(io.StringIO):
+        def write(self, _: str) -> int:
+            raise OSError(errno.ENOSPC, "No space left on device")
+
+    def full_handler(path: str) -> logging.Handler:
+        handler = launch_logging._file_handler(path)
+        handler.stream.close()
+        handler.stream = Full()
+        return handler
+
+    launch_logging.launch_config.log_handler_factory = full_handler
+    errors: list[str] = []
+    code = "for number in range(3): print(number, flush=True)"
+    ran = launch(
+        RegisterEventHandler(
+            OnProcessIO(on_stdout=lambda _: errors.append(capsys.readouterr().err) or Shutdown())
+        ),
+        ExecuteProcess(cmd=[sys.executable, "-c", code], output="both"),
+    )
+    assert ran.code == 0
+    said = "".join(errors)
+    assert said.count("lines of") == said.count("No space left on device") >= 1
+    assert "Traceback" not in said
