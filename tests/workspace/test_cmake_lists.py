@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from tfloom.workspace import cmake_lists
 from tfloom.workspace.cmake_lists import read_plan
 from tfloom.workspace.cmake_plan import (
     PYTHON_FOLDER,
@@ -135,6 +136,7 @@ def test_quotes_brackets_and_escapes_are_read(tmp_path: Path) -> None:
         ("foreach(i a b)\nlist(APPEND v msg/${i}.msg)\nendforeach()", ["msg/a.msg", "msg/b.msg"]),
         ("set(l a b)\nforeach(i IN LISTS l ITEMS c)\nlist(APPEND v ${i})\nendforeach()", ["a", "b", "c"]),
         ("file(GLOB v RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} msg/*.msg)", ["msg/A.msg", "msg/B.msg"]),
+        ("file(GLOB v RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} m**/[AB].m**)", ["msg/A.msg", "msg/B.msg"]),
         (
             "file(GLOB_RECURSE v CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} *.msg)",
             ["msg/A.msg", "msg/B.msg"],
@@ -348,8 +350,9 @@ ament_index_register_resource(x CONTENT_FILE y)
         (
             'list(FILTER v EXCLUDE REGEX "*")',
             1,
-            "'*' isn't a regular expression: nothing to repeat at position 0",
+            "'*' isn't a regular expression: nothing is before '*'",
         ),
+        ("a(b\n[[c])", 2, "the bracket of an argument of 'a' isn't closed"),
         ('set(v 1)\nmessage(FATAL_ERROR "version ${v} " "is old")', 2, "version 1 is old"),
         ("\u201cproject\u201d(p)", 1, "a command's name is expected, not '\u201c'"),
     ],
@@ -370,6 +373,14 @@ def test_endless_loops_end(tmp_path: Path) -> None:
     loops = "set(l a b c d e f g h i j)\n" + "".join(f"foreach(i{n} IN LISTS l)\n" for n in range(7))
     with pytest.raises(CMakeSyntaxError, match="more than 20000 commands"):
         plan_of(tmp_path, loops + "set(x y)\n" + "endforeach()\n" * 7)
+
+
+def test_names_that_the_system_refuses_are_of_no_file(tmp_path: Path) -> None:
+    name = "n" * 300
+    text = (
+        f"if(EXISTS {name} OR IS_DIRECTORY {name})\nfind_package(a)\nendif()\nfile(GLOB v {name} {name}/*)\n"
+    )
+    assert plan_of(tmp_path, text) == Plan()
 
 
 def test_messages_and_flags_add_nothing(tmp_path: Path) -> None:
@@ -401,10 +412,23 @@ def _nested(begin: str, end: str, levels: int, inner: str = "") -> str:
             "more than 100 par",
         ),
         ("if(" + "NOT " * 100_000 + "1)\nendif()\n", "more than 50000 arguments"),
+        (
+            f'if({"a" * 3000} MATCHES "{"a?" * 3000 + "a" * 3000}")\nendif()\n',
+            "its regular expressions take more",
+        ),
+        (
+            f'list(APPEND v {"ab" * 3000})\nlist(FILTER v INCLUDE REGEX "{"(a|b|c)" * 1000}x")\n',
+            "its regular expressions take more",
+        ),
+        ("a(" + "[[ " * 30_000 + "x" * 900_000 + ")", "the bracket of an argument of 'a' isn't closed"),
+        ("file(GLOB_RECURSE v " + "../" * 20 + "usr/*)\n", "list more than 1000 files"),
         ("#" * 1_000_001, "it has 1000001 characters, more than 1000000"),
     ],
 )
-def test_what_would_take_for_ever_is_named_with_its_line(tmp_path: Path, text: str, reason: str) -> None:
+def test_what_would_take_for_ever_is_named_with_its_line(
+    tmp_path: Path, text: str, reason: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(cmake_lists, "MAX_LISTED", 1000)
     with pytest.raises(CMakeSyntaxError, match=rf"CMakeLists\.txt:\d+: .*{reason}"):
         plan_of(tmp_path, text)
 
@@ -416,5 +440,12 @@ def test_what_is_merely_large_is_read(tmp_path: Path) -> None:
         tmp_path, f"set(names {names})\n{blocks}install(FILES ${{names}} ${{b}} DESTINATION share)\n"
     )
     assert not plan.unknown
+    expression = "^(msg/)+([A-Z][a-z]+)+[0-9]*1[.](msg|srv)$"
+    matches = f'foreach(n ${{names}})\nif(n MATCHES "{expression}")\nset(b ${{n}})\nendif()\nendforeach()\n'
+    plan = plan_of(
+        tmp_path,
+        f'set(names {names})\n{matches}list(FILTER names INCLUDE REGEX "99+[.]msg$")\nfind_package(${{b}} ${{names}})',
+    )
+    assert (plan.found, plan.unknown) == (["msg/Message9991.msg"], [])
     condition = "NOT " * 1000 + "VERSION_X VERSION_LESS " + "9" * 5000
     assert not plan_of(tmp_path, f"if({condition})\nendif()\n").unknown

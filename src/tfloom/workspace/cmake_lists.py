@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-import re
+import os
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from fnmatch import fnmatchcase
 from pathlib import Path, PurePosixPath
 
 from tfloom.workspace.cmake_plan import BINARY_FOLDER, PYTHON_FOLDER, Plan, Remark, find_action
+from tfloom.workspace.cmake_regex import RegexError
 from tfloom.workspace.cmake_syntax import MAX_NESTED, CMakeSyntaxError, Command, read_commands
 from tfloom.workspace.cmake_values import (
     TooMuchError,
@@ -15,6 +17,8 @@ from tfloom.workspace.cmake_values import (
     Variables,
     expand,
     expand_all,
+    is_file,
+    is_folder,
     is_true,
     split_list,
 )
@@ -31,6 +35,9 @@ MAX_STEPS = 20_000
 """Commands that one file may take, because loops nest."""
 MAX_LOOKED_AT = 500_000
 """Commands that may be looked at for the ends and the branches of blocks, because loops may hold many."""
+
+MAX_LISTED = 50_000
+"""Files that `file(GLOB …)` may list, because a pattern may lead out of the package."""
 
 
 def read_plan(folder: Path, prefix: Path, *, testing: bool = False) -> Plan:
@@ -64,6 +71,7 @@ class _Reader:
         self._folder = path.parent
         self._steps = 0
         self._looked_at = 0
+        self._listed = 0
         self._depth = 0
         source = self._folder.as_posix()
         self._variables = Variables(
@@ -283,10 +291,10 @@ class _Reader:
     def _filter(self, command: Command, items: list[str], pattern: str, *, excludes: bool) -> list[str]:
         """Return the items of `list(FILTER variable INCLUDE|EXCLUDE REGEX pattern)`."""
         try:
-            found = re.compile(pattern)
-        except re.error as error:
-            raise self._error(command, f"'{pattern}' isn't a regular expression: {error}") from None
-        return [item for item in items if (found.search(item) is None) == excludes]
+            expression = self._variables.expression(pattern)
+        except RegexError as error:
+            raise self._error(command, str(error)) from None
+        return [item for item in items if expression.is_found_in(item) != excludes]
 
     def find_files(self, command: Command) -> None:
         """Run `file(GLOB variable [RELATIVE folder] [CONFIGURE_DEPENDS] patterns…)`."""
@@ -303,6 +311,7 @@ class _Reader:
         self._variables[name] = ";".join(sorted(path.as_posix() for path in names))
 
     def _glob(self, pattern: str, *, deep: bool) -> list[Path]:
+        """Return the files of a pattern in the package's folder. CMake's `**` is `*`."""
         path = Path(pattern)
         if path.is_absolute():
             if not path.is_relative_to(self._folder):
@@ -310,8 +319,41 @@ class _Reader:
             path = path.relative_to(self._folder)
         if not path.parts:
             return []
-        parts = [*path.parts[:-1], "**", path.parts[-1]] if deep else path.parts
-        return [each for each in self._folder.glob("/".join(parts)) if each.is_file()]
+        parents = [self._folder]
+        for part in path.parts[:-1]:
+            parents = [
+                child for parent in parents for child in self._children(parent, part) if is_folder(child)
+            ]
+        if deep:
+            parents = [inner for parent in parents for inner in self._folders_in(parent)]
+        last = path.parts[-1]
+        return [child for parent in parents for child in self._children(parent, last) if is_file(child)]
+
+    def _children(self, folder: Path, pattern: str) -> list[Path]:
+        """Return the files and folders in a folder whose names match."""
+        if not set("*?[") & set(pattern):
+            return [folder / pattern]
+        names = self._names(folder)
+        return [folder / name for name in names if fnmatchcase(name, pattern)]
+
+    def _folders_in(self, folder: Path) -> Iterator[Path]:
+        """Yield a folder and all that are in it, without those behind links."""
+        for path, folders, names in os.walk(folder):
+            self._count_listed(len(folders) + len(names))
+            yield Path(path)
+
+    def _names(self, folder: Path) -> list[str]:
+        try:
+            names = [child.name for child in folder.iterdir()]
+        except OSError:
+            return []
+        self._count_listed(len(names))
+        return names
+
+    def _count_listed(self, count: int) -> None:
+        self._listed += count
+        if self._listed > MAX_LISTED:
+            raise TooMuchError(f"its file(GLOB …) list more than {MAX_LISTED} files")
 
     def split_path(self, command: Command) -> None:
         """Run `get_filename_component(variable path part)` for parts of the name."""

@@ -49,6 +49,7 @@ class CMakeSyntaxError(ValueError):
 
 _SPACE = re.compile(r"(?:[ \t\r\n]+|#\[(=*)\[.*?\]\1\]|#(?!\[=*\[)[^\n]*)+", re.DOTALL)
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+_BRACKET_BEGIN = re.compile(r"\[=*\[")
 _BRACKET = re.compile(r"\[(=*)\[\n?(.*?)\]\1\]", re.DOTALL)
 _QUOTED = re.compile(r'"((?:[^"\\]|\\.)*)"', re.DOTALL)
 _UNQUOTED = re.compile(r'(?:[^\s()#"\\]|\\.|(?<=[^\s()#"\\])"[^"\n]*")+', re.DOTALL)
@@ -119,6 +120,10 @@ class _Reader:
     def _argument(self, command: str, line: int) -> Argument:
         if (bracket := self._match(_BRACKET)) is not None:
             return Argument(bracket[2], Form.BRACKET, line)
+        if _BRACKET_BEGIN.match(
+            self._text, self._at
+        ):  # as CMake; else each one is looked for to the file's end
+            raise self._error(f"the bracket of an argument of '{command}' isn't closed")
         if (quoted := self._match(_QUOTED)) is not None:
             return Argument(quoted[1].replace("\\\n", ""), Form.QUOTED, line)
         if self._text[self._at] == '"':

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
+from contextlib import suppress
 from pathlib import Path
 
+from tfloom.workspace.cmake_regex import Expression, RegexError
 from tfloom.workspace.cmake_syntax import MAX_NESTED, Argument, Form
 
 _REFERENCE = re.compile(r"\$(ENV)?\{([A-Za-z0-9_./+-]*)\}|\\(.)", re.DOTALL)
@@ -21,6 +23,10 @@ _REFERENCE_COST = 10
 """Characters that take about the time of one reference."""
 MAX_EXPANDED = 3_000_000
 """Characters that the commands of one file may have after the replacement of variables."""
+MAX_STEPS = 300_000
+"""Steps that the regular expressions of one file may take."""
+_MAX_EXPRESSIONS = 8
+"""Compiled expressions that are kept, because a loop uses them again."""
 
 
 class TooMuchError(ValueError):
@@ -30,7 +36,11 @@ class TooMuchError(ValueError):
 class Variables(dict[str, str]):
     """The variables of a file. It counts what is read of them, because a few lines can double a value many times."""
 
-    _expanded = 0
+    def __init__(self, values: Mapping[str, str]) -> None:
+        super().__init__(values)
+        self._expanded = 0
+        self._steps = 0
+        self._expressions: dict[str, Expression] = {}
 
     def count(self, length: int) -> None:
         """Add to the characters that the file has used.
@@ -47,6 +57,24 @@ class Variables(dict[str, str]):
         value = self.get(name, default)
         self.count(len(value) + _REFERENCE_COST)
         return value
+
+    def expression(self, pattern: str) -> Expression:
+        """Return a regular expression, whose steps are counted.
+
+        Raises:
+            RegexError: the pattern isn't one.
+            TooMuchError: those of the file take more than MAX_STEPS steps; searching raises it, too.
+        """
+        if pattern not in self._expressions:
+            if len(self._expressions) == _MAX_EXPRESSIONS:
+                self._expressions.clear()
+            self._expressions[pattern] = Expression(pattern, self._count_steps)
+        return self._expressions[pattern]
+
+    def _count_steps(self, steps: int) -> None:
+        self._steps += steps
+        if self._steps > MAX_STEPS:
+            raise TooMuchError(f"its regular expressions take more than {MAX_STEPS} steps")
 
 
 class UnknownConditionError(ValueError):
@@ -117,6 +145,20 @@ def is_true(arguments: Iterable[Argument], variables: Variables, folder: Path) -
     return result
 
 
+def is_file(path: Path) -> bool:
+    """Return whether a path leads to a file, of any kind; False if the system refuses it, as a name of 300 letters."""
+    with suppress(OSError):
+        return path.exists() and not path.is_dir()
+    return False
+
+
+def is_folder(path: Path) -> bool:
+    """Return whether a path leads to a folder; False if the system refuses it."""
+    with suppress(OSError):
+        return path.is_dir()
+    return False
+
+
 class _Condition:
     """The words of a condition that are left to read; OR binds least, then AND, then NOT."""
 
@@ -161,6 +203,9 @@ class _Condition:
             return test(self, self._next_word()[0])
         word, how = self._words[self._at] if self._at < len(self._words) else ("", Form.QUOTED)
         compare = _BINARY.get(word) if how is Form.UNQUOTED else None
+        if (word, how) == ("MATCHES", Form.UNQUOTED):
+            self._at += 1
+            return self._matches(self._value(left, form), self._next_word()[0])
         if compare is None:
             return self._truth(left, form)
         self._at += 1
@@ -183,11 +228,17 @@ class _Condition:
         """Return the value of an operand: of the variable of that name if it is set and not quoted."""
         return text if form is Form.QUOTED else self._variables.read(text, text)
 
+    def _matches(self, text: str, pattern: str) -> bool:
+        try:
+            return self._variables.expression(pattern).is_found_in(text)
+        except RegexError as error:
+            raise UnknownConditionError(str(error)) from None
+
     def exists(self, path: str) -> bool:
-        return (self._folder / path).exists()
+        return is_file(self._folder / path) or is_folder(self._folder / path)
 
     def is_folder(self, path: str) -> bool:
-        return (self._folder / path).is_dir()
+        return is_folder(self._folder / path)
 
     def is_defined(self, name: str) -> bool:
         environment = re.fullmatch(r"ENV\{(.*)\}", name)
@@ -234,18 +285,10 @@ def _number(text: str) -> float:
         raise UnknownConditionError(f"'{text}' isn't a number") from None
 
 
-def _matches(text: str, pattern: str) -> bool:
-    try:
-        return re.search(pattern, text) is not None
-    except re.error as error:
-        raise UnknownConditionError(f"'{pattern}' isn't a regular expression: {error}") from None
-
-
 _BINARY: dict[str, Callable[[str, str], bool]] = {
     "STREQUAL": lambda a, b: a == b,
     "STRLESS": lambda a, b: a < b,
     "STRGREATER": lambda a, b: a > b,
-    "MATCHES": _matches,
     "EQUAL": lambda a, b: _number(a) == _number(b),
     "LESS": lambda a, b: _number(a) < _number(b),
     "GREATER": lambda a, b: _number(a) > _number(b),

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 import shutil
 import stat
 from collections.abc import Iterator
@@ -13,6 +12,8 @@ from pathlib import Path
 from tfloom.whole_files import write_file
 from tfloom.workspace import index
 from tfloom.workspace.cmake_plan import Install, Pattern, Plan, PythonPackage, is_in
+from tfloom.workspace.cmake_regex import Expression, RegexError
+from tfloom.workspace.cmake_values import MAX_STEPS, TooMuchError
 
 _EXECUTE = stat.S_IXUSR | stat.S_IXGRP | stat.S_IXOTH
 _LEFT_OUT = {"__pycache__", ".git", ".svn"}
@@ -116,9 +117,13 @@ class Installer:
             raise self._error(each.line, f"install(DIRECTORY …): there is no folder {name}")
         # As CMake does: a slash at the end installs what is in the folder, not the folder.
         base = target if not name or name.endswith("/") else target / folder.name
-        for path in _files(folder):
-            if _is_chosen(path.relative_to(folder).as_posix(), each):
-                self._place(path, base / path.relative_to(folder))
+        try:
+            choice = _Choice(each)
+            paths = [path for path in _files(folder) if choice.has(path.relative_to(folder).as_posix())]
+        except (RegexError, TooMuchError) as error:
+            raise self._error(each.line, f"install(DIRECTORY …): {error}") from None
+        for path in paths:
+            self._place(path, base / path.relative_to(folder))
 
     def _destination(self, text: str, line: int) -> Path:
         target = self._prefix / text
@@ -158,27 +163,44 @@ def _files(folder: Path) -> Iterator[Path]:
             yield Path(parent, name)
 
 
-def _is_chosen(path: str, each: Install) -> bool:
-    """Return whether the patterns of an `install(DIRECTORY …)` let a file through."""
-    if any(_matches_here_or_above(path, pattern) for pattern in each.patterns if pattern.excludes):
-        return False
-    chosen = [pattern for pattern in each.patterns if not pattern.excludes]
-    return not each.only_matching or any(_matches(path, pattern) for pattern in chosen)
+class _Choice:
+    """The files that the patterns of an `install(DIRECTORY …)` let through.
 
+    Raises:
+        RegexError: a pattern isn't a regular expression.
+    """
 
-def _matches_here_or_above(path: str, pattern: Pattern) -> bool:
-    parts = path.split("/")
-    return any(_matches("/".join(parts[:end]), pattern) for end in range(1, len(parts) + 1))
+    def __init__(self, install: Install) -> None:
+        self._install = install
+        self._steps = 0
+        self._expressions = {
+            pattern.text: Expression(pattern.text, self._count)
+            for pattern in install.patterns
+            if pattern.is_regex
+        }
 
+    def _count(self, steps: int) -> None:
+        self._steps += steps
+        if self._steps > MAX_STEPS:
+            raise TooMuchError(f"its regular expressions take more than {MAX_STEPS} steps")
 
-def _matches(path: str, pattern: Pattern) -> bool:
-    """Return whether a pattern matches the end of a path, at a slash, or a regular expression any part of it."""
-    if pattern.is_regex:
-        try:
-            return re.search(pattern.text, f"/{path}") is not None
-        except re.error:
+    def has(self, path: str) -> bool:
+        """Return whether they let a file through; TooMuchError if that takes too many steps."""
+        patterns = self._install.patterns
+        if any(self._matches_here_or_above(path, pattern) for pattern in patterns if pattern.excludes):
             return False
-    return fnmatchcase(path, pattern.text) or fnmatchcase(f"/{path}", f"*/{pattern.text}")
+        chosen = [pattern for pattern in patterns if not pattern.excludes]
+        return not self._install.only_matching or any(self._matches(path, pattern) for pattern in chosen)
+
+    def _matches_here_or_above(self, path: str, pattern: Pattern) -> bool:
+        parts = path.split("/")
+        return any(self._matches("/".join(parts[:end]), pattern) for end in range(1, len(parts) + 1))
+
+    def _matches(self, path: str, pattern: Pattern) -> bool:
+        """Return whether a pattern matches the end of a path, at a slash, or a regular expression any part of it."""
+        if pattern.is_regex:
+            return self._expressions[pattern.text].is_found_in(f"/{path}")
+        return fnmatchcase(path, pattern.text) or fnmatchcase(f"/{path}", f"*/{pattern.text}")
 
 
 def _is_executable(path: Path) -> bool:
