@@ -55,7 +55,6 @@ DOORS = {
     "pandas": ("tf2/trajectory.py",),
     "lz4": ("bag/reading/compression.py",),
     "zstandard": ("bag/reading/compression.py",),
-    "rosbags": ("bag/reading/ros1_reader.py",),
     "PyInstaller": ("pyinstaller/",),
     "xacro": ("robot/xacro_program.py",),
     "pytest": ("launch/testing/", "testing/plugin.py"),

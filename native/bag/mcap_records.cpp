@@ -26,4 +26,31 @@ RunSummary summarise(std::span<const std::byte> data, std::size_t begin) {
   return found;
 }
 
+IndexSummary summarise_indexes(std::span<const std::byte> data) {
+  constexpr std::size_t prefix_size = 6;  // the channel, and the size of the entries
+  constexpr std::size_t entry_size = 16;  // log time and offset
+  IndexSummary found;
+  RecordWalk walk(data, 0);
+  while (walk.advance()) {
+    const Record& record = walk.record();
+    const std::size_t at = record.offset - record_header_size;
+    if (record.opcode != static_cast<std::uint8_t>(Opcode::message_index)) {
+      throw RecordError(at, "a record of kind " + std::to_string(record.opcode) + " is no message index");
+    }
+    const std::byte* content = data.data() + record.offset;
+    if (record.size < prefix_size || (record.size - prefix_size) % entry_size != 0 ||
+        read_little_endian<std::uint32_t>(content + 2) != record.size - prefix_size) {
+      throw RecordError(at, "a message index of " + std::to_string(record.size) + " bytes has other entries");
+    }
+    for (const std::byte* entry = content + prefix_size; entry < content + record.size; entry += entry_size) {
+      const auto log_time = read_little_endian<std::uint64_t>(entry);
+      found.first = std::min(found.first, log_time);
+      found.last = std::max(found.last, log_time);
+      ++found.count;
+    }
+  }
+  walk.require_end();
+  return found;
+}
+
 }  // namespace tfloom::bag

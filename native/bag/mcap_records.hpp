@@ -21,7 +21,7 @@ class RecordError : public std::runtime_error {
   std::size_t offset;  // of the record, in the bytes
 };
 
-enum class Opcode : std::uint8_t { schema = 3, channel = 4, message = 5 };
+enum class Opcode : std::uint8_t { schema = 3, channel = 4, message = 5, message_index = 7 };
 
 // The content of a record, without its opcode and its length.
 struct Record {
@@ -102,5 +102,14 @@ struct RunSummary {
 };
 
 RunSummary summarise(std::span<const std::byte> data, std::size_t begin);
+
+// What message index records say of the messages of a chunk.
+struct IndexSummary {
+  std::uint64_t count = 0;
+  std::uint64_t first = UINT64_MAX, last = 0;  // log times
+};
+
+// Throw RecordError if a record isn't a message index, or isn't whole.
+IndexSummary summarise_indexes(std::span<const std::byte> data);
 
 }  // namespace tfloom::bag

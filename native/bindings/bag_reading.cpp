@@ -92,6 +92,11 @@ nb::tuple summarise(const nb::bytes& data, std::size_t begin) {
   return nb::make_tuple(counts, found.first, found.last, others, found.end);
 }
 
+nb::tuple summarise_indexes(const nb::bytes& data) {
+  const bag::IndexSummary found = without_gil([octets = span_of(data)] { return bag::summarise_indexes(octets); });
+  return nb::make_tuple(found.count, found.first, found.last);
+}
+
 // Stores the recorded messages of several topics in a buffer.
 class TfRecords {
  public:
@@ -174,6 +179,10 @@ void bind_bag_reading(nb::module_& m) {
         "They are: the count of messages by channel; the least and the greatest log time [ns]; opcode, offset and size "
         "of each other record's content; and the offset of the first record that is of another kind or not whole. "
         "Raises ValueError, with the record's `offset`, if a message record is too short.");
+  m.def("summarise_mcap_indexes", &summarise_indexes, "data"_a,
+        nb::sig("def summarise_mcap_indexes(data: bytes) -> tuple[int, int, int]"),
+        "Return count, least and greatest log time [ns] of the messages that the message index records in `data` name. "
+        "Raises ValueError, with the record's `offset`, if a record is another or not whole.");
   nb::class_<TfRecords>(m, "TfRecords", "Stores recorded TFMessages in a buffer, without message objects. It must be "
                                         "used by one thread at a time.")
       .def(nb::init<const BufferHandle&>(), "buffer"_a)

@@ -1247,6 +1247,11 @@ def summarise_mcap(data: bytes, begin: int) -> tuple[dict[int, int], int, int, l
     They are: the count of messages by channel; the least and the greatest log time [ns]; opcode, offset and size of each other record's content; and the offset of the first record that is of another kind or not whole. Raises ValueError, with the record's `offset`, if a message record is too short.
     """
 
+def summarise_mcap_indexes(data: bytes) -> tuple[int, int, int]:
+    """
+    Return count, least and greatest log time [ns] of the messages that the message index records in `data` name. Raises ValueError, with the record's `offset`, if a record is another or not whole.
+    """
+
 class TfRecords:
     """
     Stores recorded TFMessages in a buffer, without message objects. It must be used by one thread at a time.

@@ -13,7 +13,7 @@ import pytest
 import zstandard
 
 from tfloom.bag import BagWarning, open_bag
-from tfloom.bag.reading import mcap_implausible
+from tfloom.bag.reading.compression import MIN_RATIO, MIN_SIZE
 from tfloom.bag.reading.mcap_records import MAGIC, RECORD_HEADER, Opcode
 
 MEGABYTE = 1 << 20
@@ -47,11 +47,22 @@ def chunk(content: bytes, compression: str = "", times: tuple[int, int] = (5, 5)
 
 
 def index(
-    at: int, length: int, compression: str, stored: int, size: int, times: tuple[int, int] = (5, 5)
+    at: int,
+    length: int,
+    compression: str,
+    stored: int,
+    size: int,
+    times: tuple[int, int] = (5, 5),
+    message_index: tuple[int, int] = (0, 0),
 ) -> bytes:
+    """Return the index of a chunk, whose message index of channel 1 has an offset and a length; 0: it has none."""
+    offset, index_length = message_index
+    offsets = struct.pack("<HQ", 1, offset) if offset else b""
     return record(
         Opcode.CHUNK_INDEX,
-        struct.pack("<QQQQIQ", *times, at, length, 0, 0)
+        struct.pack("<QQQQI", *times, at, length, len(offsets))
+        + offsets
+        + struct.pack("<Q", index_length)
         + text(compression)
         + struct.pack("<QQ", stored, size),
     )
@@ -67,13 +78,15 @@ def write(path: Path, data: bytes, indexes: Sequence[bytes], times: tuple[int, i
     return path
 
 
-def read(path: Path) -> tuple[list[bytes], list[str], int]:
+def read(
+    path: Path, start_ns: int | None = None, end_ns: int | None = None
+) -> tuple[list[bytes], list[str], int]:
     """Return the messages of a file, the warnings, and the memory that reading took [bytes]."""
     tracemalloc.start()
     try:
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
-            found = [each.data for each in open_bag(path).messages()]
+            found = [each.data for each in open_bag(path).messages(None, start_ns, end_ns)]
         _, most = tracemalloc.get_traced_memory()
     finally:
         tracemalloc.stop()
@@ -115,8 +128,8 @@ def test_chunk_of_a_large_size_without_messages_for_it_is_left_out(
 def test_large_message_that_compresses_well_is_read(compression: str, tmp_path: Path) -> None:
     """As of an empty map."""
     data, of_chunk = chunk(CHANNEL + message(5, bytes(100 * MEGABYTE)), compression)
-    assert mcap_implausible.MIN_SIZE < 100 * MEGABYTE
-    assert len(data) * mcap_implausible.MIN_RATIO < 100 * MEGABYTE
+    assert MIN_SIZE < 100 * MEGABYTE
+    assert len(data) * MIN_RATIO < 100 * MEGABYTE
     for indexes in ([of_chunk], []):
         found, said, _ = read(write(tmp_path / "a.mcap", data, indexes))
         assert ([len(each) for each in found], said) == ([100 * MEGABYTE], [])
@@ -173,3 +186,65 @@ def test_messages_outside_their_chunks_times_are_counted(tmp_path: Path) -> None
     assert found == [b"1", b"5", b"6", b"9"]
     assert len(said) == 1
     assert "a chunk of messages is damaged: 3 of its messages have log times outside those that it" in said[0]
+
+
+def message_index(stamps: Sequence[int]) -> bytes:
+    entries = b"".join(struct.pack("<QQ", stamp, 0) for stamp in stamps)
+    return record(Opcode.MESSAGE_INDEX, struct.pack("<HI", 1, len(entries)) + entries)
+
+
+@pytest.mark.parametrize("compression", ["", "zstd", "lz4"])
+@pytest.mark.parametrize("has_index", [True, False])
+def test_chunk_of_other_times_than_declared_is_not_left_out(
+    has_index: bool, compression: str, tmp_path: Path
+) -> None:
+    stamps = [1, 5, 6, 900]
+    content = CHANNEL + b"".join(message(each, str(each).encode()) for each in stamps)
+    data, of_chunk = chunk(content, compression, times=(5, 6))
+    if has_index:
+        of_messages = message_index(stamps)
+        place = len(HEAD) + len(data), len(of_messages)
+        stored = _stored_size(data, compression)
+        of_chunk = index(len(HEAD), len(data), compression, stored, len(content), (5, 6), place)
+        data += of_messages
+    path = write(tmp_path / "a.mcap", data, [of_chunk], (5, 6))
+    assert read(path, 800, 1000)[:2] == ([b"900"], [])
+    assert read(path, 0, 4)[:2] == ([b"1"], [])
+    assert read(path, 0, 5)[:2] == ([b"1", b"5"], [])
+
+
+def test_message_index_that_chunks_share_is_not_used(tmp_path: Path) -> None:
+    """Else ten bytes of a chunk's index would let the whole of it be read once more."""
+    count = 200
+    data, _ = chunk(CHANNEL + message(5, b"a") + message(5, bytes(1 << 16)))
+    of_messages = message_index([5] * 10_000)
+    place = len(HEAD) + count * len(data), len(of_messages)
+    indexes = [
+        index(
+            len(HEAD) + number * len(data),
+            len(data),
+            "",
+            _stored_size(data),
+            _stored_size(data),
+            (5, 5),
+            place,
+        )
+        for number in range(count)
+    ]
+    path = write(tmp_path / "a.mcap", data * count + of_messages, indexes)
+    found, said, _ = read(path)
+    assert len(found) == 2 * count
+    assert len(said) == 1
+    assert f"the message indexes of the chunk at byte {len(HEAD) + 49} aren't behind it" in said[0]
+
+
+def _stored_size(data: bytes, compression: str = "") -> int:
+    return len(data) - RECORD_HEADER.size - 40 - len(compression)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("compression", ["zstd", "lz4"])
+def test_chunk_of_500_megabytes_is_read(compression: str, tmp_path: Path) -> None:
+    data, of_chunk = chunk(CHANNEL + message(5, bytes(250 * MEGABYTE)) * 2, compression)
+    found, said, _ = read(write(tmp_path / "a.mcap", data, [of_chunk]))
+    assert ([len(each) for each in found], said) == ([250 * MEGABYTE] * 2, [])

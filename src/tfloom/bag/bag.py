@@ -131,8 +131,10 @@ class Bag:
         return self._messages(wanted, *bounded(start_ns, end_ns))
 
     def _messages(self, topics: Collection[str] | None, start_ns: int, end_ns: int) -> Iterator[RawMessage]:
-        for group in _overlapping(self.files):
-            if group[0].start_ns > end_ns or max(each.end_ns for each in group) < start_ns:
+        files = self.files
+        for group in _overlapping(files):
+            is_outside = group[0].start_ns > end_ns or max(each.end_ns for each in group) < start_ns
+            if is_outside and len(files) > 1:  # a single one looks at the times of its messages
                 continue
             parts = [each.messages(topics, start_ns, end_ns) for each in group]
             yield from parts[0] if len(parts) == 1 else heapq.merge(*parts, key=lambda found: found[1])

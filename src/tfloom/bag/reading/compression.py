@@ -24,6 +24,12 @@ ZSTD_RATIO = 1 << 15
 """By how much zstd compresses at most: a block of 4 bytes repeats one byte 128 KiB."""
 PIECE = 1 << 20
 """How much is decompressed at once where not all is kept [bytes]."""
+FIRST_PIECE = 1 << 16
+"""How much of that at first, because most of what is wrong shows there [bytes]."""
+MIN_SIZE = 1 << 18
+"""The least declared size of a chunk whose content is looked at before it is held [bytes]."""
+MIN_RATIO = 100
+"""The least ratio of the declared size to the stored one that is looked at. Empty maps reach 10,000."""
 INSTALL = "install it by `pip install 'tfloom[bag]'`"
 
 
@@ -39,7 +45,7 @@ def decompress(method: str, data: bytes, size: int) -> bytes:
     """Return decompressed bytes.
 
     Args:
-        method: `lz4` or `zstd`; empty: the bytes are not compressed.
+        method: `lz4`, `zstd` or `bz2`; empty: the bytes are not compressed.
         data: The compressed bytes.
         size: The declared size [bytes].
 
@@ -76,6 +82,8 @@ def decompress_part(method: str, data: bytes, size: int) -> bytes:
         return _part_of_lz4(data, size)
     if method == "zstd":
         return _part_of_zstd(data, size)
+    if method == "bz2":
+        return _part_of_bz2(data, size)
     raise _unknown(method)
 
 
@@ -86,18 +94,18 @@ def pieces(method: str, data: bytes) -> Iterator[bytes]:
         CompressionError: the method is unknown, or its library isn't installed.
         DamagedError: the bytes are damaged.
     """
-    if method not in {"lz4", "zstd"}:
+    if method == "zstd":
+        yield from _pieces_of_zstd(data)
+        return
+    if method not in {"lz4", "bz2"}:
         raise _unknown(method)
+    stream = lz4_frame().LZ4FrameDecompressor() if method == "lz4" else bz2_module().BZ2Decompressor()
     try:
-        if method == "zstd":
-            yield from _pieces_of_zstd(data)
-        else:
-            stream = lz4_frame().LZ4FrameDecompressor()
-            piece = stream.decompress(data, max_length=PIECE)
-            while piece:
-                yield piece
-                piece = b"" if stream.eof else stream.decompress(b"", max_length=PIECE)
-    except (RuntimeError, EOFError, MemoryError) as error:
+        piece = stream.decompress(data, max_length=FIRST_PIECE)
+        while piece:
+            yield piece
+            piece = b"" if stream.eof else stream.decompress(b"", max_length=PIECE)
+    except (RuntimeError, EOFError, MemoryError, OSError, ValueError) as error:
         raise DamagedError(f"the {method} data is damaged: {error}") from None
 
 
@@ -105,9 +113,11 @@ def _pieces_of_zstd(data: bytes) -> Iterator[bytes]:
     module = zstd()
     try:
         with module.ZstdDecompressor().stream_reader(data) as reader:
-            while piece := reader.read(PIECE):
+            piece = reader.read(FIRST_PIECE)
+            while piece:
                 yield piece
-    except module.ZstdError as error:
+                piece = reader.read(PIECE)
+    except (module.ZstdError, MemoryError) as error:
         raise DamagedError(f"the zstd data is damaged: {error}") from None
 
 
@@ -166,6 +176,28 @@ def _part_of_lz4(data: bytes, size: int) -> bytes:
         found: bytes = module.LZ4FrameDecompressor().decompress(data, max_length=size) if size else b""
     except (RuntimeError, EOFError, MemoryError) as error:
         raise DamagedError(f"the lz4 data is damaged: {error}") from None
+    return found
+
+
+def bz2_module() -> Any:
+    """Return the module bz2.
+
+    Raises:
+        CompressionError: this Python has none.
+    """
+    try:
+        import bz2
+    except ImportError:
+        raise CompressionError("this Python has no module bz2") from None
+    return bz2
+
+
+def _part_of_bz2(data: bytes, size: int) -> bytes:
+    stream = bz2_module().BZ2Decompressor()
+    try:
+        found: bytes = stream.decompress(data, max_length=size) if size else b""
+    except (OSError, EOFError, ValueError) as error:
+        raise DamagedError(f"the bz2 data is damaged: {error}") from None
     return found
 
 

@@ -3,15 +3,11 @@
 from __future__ import annotations
 
 from tfloom import _native
-from tfloom.bag.reading.compression import DamagedError, pieces
+from tfloom.bag.reading.compression import MIN_RATIO, MIN_SIZE, DamagedError, pieces
 from tfloom.bag.reading.mcap_records import RECORD_HEADER, Opcode
 
 __all__ = ["check_plausible"]
 
-MIN_SIZE = 1 << 26
-"""The least declared size that is looked at [bytes]."""
-MIN_RATIO = 100
-"""The least ratio of the declared size to the stored one that is looked at. Empty maps reach 10,000."""
 MAX_MESSAGES = 1 << 20
 """The most messages in such a chunk, if they are small, because each takes 250 bytes of memory."""
 MAX_OTHERS = 1 << 17

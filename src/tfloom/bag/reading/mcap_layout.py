@@ -47,6 +47,10 @@ class Span(NamedTuple):
     """Of the checksum of the decompressed bytes in the file; None if there is none."""
     is_whole: bool = True
     """Whether the file has all of it; False for what is at the end of an unfinished file."""
+    index_length: int = 0
+    """Of all its message indexes, which follow it in the file [bytes]; 0 if there are none."""
+    are_times_declared: bool = False
+    """Whether the times are what the chunk declares; False: they are those of its messages."""
 
 
 class Layout:
@@ -101,6 +105,9 @@ def decompressed(file: io.FileIO, path: Path, span: Span, size: int | None = Non
     Raises:
         BagError: they can't be decompressed, because the compression is unknown, or its library isn't installed.
     """
+    if span.compression not in {"", "lz4", "zstd"}:
+        reason = f"the compression is '{span.compression[:40]}', which is none of lz4 and zstd"
+        raise BagError(path, reason, span.offset)
     stored = read_at(file, span.offset, span.stored_size)
     try:
         check_plausible(span.compression, stored, span.size, span.is_whole)

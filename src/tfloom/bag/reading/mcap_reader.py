@@ -17,6 +17,7 @@ from tfloom.bag.reading.mcap_layout import Layout, Span, warn_of_damage, whole_r
 from tfloom.bag.reading.mcap_scan import Scan
 from tfloom.bag.reading.mcap_sparse import SparseReader
 from tfloom.bag.reading.mcap_summary import read_layout
+from tfloom.bag.reading.mcap_times import with_true_times
 from tfloom.bag.reading.message_order import Found, in_order
 from tfloom.bag.reading.message_transforms import insert_messages
 from tfloom.bag.values import EARLIEST, LATEST, Definition, Progress, RawMessage, TfTopic, Topic
@@ -138,6 +139,8 @@ class McapFile:
 
     def _wanted(self, file: io.FileIO, channels: Collection[int], start_ns: int, end_ns: int) -> list[Span]:
         """Return the spans that may have messages of these channels and times, by their first log time."""
+        if start_ns > EARLIEST or end_ns < LATEST:
+            self._layout.spans = [with_true_times(file, self.path, span) for span in self._spans(file)]
         spans = [
             span
             for span in self._spans(file)

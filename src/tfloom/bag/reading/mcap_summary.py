@@ -93,7 +93,7 @@ def _read_summary(file: io.FileIO, header: records.Header, start: int, size: int
             layout.metadata_offsets.append((metadata.name, metadata.offset))
         else:
             layout.add(opcode, content)
-    _check_overlaps(spans)
+    _check_overlaps(spans, start)
     if statistics is None or chunks != statistics.chunk_count:
         return None
     if statistics.message_count and not layout.channels:
@@ -105,11 +105,18 @@ def _read_summary(file: io.FileIO, header: records.Header, start: int, size: int
     return layout
 
 
-def _check_overlaps(spans: list[Span]) -> None:
+def _check_overlaps(spans: list[Span], limit: int) -> None:
+    """Raise RecordError unless chunks follow each other, each with its indexes, so that no byte is read for several."""
     in_file = sorted(spans, key=lambda span: span.offset)
     for one, other in pairwise(in_file):
         if one.offset + one.stored_size + INDEX_OF_CHUNK > other.offset:
             raise RecordError(f"the chunks at bytes {one.offset} and {other.offset} overlap")
+    limits = [*(span.offset - INDEX_OF_CHUNK for span in in_file[1:]), limit]
+    for span, end in zip(in_file, limits):  # noqa: B905  # without chunks there is one limit too many
+        begin = span.offset + span.stored_size
+        offsets = span.index_offsets.values()
+        if begin + span.index_length > end or (offsets and (min(offsets) < begin or max(offsets) >= end)):
+            raise RecordError(f"the message indexes of the chunk at byte {span.offset} aren't behind it")
 
 
 def _spans_of_index(content: bytes, number: int, limit: int) -> list[Span]:
@@ -149,4 +156,6 @@ def _span_of_index(index: records.ChunkIndex, limit: int) -> Span:
         index.index_offsets,
         channels,
         index.offset + CHECKSUM_OF_CHUNK,
+        index_length=index.index_length,
+        are_times_declared=True,
     )
