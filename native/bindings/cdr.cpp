@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "bindings/bindings.hpp"
-#include "bindings/gil.hpp"
 #include "bindings/message_base.hpp"
 #include "bindings/objects.hpp"
 
@@ -227,8 +226,6 @@ nb::object decode_octets(const ObjectPlan& plan, PyTypeObject* type, std::span<c
 }
 
 nb::object decode(const nb::type_object& message_class, const nb::handle& data) {
-  // The first message of a class compiles its plan, for which Python may import numpy.
-  const PythonCallScope scope;
   auto* type = reinterpret_cast<PyTypeObject*>(message_class.ptr());
   const ObjectPlan& plan = plan_of(type);
   if (PyBytes_CheckExact(data.ptr())) {

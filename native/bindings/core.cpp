@@ -31,7 +31,7 @@ std::vector<ReadyQueue::Token> wait_for_tokens(ReadyQueue& queue, std::int64_t t
   for (;;) {
     const SignalWakeup signals;  // before the check, so that a signal after it ends the wait
     if (PyErr_CheckSignals() != 0) throw nb::python_error();
-    const ReleasedGil release;
+    const GilReleasedForWait release;
     const auto left = deadline.left();
     const auto outcome = queue.wait(left ? left->count() : -1, tokens, quiet, signals.fd());
     if (outcome != ReadyQueue::Outcome::interrupted) return tokens;
@@ -51,11 +51,11 @@ nb::list take_samples(SampleQueue& queue) {
 
 void bind_core(nb::module_& m) {
   count_threads_anew_in_forks();
-  m.def("block_gil_reacquire_at_exit", &block_gil_reacquire_at_exit,
-        "Block every other thread that reacquires the GIL after a native call, from now on.\n\n"
-        "Called at the end of the program, because Python would end such threads, and the process with them. "
-        "Registered with `atexit`; calling it again does nothing.");
-  nb::module_::import_("atexit").attr("register")(m.attr("block_gil_reacquire_at_exit"));
+  m.def("block_waits_at_exit", &block_waits_at_exit,
+        "Block every other thread for ever at the end of its wait, and where Python would end it, from now on.\n\n"
+        "Called at the end of the program, because Python would end threads inside native calls, and the process with "
+        "them. Registered with `atexit`; calling it again does nothing.");
+  nb::module_::import_("atexit").attr("register")(m.attr("block_waits_at_exit"));
 
   nb::class_<Sink>(m, "Sink", "A receiver of serialized samples that needs no Python; see `Reader.feed`.")
       .def(

@@ -6,6 +6,13 @@
 #ifndef _WIN32
 #include <pthread.h>
 #endif
+#if defined(__GLIBC__) && PY_VERSION_HEX < 0x030E0000
+#define TFLOOM_THREADS_ARE_UNWOUND
+#include <dlfcn.h>
+#include <link.h>
+
+#include "core/imports.hpp"
+#endif
 
 namespace tfloom::bindings {
 namespace {
@@ -14,21 +21,32 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds longest_wait(1);  // for callbacks that run when the interpreter ends
 
-enum class Phase { running, ending, ended };
+enum class Phase { running, ending };
 std::atomic<Phase> phase{Phase::running};
 std::thread::id ending_thread;  // written once, before `phase`, and read after it
-std::atomic<int> users{0};      // how often threads are acquiring the GIL, or are inside one of the other two scopes
-thread_local int depth = 0;     // of the AcquiredGil scopes and PythonCallScopes of this thread
+std::atomic<int> users{0};      // how often threads are acquiring the GIL by an AcquiredGil, or have done so
+thread_local int depth = 0;     // of the AcquiredGil scopes of this thread
+
+bool is_finalizing() {
+#if PY_VERSION_HEX >= 0x030D0000
+  return Py_IsFinalizing() != 0;
+#else
+  return _Py_IsFinalizing() != 0;
+#endif
+}
+
+// Return whether the interpreter ends on another thread.
+bool is_ending() { return phase == Phase::ending && std::this_thread::get_id() != ending_thread; }
 
 // Count this thread as a user, unless the interpreter is ending on another thread: return false then. The count precedes
 // the check, so that either this thread sees the end, or the ending thread sees the count and waits: check and
-// acquisition are one step. A thread inside such a scope may still acquire the GIL while the ending thread waits for
-// the end of that scope.
+// acquisition are one step.
+//
+// A thread inside an AcquiredGil goes on until the interpreter's state is torn down: the ending thread may wait for it, not
+// only in `block_waits_at_exit`, but also when it closes a wire whose thread runs a callback.
 bool enter() {
   ++users;
-  const Phase now = phase;
-  if (now == Phase::running || std::this_thread::get_id() == ending_thread) return true;
-  if (now == Phase::ending && depth > 0) return true;
+  if (!is_ending() || (depth > 0 && !is_finalizing())) return true;
   --users;
   return false;
 }
@@ -48,14 +66,31 @@ bool has_gil() {
   for (;;) std::this_thread::sleep_for(std::chrono::hours(24));
 }
 
+#ifdef TFLOOM_THREADS_ARE_UNWOUND
+// Called by Python in place of pthread_exit, on a thread that does not have the GIL.
+[[noreturn]] void exit_thread(void*) { block_forever(); }
+
+// Where this fails, as in a Python whose pthread_exit is no import, threads are unwound as before.
+void block_threads_in_place_of_their_exit() {
+  Dl_info info;
+  void* library = nullptr;
+  const auto* address = reinterpret_cast<const void*>(&PyThread_exit_thread);
+  if (dladdr1(address, &info, &library, RTLD_DL_LINKMAP) == 0 || library == nullptr) return;
+  replace_import(*static_cast<const link_map*>(library), "pthread_exit", reinterpret_cast<void*>(&exit_thread));
+}
+#endif
+
 }  // namespace
 
 ReleasedGil::ReleasedGil() : state_(PyEval_SaveThread()) {}
 
 ReleasedGil::~ReleasedGil() {
-  if (!enter()) block_forever();
+  if (is_ending() && is_finalizing()) block_forever();
   PyEval_RestoreThread(state_);
-  --users;
+}
+
+GilReleasedForWait::~GilReleasedForWait() {
+  if (is_ending() && depth == 0) block_forever();
 }
 
 AcquiredGil::AcquiredGil() {
@@ -80,20 +115,11 @@ AcquiredGil::~AcquiredGil() {
   --users;
 }
 
-PythonCallScope::PythonCallScope() {
-  if (!enter()) {
-    PyEval_SaveThread();
-    block_forever();
-  }
-  ++depth;
-}
-
-PythonCallScope::~PythonCallScope() {
-  --depth;
-  --users;
-}
-
-void block_gil_reacquire_at_exit() {
+void block_waits_at_exit() {
+  if (phase != Phase::running) return;
+#ifdef TFLOOM_THREADS_ARE_UNWOUND
+  block_threads_in_place_of_their_exit();
+#endif
   ending_thread = std::this_thread::get_id();
   phase = Phase::ending;
   // Threads that counted themselves before still acquire the GIL, and run callbacks to their end. Wait for them, because
@@ -101,7 +127,6 @@ void block_gil_reacquire_at_exit() {
   PyThreadState* state = PyEval_SaveThread();
   const auto deadline = Clock::now() + longest_wait;
   while (users != 0 && Clock::now() < deadline) std::this_thread::sleep_for(std::chrono::microseconds(100));
-  phase = Phase::ended;
   PyEval_RestoreThread(state);
 }
 

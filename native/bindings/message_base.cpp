@@ -4,9 +4,9 @@
 
 #include <atomic>
 #include <cstddef>
+#include <exception>
 #include <utility>
 
-#include "bindings/gil.hpp"
 #include "bindings/objects.hpp"
 
 namespace tfloom::bindings {
@@ -50,7 +50,6 @@ nb::object new_message(const ObjectPlan& plan) {
 
 nb::object convert(PyObject* self, const ObjectPlan::Slot& slot, const nb::object& value) {
   if (!slot.converts) return value;
-  const PythonCallScope scope;
   return message_hooks().convert(class_of(self), slot.name, value);
 }
 
@@ -107,7 +106,7 @@ int message_init(PyObject* self, PyObject* args, PyObject* kwargs) noexcept {
   try {
     init(self, args, kwargs);
     return 0;
-  } catch (...) {
+  } catch (const std::exception&) {
     return fail();
   }
 }
@@ -116,7 +115,7 @@ int message_setattro(PyObject* self, PyObject* name, PyObject* value) noexcept {
   if (reinterpret_cast<MessageObject*>(self)->check_fields != 0 && value != nullptr) {
     try {
       message_hooks().check(class_of(self), nb::borrow(name), nb::borrow(value));
-    } catch (...) {
+    } catch (const std::exception&) {
       return fail();
     }
   }

@@ -5,8 +5,6 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "bindings/gil.hpp"
-
 namespace tfloom::bindings {
 
 using cdr::DecodeError;
@@ -39,7 +37,6 @@ ObjectPlan& plan_of(PyTypeObject* type) {
     throw nb::type_error((std::string(type->tp_name) + " is no message class").c_str());
   }
   if (plan.is_none()) {
-    const PythonCallScope scope;
     plan = message_hooks().compile(nb::borrow(reinterpret_cast<PyObject*>(type)));
   }
   return *nb::cast<ObjectPlan*>(plan);  // the class keeps it alive

@@ -110,7 +110,7 @@ bool wait(const tf2::Buffer& buffer, const Query& query, double timeout_s) {
   for (;;) {
     tf2::Buffer::Waited waited;
     {
-      const ReleasedGil release;
+      const GilReleasedForWait release;
       waited = buffer.wait(query, deadline, std::chrono::milliseconds(50));
     }
     if (waited != tf2::Buffer::Waited::interrupted) return waited == tf2::Buffer::Waited::yes;

@@ -1,5 +1,6 @@
 #include "cdr/header_sink.hpp"
 
+#include <exception>
 #include <optional>
 
 #include "cdr/cursor.hpp"
@@ -31,7 +32,7 @@ void HeaderSink::push(std::span<const std::byte> data, const SampleInfo& info) n
     } else {
       ++unreadable_;
     }
-  } catch (...) {  // out of memory: the message is not counted
+  } catch (const std::exception&) {  // out of memory: the message is not counted
   }
 }
 

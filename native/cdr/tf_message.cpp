@@ -1,5 +1,7 @@
 #include "cdr/tf_message.hpp"
 
+#include <exception>
+
 #include "cdr/cursor.hpp"
 #include "cdr/tf_entries.hpp"
 #include "tf2/text.hpp"
@@ -22,7 +24,7 @@ void TfSink::push(std::span<const std::byte> data, const SampleInfo& info) noexc
   messages_.fetch_add(1);
   try {
     insert(data, info);
-  } catch (...) {  // out of memory: counted, because a log text would need memory too
+  } catch (const std::exception&) {  // out of memory: counted, because a log text would need memory too
     dropped_.fetch_add(1);
   }
 }

@@ -1,5 +1,7 @@
 #include "cdr/tf_observer.hpp"
 
+#include <exception>
+
 #include "cdr/cursor.hpp"
 #include "cdr/tf_entries.hpp"
 #include "cdr/tf_message.hpp"
@@ -190,7 +192,7 @@ void TfObserverSink::push(std::span<const std::byte> data, const SampleInfo& inf
     observer_->record(entries, info, is_static_, data.size(), is_readable);
     if (buffer_ != nullptr && !entries.empty()) buffer_->set(entries, hexadecimal(info.publisher_gid), is_static_);
     signal_push();
-  } catch (...) {  // out of memory: the message is dropped
+  } catch (const std::exception&) {  // out of memory: the message is dropped
   }
 }
 
@@ -209,7 +211,7 @@ void TfClockSink::push(std::span<const std::byte> data, const SampleInfo&) noexc
     Cursor in(data);
     observer_->set_simulated_time(read_stamp(in));
     signal_push();
-  } catch (...) {  // no Clock: the former time stays
+  } catch (const std::exception&) {  // no Clock: the former time stays
   }
 }
 

@@ -24,7 +24,7 @@ StatusOf get(Result (*function)(Entity, StatusOf*), Entity entity) {
 
 template <Event event, typename StatusOf>
 void Events::on_event(Entity, StatusOf, void* self) {
-  static_cast<Events*>(self)->post(event);
+  static_cast<Events*>(self)->post_to_watcher(event);
 }
 
 void Events::listen(Listener_* listener) {
@@ -43,7 +43,7 @@ void Events::listen(Listener_* listener) {
   l.lset_sample_lost_arg(listener, &on_event<Event::message_lost, LostStatus>, this, false);
 }
 
-void Events::post(Event event) {
+void Events::post_to_watcher(Event event) {
   if (event == Event::matched && on_match_) on_match_();
   const std::lock_guard lock(mutex_);
   const Watcher& watcher = watchers_[index_of(event)];

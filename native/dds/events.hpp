@@ -48,7 +48,7 @@ class Events {
 
   template <Event event, typename StatusOf>
   static void on_event(Entity, StatusOf, void* self);
-  void post(Event event);
+  void post_to_watcher(Event event);
   void check(Event event) const;
   Status read(Event event, Entity entity) const;
 

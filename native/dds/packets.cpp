@@ -1,8 +1,10 @@
 #include "dds/packets.hpp"
 
-#include "dds/imports.hpp"
+#include "core/imports.hpp"
 
 #ifdef __linux__
+#include <dlfcn.h>
+#include <link.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 
@@ -104,10 +106,12 @@ ssize_t receive(int descriptor, msghdr* message, int flags) noexcept {
 }  // namespace
 
 std::string see_packets(void* handle) {
+  link_map* library = nullptr;
+  if (dlinfo(handle, RTLD_DI_LINKMAP, &library) != 0 || library == nullptr) return "its place in memory is unknown";
   rtps::ServiceForms::of_process();
   // The order matters: what is rewritten depends on what was received.
-  std::string failure = replace_import(handle, "recvmsg", reinterpret_cast<void*>(&receive));
-  if (failure.empty()) failure = replace_import(handle, "sendmsg", reinterpret_cast<void*>(&send));
+  std::string failure = replace_import(*library, "recvmsg", reinterpret_cast<void*>(&receive));
+  if (failure.empty()) failure = replace_import(*library, "sendmsg", reinterpret_cast<void*>(&send));
   return failure;
 }
 #else

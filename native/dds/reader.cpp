@@ -154,6 +154,7 @@ void Reader::feed_from_listener() {
 
 bool Reader::drain() {
   const std::lock_guard lock(feed_mutex_);
+  const DeferredQueue::Scope scope(participant_.feeder());
   if (has_new_match_.exchange(false)) update_publishers();
   return push_batch();
 }

@@ -1,5 +1,7 @@
 #include "robot/state_sink.hpp"
 
+#include <exception>
+
 #include "cdr/cursor.hpp"
 
 namespace tfloom::robot {
@@ -16,7 +18,7 @@ void StateSink::push(std::span<const std::byte> data, const SampleInfo& info) no
   const std::int64_t simulated_ns = simulated_ns_;
   try {
     convert(data, simulated_ns == no_time ? info.received_stamp_ns : simulated_ns);
-  } catch (...) {  // out of memory: the message is lost, as best effort allows
+  } catch (const std::exception&) {  // out of memory: the message is lost, as best effort allows
   }
   signal_push();
 }

@@ -99,7 +99,7 @@ void run_in_parallel(std::size_t size, unsigned workers, Work&& work) {
     const std::size_t start = std::min(index * share, size);
     try {
       work(Part{start, std::min(share, size - start)});
-    } catch (...) {
+    } catch (const std::exception&) {
       thrown[index] = std::current_exception();
     }
   };

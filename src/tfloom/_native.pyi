@@ -8,11 +8,11 @@ import numpy.typing
 from numpy.typing import NDArray
 
 
-def block_gil_reacquire_at_exit() -> None:
+def block_waits_at_exit() -> None:
     """
-    Block every other thread that reacquires the GIL after a native call, from now on.
+    Block every other thread for ever at the end of its wait, and where Python would end it, from now on.
 
-    Called at the end of the program, because Python would end such threads, and the process with them. Registered with `atexit`; calling it again does nothing.
+    Called at the end of the program, because Python would end threads inside native calls, and the process with them. Registered with `atexit`; calling it again does nothing.
     """
 
 class Sink:

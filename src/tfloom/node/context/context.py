@@ -13,7 +13,7 @@ from itertools import count
 from types import MethodType, TracebackType
 from typing import TYPE_CHECKING, Any, Protocol
 
-from tfloom._native import block_gil_reacquire_at_exit
+from tfloom._native import block_waits_at_exit
 from tfloom.node.context.arguments import Arguments, parse_arguments
 from tfloom.node.context.postponed_interrupt import postponed
 from tfloom.node.context.topic_types import TopicTypes
@@ -431,6 +431,6 @@ def _destroy_all() -> None:
     if threading.current_thread() is threading.main_thread():
         signal.signal(signal.SIGINT, signal.SIG_IGN)
     # A daemon thread that spins must end with the program, not with an exception.
-    block_gil_reacquire_at_exit()
+    block_waits_at_exit()
     for context in _all_contexts():
         context.destroy()

@@ -1,7 +1,6 @@
-#include "dds/imports.hpp"
+#include "core/imports.hpp"
 
 #if defined(__linux__) && (defined(__x86_64__) || defined(__aarch64__))
-#include <dlfcn.h>
 #include <elf.h>
 #include <link.h>
 #include <sys/mman.h>
@@ -13,7 +12,7 @@
 #include <span>
 #endif
 
-namespace tfloom::dds {
+namespace tfloom {
 
 #if defined(__linux__) && (defined(__x86_64__) || defined(__aarch64__))
 namespace {
@@ -69,10 +68,8 @@ bool store(void** slot, void* function) {
 
 }  // namespace
 
-std::string replace_import(void* handle, const char* name, void* replacement) {
-  link_map* library = nullptr;
-  if (dlinfo(handle, RTLD_DI_LINKMAP, &library) != 0 || library == nullptr) return "its place in memory is unknown";
-  const Dynamic dynamic = read_dynamic(*library);
+std::string replace_import(const link_map& library, const char* name, void* replacement) {
+  const Dynamic dynamic = read_dynamic(library);
   if (dynamic.names == nullptr || dynamic.symbols == nullptr) return "it has no table of symbols";
   bool is_replaced = false;
   for (const auto& table : {dynamic.calls, dynamic.relocations}) {
@@ -81,7 +78,7 @@ std::string replace_import(void* handle, const char* name, void* replacement) {
       if (kind != jump_slot && kind != data_slot) continue;
       const ElfW(Sym)& symbol = dynamic.symbols[ELF64_R_SYM(entry.r_info)];
       if (std::strcmp(dynamic.names + symbol.st_name, name) != 0) continue;
-      if (!store(reinterpret_cast<void**>(library->l_addr + entry.r_offset), replacement)) {
+      if (!store(reinterpret_cast<void**>(library.l_addr + entry.r_offset), replacement)) {
         return std::string("its import of ") + name + " is write-protected";
       }
       is_replaced = true;
@@ -90,7 +87,7 @@ std::string replace_import(void* handle, const char* name, void* replacement) {
   return is_replaced ? "" : std::string("it does not import ") + name;
 }
 #else
-std::string replace_import(void*, const char*, void*) { return "this is done on Linux only, on x86-64 and arm64"; }
+std::string replace_import(const link_map&, const char*, void*) { return "this is done on Linux only, on x86-64 and arm64"; }
 #endif
 
-}  // namespace tfloom::dds
+}  // namespace tfloom

@@ -1,0 +1,122 @@
+"""Programs that end at a random moment end well: on each wire, with each executor, whatever their threads are doing.
+
+`python -m tests.node.test_random_ends 1000 [FIRST]` runs that many, beside each other, and prints how they ended.
+"""
+
+from __future__ import annotations
+
+import os
+import random
+import signal
+import subprocess
+import sys
+import time
+from collections import Counter
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from itertools import count, islice
+from pathlib import Path
+
+import pytest
+
+PROGRAM = Path(__file__).parents[1] / "programs" / "random_end.py"
+ENDS = ("returns", "exits", "raises", "is interrupted", "raises in a callback")
+CODES = {"returns": [0], "exits": [7], "raises": [1], "is interrupted": [130, 1], "raises in a callback": [1]}
+"""Python ends by 1 in the place of 130 if, after the traceback, another thread or `atexit` runs code given as text."""
+TEXTS = {"raises": "OwnError", "is interrupted": "KeyboardInterrupt", "raises in a callback": "OwnError"}
+"""What a program prints of its end."""
+
+TIMEOUT_S = 60.0
+CYCLE = 30
+"""Numbers in which each wire meets each executor and each end."""
+
+
+def fault_of(number: int, domain_id: int) -> str | None:
+    """Run the program of a number; return how it ended, if that is not as it must."""
+    end = ENDS[number // 6 % 5]
+    environment = {**os.environ, "ROS_DOMAIN_ID": str(domain_id)}
+    command = [sys.executable, str(PROGRAM), str(number)]
+    with subprocess.Popen(
+        command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, env=environment
+    ) as program:
+        try:
+            _, text = program.communicate(timeout=TIMEOUT_S)
+        except subprocess.TimeoutExpired:
+            program.send_signal(signal.SIGABRT)  # with a traceback, where PYTHONFAULTHANDLER is set
+            _, text = program.communicate()
+            return f"{' '.join(command)} does not end: {end}\n{text}"
+    code = 130 if program.returncode == -signal.SIGINT else program.returncode  # as a shell says it
+    if code in CODES[end] and TEXTS.get(end, "") in text and "Fatal Python error" not in text:
+        return None
+    return f"{' '.join(command)} ended with {program.returncode}: {end}\n{text}"
+
+
+def faults_of(numbers: Iterator[int], domain_id: int, wait_s: float = 0.0) -> tuple[int, list[str]]:
+    """Run programs beside each other; start none after `wait_s`, unless that is 0. Return their number, and faults."""
+    until = time.monotonic() + wait_s if wait_s else float("inf")
+
+    def run(_: int) -> list[str | None]:
+        found = []
+        for number in numbers_left:
+            found.append(fault_of(number, domain_id))
+            if time.monotonic() > until:
+                break
+        return found
+
+    numbers_left = _Shared(numbers)
+    workers = 2 * (os.cpu_count() or 1)
+    with ThreadPoolExecutor(workers) as pool:
+        ends = [end for ends in pool.map(run, range(workers)) for end in ends]
+    return len(ends), [end for end in ends if end is not None]
+
+
+class _Shared:
+    """An iterator that several threads take from."""
+
+    def __init__(self, numbers: Iterator[int]) -> None:
+        from threading import Lock
+
+        self._numbers = numbers
+        self._lock = Lock()
+
+    def __iter__(self) -> _Shared:
+        return self
+
+    def __next__(self) -> int:
+        with self._lock:
+            return next(self._numbers)
+
+
+def some_numbers(length: int | None) -> Iterator[int]:
+    """Return consecutive numbers from a random one, the first of a cycle."""
+    return islice(count(random.randrange(10**6) * CYCLE), length)
+
+
+def test_programs_that_end_at_a_random_moment_end_well(domain_id: int) -> None:
+    _, faults = faults_of(some_numbers(CYCLE + 10), domain_id)
+    assert not faults, "\n\n".join(faults)
+
+
+@pytest.mark.slow
+def test_a_thousand_programs_that_end_at_a_random_moment_end_well(domain_id: int) -> None:
+    """As many of the thousand as end within four minutes."""
+    number, faults = faults_of(some_numbers(1000), domain_id, wait_s=220.0)
+    assert number >= CYCLE
+    assert not faults, "\n\n".join(faults)
+
+
+def main(length: int, first: int) -> None:
+    from tests.conftest import hold_domain
+
+    began = time.monotonic()
+    with hold_domain() as domain_id:
+        number, faults = faults_of(iter(range(first, first + length)), domain_id)
+    print(*faults, sep="\n\n")
+    kinds = Counter(fault.splitlines()[0].split(str(PROGRAM))[1].split(maxsplit=1)[1] for fault in faults)
+    print(
+        f"{number} programs from {first} in {time.monotonic() - began:.0f} s, {len(faults)} faults: {dict(kinds)}"
+    )
+
+
+if __name__ == "__main__":
+    main(int(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else random.randrange(10**6) * CYCLE)
