@@ -12,6 +12,7 @@ from collections.abc import Callable
 from functools import lru_cache
 from pathlib import Path
 
+from tests import native_locks
 from tests.import_graph import Import, Kind, imports_of_package, rings
 
 SHELVES = [
@@ -419,6 +420,44 @@ def native_rooms_point_down(native: Path) -> list[str]:
     ]
 
 
+def one_door_to_the_gil(native: Path) -> list[str]:
+    """Only native/bindings/gil.* acquires or releases the GIL: it knows what is safe when the interpreter ends."""
+    functions = (
+        r"\b(gil_scoped_\w+|PyGILState_(?:Ensure|Release)|PyEval_(?:Save|Restore|Acquire|Release)Thread"
+        r"|Py_(?:BEGIN|END|UN)?BLOCK_THREADS|Py_(?:BEGIN|END)_ALLOW_THREADS)\b"
+    )
+    return [
+        f"bindings/{path.name} uses {name}; use bindings/gil.hpp"
+        for path in sorted((native / "bindings").glob("*"))
+        if path.stem != "gil"
+        for name in sorted(set(re.findall(functions, path.read_text("utf-8"))))
+    ]
+
+
+def whoever_catches_all_rethrows(native: Path) -> list[str]:
+    """A block of `catch (...)` ends with `throw;`.
+
+    On glibc, `catch (...)` also catches the forced unwinding by which pthread_exit and pthread_cancel end a thread, and
+    the process is ended if it isn't rethrown. Whatever our code throws is a std::exception.
+    """
+    return [
+        f"{path.relative_to(native).as_posix()}:{text.count(chr(10), 0, match.start()) + 1} catches all, and goes on"
+        for path in sorted(native.glob("*/*.[ch]pp"))
+        if (text := path.read_text("utf-8"))
+        for match in re.finditer(r"\bcatch\s*\(\s*\.\.\.\s*\)\s*\{([^{}]*)\}?", text)
+        if not re.search(r"\bthrow;\s*$", match.group(1))
+    ]
+
+
+def no_python_under_a_native_lock(native: Path) -> list[str]:
+    """No C++ code uses Python or calls a std::function while it holds a lock, itself or by way of other functions.
+
+    Such a function may be a user's, which may call whatever needs the lock; and a thread that waits for the GIL with a
+    lock held waits for ever for one that has the GIL and waits for the lock. See native/core/deferred_queue.hpp.
+    """
+    return native_locks.calls_under_locks(native)
+
+
 Rule = Callable[[Path], list[str]]
 
 HOUSE_RULES: list[Rule] = [
@@ -438,4 +477,10 @@ HOUSE_RULES: list[Rule] = [
     files_are_written_whole,
     no_users_code_under_a_lock,
 ]
-NATIVE_RULES: list[Rule] = [the_native_core_knows_no_python, native_rooms_point_down]
+NATIVE_RULES: list[Rule] = [
+    the_native_core_knows_no_python,
+    native_rooms_point_down,
+    one_door_to_the_gil,
+    whoever_catches_all_rethrows,
+    no_python_under_a_native_lock,
+]

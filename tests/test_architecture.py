@@ -264,6 +264,61 @@ NATIVE_VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
         },
         ["core/a.hpp includes tf2/"],
     ),
+    (
+        architecture.one_door_to_the_gil,
+        {
+            "bindings/gil.cpp": "PyGILState_Ensure();\n",
+            "bindings/x.cpp": "nb::gil_scoped_acquire gil;\nPy_BEGIN_ALLOW_THREADS\n",
+        },
+        [
+            "bindings/x.cpp uses Py_BEGIN_ALLOW_THREADS; use bindings/gil.hpp",
+            "bindings/x.cpp uses gil_scoped_acquire; use bindings/gil.hpp",
+        ],
+    ),
+    (
+        architecture.whoever_catches_all_rethrows,
+        {
+            "tf2/a.cpp": (
+                "try { f(); } catch (...) {\n  close();\n  throw;\n}\n"
+                "try { f(); } catch (...) { log(); }\ntry { f(); } catch (...) { if (x) { throw; } }\n"
+            )
+        },
+        ["tf2/a.cpp:5 catches all, and goes on", "tf2/a.cpp:6 catches all, and goes on"],
+    ),
+    (
+        architecture.no_python_under_a_native_lock,
+        {
+            "tf2/a.hpp": (
+                "using Notify = std::function<void()>;\n"
+                "class Waiters {\n  void add();\n  void complete();\n  Notify notify_;\n};\n"
+            ),
+            "tf2/a.cpp": (
+                '#include "tf2/a.hpp"\n'
+                "void Waiters::complete() { notify_(); }  // without a lock\n"
+                "void Waiters::add() {\n"
+                "  {\n    const std::lock_guard lock(mutex_);\n    ++count_;  // notify_()\n  }\n"
+                "  complete();\n"
+                "  std::unique_lock lock(mutex_);\n"
+                "  lock.unlock();\n  notify_();\n  lock.lock();\n"
+                "  if (count_ > 0) {\n    complete();\n  }\n"
+                "}\n"
+            ),
+            "bindings/b.cpp": (
+                '#include "tf2/a.hpp"\n'
+                "void take(Waiters& waiters) {\n"
+                "  const ReadLock lock(mutex);\n  PyErr_Clear();\n  waiters.complete();\n}\n"
+                "void store() {\n  const std::lock_guard lock(mutex);\n  sink->push(data);\n}\n"
+                "void feed() {\n  const std::lock_guard lock(mutex);\n"
+                "  const DeferredQueue::Scope scope(feeder);\n  sink->push(data);\n}\n"
+            ),
+        },
+        [
+            "bindings/b.cpp:3 calls PyErr_Clear under a lock",
+            "bindings/b.cpp:3 calls complete, notify_ under a lock",
+            "bindings/b.cpp:8 calls sink->push under a lock",
+            "tf2/a.cpp:12 calls complete, notify_ under a lock",
+        ],
+    ),
 ]
 
 
