@@ -1,118 +1,106 @@
-"""Users' functions on the in-process wire: they run while it holds no lock, so that they may write, match and close."""
+"""Users' functions that a wire calls: it holds no lock meanwhile, so that they may write, match and close on it.
+
+Each case is a program of its own, because a deadlock would hang also what ends the test's process.
+"""
 
 from __future__ import annotations
 
-import threading
-from collections.abc import Callable, Iterator
+import subprocess
+import sys
 
 import pytest
-from tests.tf2_ros.conftest import SECOND, transform_stamped
 
-from tfloom.interfaces.geometry_msgs.msg import PointStamped
-from tfloom.node.executing.task import Future
-from tfloom.node.node import Node
-from tfloom.node.values.time import Time
-from tfloom.tf2_ros.buffer import Buffer
+TIMEOUT_S = 60
+
+PROGRAM = """
+import sys, threading
+import rclpy
+from geometry_msgs.msg import PointStamped, TransformStamped
+from rclpy.duration import Duration
+from rclpy.time import Time
+from tf2_ros import Buffer, StaticTransformBroadcaster, TransformBroadcaster, TransformListener
 from tfloom.tf2_ros.message_filter import MessageFilter
-from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
-from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
-from tfloom.tf2_ros.transform_listener import TransformListener
 
-TIMEOUT_S = 30
+IS_LOCAL = rclpy.get_rmw_implementation_identifier() == "tfloom_local"
+LATEST = Time(seconds=1)
+rclpy.init()
+node = rclpy.create_node("calls_back")
+buffer = Buffer()
+listener = TransformListener(buffer, node)
+broadcaster = TransformBroadcaster(node)
+done = threading.Event()
 
+def send(parent, child):
+    message = TransformStamped(child_frame_id=child)
+    message.header.frame_id, message.header.stamp.sec, message.transform.rotation.w = parent, 1, 1.0
+    broadcaster.sendTransform(message)
 
-@pytest.fixture
-def buffer(node: Node) -> Iterator[Buffer]:
-    buffer = Buffer()
-    listener = TransformListener(buffer, node)
-    yield buffer
-    listener.unregister()
+def send_another(_):
+    send("base", "tool")
+    # On the wire in the process, a write delivers before it returns, in a callback too.
+    assert not IS_LOCAL or buffer.can_transform("map", "tool", LATEST)
+    done.set()
 
+def publish():
+    buffer.wait_for_transform_async("map", "base", LATEST).add_done_callback(send_another)
 
-@pytest.fixture
-def broadcaster(node: Node) -> TransformBroadcaster:
-    return TransformBroadcaster(node)
-
-
-def in_time(function: Callable[[], object]) -> None:
-    """Run a function on a thread, which a deadlock would leave behind; fail the test if it doesn't return."""
-    ended = threading.Event()
-
-    def run() -> None:
-        function()
-        ended.set()
-
-    threading.Thread(target=run, daemon=True).start()
-    assert ended.wait(TIMEOUT_S), "the call does not return"
-
-
-def wait_for(buffer: Buffer, child: str) -> Future[bool]:
-    return buffer.wait_for_transform_async("map", child, Time(seconds=1))
-
-
-def test_done_callback_publishes_with_the_broadcaster_that_completed_it(
-    buffer: Buffer, broadcaster: TransformBroadcaster
-) -> None:
-    found: list[bool] = []
-
-    def publish(_: object) -> None:
-        broadcaster.sendTransform(transform_stamped("base", "tool", SECOND))
-        found.append(buffer.can_transform("map", "tool", Time(seconds=1)))
-
-    wait_for(buffer, "base").add_done_callback(publish)
-    in_time(lambda: broadcaster.sendTransform(transform_stamped("map", "base", SECOND)))
-    assert found == [True]  # a write delivers before it returns, in a callback too
-
-
-def test_message_filter_without_a_node_publishes(buffer: Buffer, broadcaster: TransformBroadcaster) -> None:
-    messages: list[PointStamped] = []
+def filter_without_a_node():
     waiting = MessageFilter(None, buffer, "map", 10)
-
-    def publish(message: PointStamped) -> None:
-        broadcaster.sendTransform(transform_stamped("base", "tool", SECOND))
-        messages.append(message)
-
-    waiting.registerCallback(publish)
+    waiting.registerCallback(send_another)
     point = PointStamped()
-    point.header.frame_id = "base"
-    point.header.stamp.sec = 1
+    point.header.frame_id, point.header.stamp.sec = "base", 1
     waiting.add(point)
-    in_time(lambda: broadcaster.sendTransform(transform_stamped("map", "base", SECOND)))
-    assert messages == [point]
 
-
-def test_done_callback_opens_and_closes_ends_of_the_same_topic(
-    node: Node, buffer: Buffer, broadcaster: TransformBroadcaster
-) -> None:
-    ended: list[str] = []
-
-    def change(_: object) -> None:
+def open_and_close():
+    def change(_):
         other = TransformListener(Buffer(), node)
-        StaticTransformBroadcaster(node).sendTransform(transform_stamped("map", "fixed", SECOND))
+        static = StaticTransformBroadcaster(node)
+        fixed = TransformStamped(child_frame_id="fixed")
+        fixed.header.frame_id, fixed.transform.rotation.w = "map", 1.0
+        static.sendTransform(fixed)
         other.unregister()
-        ended.append("changed")
+        send_another(None)
 
-    wait_for(buffer, "base").add_done_callback(change)
-    in_time(lambda: broadcaster.sendTransform(transform_stamped("map", "base", SECOND)))
-    assert ended == ["changed"]
+    buffer.wait_for_transform_async("map", "base", LATEST).add_done_callback(change)
+
+def publish_elsewhere():
+    # What other threads write meanwhile is stored by the thread of the callback, after it.
+    def change(_):
+        writer = threading.Thread(target=lambda: [send("base", f"tool{number}") for number in range(20)], daemon=True)
+        writer.start()
+        writer.join()
+        send_another(None) if not IS_LOCAL else (send("base", "tool"), done.set())
+
+    buffer.wait_for_transform_async("map", "base", LATEST).add_done_callback(change)
+
+globals()[sys.argv[1]]()
+while not done.wait(0.1):  # the two ends on DDS may not have met yet
+    send("map", "base")
+wait = Duration(seconds=30)
+frames = ["tool"] + [f"tool{number}" for number in range(20)] * (sys.argv[1] == "publish_elsewhere")
+print(all(buffer.can_transform("map", frame, LATEST, wait) for frame in frames))
+"""
 
 
-def test_other_threads_write_while_a_callback_runs_and_keep_their_order(
-    buffer: Buffer, broadcaster: TransformBroadcaster
-) -> None:
-    """What other threads write meanwhile is stored by the thread of the callback, after it."""
-    count = 100
-    after: list[bool] = []
+def run(case: str) -> None:
+    command = [sys.executable, "-c", PROGRAM, case]
+    try:
+        ended = subprocess.run(command, check=False, capture_output=True, text=True, timeout=TIMEOUT_S)
+    except subprocess.TimeoutExpired as error:
+        pytest.fail(f"{case} does not return: {error.stderr!r}")
+    assert (ended.returncode, ended.stdout, ended.stderr) == (0, "True\n", "")
 
-    def publish_elsewhere(_: object) -> None:
-        def publish() -> None:
-            for number in range(count):
-                broadcaster.sendTransform(transform_stamped("base", f"tool{number}", SECOND))
 
-        in_time(publish)
-        after.append(buffer.can_transform("map", "base", Time(seconds=1)))
+CASES = ["publish", "filter_without_a_node", "open_and_close", "publish_elsewhere"]
 
-    wait_for(buffer, "base").add_done_callback(publish_elsewhere)
-    in_time(lambda: broadcaster.sendTransform(transform_stamped("map", "base", SECOND)))
-    assert after == [True]
-    assert all(buffer.can_transform("map", f"tool{number}", Time(seconds=1)) for number in range(count))
+
+@pytest.mark.parametrize("case", CASES)
+def test_callback_uses_the_wire_in_the_process(case: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+    run(case)
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_callback_uses_the_dds_wire(case: str, monkeypatch: pytest.MonkeyPatch, domain_id: int) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "rmw_cyclonedds_cpp")
+    run(case)
