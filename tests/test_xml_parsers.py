@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import io
 from collections.abc import Callable
 from pathlib import Path
+from xml.dom import minidom
 from xml.etree import ElementTree as ET
+from xml.parsers import expat
 
 import pytest
 
@@ -12,9 +15,48 @@ import tfloom
 from tfloom.launch.xml.elements import XmlError, read_elements
 from tfloom.robot.urdf_error import UrdfError
 from tfloom.robot.xml_elements import read_xml
-from tfloom.xml_parsers import MAX_TREE, read_tree
+from tfloom.xml_parsers import MAX_TREE, guard_minidom, read_tree
 
 READERS: list[Callable[[bytes], object]] = [read_tree, read_xml, lambda data: read_elements(data, "a.xml")]
+
+
+@pytest.fixture
+def guarded(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let minidom read by our parser, for a test."""
+    for name in ("parse", "parseString"):
+        monkeypatch.setattr(minidom, name, getattr(minidom, name))
+    guard_minidom()
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        '<!DOCTYPE a [<!ENTITY b "c">]><a>&b;</a>',
+        '<!DOCTYPE a SYSTEM "no.dtd"><a>&b;</a>',
+        "<a>&b;</a>",
+        "<a>",
+    ],
+)
+def test_minidom_refuses_entities(guarded: None, text: str) -> None:
+    for read in (minidom.parseString, lambda text: minidom.parse(io.StringIO(text))):
+        with pytest.raises(expat.ExpatError, match=r"entity.*line 1, column|no element found: line 1"):
+            read(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        '<!DOCTYPE a [<!ATTLIST b c CDATA "long">]><a><b/></a>',
+        '<a xmlns:x="urn:x" x:b="1">t<x:c d="e"/><!-- f --><![CDATA[g]]>&amp;ü</a>',
+    ],
+)
+def test_minidom_reads_all_else_as_before(
+    text: str, request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    before = minidom.parseString(text).toxml()
+    request.getfixturevalue("guarded")
+    assert minidom.parseString(text).toxml() == before == minidom.parse(io.StringIO(text)).toxml()
+    assert minidom.parseString(text.encode()).toxml() == before
 
 
 @pytest.mark.parametrize("read", READERS)
@@ -64,7 +106,7 @@ def test_a_text_that_cannot_be_read_is_named(text: str | bytes) -> None:
 
 def test_no_other_module_makes_a_parser() -> None:
     house = Path(tfloom.__file__).parent
-    marks = ("ParserCreate", "ET.fromstring", "ET.parse(", "ET.XML", "minidom", "iterparse", "sax.parse")
+    marks = ("ParserCreate", "ET.fromstring", "ET.parse(", "ET.XML", "minidom.", "iterparse", "sax.parse")
     found = {
         path.relative_to(house).as_posix()
         for path in house.rglob("*.py")

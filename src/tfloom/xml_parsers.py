@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from pathlib import Path
+from typing import IO, TYPE_CHECKING
 from xml.parsers import expat
 
 if TYPE_CHECKING:
     from xml.etree import ElementTree as ET
 
-__all__ = ["make_parser", "read_tree"]
+__all__ = ["guard_minidom", "make_parser", "read_tree"]
 
 MAX_TREE = 4_000_000
 """Length of the longest text of which a tree is made [characters or octets]."""
@@ -64,6 +65,40 @@ def read_tree(text: str | bytes) -> ET.Element:
     except (LookupError, UnicodeError) as error:  # an encoding that is not known; a lone surrogate
         raise error_at(1, 0, f"the text can't be decoded, {error}") from None
     return builder.close()
+
+
+def guard_minidom() -> None:
+    """Let `xml.dom.minidom` of this process read XML by `make_parser`, for a library that uses it.
+
+    Its functions `parse` and `parseString` raise ExpatError for entities, as for what isn't well-formed.
+    """
+    from xml.dom import expatbuilder, minidom
+
+    class Builder(expatbuilder.ExpatBuilderNS):
+        def createParser(self) -> expat.XMLParserType:  # noqa: N802  # its name there
+            self.own_parser = make_parser(self.refuse, " ")
+            self.own_parser.namespace_prefixes = True
+            return self.own_parser
+
+        def refuse(self, name: str) -> None:
+            place = f"line {self.own_parser.CurrentLineNumber}, column {self.own_parser.CurrentColumnNumber}"
+            raise expat.ExpatError(
+                f"the entity '{name}' is used or declared, but entities are not supported: {place}"
+            )
+
+        def entity_decl_handler(self, name: str, *_: object) -> None:
+            self.refuse(name)
+
+    def parse_string(text: str | bytes, *_: object) -> minidom.Document:
+        builder = Builder()
+        builder.reset()
+        document: minidom.Document = builder.parseString(text)
+        return document
+
+    def parse(file: str | IO[str] | IO[bytes], *_: object) -> minidom.Document:
+        return parse_string(Path(file).read_bytes() if isinstance(file, str) else file.read())
+
+    vars(minidom).update(parse=parse, parseString=parse_string)
 
 
 def _name(expanded: str) -> str:

@@ -10,7 +10,7 @@ import signal
 import time
 from collections.abc import Callable
 from contextlib import nullcontext
-from itertools import chain
+from itertools import chain, pairwise
 from pathlib import Path
 from typing import Any
 
@@ -187,8 +187,8 @@ def talker(domain_id: int, start_program: Callable[..., Any]) -> Any:
     return program
 
 
-def wait_until(condition: Callable[[], bool]) -> None:
-    end = time.monotonic() + 20.0
+def wait_until(condition: Callable[[], bool], timeout_s: float = 20.0) -> None:
+    end = time.monotonic() + timeout_s
     while not condition():
         assert time.monotonic() < end, "timeout"
         time.sleep(0.01)
@@ -344,3 +344,23 @@ def test_full_disk_is_explained(
         "bag_0.mcap: it can't be written: File too large. What was recorded before is kept" in recorder.output
     )
     assert "Traceback" not in recorder.output
+
+
+@pytest.mark.parametrize("rate_hz", ["3", "62"])
+def test_files_are_split_by_their_duration_beside_talkers(
+    rate_hz: str, domain_id: int, start_program: Callable[..., Any], tmp_path: Path
+) -> None:
+    """A slow talker's messages are all written when the next one is of a new file, a quick one's are not."""
+    folder = tmp_path / "bag"
+    talk = ("tfloom", "topic", "pub", "-r", rate_hz, "/chatter", "std_msgs/msg/String", "{data: a}")
+    start_program(*talk).wait_for("publishing #1")
+    recorder = start_program("tfloom", "bag", "record", "-d", "1", "-o", folder, "--topics", "/chatter")
+    wait_until((folder / "bag_4.mcap").exists, 40.0)
+    recorder.signal(signal.SIGINT)
+    assert recorder.wait() == 0
+    paths = sorted(folder.glob("bag_*.mcap"))
+    files = [open_bag(path) for path in paths]
+    for file, following in pairwise(files):
+        assert file.end_ns - file.start_ns <= 1_000_000_000 < following.start_ns - file.start_ns
+    with open_bag(folder) as bag:
+        assert bag.message_count == sum(file.message_count for file in files)

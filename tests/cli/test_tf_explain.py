@@ -76,6 +76,32 @@ def test_a_time_in_the_past_is_there_after_listening(explain: Explain) -> None:
     assert (code, "This command has listened for" in text) == (1, True)
 
 
+@pytest.mark.parametrize("parents", [("left", "right"), ("right", "left")])
+def test_both_publishers_of_a_child_with_two_parents_are_named(
+    domain_id: int, start_program: Callable[..., Any], parents: tuple[str, str]
+) -> None:
+    """Of both lookups one has the parent that a buffer has replaced, whichever transform came last."""
+    for parent in parents:
+        node = f"__node:={parent}_node"
+        frames = ("--frame-id", parent, "--child-frame-id", "base")
+        program = start_program(
+            "tfloom", "run", "tf2_ros", "static_transform_publisher", *frames, "--ros-args", "-r", node
+        )
+        program.wait_for("Spinning until stopped")
+    texts = []
+    for parent in parents:
+        program = start_program("tfloom", "tf", "explain", parent, "base", "--listen", "0.5", "--wait", "2")
+        program.wait()
+        texts.append(program.output)
+    failed = [text for text in texts if "fails" in text]
+    assert failed, texts
+    for text in failed:
+        assert "'base' is sent with several parents, of which a buffer keeps the last" in text
+        assert (
+            "/left_node on /tf_static (parent 'left') and /right_node on /tf_static (parent 'right')" in text
+        )
+
+
 def test_frames_that_are_not_there_or_not_connected(explain: Explain) -> None:
     code, text = explain("map", "camera", "--wait", "0.5")
     assert (code, "'camera' is in the tree of 'rig'" in text) == (1, True)

@@ -69,10 +69,18 @@ def test_the_program(robot: Path, start_program: Callable[..., Any]) -> None:
     check(output.read_text(), "b")
 
 
-def test_its_errors_are_lines(robot: Path, start_program: Callable[..., Any]) -> None:
+def test_its_errors_are_lines(
+    robot: Path, start_program: Callable[..., Any], deviations: dict[str, dict[str, str]]
+) -> None:
+    assert "xacro-entities" in deviations
     for name, text, reason in [
         ("nothere.xacro", None, "No such file or directory"),
         ("broken.xacro", "<robot", "XML parsing error"),
+        (
+            "entity.xacro",
+            f'<!DOCTYPE robot [<!ENTITY a "a">]><robot name="&a;" {NAMESPACE}/>',
+            "the entity 'a' is used or declared, but entities are not supported: line 1, column 28",
+        ),
         ("none.xacro", f'<robot name="r" {NAMESPACE}>$(find nothere)</robot>', "nothere"),
     ]:
         path = robot.with_name(name)

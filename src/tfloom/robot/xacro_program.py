@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import sys
 
+from tfloom.xml_parsers import guard_minidom
+
 __all__ = ["main"]
 
 MISSING = "xacro is not installed: pip install 'tfloom[robot]'"
@@ -20,6 +22,7 @@ def main(args: list[str] | None = None) -> int:
             raise
         print(f"xacro: {MISSING}", file=sys.stderr)
         return 1
+    guard_minidom()  # by which the library reads
     if args is not None:
         sys.argv = ["xacro", *args]
     try:
