@@ -22,7 +22,7 @@ SHELVES = [
     ["node"],
     ["tf2_ros", "workspace"],
     ["bag"],
-    ["tf2_tools", "turtlesim", "sensing", "robot", "demos", "drop_in", "launch"],
+    ["tf2_tools", "turtlesim", "robot", "demos", "drop_in", "launch"],
     ["cli", "pyinstaller", "testing"],
 ]
 """The rooms, from the bottom up; rooms on one shelf don't import each other, except interfaces rosidl."""
@@ -49,10 +49,9 @@ DOORS = {
     "reportlab": ("tf2_tools/drawing/",),
     "rich": ("tf2_tools/top/",),
     "argcomplete": ("cli/tab_key.py",),
-    "PIL": ("turtlesim/picture.py", "sensing/image_files.py", "tf2_tools/drawing/png.py"),
+    "PIL": ("turtlesim/picture.py", "tf2_tools/drawing/png.py"),
     "psutil": ("launch/processes/",),
     "transforms3d": ("tf2_ros/transformations.py",),
-    "cv2": ("sensing/opencv.py",),
     "pandas": ("tf2/trajectory.py",),
     "lz4": ("bag/reading/compression.py",),
     "zstandard": ("bag/reading/compression.py",),

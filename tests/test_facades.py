@@ -68,7 +68,7 @@ def hands_on(node: ast.stmt) -> bool:
     if isinstance(node, ast.If):
         return defers(node)
     if isinstance(node, ast.ImportFrom):
-        return (node.module or "").split(".")[0] in {"tfloom", "__future__"}
+        return (node.module or "").split(".")[0] in {"tfloom", "tfloom_sensing", "__future__"}
     if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
         return ast.unparse(node.value.func) == "claim"
     if isinstance(node, (ast.Assign, ast.AnnAssign)):

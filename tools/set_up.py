@@ -37,8 +37,8 @@ STAGES: dict[str, tuple[list[str], list[str]]] = {
 }
 """The additions of each stage to the one before it: dependency groups, and extras of tfloom."""
 PACKAGE = ROOT / "src" / "tfloom"
-PACKAGES = ("tfloom-ros2", "tfloom-interfaces")
-"""Distributions in packages/, installed in the stage `test`, because tests call `ros2` and import nav2_msgs."""
+PACKAGES = ("tfloom-ros2", "tfloom-interfaces", "tfloom-sensing")
+"""Distributions in packages/, installed in the stage `test`, because tests use what they have."""
 DDS = "cyclonedds"
 OLDEST = (3, 10)
 """The oldest Python that tfloom supports."""

@@ -28,13 +28,9 @@ def use_ros_names() -> None:
     --target`, or in a notebook whose kernel has been running since before the install. Calling it again does
     nothing.
     """
-    from importlib.machinery import PathFinder
-
+    from tfloom.distributions import installed_prefixes
     from tfloom.ros_finder import install
 
-    folders = [_ROS_NAMES]
-    extra = PathFinder.find_spec("tfloom_interfaces")
-    if extra is not None and extra.origin:
-        folders.append(os.path.join(os.path.dirname(extra.origin), "ros_names"))  # noqa: PTH118, PTH120
+    folders = [_ROS_NAMES, *(str(prefix / "ros_names") for prefix in installed_prefixes())]
     sys.path += [folder for folder in folders if folder not in sys.path]
     install()

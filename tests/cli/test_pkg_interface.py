@@ -13,7 +13,7 @@ import pytest
 import transcript
 from tests.conftest import COLCON_PYTHON
 
-from tfloom.rosidl.definition_files import extra_prefix
+from tfloom.distributions import INTERFACES, find_prefix
 from tfloom.workspace import index
 
 
@@ -99,7 +99,7 @@ def test_turtlesim_programs_match_the_recording() -> None:
 def test_packages_of_tfloom_interfaces_are_listed_as_our_own() -> None:
     assert "nav2_msgs" in transcript.run("pkg", "list").text.splitlines()
     prefix = transcript.run("pkg", "prefix", "nav2_msgs").text
-    assert prefix == str(extra_prefix())
+    assert prefix == str(find_prefix(INTERFACES))
     share = Path(transcript.run("pkg", "prefix", "--share", "nav2_msgs").text)
     assert (share / "action" / "NavigateToPose.action").is_file()
     listed = transcript.run("interface", "list").text

@@ -200,7 +200,7 @@ def test_a_package_of_tfloom_interfaces_that_is_not_installed(
     sourced: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (sourced / "share/my_interfaces/msg/Goal.msg").write_text("nav2_msgs/Costmap map\n")
-    monkeypatch.setattr("tfloom.rosidl.definition_files.extra_prefix", lambda: None)
+    monkeypatch.setattr("tfloom.rosidl.definition_files.find_prefix", lambda _distribution: None)
     with pytest.raises(
         ParseError, match=r"nav2_msgs comes with the distribution tfloom-interfaces, which is not"
     ):

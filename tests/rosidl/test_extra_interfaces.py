@@ -13,7 +13,8 @@ from rosbags.typesys.store import Typestore
 from tests.each import for_each
 from tests.test_facades import ROS_NAMES, RULES, Rule
 
-from tfloom.rosidl import cdr, class_table, definition_files, generate, spec
+from tfloom.distributions import INTERFACES, find_prefix
+from tfloom.rosidl import cdr, class_table, generate, spec
 from tfloom.rosidl.registry import find_class, get_message_class
 from tfloom.rosidl.type_hash import type_hash
 from tfloom.workspace.get_interfaces import get_interfaces
@@ -53,12 +54,12 @@ def test_nothing_is_left_of_old_definitions() -> None:
 
 def test_the_names_of_its_packages_are_those_in_error_texts() -> None:
     packages = {name.partition("/")[0] for name in extra()}
-    assert packages == set(definition_files.EXTRA_PACKAGES)
+    assert packages == set(INTERFACES.ros_packages)
     assert not packages & {name.partition("/")[0] for name in own()}
 
 
 def test_what_is_installed_is_this_checkouts() -> None:
-    prefix = definition_files.extra_prefix()
+    prefix = find_prefix(INTERFACES)
     assert prefix is not None, "run `make setup`"
     for path in files():
         assert (prefix / path).read_text("utf-8") == files()[path], "run `make setup`"
@@ -66,7 +67,7 @@ def test_what_is_installed_is_this_checkouts() -> None:
 
 @pytest.mark.parametrize("rule", RULES, ids=lambda rule: rule.__name__)
 def test_each_facade_keeps_the_rules_of_facades(rule: Rule) -> None:
-    prefix = definition_files.extra_prefix()
+    prefix = find_prefix(INTERFACES)
     assert prefix is not None
     assert ROS_NAMES.is_dir()
     broken = [

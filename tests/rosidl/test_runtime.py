@@ -9,13 +9,14 @@ import sys
 import pytest
 
 import tfloom
+from tfloom.distributions import INTERFACES
 from tfloom.interfaces.geometry_msgs.msg import Twist
 from tfloom.interfaces.sensor_msgs.msg import CameraInfo
 from tfloom.interfaces.std_srvs.srv import SetBool
 from tfloom.interfaces.turtlesim.action import RotateAbsolute
 from tfloom.interfaces.turtlesim.srv import Spawn
 from tfloom.rosidl import definition, runtime, sources
-from tfloom.rosidl.definition_files import EXTRA_PACKAGES, interface_names
+from tfloom.rosidl.definition_files import interface_names
 
 
 def test_types_are_found_by_name() -> None:
@@ -121,7 +122,7 @@ def test_every_interface_has_a_facade(kind: str) -> None:
     tfloom.use_ros_names()
     for package in {name.split("/")[0] for name in interface_names(kind)}:
         facade = importlib.import_module(f"{package}.{kind}")
-        root = "tfloom_interfaces" if package in EXTRA_PACKAGES else "tfloom"
+        root = "tfloom_interfaces" if package in INTERFACES.ros_packages else "tfloom"
         room = importlib.import_module(f"{root}.interfaces.{package}.{kind}")
         assert facade.__all__ == room.__all__
         assert all(getattr(facade, name) is getattr(room, name) for name in room.__all__)

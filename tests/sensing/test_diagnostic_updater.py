@@ -11,6 +11,18 @@ import diagnostic_updater._publisher as publisher_module
 import diagnostic_updater._update_functions as functions_module
 import pytest
 from tests.sensing.spinning import spin_until
+from tfloom_sensing import update_functions
+from tfloom_sensing.diagnosed_publisher import DiagnosedPublisher, HeaderlessTopicDiagnostic, TopicDiagnostic
+from tfloom_sensing.diagnostic_status_wrapper import DiagnosticStatusWrapper
+from tfloom_sensing.diagnostic_tasks import CompositeDiagnosticTask, DiagnosticTask, FunctionDiagnosticTask
+from tfloom_sensing.diagnostic_updater import DiagnosticTaskVector, Updater
+from tfloom_sensing.update_functions import (
+    FrequencyStatus,
+    FrequencyStatusParam,
+    Heartbeat,
+    TimeStampStatus,
+    TimeStampStatusParam,
+)
 
 from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMessage
 from tfloom.interfaces.diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
@@ -19,18 +31,6 @@ from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.values.time import Time
-from tfloom.sensing import update_functions
-from tfloom.sensing.diagnosed_publisher import DiagnosedPublisher, HeaderlessTopicDiagnostic, TopicDiagnostic
-from tfloom.sensing.diagnostic_status_wrapper import DiagnosticStatusWrapper
-from tfloom.sensing.diagnostic_tasks import CompositeDiagnosticTask, DiagnosticTask, FunctionDiagnosticTask
-from tfloom.sensing.diagnostic_updater import DiagnosticTaskVector, Updater
-from tfloom.sensing.update_functions import (
-    FrequencyStatus,
-    FrequencyStatusParam,
-    Heartbeat,
-    TimeStampStatus,
-    TimeStampStatusParam,
-)
 
 OK, WARN, ERROR = DiagnosticStatus.OK, DiagnosticStatus.WARN, DiagnosticStatus.ERROR
 LONG_S = 3600.0

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+import cv2
 import numpy as np
 import pytest
-
-from tfloom.sensing.image_display import cvtColorForDisplay
+from tfloom_sensing.image_display import cvtColorForDisplay
 
 WHERE = "cv_bridge.cvtColorForDisplay()"
 NO_COLOR = "[32FC1] is not a color format. but [bgr8] is. The conversion does not make sense"
@@ -88,9 +88,14 @@ def test_what_cannot_be_shown(encoding: str, target: str, text: str) -> None:
     assert str(caught.value) == text
 
 
-@pytest.mark.usefixtures("without_opencv")
-def test_several_channels_and_colormaps() -> None:
+def test_several_channels_have_no_range() -> None:
     with pytest.raises(RuntimeError, match="more than one channel is unsupported"):
         cvtColorForDisplay(np.zeros((2, 2, 3), np.uint8), "bgr8", "bgr8", False, 0.0, 1.0)
-    with pytest.raises(RuntimeError, match="colormap needs OpenCV: pip install opencv-python-headless"):
-        cvtColorForDisplay(np.zeros((2, 2), np.float32), "32FC1", "bgr8", False, 0.0, 1.0, 2)
+
+
+def test_colormaps() -> None:
+    image = np.array([[0.0, 0.5, 1.0, np.nan]], np.float32)
+    colored = cvtColorForDisplay(image, "32FC1", "bgr8", False, 0.0, 1.0, cv2.COLORMAP_JET)
+    expected = cv2.applyColorMap(np.array([[0, 128, 255]], np.uint8), cv2.COLORMAP_JET)
+    np.testing.assert_array_equal(colored[:, :3], expected)
+    assert not colored[0, 3].any()

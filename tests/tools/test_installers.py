@@ -13,6 +13,7 @@ from tests.wheels import copy_checkout
 ROOT = Path(__file__).parents[2]
 COMMAND = "./packages/tfloom-ros2"
 INTERFACES = "./packages/tfloom-interfaces"
+SENSING = "./packages/tfloom-sensing"
 TIMEOUT_S = 600.0
 
 pytestmark = [
@@ -61,12 +62,15 @@ def expect_working(ros2: Path) -> None:
         assert expected in done.stdout, done.stdout + done.stderr
 
 
-def test_pip_installs_all_three_packages(clone: Path, tmp_path: Path) -> None:
+def test_pip_installs_all_packages(clone: Path, tmp_path: Path) -> None:
     subprocess.run([sys.executable, "-m", "venv", tmp_path / "venv"], check=True, timeout=TIMEOUT_S)
     python = tmp_path / "venv" / "bin" / "python"
-    run(tmp_path, python, "-m", "pip", "install", "--quiet", ".[all]", COMMAND, INTERFACES, cwd=clone)
+    run(
+        tmp_path, python, "-m", "pip", "install", "--quiet", ".[all]", COMMAND, INTERFACES, SENSING, cwd=clone
+    )
     expect_working(tmp_path / "venv" / "bin" / "ros2")
     run(tmp_path, python, "-c", "from nav2_msgs.action import NavigateToPose; NavigateToPose.Goal()")
+    run(tmp_path, python, "-c", "from diagnostic_updater import Updater; from cv_bridge import CvBridge")
     definition = tmp_path / "ws" / "share" / "my_interfaces" / "msg" / "Ball.msg"
     definition.parent.mkdir(parents=True)
     definition.write_text("float64 radius\n")

@@ -46,8 +46,8 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
 @pytest.mark.slow
 def test_files_are_complete_and_pass_the_checks(tools: Tools, files: list[Path]) -> None:
     names = {re.split(r"-(?=\d)", path.name)[0] for path in files}
-    assert names == {"tfloom", "tfloom_ros2", "tfloom_interfaces"}
-    assert len(files) == 6
+    assert names == {"tfloom", "tfloom_ros2", "tfloom_interfaces", "tfloom_sensing"}
+    assert len(files) == 8
     assert all(f"-{tfloom.__version__}" in path.name for path in files)
     release.check(tools, files)
 
@@ -120,7 +120,9 @@ def test_wheel_runs_the_demo_without_a_compiler(
         for name in ("cc", "c++", "gcc", "g++", "clang", "cmake")
         if shutil.which(name, path=str(commands))
     ]
-    wheels = [wheel_of(files, name) for name in ("tfloom", "tfloom_ros2", "tfloom_interfaces")]
+    wheels = [
+        wheel_of(files, name) for name in ("tfloom", "tfloom_ros2", "tfloom_interfaces", "tfloom_sensing")
+    ]
     started = time.monotonic()
     run([commands / "pip", "install", "--quiet", "--only-binary", ":all:", *wheels], tmp_path, environment)
     took_s = time.monotonic() - started
@@ -130,6 +132,13 @@ def test_wheel_runs_the_demo_without_a_compiler(
     assert (tmp_path / "frames.pdf").read_bytes().startswith(b"%PDF")
     assert (tmp_path / "turtles.png").read_bytes().startswith(b"\x89PNG")
     assert "ros2 (tfloom)" in run([commands / "ros2", "--version"], tmp_path, environment)
+    without_opencv = (
+        "import cv_bridge, image_geometry, diagnostic_updater, interactive_markers, numpy\n"
+        "try: cv_bridge.CvBridge().cv2_to_compressed_imgmsg(numpy.zeros((2, 2), 'uint8'))\n"
+        "except ModuleNotFoundError as error: print(error)"
+    )
+    output = run([commands / "python", "-c", without_opencv], tmp_path, environment)
+    assert output.endswith("is not installed: pip install opencv-python-headless\n")
 
 
 def run(command: list[Path | str], cwd: Path, environment: dict[str, str]) -> str:
@@ -200,9 +209,9 @@ def test_a_wheel_for_musl_is_tested_with_all_it_needs_but_dds() -> None:
     assert needed - set(project["tool"]["cibuildwheel"]["test-requires"]) == set(line.split())
 
 
-def test_the_three_distributions_have_one_version(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_distributions_have_one_version(monkeypatch: pytest.MonkeyPatch) -> None:
     versions = release.versions()
-    assert len(versions) == 5  # of three projects, and what two of them require
+    assert len(versions) == 7  # of four projects, and what three of them require
     assert set(versions.values()) == {tfloom.__version__}
     release.check_tag(f"v{tfloom.__version__}")
     for tag in (tfloom.__version__, f"v{tfloom.__version__}.post1", "v"):

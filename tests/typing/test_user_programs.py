@@ -63,7 +63,7 @@ def wheel_python(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Install wheels of a release into a fresh environment, and return that environment's Python."""
     folder = tmp_path_factory.mktemp("wheel")
     files = release_files(tmp_path_factory)
-    wheels = [wheel_of(files, "tfloom"), wheel_of(files, "tfloom_interfaces")]
+    wheels = [wheel_of(files, name) for name in ("tfloom", "tfloom_interfaces", "tfloom_sensing")]
     venv.create(folder / "venv", symlinks=True)
     python = folder / "venv" / Path(sysconfig.get_path("scripts")).name / "python"
     pip = [sys.executable, "-m", "pip", "--disable-pip-version-check", "--quiet", "--python", str(python)]
@@ -144,8 +144,8 @@ def test_wrong_program_is_rejected_by_mypy(tmp_path: Path) -> None:
 
 
 def test_a_wheel_puts_the_ros_names_last_on_the_path(wheel_python: Path) -> None:
-    code = "import sys; print(*(each.replace('\\\\', '/').rpartition('site-packages/')[2] for each in sys.path[-2:]))"
+    code = "import sys; print(*(each.replace('\\\\', '/').rpartition('site-packages/')[2] for each in sys.path[-3:]))"
     result = subprocess.run(
         [wheel_python, "-c", code], capture_output=True, text=True, check=True, timeout=60
     )
-    assert result.stdout == "tfloom/ros_names tfloom_interfaces/ros_names\n"
+    assert result.stdout == "tfloom/ros_names tfloom_interfaces/ros_names tfloom_sensing/ros_names\n"

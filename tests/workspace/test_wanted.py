@@ -35,7 +35,8 @@ def test_dependency_is_provided(name: str, provided: bool) -> None:
 
 
 def test_remedies_differ() -> None:
-    assert how_to_provide("nav2_msgs") == "pip install tfloom-interfaces"
+    assert how_to_provide("nav2_msgs") == "pip install ./packages/tfloom-interfaces, in tfloom's sources"
+    assert how_to_provide("cv_bridge") == "pip install ./packages/tfloom-sensing, in tfloom's sources"
     assert how_to_provide("python3-transforms3d-pip") == "pip install transforms3d"
     assert how_to_provide("nav_to_mars").endswith(
         "put the source of a ROS package into src/, or source a workspace that has it"

@@ -28,6 +28,7 @@ LARGE_BUFFER = 4 << 20
 DISTRIBUTIONS = (
     "tfloom-ros2",
     "tfloom-interfaces",
+    "tfloom-sensing",
     "cyclonedds",
     "numpy",
     "PyYAML",

@@ -8,24 +8,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
-from functools import cache
-from importlib.machinery import PathFinder
 from pathlib import Path
+
+from tfloom.distributions import INTERFACES, find_prefix
 
 KINDS = ("msg", "srv", "action")
 IDL_SUFFIX = ".idl"
-EXTRA_ROOT = "tfloom_interfaces"
-"""The import package of the distribution `tfloom-interfaces`."""
-EXTRA_PACKAGES = (
-    "ackermann_msgs",
-    "action_tutorials_interfaces",
-    "control_msgs",
-    "geographic_msgs",
-    "map_msgs",
-    "nav2_msgs",
-    "vision_msgs",
-)
-"""The interface packages of that distribution, for error texts where it is not installed."""
 
 
 def find_path(name: str) -> Path | None:
@@ -51,16 +39,9 @@ def definitions_folder() -> Path:
     return Path(__file__).parent / "definitions"
 
 
-@cache
-def extra_prefix() -> Path | None:
-    """Return the folder of the import package of `tfloom-interfaces`, or None where it isn't installed."""
-    spec = PathFinder.find_spec(EXTRA_ROOT)
-    return None if spec is None or spec.origin is None else Path(spec.origin).parent
-
-
 def own_folders() -> list[Path]:
     """Return the folders of tfloom's definitions, and of those of `tfloom-interfaces` where it is installed."""
-    extra = extra_prefix()
+    extra = find_prefix(INTERFACES)
     return [definitions_folder()] if extra is None else [definitions_folder(), extra / "definitions"]
 
 

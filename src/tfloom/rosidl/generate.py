@@ -9,9 +9,10 @@ from collections.abc import Iterable, Iterator, Mapping
 from keyword import iskeyword
 from pathlib import Path
 
+from tfloom.distributions import INTERFACES
 from tfloom.rosidl import spec
 from tfloom.rosidl.array_codes import ARRAY_CODES
-from tfloom.rosidl.definition_files import EXTRA_ROOT, definitions_folder
+from tfloom.rosidl.definition_files import definitions_folder
 from tfloom.rosidl.parse import parse_interface
 from tfloom.rosidl.type_hash import FindSpec, type_hash
 
@@ -322,14 +323,14 @@ def generate_all(
 
 def generate_extra(home: Path) -> dict[str, str]:
     """Return the files of the distribution `tfloom-interfaces`, as `generate_all`; `home` is its import package."""
-    return generate_all(EXTRA_ROOT, home / "definitions", load_definitions())
+    return generate_all(INTERFACES.import_package, home / "definitions", load_definitions())
 
 
 def main() -> None:
     """Write all files."""
     home = Path(__file__).parents[1]
     _write(home, generate_all())
-    extra = home.parents[1] / "packages" / "tfloom-interfaces" / "src" / EXTRA_ROOT
+    extra = home.parents[1] / "packages" / INTERFACES.name / "src" / INTERFACES.import_package
     if extra.is_dir():
         _write(extra, generate_extra(extra))
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from tfloom.rosidl import definition_files, sources, spec
+from tfloom.distributions import INTERFACES
+from tfloom.rosidl import sources, spec
 from tfloom.rosidl.parse import ParseError
 
 MOST_NESTED = 100
@@ -75,6 +76,6 @@ def _missing_package(definitions: Definitions, name: str) -> str:
     package = name.partition("/")[0]
     if definitions.is_package(package):
         return ""
-    if package in definition_files.EXTRA_PACKAGES:
-        return f": {package} comes with the distribution tfloom-interfaces, which is not installed"
+    if package in INTERFACES.ros_packages:
+        return f": {package} comes with the distribution {INTERFACES.name}, which is not installed"
     return f": the package '{package}' is neither on AMENT_PREFIX_PATH nor one of tfloom's own"

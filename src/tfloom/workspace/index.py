@@ -11,7 +11,7 @@ import os
 from pathlib import Path
 
 OWN_PREFIX = Path(__file__).parents[1]
-"""The prefix of tfloom's own packages, but for those of the distribution `tfloom-interfaces`."""
+"""The prefix of tfloom's own packages, but for those of the distributions beside it."""
 PREFIX_PATH_VARIABLE = "AMENT_PREFIX_PATH"
 RESOURCE_INDEX = "share/ament_index/resource_index"
 
@@ -112,10 +112,10 @@ def find_package(package: str) -> str | None:
 
 def own_packages() -> dict[str, Path]:
     """Return tfloom's own packages in order of name, each with its prefix: programs, interfaces and Python packages."""
-    from tfloom.rosidl.definition_files import extra_prefix
+    from tfloom.distributions import installed_prefixes
 
     found = dict.fromkeys(PROGRAMS, OWN_PREFIX)
-    for prefix in filter(None, (extra_prefix(), OWN_PREFIX)):
+    for prefix in (*installed_prefixes(), OWN_PREFIX):
         found |= {path.name: prefix for path in (prefix / "ros_names").glob("[a-z]*") if path.is_dir()}
     return dict(sorted(found.items()))
 

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import NamedTuple
 from xml.etree import ElementTree as ET
 
-from tfloom.rosidl import definition_files
+from tfloom.distributions import distribution_with
 from tfloom.workspace import index
 from tfloom.xml_parsers import read_tree
 
@@ -66,8 +66,9 @@ def _has_python(key: str) -> bool:
 
 def how_to_provide(name: str) -> str:
     """Return what to do about a dependency that nobody provides."""
-    if name in definition_files.EXTRA_PACKAGES:
-        return "pip install tfloom-interfaces"
+    distribution_beside = distribution_with(name)
+    if distribution_beside is not None:
+        return distribution_beside.how_to_install
     python = re.fullmatch(r"python3?-(.+)", name)
     if python is not None:
         return f"pip install {python[1].removesuffix('-pip')}"

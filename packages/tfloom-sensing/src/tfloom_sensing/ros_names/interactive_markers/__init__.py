@@ -1,0 +1,13 @@
+"""Markers that viewers show and users move."""
+
+from tfloom.ros_guard import claim
+
+claim("interactive_markers")
+
+from tfloom_sensing.interactive_marker_server import InteractiveMarkerServer
+from tfloom_sensing.menu_handler import MenuHandler
+
+import interactive_markers.interactive_marker_server
+import interactive_markers.menu_handler
+
+__all__ = ["InteractiveMarkerServer", "MenuHandler"]

@@ -1,1 +1,0 @@
-"""Images, cameras, diagnostics and interactive markers: what programs around sensors import."""
