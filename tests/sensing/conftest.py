@@ -6,6 +6,7 @@ import sys
 from collections.abc import Iterator
 
 import pytest
+
 from tfloom_sensing.opencv import load_opencv
 
 

@@ -11,12 +11,12 @@ import image_geometry
 import image_geometry.cameramodels
 import numpy as np
 import pytest
-from tfloom_sensing.pinhole_camera_model import PinholeCameraModel, mkmat
-from tfloom_sensing.stereo_camera_model import StereoCameraModel
 
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.sensor_msgs.msg import CameraInfo, RegionOfInterest
 from tfloom.interfaces.std_msgs.msg import Header
+from tfloom_sensing.pinhole_camera_model import PinholeCameraModel, mkmat
+from tfloom_sensing.stereo_camera_model import StereoCameraModel
 
 
 def camera_info(**changes: Any) -> CameraInfo:

@@ -12,12 +12,12 @@ import cv_bridge.core
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from tfloom_sensing.cv_bridge import CvBridge, CvBridgeError
-from tfloom_sensing.image_encodings import find_encoding
-from tfloom_sensing.image_files import encode_picture
 
 from tfloom.interfaces.sensor_msgs.msg import CompressedImage, Image
 from tfloom.interfaces.std_msgs.msg import Header
+from tfloom_sensing.cv_bridge import CvBridge, CvBridgeError
+from tfloom_sensing.image_encodings import find_encoding
+from tfloom_sensing.image_files import encode_picture
 
 COLORS = [f"{order}{bits}" for order in ("mono", "rgb", "bgr", "rgba", "bgra") for bits in (8, 16)]
 BAYER = [f"bayer_{mosaic}{bits}" for mosaic in ("rggb", "bggr", "gbrg", "grbg") for bits in (8, 16)]

@@ -11,6 +11,14 @@ import diagnostic_updater._publisher as publisher_module
 import diagnostic_updater._update_functions as functions_module
 import pytest
 from tests.sensing.spinning import spin_until
+
+from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMessage
+from tfloom.interfaces.diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+from tfloom.interfaces.geometry_msgs.msg import PointStamped
+from tfloom.node.executing.executors import SingleThreadedExecutor
+from tfloom.node.node import Node
+from tfloom.node.parameters.parameter import Parameter
+from tfloom.node.values.time import Time
 from tfloom_sensing import update_functions
 from tfloom_sensing.diagnosed_publisher import DiagnosedPublisher, HeaderlessTopicDiagnostic, TopicDiagnostic
 from tfloom_sensing.diagnostic_status_wrapper import DiagnosticStatusWrapper
@@ -23,14 +31,6 @@ from tfloom_sensing.update_functions import (
     TimeStampStatus,
     TimeStampStatusParam,
 )
-
-from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMessage
-from tfloom.interfaces.diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
-from tfloom.interfaces.geometry_msgs.msg import PointStamped
-from tfloom.node.executing.executors import SingleThreadedExecutor
-from tfloom.node.node import Node
-from tfloom.node.parameters.parameter import Parameter
-from tfloom.node.values.time import Time
 
 OK, WARN, ERROR = DiagnosticStatus.OK, DiagnosticStatus.WARN, DiagnosticStatus.ERROR
 LONG_S = 3600.0

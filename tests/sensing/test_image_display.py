@@ -5,6 +5,7 @@ from __future__ import annotations
 import cv2
 import numpy as np
 import pytest
+
 from tfloom_sensing.image_display import cvtColorForDisplay
 
 WHERE = "cv_bridge.cvtColorForDisplay()"

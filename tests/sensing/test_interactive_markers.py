@@ -11,8 +11,6 @@ import interactive_markers.interactive_marker_server
 import interactive_markers.menu_handler
 import pytest
 from tests.sensing.spinning import spin_until
-from tfloom_sensing.interactive_marker_server import InteractiveMarkerServer, MarkerContext, UpdateContext
-from tfloom_sensing.menu_handler import EntryContext, MenuHandler
 
 from tfloom.interfaces.builtin_interfaces.msg import Time as TimeMessage
 from tfloom.interfaces.geometry_msgs.msg import Point, Pose
@@ -29,6 +27,8 @@ from tfloom.node.node import Node
 from tfloom.node.qos.qos import QoSProfile
 from tfloom.node.values.names import InvalidServiceNameException
 from tfloom.node.values.time import Time
+from tfloom_sensing.interactive_marker_server import InteractiveMarkerServer, MarkerContext, UpdateContext
+from tfloom_sensing.menu_handler import EntryContext, MenuHandler
 
 POSE_UPDATE = InteractiveMarkerFeedback.POSE_UPDATE
 MENU_SELECT = InteractiveMarkerFeedback.MENU_SELECT

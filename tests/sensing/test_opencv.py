@@ -11,14 +11,14 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-import tfloom_sensing
 from tests.sensing.test_camera_models import pinhole, stereo
+
+import tfloom_sensing
+from tfloom.interfaces.sensor_msgs.msg import CompressedImage
 from tfloom_sensing.cv_bridge import CvBridge
 from tfloom_sensing.image_conversion import cvtColor2
 from tfloom_sensing.image_display import cvtColorForDisplay
 from tfloom_sensing.opencv import load_opencv
-
-from tfloom.interfaces.sensor_msgs.msg import CompressedImage
 
 MISSING = (
     "cv_bridge and image_geometry need OpenCV, which is not installed: pip install opencv-python-headless"

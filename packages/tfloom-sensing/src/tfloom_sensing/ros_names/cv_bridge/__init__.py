@@ -4,10 +4,9 @@ from tfloom.ros_guard import claim
 
 claim("cv_bridge")
 
+import cv_bridge.core
 from tfloom_sensing.cv_bridge import CvBridge, CvBridgeError
 from tfloom_sensing.cv_types import getCvType
 from tfloom_sensing.image_display import cvtColorForDisplay
-
-import cv_bridge.core
 
 __all__ = ["CvBridge", "CvBridgeError", "cvtColorForDisplay", "getCvType"]

@@ -4,6 +4,9 @@ from tfloom.ros_guard import claim
 
 claim("diagnostic_updater")
 
+from tfloom.node.clock.clock import Clock
+from tfloom.node.values.clock_type import ClockType
+from tfloom.node.values.time import Time
 from tfloom_sensing.diagnosed_publisher import DiagnosedPublisher, HeaderlessTopicDiagnostic, TopicDiagnostic
 from tfloom_sensing.diagnostic_status_wrapper import DiagnosticStatus, DiagnosticStatusWrapper, KeyValue
 from tfloom_sensing.diagnostic_tasks import CompositeDiagnosticTask, DiagnosticTask, FunctionDiagnosticTask
@@ -15,10 +18,6 @@ from tfloom_sensing.update_functions import (
     TimeStampStatus,
     TimeStampStatusParam,
 )
-
-from tfloom.node.clock.clock import Clock
-from tfloom.node.values.clock_type import ClockType
-from tfloom.node.values.time import Time
 
 __all__ = [
     "Clock",

@@ -4,9 +4,8 @@ from tfloom.ros_guard import claim
 
 claim("image_geometry")
 
+import image_geometry.cameramodels
 from tfloom_sensing.pinhole_camera_model import PinholeCameraModel
 from tfloom_sensing.stereo_camera_model import StereoCameraModel
-
-import image_geometry.cameramodels
 
 __all__ = ["PinholeCameraModel", "StereoCameraModel"]
