@@ -148,6 +148,8 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
         self._ended_ns: OrderedDict[bytes, int | None] = OrderedDict()
         """The goals that ended last, the oldest first: when the server sent the result, by its clock [ns since the
         epoch]; None where the result was not requested."""
+        self._servers: dict[bytes, frozenset[Any]] = {}
+        """The servers that were there when a goal with a feedback callback was sent."""
         self._unanswered: dict[bytes, int] = {}
         """The last state received of each goal whose request has no response yet. Guarded by `_lock`."""
         self._goals: weakref.WeakValueDictionary[
@@ -220,9 +222,11 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
             raise TypeError(f"Expected {self._action_type.Goal}, got {type(goal)}")
         goal_id = new_goal_id() if goal_uuid is None else goal_uuid
         key = key_of(goal_id)
+        servers = self._end_goals_of_servers_that_left() if feedback_callback is not None else frozenset()
         with self._lock:
             self._unanswered[key] = GoalStatus.STATUS_UNKNOWN
             if feedback_callback is not None:
+                self._servers[key] = servers
                 self._feedback_callbacks[key] = feedback_callback
                 self._ended_ns.pop(key, None)  # of an earlier goal with this id
         request = self._action_type.Impl.SendGoalService.Request(goal_id=goal_id, goal=goal)
@@ -245,8 +249,9 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
         try:
             answer = self._send.call_async(request)
         except BaseException:
-            self._unanswered.pop(key, None)
-            self._feedback_callbacks.pop(key, None)
+            with self._lock:
+                self._unanswered.pop(key, None)
+                self._forget_feedback(key)
             raise
         self._chain(answer, future, on_response)
         answer.when_complete(lambda: self._forget_answered(key, answer))
@@ -274,14 +279,21 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
     ) -> Future[ResultResponseT]:
         """Request the result of a goal; goal handles call this."""
         request = self._action_type.Impl.GetResultService.Request(goal_id=goal_handle.goal_id)
+        key = key_of(goal_handle.goal_id)
         future: Future[ResultResponseT] = Future()
 
         def on_response(response: Any, stamp_ns: int | None) -> Any:
             goal_handle.status = response.status
-            self._end(key_of(goal_handle.goal_id), stamp_ns)
+            self._end(key, stamp_ns)
             return response
 
-        self._chain(self._result.call_async(request), future, on_response, self._deliver_waiting_feedback)
+        def end_if_lost() -> None:
+            if not answer.cancelled() and answer.exception() is not None:  # its server has left
+                self._end(key)
+
+        answer = self._result.call_async(request)
+        self._chain(answer, future, on_response, self._deliver_waiting_feedback)
+        answer.when_complete(end_if_lost)
         return future
 
     def wait_for(self, future: Future[T]) -> T | None:
@@ -336,7 +348,28 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
         with self._lock:
             self._unanswered.pop(key, None)
             if answer.exception() is not None:  # no server has the goal
-                self._feedback_callbacks.pop(key, None)
+                self._forget_feedback(key)
+
+    def _forget_feedback(self, key: bytes) -> None:
+        self._feedback_callbacks.pop(key, None)
+        self._servers.pop(key, None)
+
+    def _end_goals_of_servers_that_left(self) -> frozenset[Any]:
+        """End the goals whose servers have all left, and return the servers that are there.
+
+        A server that is killed sends neither a status nor a result, and the program may never request the result. So
+        that goals of such servers don't add up, they are looked for when another one is sent.
+        """
+        connected = self._send.wire_endpoint.connected_servers()
+        with self._lock:
+            left = [
+                key
+                for key, servers in self._servers.items()
+                if key not in self._ended_ns and servers.isdisjoint(connected)
+            ]
+        for key in left:
+            self._end(key)
+        return frozenset(connected)
 
     def _end(self, key: bytes, stamp_ns: int | None = None) -> None:
         """End a goal's feedback: what the server sent after its result, at `stamp_ns` by its clock, isn't delivered.
@@ -350,7 +383,7 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
                 return
             self._ended_ns[key] = stamp_ns
             if len(self._ended_ns) > MAX_ENDED:
-                self._feedback_callbacks.pop(self._ended_ns.popitem(last=False)[0], None)
+                self._forget_feedback(self._ended_ns.popitem(last=False)[0])
 
     def _on_feedback(self, message: Any, info: dict[str, Any]) -> Any:
         key = key_of(message.goal_id)
