@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -11,12 +12,14 @@ import pytest
 from tests.bag.written_bags import START_NS, STEP_NS, text, topic
 
 from tfloom.bag import open_bag
+from tfloom.bag.errors import BagError
 from tfloom.bag.metadata import read_metadata
 from tfloom.bag.recording import recorder as recorder_module
 from tfloom.bag.recording.record_options import RecordOptions
 from tfloom.bag.recording.recorder import Recorder
 from tfloom.bag.topic_choice import TopicChoice
 from tfloom.bag.writing.bag_writer import WriterSettings
+from tfloom.interfaces.rosbag2_interfaces.srv import Snapshot, SplitBagfile
 from tfloom.node.context.context import Context
 
 CHATTER = topic("/chatter", "std_msgs/msg/String")
@@ -144,3 +147,87 @@ def test_duration_of_a_file_is_counted_from_the_split(started: Start, tmp_path: 
         (6 * STEP_NS, 10 * STEP_NS, 11),
         (17 * STEP_NS, 2 * STEP_NS, 3),
     ]
+
+
+def test_first_failure_is_told(started: Start, capfd: Any) -> None:
+    recorder = started(WriterSettings())
+    first, second = (BagError(recorder.writer.folder, text_) for text_ in ("first", "second"))
+    recorder._fail(first)
+    recorder._fail(second)
+    assert recorder.failure is first
+    assert capfd.readouterr().err.count("Recording ends: ") == 1
+
+
+def test_failed_service_ends_the_recording(started: Start, monkeypatch: pytest.MonkeyPatch) -> None:
+    recorder = started(WriterSettings(is_snapshot=True))
+
+    def fail() -> None:
+        raise BagError(recorder.writer.folder, "full")
+
+    monkeypatch.setattr(recorder.writer, "write_present", fail)
+    monkeypatch.setattr(recorder.writer, "split", fail)
+    response = recorder._on_snapshot(Snapshot.Request(), Snapshot.Response())
+    assert not response.success
+    assert "full" in str(recorder.failure)
+    recorder.failure = None
+    recorder._on_split_bagfile(SplitBagfile.Request(), SplitBagfile.Response())
+    assert "full" in str(recorder.failure)
+
+
+@pytest.mark.parametrize("has_failed", [False, True])
+def test_bag_that_cannot_be_completed(
+    has_failed: bool, started: Start, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    recorder = started(WriterSettings())
+
+    def fail() -> None:
+        raise BagError(recorder.writer.folder, "full")
+
+    with monkeypatch.context() as patched:
+        patched.setattr(recorder.writer, "close", fail)
+        if has_failed:
+            recorder._fail(BagError(recorder.writer.folder, "before"))
+            recorder.stop()
+        else:
+            with pytest.raises(BagError, match="full"):
+                recorder.stop()
+    recorder.writer.close()
+
+
+def test_error_in_discovery_after_the_end_is_none(started: Start, monkeypatch: pytest.MonkeyPatch) -> None:
+    recorder = started(WriterSettings())
+
+    def end(*_: object) -> None:
+        recorder.context.shutdown()
+        raise ValueError("the context has ended")
+
+    with monkeypatch.context() as patched:
+        patched.setattr(recorder._topics, "subscribe_changed", end)
+        wait_until(lambda: not recorder._threads[1].is_alive())
+    assert recorder.failure is None
+
+
+def test_bag_is_completed_when_the_threads_have_ended(
+    started: Start, monkeypatch: pytest.MonkeyPatch, capfd: Any
+) -> None:
+    recorder = started(WriterSettings())
+    discovering, closed = threading.Event(), threading.Event()
+    alive: list[bool] = []
+    close = recorder._topics.close
+
+    def discover() -> None:
+        discovering.set()
+        closed.wait(0.2)  # only a stop that doesn't wait for this thread comes to `close_topics` meanwhile
+
+    def close_topics() -> None:
+        alive.extend(thread.is_alive() for thread in recorder._threads)
+        closed.set()
+        close()
+
+    monkeypatch.setattr(recorder._topics, "subscribe_changed", discover)
+    monkeypatch.setattr(recorder._topics, "close", close_topics)
+    assert discovering.wait(10)
+    recorder.stop()
+    recorder.stop()
+    assert alive == [False, False]
+    assert capfd.readouterr().err.count("Recording stopped") == 1

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from mcap.stream_reader import StreamReader
 from tests.bag.written_bags import START_NS, STEP_NS, Row, text, topic
 
 from tfloom.bag import open_bag
@@ -112,6 +113,20 @@ def test_numbers_of_removed_topics_are_not_given_again(storage_id: str, tmp_path
     }
 
 
+@pytest.mark.parametrize("storage_id", STORAGES)
+def test_removed_topic_with_messages_stays(storage_id: str, tmp_path: Path) -> None:
+    writer = BagWriter(tmp_path / "bag", WriterSettings(storage_id))
+    channel = writer.add_topic(CHATTER)
+    push(writer, channel, 0)
+    writer.write_present()
+    writer.remove_topic("/chatter")
+    writer.close()
+    assert rows_of(tmp_path / "bag") == [row(0)]
+    assert [(each.name, each.message_count) for each in read_metadata(tmp_path / "bag").topics] == [
+        ("/chatter", 1)
+    ]
+
+
 def test_more_topics_than_numbers(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(topic_table, "MAX_TOPICS", 1)
     writer = BagWriter(tmp_path / "bag")
@@ -195,3 +210,93 @@ def test_duration_of_a_file_is_counted_from_its_beginning_by_size(tmp_path: Path
     writer.close()
     counts = [each.message_count for each in read_metadata(tmp_path / "bag").files]
     assert counts == [5, 5, 2, 0]  # without a new beginning, the second file would end after 2
+
+
+def test_split_leaves_no_empty_file_before_one_that_is_due(tmp_path: Path) -> None:
+    writer = BagWriter(tmp_path / "bag", WriterSettings(max_file_duration_ns=10 * STEP_NS))
+    channel = writer.add_topic(CHATTER)
+    push(writer, channel, 0)
+    push(writer, channel, 20)  # begins the next file
+    assert writer.message_count == 1
+    writer.split()
+    writer.close()
+    assert [each.message_count for each in read_metadata(tmp_path / "bag").files] == [1, 1]
+
+
+def test_snapshot_is_not_written_before_it_is_asked_for(tmp_path: Path) -> None:
+    settings = WriterSettings(storage=StorageSettings(chunk_size=200), cache_size=4000, is_snapshot=True)
+    writer = BagWriter(tmp_path / "bag", settings)
+    channel = writer.add_topic(CHATTER)
+    push_all(writer, channel, range(500))
+    assert writer.message_count == 0
+    writer.write_present()
+    writer.close()
+    rows = rows_of(tmp_path / "bag")
+    assert 0 < len(rows) < 500
+    assert rows == [row(number) for number in range(500 - len(rows), 500)]
+
+
+def test_ctrl_c_in_the_middle_of_a_write_loses_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    writer = BagWriter(tmp_path / "bag")
+    channel = writer.add_topic(CHATTER)
+    push(writer, channel, 0)
+
+    def interrupt(_: object) -> None:
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patched:
+        patched.setattr(writer._file, "write", interrupt)
+        with pytest.raises(KeyboardInterrupt):
+            writer.write_present()
+    with pytest.raises(BagError, match="a write has failed"):
+        push(writer, channel, 1)  # else it would be written before the one that waits
+    writer.close()
+    assert rows_of(tmp_path / "bag") == [row(0)]
+
+
+def test_file_of_just_the_size_limit_is_complete(tmp_path: Path) -> None:
+    def record(name: str, max_size: int) -> tuple[int, list[int]]:
+        """Return the size after one message, and the messages of each file."""
+        writer = BagWriter(tmp_path / name, WriterSettings(max_file_size=max_size))
+        channel = writer.add_topic(CHATTER)
+        push(writer, channel, 0)
+        writer.write_present()
+        size = (tmp_path / name / f"{name}_0.mcap").stat().st_size
+        push(writer, channel, 1)
+        writer.close()
+        return size, [each.message_count for each in read_metadata(tmp_path / name).files]
+
+    size, counts = record("bag1", 1 << 20)
+    assert counts == [2]
+    assert record("bag2", size + 1)[1][0] == 2
+    assert record("bag3", size)[1][0] == 1
+
+
+def test_topic_of_a_refused_chunk_is_in_the_next_chunk(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    writer = BagWriter(tmp_path / "bag")
+    channels = [writer.add_topic(topic(name, "std_msgs/msg/String")) for name in ("/chatter", "/other")]
+    for number, channel in enumerate(channels):
+        push(writer, channel, number)
+    with monkeypatch.context() as patched:
+        patched.setattr(writer._file, "_append", full_disk)
+        with pytest.raises(BagError, match="No space left"):
+            writer.write_present()
+    path = writer.file_path
+    writer.close()
+    with path.open("rb") as file:
+        kinds = [type(record).__name__ for record in StreamReader(file).records]
+    # The topics and their type are where a reader of a file that was cut off looks for them, and once.
+    assert kinds[kinds.index("Schema") :][:5] == ["Schema", "Channel", "Channel", "Message", "Message"]
+    assert (kinds.count("Schema"), kinds.count("Channel")) == (2, 4)  # once more in the summary
+
+
+def test_cache_holds_twice_its_size() -> None:
+    queue = bag_writer.make_queue(WriterSettings(cache_size=10_000))
+    size = 0
+    while queue.push(1, bytes(100), 1, 1):
+        size += 100
+    assert 10_000 < size <= 20_000

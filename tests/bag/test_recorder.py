@@ -2,31 +2,36 @@
 
 from __future__ import annotations
 
+import signal
 import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import pytest
 
 from tfloom.bag import open_bag
 from tfloom.bag.errors import BagError
 from tfloom.bag.qos_profiles import parse_profiles, profiles_text, read_overrides
+from tfloom.bag.recording import recorded_topics, run
 from tfloom.bag.recording import recorder as recorder_module
 from tfloom.bag.recording.record_options import RecordOptions
 from tfloom.bag.recording.recorder import Recorder
+from tfloom.bag.recording.requested_qos import adapted, warnings_of
 from tfloom.bag.topic_choice import TopicChoice
 from tfloom.bag.writing.bag_writer import WriterSettings
 from tfloom.interfaces.rosbag2_interfaces.srv import IsPaused, Pause, Resume, Snapshot, SplitBagfile
 from tfloom.interfaces.rosgraph_msgs.msg import Clock
 from tfloom.interfaces.std_msgs.msg import String
+from tfloom.node import client_library
 from tfloom.node.context.context import Context
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 from tfloom.node.values.time import Time
+from tfloom.rmw.events import Count, Event
 from tfloom.rmw.qos import PROFILES, HistoryPolicy, QoS, ReliabilityPolicy
 from tfloom.rmw.qos import DurabilityPolicy as Durability
 
@@ -41,7 +46,7 @@ def record(local_context: Context, tmp_path: Path, monkeypatch: pytest.MonkeyPat
     monkeypatch.setattr(recorder_module, "FLUSH_NS", 10_000_000)
 
     @contextmanager
-    def run(
+    def start(
         choice: TopicChoice, settings: WriterSettings | None = None, **options: Any
     ) -> Iterator[Recorder]:
         asked = RecordOptions(choice, polling_interval_s=0.01, has_keyboard=False, **options)
@@ -53,7 +58,7 @@ def record(local_context: Context, tmp_path: Path, monkeypatch: pytest.MonkeyPat
             recorder.stop()
             recorder.destroy_node()
 
-    return run
+    return start
 
 
 def wait_until(condition: Callable[[], bool]) -> None:
@@ -142,6 +147,153 @@ def test_snapshot_has_the_newest_messages(node: Node, record: Any, tmp_path: Pat
     found = texts(tmp_path / "bag")
     assert 30 < len(found) < 100
     assert found == [str(number) for number in range(500 - len(found), 500)]
+
+
+def test_split_of_a_snapshot_writes_no_message(node: Node, record: Any, tmp_path: Path) -> None:
+    publisher = node.create_publisher(String, "chatter", 10)
+    with record(TopicChoice(["/chatter"]), WriterSettings(is_snapshot=True)) as recorder:
+        publisher.publish(String(data="a"))
+        recorder.split_bagfile()
+        assert recorder.writer.message_count == 0
+        assert recorder.take_snapshot()
+    with open_bag(tmp_path / "bag") as bag:
+        assert [each.message_count for each in bag.files] == [0, 1]
+
+
+def test_one_thread_at_a_time_writes(record: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    held: list[bool] = []
+    with record(TopicChoice(["/chatter"]), WriterSettings(is_snapshot=True)) as recorder:
+        with monkeypatch.context() as patched:
+            for name in ("write_present", "split"):
+                patched.setattr(recorder.writer, name, lambda: held.append(recorder._lock.locked()))
+            recorder.take_snapshot()
+            recorder.split_bagfile()
+        assert held == [True, True]
+
+
+def test_topics_are_left_when_the_recording_stops(node: Node, record: Any) -> None:
+    publisher = node.create_publisher(String, "chatter", 10)
+    with record(TopicChoice(["/chatter"])) as recorder:
+        assert publisher.get_subscription_count() == 1
+        recorder.stop()
+        assert publisher.get_subscription_count() == 0
+
+
+def test_losses_are_counted_until_the_topic_is_left() -> None:
+    class Reader:
+        def take_event(self, _: Event) -> Count:
+            return Count(3, 3)
+
+        def close(self) -> None:
+            pass
+
+    recorded = recorded_topics._Recorded(QoS())
+    assert recorded.count_lost() == 0
+    recorded.reader = cast("Any", Reader())
+    assert recorded.count_lost() == 3
+    recorded.destroy()
+    assert (recorded.reader, recorded.count_lost()) == (None, 3)
+
+
+def test_topic_that_appears_while_others_are_listed_is_recorded(
+    node: Node, record: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with record(TopicChoice(["/chatter", "/late"]), is_discovery_disabled=True) as recorder:
+        topics = recorder._topics
+        listed = topics._topics
+        publishers: list[object] = []
+
+        def list_topics(graph: Any) -> Any:
+            found = listed(graph)
+            if not publishers:
+                publishers.append(node.create_publisher(String, "late", 10))
+            return found
+
+        monkeypatch.setattr(topics, "_topics", list_topics)
+        topics.subscribe_all()
+        assert topics._recorded == {}
+        topics.subscribe_changed()
+        assert topics._recorded.keys() == {"/late"}
+
+
+def test_overridden_profile_keeps_all_and_what_it_refuses_is_told_once(
+    node: Node, record: Any, capfd: Any
+) -> None:
+    reliable = QoS(ReliabilityPolicy.RELIABLE, depth=1)
+    node.create_publisher(String, "chatter", 10)
+    with record(TopicChoice(["/chatter"]), qos_overrides={"/chatter": reliable}) as recorder:
+        (end,) = node.get_subscriptions_info_by_topic("/chatter")
+        assert end.qos_profile.history == HistoryPolicy.KEEP_ALL
+        node.create_publisher(String, "chatter", PROFILES["sensor_data"].depth)  # one more that is reliable
+        best_effort = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
+        node.create_publisher(String, "chatter", best_effort)
+        with recorder._lock:
+            recorder._topics.subscribe_all()
+            recorder._topics.subscribe_all()
+    said = capfd.readouterr().err
+    assert said.count("A new publisher of '/chatter' offers a lower quality") == 1
+
+
+def test_profile_receives_from_all_publishers() -> None:
+    strong = QoS(ReliabilityPolicy.RELIABLE, DurabilityPolicy.TRANSIENT_LOCAL)
+    weak = QoS(ReliabilityPolicy.BEST_EFFORT, DurabilityPolicy.VOLATILE)
+    for offers, reliability, durability, count in (
+        ([], ReliabilityPolicy.RELIABLE, DurabilityPolicy.VOLATILE, 0),
+        ([strong, strong], ReliabilityPolicy.RELIABLE, DurabilityPolicy.TRANSIENT_LOCAL, 0),
+        ([strong, weak], ReliabilityPolicy.BEST_EFFORT, DurabilityPolicy.VOLATILE, 2),
+        ([weak, weak], ReliabilityPolicy.BEST_EFFORT, DurabilityPolicy.VOLATILE, 0),
+    ):
+        qos = adapted(offers)
+        assert (qos.reliability, qos.durability) == (reliability, durability)
+        assert len(warnings_of("/chatter", offers)) == count
+
+
+@pytest.fixture
+def ask(ros_domain: int, tmp_path: Path) -> Iterator[Callable[..., None]]:
+    """Record with a function of the default context, on this thread, as a command does."""
+    client_library.init(args=[], domain_id=ros_domain)
+
+    def ask(**arguments: Any) -> None:
+        options = RecordOptions(TopicChoice(["/late"]), polling_interval_s=0.01, has_keyboard=False)
+        run.record(tmp_path / "bag", WriterSettings(), options, **arguments)
+
+    yield ask
+    client_library.try_shutdown()
+
+
+def test_failure_ends_the_recording_of_a_command(
+    ask: Callable[..., None], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    def fail(*_: object) -> None:
+        raise ValueError("odd")
+
+    monkeypatch.setattr(recorded_topics.RecordedTopics, "subscribe_changed", fail)
+    stop = threading.Event()
+    overdue = threading.Timer(20, stop.set)
+    overdue.start()
+    with pytest.raises(BagError, match="no more topics can be subscribed to: ValueError: odd"):
+        ask(stop=stop)
+    assert not stop.is_set()
+    overdue.cancel()
+    assert (tmp_path / "bag" / "metadata.yaml").exists()
+
+
+def test_ctrl_c_does_not_interrupt_the_completion_of_a_bag(
+    ask: Callable[..., None], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    stop, handlers = threading.Event(), []
+    complete = Recorder.stop
+
+    def stop_recording(recorder: Recorder) -> None:
+        handlers.append(signal.getsignal(signal.SIGINT))
+        complete(recorder)
+
+    monkeypatch.setattr(Recorder, "stop", stop_recording)
+    stop.set()
+    before = signal.getsignal(signal.SIGINT)
+    ask(stop=stop)
+    assert handlers == [signal.SIG_IGN]
+    assert signal.getsignal(signal.SIGINT) is before
 
 
 def test_full_cache_drops_and_counts(node: Node, record: Any, tmp_path: Path, capfd: Any) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import pytest
 
@@ -222,6 +222,88 @@ def test_a_sink_is_fed_no_sample_past_its_lifespan(ends, wait_until) -> None:
     wait_until(lambda: probe.take() is None)
     ends[1].create_reader(LISTENER, TOPIC, TRANSIENT_LOCAL).feed(sink)
     assert sink.pushed() == 0
+
+
+class Received:
+    """A sink that calls a function with each sample's bytes, and another one for each writer that has left."""
+
+    def __init__(
+        self,
+        on_push: Callable[[bytes], object] = lambda _: None,
+        on_forget: Callable[[bytes], object] = lambda _: None,
+    ) -> None:
+        self.pushed: list[bytes] = []
+        self.forgotten: list[bytes] = []
+        self._on_push = on_push
+        self._on_forget = on_forget
+
+    def push(self, data: bytes, *_: object) -> None:
+        self.pushed.append(data)
+        self._on_push(data)
+
+    def forget(self, gid: bytes) -> None:
+        self.forgotten.append(gid)
+        self._on_forget(gid)
+
+
+def on_a_thread(function: Callable[[], object]) -> None:
+    thread = threading.Thread(target=function)
+    thread.start()
+    thread.join()
+
+
+def test_sink_that_comes_later_receives_what_waits_at_once(ends) -> None:
+    sink = SampleQueue(10)
+    reader = ends[1].create_reader(LISTENER, TOPIC, QoS())
+    ends[0].create_writer(TALKER, TOPIC, QoS()).write(b"1")
+    reader.feed(sink)
+    assert [sample[0] for sample in sink.take()] == [b"1"]
+
+
+def test_sink_forgets_a_writer_that_leaves(ends) -> None:
+    sink = Received()
+    writers = [ends[0].create_writer(TALKER, TOPIC, QoS()) for _ in range(2)]
+    ends[1].create_reader(LISTENER, TOPIC, QoS()).feed(sink)
+    writers[0].close()
+    assert sink.forgotten == [writers[0].gid]
+
+
+def test_error_of_a_sink_loses_no_other_sample(ends) -> None:
+    writer = ends[0].create_writer(TALKER, TOPIC, QoS())
+
+    def fail_at_first(data: bytes) -> None:
+        if data == b"1":
+            on_a_thread(lambda: writer.write(b"2"))  # leaves its sample to this thread
+            raise ValueError("first")
+
+    sink = Received(fail_at_first)
+    ends[1].create_reader(LISTENER, TOPIC, QoS()).feed(sink)
+    with pytest.raises(ValueError, match="first"):
+        writer.write(b"1")
+    assert sink.pushed == [b"1", b"2"]
+    on_a_thread(lambda: writer.write(b"3"))
+    assert sink.pushed == [b"1", b"2", b"3"]
+
+
+def test_reader_that_opens_while_a_writer_leaves_does_not_match_it(ends) -> None:
+    late: list[LocalReader] = []
+    open_another = lambda _: late.append(ends[1].create_reader(LISTENER, TOPIC, QoS()))  # noqa: E731
+    writer = ends[0].create_writer(TALKER, TOPIC, QoS())
+    ends[1].create_reader(LISTENER, TOPIC, QoS()).feed(Received(on_forget=open_another))
+    writer.close()
+    assert [reader.matched_count() for reader in late] == [0]
+
+
+def test_reader_that_its_sink_closes_gives_no_more_samples(ends) -> None:
+    writer = ends[0].create_writer(TALKER, TOPIC, QoS())
+    reader = ends[1].create_reader(LISTENER, TOPIC, QoS())
+    for data in (b"1", b"2", b"3"):
+        writer.write(data)
+    sink, later = Received(lambda _: reader.close()), Received()
+    reader.feed(sink)
+    assert sink.pushed == [b"1"]
+    reader.feed(later)
+    assert later.pushed == []
 
 
 _left_open: list[LocalParticipant] = []

@@ -5,13 +5,14 @@ from __future__ import annotations
 import struct
 import threading
 from collections.abc import Callable, Iterator
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
 from tfloom._native import DdsParticipant, DdsReader, DdsWriter, ReadyQueue
 from tfloom.rmw import cyclone_services, cyclonedds, local, services
-from tfloom.rmw.base import NodeName, Participant, Sample, Service
+from tfloom.rmw.base import NodeName, Participant, RequestId, Sample, Service
 from tfloom.rmw.cyclone_config import configuration
 from tfloom.rmw.cyclone_library import find_library
 from tfloom.rmw.cyclone_services import CycloneClients, CycloneServers, Vendors, end_id
@@ -135,6 +136,21 @@ def test_tokens_are_posted_for_requests_responses_and_readiness(wires: Wires, ta
     server.close()
     assert ready.wait(5_000_000_000) == [3]
     wait_until(lambda: not client.is_ready())
+
+
+def test_watch_of_servers_goes_on_after_a_wait_for_one(wires: Wires) -> None:
+    watched, waited = ReadyQueue(), ReadyQueue()
+    client = wires[0].create_requester(CLIENT, KILL, QoS())
+    client.watch_servers(watched, 4)
+    assert watched.wait(0) == [4]
+    client.notify_ready(waited, 5)
+    assert waited.wait(0) == [5]
+    client.notify_ready(None)
+    assert watched.wait(0) == [4]
+    wires[1].create_responder(SERVER, KILL, QoS())
+    assert watched.wait(5_000_000_000) == [4]
+    assert waited.wait(0) == []
+    client.watch_servers(None)
 
 
 def test_closed_endpoints_deliver_nothing(wires: Wires, take, wait_until) -> None:
@@ -291,6 +307,8 @@ class FakeEnd:
 
 
 FAST, CYCLONE, OTHER = "010f", "0110", "0101"
+AWAITING = bytes.fromhex(FAST) + bytes(13) + b"\4"
+"""The reader of a client on Fast DDS."""
 
 
 @pytest.mark.parametrize(
@@ -347,6 +365,33 @@ def test_server_that_never_acknowledges_is_ready_after_a_time(monkeypatch: pytes
     requests, responses = (FakeEnd((CYCLONE, b"serviceid=1;")) for _ in range(2))
     requests.acknowledges = False
     assert CycloneServers(requests, responses, "/kill", Vendors()).is_ready()
+
+
+def test_reader_that_has_left_is_probed_when_it_returns() -> None:
+    writer = FakeEnd()
+    handshake = cyclone_services.Handshake(writer)
+    readers = [(bytes.fromhex(CYCLONE) + bytes(14), b"")]
+    for peers in (readers, readers, [], readers):
+        assert handshake.is_complete(peers)
+    assert writer.probes == 2
+
+
+def test_each_new_reader_has_the_whole_time_to_acknowledge(monkeypatch: pytest.MonkeyPatch) -> None:
+    now_s = 0.0
+    monkeypatch.setattr(cyclone_services, "time", SimpleNamespace(monotonic=lambda: now_s))
+    monkeypatch.setattr(cyclone_services, "HANDSHAKE_S", 10.0)
+    writer = FakeEnd()
+    writer.acknowledges = False
+    handshake = cyclone_services.Handshake(writer)
+    first, second = ((bytes.fromhex(CYCLONE) + bytes([number] * 14), b"") for number in (1, 2))
+    assert not handshake.is_complete([first])
+    now_s = 9.0
+    assert not handshake.is_complete([first, second])
+    now_s = 18.0
+    assert not handshake.is_complete([first, second])
+    now_s = 19.0
+    assert handshake.is_complete([first, second])
+    assert writer.probes == 2
 
 
 @pytest.mark.parametrize("count", [1, 50, 300])
@@ -454,24 +499,172 @@ def test_room_opens_when_the_last_server_with_a_limit_leaves() -> None:
     assert len(writer.written) == before + 10
 
 
-def test_response_to_a_client_that_is_matched_late_is_sent_then(
+def client_on_fast_dds(
+    writer: FakeEnd, key: bytes = b"client 1", in_flight: RequestsInFlight | None = None
+) -> HeaderRequester:
+    servers = CycloneServers(writer, FakeEnd((FAST, b"")), "/kill", Vendors())
+    return HeaderRequester(writer, FakeEnd((FAST, b"")), servers, key, in_flight or RequestsInFlight())
+
+
+def numbers_of(writer: FakeEnd) -> list[int]:
+    return [struct.unpack_from("<q", data, 12)[0] for data in writer.written]
+
+
+def test_requests_that_are_held_go_before_later_ones() -> None:
+    writer = FakeEnd((FAST, b""))
+    client = client_on_fast_dds(writer)
+    for _ in range(12):
+        client.send(HEADER + b"ask!")
+    assert numbers_of(writer) == list(range(1, 11))
+    writer.peers = []  # the server has left, and the limit with it
+    client.send(HEADER + b"ask!")
+    assert numbers_of(writer) == list(range(1, 14))
+
+
+def test_client_that_closes_makes_room_for_others() -> None:
+    writer, in_flight = FakeEnd((FAST, b"")), RequestsInFlight()
+    first, second = (client_on_fast_dds(writer, key, in_flight) for key in (b"client 1", b"client 2"))
+    for _ in range(12):
+        first.send(HEADER + b"ask!")
+    second.send(HEADER + b"mine")
+    assert len(writer.written) == 10
+    first.close()
+    assert [data[-4:] for data in writer.written[10:]] == [b"mine"]
+
+
+def test_requests_that_are_not_answered_make_room_after_a_time(
     monkeypatch: pytest.MonkeyPatch, wait_until
 ) -> None:
-    monkeypatch.setattr(services, "CLIENT_WAIT_S", 0.01)
+    writer = FakeEnd((FAST, b""))
+    client = client_on_fast_dds(writer)
+    with monkeypatch.context() as patched:
+        patched.setattr(services, "UNANSWERED_S", 0.05)
+        for _ in range(11):
+            client.send(HEADER + b"ask!")
+        wait_until(lambda: len(writer.written) == 11)  # although nothing else is sent or taken
+    for _ in range(12):
+        client.send(HEADER + b"ask!")
+    assert len(writer.written) < 22
+    monkeypatch.setattr(services, "UNANSWERED_S", 0.0)
+    client.send(HEADER + b"ask!")
+    assert numbers_of(writer) == list(range(1, 25))
+
+
+def test_one_timer_waits_for_room_and_ends_with_the_client(wait_until) -> None:
+    before = set(threading.enumerate())
+    client = client_on_fast_dds(FakeEnd((FAST, b"")))
+
+    def timers() -> int:
+        new = set(threading.enumerate()) - before
+        return sum(isinstance(thread, threading.Timer) for thread in new)
+
+    for _ in range(30):
+        client.send(HEADER + b"ask!")
+    wait_until(lambda: timers() == 1)
+    client.close()
+    wait_until(lambda: timers() == 0)
+
+
+def server_with_a_request(
+    monkeypatch: pytest.MonkeyPatch, reader: FakeEnd, writer: FakeEnd
+) -> tuple[HeaderResponder, RequestId]:
+    """Return a server that has taken a request of a client on Fast DDS, whose reader isn't matched yet."""
     client = bytes.fromhex(FAST) + bytes(14)
-    awaiting = bytes.fromhex(FAST) + bytes(13) + b"\4"
-    monkeypatch.setattr(cyclone_services, "dds_inline_client", lambda _: awaiting)
-    reader, writer = FakeEnd((FAST, b"")), FakeEnd()
+    monkeypatch.setattr(cyclone_services, "dds_inline_client", lambda _: AWAITING)
     reader.peers = [(client, b"")]
     samples = [Sample(HEADER + struct.pack("<8sq", b"client 1", 1) + b"ask!", 1, 1, client)]
     reader.take = lambda: samples.pop(0) if samples else None
     server = HeaderResponder(reader, writer, CycloneClients(reader, writer, "/kill", Vendors()))
     request = server.take()
     assert request is not None
-    server.send(request.id, HEADER + b"say!")
+    return server, request.id
+
+
+def test_response_to_a_client_that_is_matched_late_is_sent_then(
+    monkeypatch: pytest.MonkeyPatch, wait_until
+) -> None:
+    monkeypatch.setattr(services, "CLIENT_WAIT_S", 0.01)
+    reader, writer = FakeEnd(), FakeEnd()
+    server, request = server_with_a_request(monkeypatch, reader, writer)
+    server.send(request, HEADER + b"say!")
     assert writer.written == []
-    writer.peers = [(awaiting, b"")]
+    writer.peers = [(AWAITING, b"")]
     wait_until(lambda: len(writer.written) == 1)
+
+
+def test_client_on_fast_dds_that_names_its_writer_is_matched(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(services, "CLIENT_WAIT_S", 3600.0)
+    reader, writer = FakeEnd(), FakeEnd()
+    server, request = server_with_a_request(monkeypatch, reader, writer)
+    monkeypatch.setattr(cyclone_services, "dds_inline_client", lambda _: reader.peers[0][0])
+    on_a_thread = threading.Thread(target=server.send, args=(request, HEADER + b"say!"), daemon=True)
+    on_a_thread.start()
+    on_a_thread.join(30)
+    assert len(writer.written) == 1
+    server.close()
+
+
+def test_nothing_is_sent_to_a_client_that_has_left(monkeypatch: pytest.MonkeyPatch) -> None:
+    reader, writer = FakeEnd(), FakeEnd((FAST, b""))
+    server, request = server_with_a_request(monkeypatch, reader, writer)
+    reader.peers = []
+    server.send(request, HEADER + b"say!")
+    assert writer.written == []
+
+
+def test_response_follows_a_probe_of_its_clients_reader(monkeypatch: pytest.MonkeyPatch) -> None:
+    reader, writer = FakeEnd(), FakeEnd()
+    server, request = server_with_a_request(monkeypatch, reader, writer)
+    writer.peers = [(AWAITING, b"")]
+    probes_before: list[int] = []
+    monkeypatch.setattr(writer, "write", lambda _: probes_before.append(writer.probes))
+    server.send(request, HEADER + b"say!")
+    assert probes_before == [1]
+
+
+def test_server_that_closes_ends_the_wait_for_a_late_client(
+    monkeypatch: pytest.MonkeyPatch, wait_until
+) -> None:
+    monkeypatch.setattr(services, "CLIENT_WAIT_S", 0.01)
+    monkeypatch.setattr(services, "LATE_CLIENT_WAIT_S", 3600.0)
+    raised: list[object] = []
+    monkeypatch.setattr(threading, "excepthook", raised.append)
+    reader, writer = FakeEnd(), FakeEnd()
+    server, request = server_with_a_request(monkeypatch, reader, writer)
+    before = set(threading.enumerate())
+    server.send(request, HEADER + b"say!")
+    (late,) = set(threading.enumerate()) - before
+
+    def refuse(_: bytes) -> None:
+        raise ClosedError("closed")
+
+    monkeypatch.setattr(writer, "write", refuse)
+    server.close()
+    wait_until(lambda: not late.is_alive())
+    assert raised == []
+
+
+def test_clients_that_stay_are_not_counted_at_each_request() -> None:
+    reader, writer = FakeEnd(), FakeEnd()
+    samples: list[Sample] = []
+    reader.take = lambda: samples.pop(0) if samples else None
+    clients = CycloneClients(reader, writer, "/kill", Vendors())
+    counted: list[int] = []
+    server = HeaderResponder(reader, writer, clients)
+    connected = clients.connected
+
+    def count() -> Any:
+        counted.append(1)
+        return connected()
+
+    clients.connected = count  # type: ignore[method-assign]
+    for number in range(1000):
+        gid = bytes.fromhex(CYCLONE) + number.to_bytes(14, "big")
+        reader.peers.append((gid, b""))
+        samples.append(Sample(HEADER + struct.pack("<Qq", number, 1) + b"ask!", 1, 1, gid))
+        assert server.take() is not None
+    assert len(server._gids) == 1000
+    assert len(counted) < 10
 
 
 def test_server_forgets_clients_that_have_left() -> None:

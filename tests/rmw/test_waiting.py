@@ -64,6 +64,16 @@ def test_token_in_the_queue_of_the_caller_ends_the_wait(participant: Participant
     assert not wait_until_ready(client, is_ready, queue=queue, is_open=is_open, look_again_s=3600)
 
 
+def test_queue_of_the_caller_gets_no_token_after_the_wait(participant: Participant) -> None:
+    client = participant.create_requester(NODE, KILL, QoS())
+    queue = ReadyQueue()
+    assert wait_until_ready(client, lambda: True, queue=queue)
+    queue.wait(0)
+    participant.create_responder(NODE, KILL, QoS())
+    assert client.is_ready()
+    assert queue.wait(0) == []
+
+
 def test_exception_of_is_ready_ends_the_wait(participant: Participant) -> None:
     client = participant.create_requester(NODE, KILL, QoS())
 

@@ -166,7 +166,7 @@ class CycloneWriter(CycloneEndpoint):
             while left_ns < 0 or left_ns > _ACKS_SLICE_NS:
                 if self._native.wait_for_acks(_ACKS_SLICE_NS):
                     return True
-                left_ns -= _ACKS_SLICE_NS if left_ns > 0 else 0
+                left_ns -= _ACKS_SLICE_NS
             return self._native.wait_for_acks(left_ns)
         except ForkedError:
             raise

@@ -269,7 +269,6 @@ class LocalReader(LocalEndpoint):
                 return
             self._closed = True
             sink, self._sink = self._sink, None
-            self._listener = None
             self._waiting.clear()
             self._for_sink.clear()
             self._writers = frozenset()

@@ -117,14 +117,13 @@ class RecordedTopics:
 
     def _topics(self, graph: base.Graph) -> dict[str, _Found]:
         topics: dict[str, _Found] = {}
-        own = {each.reader.gid for each in self._recorded.values() if each.reader is not None}
         for end in graph.endpoints():
             found = topics.setdefault(end.topic.name, _Found())
             if end.is_writer or end.topic.type_name not in found.types:
                 found.types[end.topic.type_name] = end.topic.type_hash
             if end.is_writer:
                 found.writers.append(end)
-            elif end.gid not in own:
+            else:  # or it is the recorder's own, of a topic that is recorded: nobody asks of it
                 found.has_subscription = True
         return topics
 

@@ -192,7 +192,7 @@ class BagWriter:
         Raises:
             BagError: it can't be written; what was written before stays readable.
         """
-        if self.state is not State.CLOSED and chunk not in self._unwritten:
+        if chunk not in self._unwritten:
             self._unwritten.append(chunk)
         self._check_open()
         # A split for another reason may have begun a file that has no message yet: this chunk then belongs to it.
